@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""An exact rasterizer in Python's standard library: the rules of OpenGL 4.6 (core), word for word.
+
+Try it:  edgecase run --against "exec:python3 reference/examples/rasterizer.py"
+
+Numbers are fractions, so nothing is rounded before the answer is written. Where the specification
+moves things by an infinitesimal e, a number is a tuple (a, b, c) that stands for a + b e + c e^2;
+Python orders tuples by their first difference, which is just the order of such numbers.
+"""
+import json
+import sys
+from fractions import Fraction
+
+HALF = Fraction(1, 2)
+
+
+def point(a):
+    """14.4.1, size 1: the pixel whose square contains the point."""
+    return lambda x, y: [1] if x <= a[0] < x + 1 and y <= a[1] < y + 1 else None
+
+
+def line(a, b):
+    """14.5.1, diamond exit: the segment meets the pixel's open diamond and does not end in it.
+
+    Both ends are moved by -(e, e^2). The diamond is |dx| + |dy| < 1/2 round the centre: the four
+    conditions sx dx + sy dy - 1/2 < 0, each of which changes linearly along the segment.
+    """
+    def covers(x, y):
+        enter, leave, ends_inside = (0, -1, 0), (1, 1, 0), True  # beyond [0, 1] on both sides
+        for sx, sy in (1, 1), (1, -1), (-1, 1), (-1, -1):
+            at_a, at_b = (sx * (p[0] - x - HALF) + sy * (p[1] - y - HALF) - HALF for p in (a, b))
+            ends_inside = ends_inside and (at_b, -sx, -sy) < (0, 0, 0)
+            slope = at_b - at_a
+            if slope == 0:
+                if (at_a, -sx, -sy) >= (0, 0, 0):
+                    return None
+            else:  # the condition's border is crossed at this part of the way from a to b
+                crossing = (-at_a / slope, sx / slope, sy / slope)
+                enter, leave = ((enter, min(leave, crossing)) if slope > 0
+                                else (max(enter, crossing), leave))
+        if ends_inside or not (enter < leave and enter < (1, 0, 0) and leave > (0, 0, 0)):
+            return None
+        along = [q - p for p, q in zip(a[:2], b[:2])]
+        t = (((x + HALF - a[0]) * along[0] + (y + HALF - a[1]) * along[1])
+             / (along[0] ** 2 + along[1] ** 2))
+        return [1 - t, t]
+    return covers
+
+
+def triangle(a, b, c):
+    """14.6.1: the pixel's centre lies inside; one on an edge is moved by (e, -e^2), so that left
+    edges and then top edges own it. OpenGL leaves that choice open."""
+    def side(p, q, x, y):  # twice the area of p, q and the centre, positive to the left of p -> q
+        dx, dy = q[0] - p[0], q[1] - p[1]
+        return (dx * (y + HALF - p[1]) - dy * (x + HALF - p[0]), -dy, -dx)
+    area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+    def covers(x, y):
+        sides = [[n if area > 0 else -n for n in side(p, q, x, y)]
+                 for p, q in ((b, c), (c, a), (a, b))]
+        if area == 0 or min(sides) <= [0, 0, 0]:
+            return None
+        return [s[0] / abs(area) for s in sides]
+    return covers
+
+
+RULES = {"points": (1, point), "lines": (2, line), "triangles": (3, triangle)}
+
+
+def render(scene):
+    width, height = scene["target"]["width"], scene["target"]["height"]
+    left, bottom, wide, high = scene["viewport"]
+    pixels = [scene["target"]["clear"]] * (width * height)
+    fragments, primitive = [], 0
+    for draw in scene["draws"]:
+        size, rule = RULES[draw["primitive"]]
+        smooth, provoking = draw["interpolation"] == "smooth", draw["provoking_vertex"]
+        for first in range(0, len(draw["vertices"]), size):
+            vertices = draw["vertices"][first:first + size]
+            corners = [[Fraction(n) for n in v["position"]] for v in vertices]
+            colors = [[Fraction(n) for n in v["color"]] for v in vertices]
+            covers = rule(*corners)
+            for y in range(max(0, bottom), min(height, bottom + high)):
+                for x in range(max(0, left), min(width, left + wide)):
+                    weights = covers(x, y)
+                    if weights is None:
+                        continue
+                    mix = lambda values: sum(w * v for w, v in zip(weights, values))
+                    color = ([mix(part) for part in zip(*colors)] if smooth
+                             else colors[0 if provoking == "first" else -1])
+                    depth = (mix([c[2] for c in corners]) + 1) / 2
+                    pixels[y * width + x] = color
+                    fragments.append({"x": x, "y": y, "primitive": primitive,
+                                      "depth": float(depth), "color": [float(n) for n in color]})
+            primitive += 1
+    # round() takes the nearest integer, and the even one of two.
+    unorm = [round(255 * min(max(Fraction(n), 0), 1)) for pixel in pixels for n in pixel]
+    return {"pixels": unorm, "fragments": fragments}
+
+
+for request in map(json.loads, sys.stdin):
+    if request["scene"]["target"]["samples"] == 1:
+        answer = render(request["scene"])
+    else:
+        answer = {"not_run": "this example draws one sample per pixel"}
+    answer["digest"] = request["digest"]
+    answer["renderer"] = {"vendor": "Edgecase", "device": "rasterizer.py", "subpixel_bits": 16}
+    print(json.dumps(answer), flush=True)

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// GlContext: a current OpenGL core context without a window, however it was made.
+//
+// One process holds one context for its whole life: Mesa reads the choice of its driver once per
+// process, and a driver that crashes must take nothing else with it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+
+namespace edgecase {
+
+using GlFunction = void (*)();
+
+class GlContext {
+ public:
+  virtual ~GlContext() = default;
+  // Makes the context current on this thread; false when the system refuses.
+  virtual bool make_current() = 0;
+  // The GL function of this name, or null. The context must be current.
+  virtual GlFunction get_proc(const char* name) const = 0;
+  // How the context was made: "OSMesa", "EGL surfaceless", "EGL device 0".
+  virtual std::string description() const = 0;
+};
+
+// Why there is no context: one sentence for people.
+struct ContextError {
+  std::string message;
+};
+
+using ContextResult = std::variant<std::unique_ptr<GlContext>, ContextError>;
+
+// Opens the context that a worker's command line names: "osmesa", "egl-surfaceless" or
+// "egl-device:N" (N from 0), and makes it current.
+ContextResult open_context(const std::string& name);
+
+}  // namespace edgecase

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+//
+// Owners of GL objects: each deletes its object in its destructor. The context must still be
+// current then, and the function table must outlive the owner.
+#pragma once
+
+#include <glad/gl.h>
+
+#include <utility>
+
+namespace edgecase {
+
+// Deletes by `Kind::remove(gl, name)`. Name 0 is no object.
+template <class Kind>
+class GlObject {
+ public:
+  GlObject() = default;
+  GlObject(const GladGLContext& gl, GLuint name) : gl_(&gl), name_(name) {}
+  GlObject(GlObject&& other) noexcept
+      : gl_(other.gl_), name_(std::exchange(other.name_, GLuint{0})) {}
+  GlObject& operator=(GlObject&& other) noexcept {
+    std::swap(gl_, other.gl_);
+    std::swap(name_, other.name_);
+    return *this;
+  }
+  ~GlObject() {
+    if (name_ != 0) Kind::remove(*gl_, name_);
+  }
+
+  GLuint name() const { return name_; }
+
+ private:
+  const GladGLContext* gl_ = nullptr;
+  GLuint name_ = 0;
+};
+
+struct BufferKind {
+  static void remove(const GladGLContext& gl, GLuint name) { gl.DeleteBuffers(1, &name); }
+};
+struct VertexArrayKind {
+  static void remove(const GladGLContext& gl, GLuint name) { gl.DeleteVertexArrays(1, &name); }
+};
+struct RenderbufferKind {
+  static void remove(const GladGLContext& gl, GLuint name) { gl.DeleteRenderbuffers(1, &name); }
+};
+struct FramebufferKind {
+  static void remove(const GladGLContext& gl, GLuint name) { gl.DeleteFramebuffers(1, &name); }
+};
+struct ShaderKind {
+  static void remove(const GladGLContext& gl, GLuint name) { gl.DeleteShader(name); }
+};
+struct ProgramKind {
+  static void remove(const GladGLContext& gl, GLuint name) { gl.DeleteProgram(name); }
+};
+
+using GlBuffer = GlObject<BufferKind>;
+using GlVertexArray = GlObject<VertexArrayKind>;
+using GlRenderbuffer = GlObject<RenderbufferKind>;
+using GlFramebuffer = GlObject<FramebufferKind>;
+using GlShader = GlObject<ShaderKind>;
+using GlProgram = GlObject<ProgramKind>;
+
+inline GlBuffer make_buffer(const GladGLContext& gl) {
+  GLuint name = 0;
+  gl.GenBuffers(1, &name);
+  return {gl, name};
+}
+inline GlVertexArray make_vertex_array(const GladGLContext& gl) {
+  GLuint name = 0;
+  gl.GenVertexArrays(1, &name);
+  return {gl, name};
+}
+inline GlRenderbuffer make_renderbuffer(const GladGLContext& gl) {
+  GLuint name = 0;
+  gl.GenRenderbuffers(1, &name);
+  return {gl, name};
+}
+inline GlFramebuffer make_framebuffer(const GladGLContext& gl) {
+  GLuint name = 0;
+  gl.GenFramebuffers(1, &name);
+  return {gl, name};
+}
+
+}  // namespace edgecase

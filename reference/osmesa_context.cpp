@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "reference/osmesa_context.h"
+
+#include <GL/osmesa.h>
+
+#include <array>
+
+#include "reference/shared_library.h"
+
+namespace edgecase {
+
+namespace {
+
+struct OsmesaFunctions {
+  decltype(OSMesaCreateContextAttribs)* create_context = nullptr;
+  decltype(OSMesaDestroyContext)* destroy_context = nullptr;
+  decltype(OSMesaMakeCurrent)* make_current = nullptr;
+  decltype(OSMesaGetProcAddress)* get_proc_address = nullptr;
+
+  bool load(const SharedLibrary& library) {
+    return library.load("OSMesaCreateContextAttribs", create_context) &&
+           library.load("OSMesaDestroyContext", destroy_context) &&
+           library.load("OSMesaMakeCurrent", make_current) &&
+           library.load("OSMesaGetProcAddress", get_proc_address);
+  }
+};
+
+class OsmesaContext final : public GlContext {
+ public:
+  OsmesaContext(const OsmesaFunctions& functions, OSMesaContext context)
+      : functions_(functions), context_(context) {}
+  ~OsmesaContext() override { functions_.destroy_context(context_); }
+  OsmesaContext(const OsmesaContext&) = delete;
+  OsmesaContext& operator=(const OsmesaContext&) = delete;
+
+  bool make_current() override {
+    return functions_.make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSize, kSize) ==
+           GL_TRUE;
+  }
+  GlFunction get_proc(const char* name) const override { return functions_.get_proc_address(name); }
+  std::string description() const override { return "OSMesa"; }
+
+ private:
+  static constexpr int kSize = 16;  // pixels; nothing is ever drawn here
+
+  OsmesaFunctions functions_;
+  OSMesaContext context_;
+  std::array<unsigned char, 4 * kSize * kSize> buffer_{};
+};
+
+OSMesaContext create_core_context(const OsmesaFunctions& functions, int major, int minor) {
+  const int attributes[] = {OSMESA_FORMAT,
+                            OSMESA_RGBA,
+                            OSMESA_DEPTH_BITS,
+                            24,
+                            OSMESA_PROFILE,
+                            OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION,
+                            major,
+                            OSMESA_CONTEXT_MINOR_VERSION,
+                            minor,
+                            0,
+                            0};
+  return functions.create_context(attributes, nullptr);
+}
+
+}  // namespace
+
+ContextResult make_osmesa_context() {
+  const SharedLibrary library({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
+  if (!library.is_open()) return ContextError{"OSMesa cannot be opened: " + library.error()};
+  OsmesaFunctions functions;
+  if (!functions.load(library))
+    return ContextError{"OSMesa is too old: it lacks OSMesaCreateContextAttribs"};
+  constexpr int kVersions[][2] = {{4, 6}, {4, 5}, {4, 3}, {3, 3}};
+  for (const auto& [major, minor] : kVersions)
+    if (OSMesaContext context = create_core_context(functions, major, minor))
+      return std::make_unique<OsmesaContext>(functions, context);
+  return ContextError{"OSMesa offers no OpenGL core context of version 3.3 or later"};
+}
+
+}  // namespace edgecase

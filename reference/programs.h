@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// The three GL programs, compiled once: a program per case would cost more than all drawing.
+//
+// All share one vertex shader, so that every pass rasterizes the same primitives. What differs from
+// draw to draw is a uniform or a vertex attribute. The primitive's index travels as a flat
+// attribute that is equal at all its vertices: gl_PrimitiveID makes a shader draw nothing on one
+// driver and is garbage on another.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "reference/gl_objects.h"
+
+namespace edgecase {
+
+// Attribute locations of the vertex shader.
+constexpr GLuint kPositionAttribute = 0;   // vec4, clip coordinates
+constexpr GLuint kColorAttribute = 1;      // vec4
+constexpr GLuint kPrimitiveAttribute = 2;  // int
+
+// Uniform locations of the fragment shaders.
+constexpr GLint kSmoothUniform = 0;    // int: 1 takes the interpolated colour, 0 the flat one
+constexpr GLint kCapacityUniform = 1;  // uint: records that the capture's buffer has room for
+
+// Binding of the capture's buffer.
+constexpr GLuint kCaptureBinding = 0;
+
+struct Programs {
+  GlProgram color;    // writes the fragment's colour
+  GlProgram count;    // writes 1 to the red channel
+  GlProgram capture;  // writes the colour, and appends a record: see reference/capture.h
+};
+
+// Why there are no programs, one sentence with the driver's own words.
+struct ProgramError {
+  std::string message;
+};
+
+// Compiles all three. The context must have GL 4.3 or later and be current.
+std::variant<Programs, ProgramError> make_programs(const GladGLContext& gl);
+
+}  // namespace edgecase

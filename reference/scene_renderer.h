@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+//
+// SceneRenderer: a Scene drawn by an OpenGL context, as a Rendering.
+//
+// Three passes draw the same primitives with the same state: pixels (colours into RGBA8), hit
+// counts (1 added per fragment into R32F) and the capture (a record per fragment shader invocation,
+// reference/capture.h). Pixels and hit counts go through the fixed-function end of the pipeline and
+// the capture does not, so that they check each other: whoever reads the answer refuses it where
+// they differ.
+//
+// It does not transform, clip or judge anything: scenes carry window coordinates, and the loader
+// has made sure that clip coordinates and their window images are exact in float32.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "model/renderer.h"
+#include "reference/capture.h"
+#include "reference/gl_context.h"
+#include "reference/gl_objects.h"
+#include "reference/programs.h"
+#include "reference/targets.h"
+
+namespace edgecase {
+
+class SceneRenderer {
+ public:
+  // `context` must be current, stay so, and outlive the renderer. A context that lacks what drawing
+  // needs still makes a renderer: it answers every scene with the reason.
+  explicit SceneRenderer(const GlContext& context);
+
+  // What the context says of itself; the name is left empty.
+  const RendererInfo& info() const { return info_; }
+
+  // A Rendering with hit counts, or a Failure: `unsupported` with the reason, or `crashed` when the
+  // context is lost and the process must start again.
+  Outcome render(const Scene& scene);
+
+ private:
+  // GL objects, in the order in which they may be made. Only there where `problem_` is empty.
+  struct Objects {
+    explicit Objects(const GladGLContext& gl, Programs made);
+    Programs programs;
+    Capture capture;
+    Targets targets;
+    GlBuffer vertices;
+    GlVertexArray vertex_array;
+  };
+
+  void describe(const GlContext& context);
+  std::string limit_exceeded_by(const Scene& scene) const;
+  void upload(const Scene& scene);
+  void draw_all(const Scene& scene, const GlProgram& program);
+  std::optional<std::string> capture_fragments(const Scene& scene, Rendering& rendering);
+
+  GladGLContext gl_{};
+  RendererInfo info_;
+  std::string problem_;  // why nothing can be drawn; empty: all is there
+  int max_size_ = 0;
+  int max_viewport_[2] = {0, 0};
+  std::optional<Objects> objects_;
+};
+
+}  // namespace edgecase

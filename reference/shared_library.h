@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// A shared library that is opened at run time, so that one that is missing is a message.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+
+namespace edgecase {
+
+class SharedLibrary {
+ public:
+  // Opens the first of `names` that can be opened. It stays open until the process ends: drivers
+  // leave threads and exit handlers behind that outlive a context.
+  explicit SharedLibrary(std::initializer_list<const char*> names);
+
+  bool is_open() const { return handle_ != nullptr; }
+  // What the dynamic linker said about the last name, when none could be opened.
+  const std::string& error() const { return error_; }
+
+  // Sets `function` to the symbol of this name; false, and null, when there is none.
+  template <class Function>
+  bool load(const char* name, Function*& function) const {
+    function = reinterpret_cast<Function*>(symbol(name));
+    return function != nullptr;
+  }
+
+ private:
+  void* symbol(const char* name) const;
+
+  void* handle_ = nullptr;
+  std::string error_;
+};
+
+}  // namespace edgecase

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase-gl: the worker program of the OpenGL renderers.
+//
+//   edgecase-gl osmesa|egl-surfaceless|egl-device:N [--expect-driver NAME]
+//
+// It speaks the protocol of reference/PROTOCOL.md: one scene per line on standard input, one answer
+// per line on standard output, until its input ends. Which driver draws is decided by environment
+// variables that its parent sets; --expect-driver makes sure of it. A context that cannot be had,
+// or another driver than the expected one, is a sentence on standard error and exit status 3.
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "reference/gl_context.h"
+#include "reference/scene_renderer.h"
+#include "wire/answer_line.h"
+#include "wire/request_line.h"
+
+namespace edgecase {
+
+namespace {
+
+constexpr int kUsageError = 2;
+constexpr int kUnavailable = 3;
+constexpr int kContextLost = 4;
+
+int complain(int status, const std::string& sentence) {
+  std::fprintf(stderr, "edgecase-gl: %s\n", sentence.c_str());
+  return status;
+}
+
+// The standard output that the parent reads. Whatever a driver prints goes to standard error.
+std::FILE* take_standard_output() {
+  const int copy = dup(STDOUT_FILENO);
+  if (copy < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return nullptr;
+  return fdopen(copy, "w");
+}
+
+bool write_line(std::FILE* output, const std::string& line) {
+  return std::fwrite(line.data(), 1, line.size(), output) == line.size() &&
+         std::fputc('\n', output) != EOF && std::fflush(output) == 0;
+}
+
+int serve(SceneRenderer& renderer, std::FILE* output) {
+  // The parent needs to hear only once who answers.
+  const RendererInfo* claims = &renderer.info();
+  for (std::string line; std::getline(std::cin, line);) {
+    const auto parsed = parse_request(line);
+    if (const auto* error = std::get_if<WireError>(&parsed))
+      return complain(kUsageError, "bad request: " + error->message);
+    const Request& request = std::get<Request>(parsed);
+    const Outcome outcome = renderer.render(request.scene);
+    const auto* failure = std::get_if<Failure>(&outcome);
+    if (failure != nullptr && failure->kind == FailureKind::crashed)
+      return complain(kContextLost, failure->reason);
+    const std::string answer =
+        failure != nullptr ? refusal_line(request.digest, failure->reason, claims)
+                           : answer_line(request.digest, std::get<Rendering>(outcome), claims);
+    if (!write_line(output, answer)) return complain(kUsageError, "the parent reads no more");
+    claims = nullptr;
+  }
+  return 0;
+}
+
+int run(int argc, char** argv) {
+  const bool expects = argc == 4 && std::string(argv[2]) == "--expect-driver";
+  if (argc != 2 && !expects)
+    return complain(kUsageError,
+                    "usage: edgecase-gl osmesa|egl-surfaceless|egl-device:N "
+                    "[--expect-driver NAME]");
+  std::FILE* output = take_standard_output();
+  if (output == nullptr) return complain(kUsageError, "there is no standard output");
+  ContextResult opened = open_context(argv[1]);
+  if (const auto* error = std::get_if<ContextError>(&opened))
+    return complain(kUnavailable, error->message);
+  const auto& context = *std::get<std::unique_ptr<GlContext>>(opened);
+  SceneRenderer renderer(context);
+  const std::string& device = renderer.info().device;
+  if (expects && device.find(argv[3]) == std::string::npos)
+    return complain(kUnavailable, std::string("the driver is '") + device + "', not " + argv[3]);
+  std::ios::sync_with_stdio(false);
+  return serve(renderer, output);
+}
+
+}  // namespace
+
+}  // namespace edgecase
+
+#ifdef __SANITIZE_ADDRESS__
+// Drivers keep memory until the process ends. Reporting it would replace our exit status.
+extern "C" const char* __asan_default_options() {
+  return "detect_leaks=0";
+}
+#endif
+
+int main(int argc, char** argv) {
+  return edgecase::run(argc, argv);
+}

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "reports/pixels.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kPixel = 4;  // bytes
+
+void put_number(Bytes& out, std::size_t number) {
+  while (number >= 0x80) {
+    out.push_back(static_cast<std::uint8_t>(number & 0x7F) | 0x80);
+    number >>= 7;
+  }
+  out.push_back(static_cast<std::uint8_t>(number));
+}
+
+std::size_t take_number(const Bytes& bytes, std::size_t& at) {
+  std::size_t number = 0;
+  for (unsigned shift = 0; at < bytes.size(); shift += 7) {
+    const std::uint8_t byte = bytes[at++];
+    number |= static_cast<std::size_t>(byte & 0x7F) << shift;
+    if (byte < 0x80) break;
+  }
+  return number;
+}
+
+// How often the pixel at byte `at` repeats, itself included.
+std::size_t run_at(const Bytes& rgba, std::size_t at) {
+  std::size_t end = at + kPixel;
+  while (end + kPixel <= rgba.size() && std::equal(&rgba[at], &rgba[at] + kPixel, &rgba[end]))
+    end += kPixel;
+  return (end - at) / kPixel;
+}
+
+void append(Bytes& out, const Bytes& from, std::size_t begin, std::size_t end) {
+  out.insert(out.end(), from.begin() + static_cast<std::ptrdiff_t>(begin),
+             from.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
+void put_literals(Bytes& out, const Bytes& rgba, std::size_t begin, std::size_t end) {
+  if (begin == end) return;
+  put_number(out, (end - begin) / kPixel << 1);
+  append(out, rgba, begin, end);
+}
+
+}  // namespace
+
+std::string to_base64(const Bytes& bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    std::uint32_t group = 0;
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
+    for (std::size_t i = 0; i < 3; ++i) group = group << 8 | (i < count ? bytes[at + i] : 0u);
+    for (std::size_t i = 0; i < 4; ++i)
+      out += i <= count ? kDigits[group >> (18 - 6 * i) & 63] : '=';
+  }
+  return out;
+}
+
+Bytes pack_pixels(const Bytes& rgba) {
+  Bytes out;
+  std::size_t pending = 0;  // first byte that is not written yet
+  for (std::size_t at = 0; at + kPixel <= rgba.size();) {
+    const std::size_t run = run_at(rgba, at);
+    if (run > 1) {
+      put_literals(out, rgba, pending, at);
+      put_number(out, run << 1 | 1);
+      append(out, rgba, at, at + kPixel);
+      pending = at + run * kPixel;
+    }
+    at += run * kPixel;
+  }
+  put_literals(out, rgba, pending, rgba.size());
+  return out;
+}
+
+Bytes unpack_pixels(const Bytes& packed) {
+  Bytes out;
+  for (std::size_t at = 0; at < packed.size();) {
+    const std::size_t number = take_number(packed, at);
+    const std::size_t count = number >> 1;
+    const std::size_t stored = number & 1 ? kPixel : count * kPixel;
+    if (at + stored > packed.size()) break;
+    for (std::size_t i = 0; i < (number & 1 ? count : 1); ++i) append(out, packed, at, at + stored);
+    at += stored;
+  }
+  return out;
+}
+
+Bytes difference_of(const Bytes& a, const Bytes& b) {
+  Bytes out(std::min(a.size(), b.size()));
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = a[i] ^ b[i];
+  return out;
+}
+
+}  // namespace edgecase

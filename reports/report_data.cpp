@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "reports/report_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/pixels.h"
+
+namespace edgecase {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
+  // A whole number without its ".0" is shorter, and JavaScript has but one kind of number.
+  if (value == std::floor(value) && std::abs(value) < 1e15 && !std::signbit(value))
+    return static_cast<std::int64_t>(value);
+  return value;
+}
+
+Json numbers(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (double value : values) list.push_back(number(value));
+  return list;
+}
+
+Json figure_json(const Figure& figure) {
+  Json marks = Json::array();
+  for (const Mark& mark : figure.marks) {
+    Json points = Json::array();
+    for (const auto& [x, y] : mark.points) {
+      points.push_back(number(x));
+      points.push_back(number(y));
+    }
+    marks.push_back(Json::array({name_of(mark.role), mark.closed ? 1 : 0, mark.label, points}));
+  }
+  return marks;
+}
+
+// Fields that say nothing are left out: the report holds thousands of these.
+Json disagreement_json(const Disagreement& d) {
+  Json json = {{"x", d.x}, {"y", d.y}, {"kind", name_of(d.kind)}, {"rule", d.rule}};
+  if (d.sample != 0) json["sample"] = d.sample;
+  if (d.primitive >= 0) json["primitive"] = d.primitive;
+  json["legal"] = d.legal;
+  if (!d.cause.empty()) json["cause"] = d.cause;
+  if (d.ruling != 0) json["ruling"] = d.ruling;
+  json["exact"] = numbers(d.exact);
+  json["rendered"] = numbers(d.rendered);
+  json["explanation"] = d.explanation;
+  if (!d.figure.marks.empty()) json["figure"] = figure_json(d.figure);
+  return json;
+}
+
+Json values_json(const ValueAggregate& v) {
+  Json places = Json::array();
+  const std::size_t listed = std::min(v.differing.size(), kMaxDisagreementsPerAnswer);
+  for (std::size_t i = 0; i < listed; ++i) {
+    places.push_back(v.differing[i].x);
+    places.push_back(v.differing[i].y);
+  }
+  Json histogram = Json::array();
+  for (const auto& [exponent, count] : v.ulp_histogram)
+    histogram.push_back(Json::array({exponent, count}));
+  return {{"attribute", v.attribute},
+          {"rule", v.rule},
+          {"ruling", v.ruling},
+          {"compared", v.compared},
+          {"differing", v.differing.size()},
+          {"places", places},
+          {"worst",
+           {{"x", v.worst.x},
+            {"y", v.worst.y},
+            {"primitive", v.worst.primitive},
+            {"component", v.worst_component},
+            {"exact", number(v.worst_exact)},
+            {"rendered", number(v.worst_rendered)},
+            {"ulp", number(v.worst_ulp)}}},
+          {"histogram", histogram}};
+}
+
+// What a renderer answered, without who it was.
+Json answer_json(const CaseResults& one, const Result& result) {
+  Json json;
+  json["fingerprint"] = result.fingerprint;
+  const bool same_size = result.pixels.size() == one.pixels.size();
+  if (same_size && result.pixels != one.pixels)
+    json["difference"] = to_base64(pack_pixels(difference_of(one.pixels, result.pixels)));
+  if (!same_size || result.pixels.empty()) json["blank"] = true;
+  Json list = Json::array();
+  const std::size_t listed = std::min(result.disagreements.size(), kMaxDisagreementsPerAnswer);
+  for (std::size_t i = 0; i < listed; ++i)
+    list.push_back(disagreement_json(result.disagreements[i]));
+  json["disagreements"] = std::move(list);
+  if (listed < result.disagreements.size()) json["omitted"] = result.disagreements.size() - listed;
+  Json values = Json::array();
+  for (const ValueAggregate& v : result.values) values.push_back(values_json(v));
+  json["values"] = std::move(values);
+  Json evidence = Json::array();
+  for (const Result::Evidence& e : result.evidence)
+    evidence.push_back({{"primitive", e.primitive},
+                        {"causes", e.causes},
+                        {"line_snaps", e.line_snaps},
+                        {"broken_clause", e.broken_clause}});
+  json["evidence"] = std::move(evidence);
+  json["line_snaps"] = result.line_snaps;
+  return json;
+}
+
+Json result_json(const Result& result, std::size_t answer) {
+  Json json = {{"verdict", name_of(result.verdict)},
+               {"standing", name_of(result.standing)},
+               {"expectation", result.expectation},
+               {"answer", answer}};
+  if (result.failure)
+    json["failure"] = {{"kind", name_of(result.failure->kind)}, {"reason", result.failure->reason}};
+  return json;
+}
+
+void add_results(Json& json, const CaseResults& one) {
+  Json answers = Json::array();
+  Json results = Json::array();
+  for (const Result& result : one.results) {
+    Json answer = answer_json(one, result);
+    const auto found = std::find(answers.begin(), answers.end(), answer);
+    const auto index = static_cast<std::size_t>(found - answers.begin());
+    if (found == answers.end()) answers.push_back(std::move(answer));
+    results.push_back(result_json(result, index));
+  }
+  json["answers"] = std::move(answers);
+  json["results"] = std::move(results);
+}
+
+Json case_json(const CaseResults& one) {
+  Json json = {{"id", one.id},
+               {"title", one.title},
+               {"why", one.why},
+               {"rules", one.rules},
+               {"spec", one.spec},
+               {"origin", one.origin},
+               {"tags", one.tags},
+               {"file", one.file},
+               {"source", one.source},
+               {"surface", one.surface},
+               {"width", one.width},
+               {"height", one.height},
+               {"fragments", one.fragments}};
+  json["pixels"] = to_base64(pack_pixels(one.pixels));
+  json["figure"] = figure_json(one.figure);
+  json["expect_failures"] = one.expect_failures;
+  add_results(json, one);
+  return json;
+}
+
+Json renderer_json(const RendererInfo& info) {
+  return {{"name", info.name},     {"vendor", info.vendor}, {"version", info.version},
+          {"device", info.device}, {"traits", info.traits}, {"subpixel_bits", info.subpixel_bits}};
+}
+
+Json texts_json(const ReportTexts& texts) {
+  Json json = {{"rules", Json::array()}, {"rulings", Json::array()}};
+  for (const RuleText& rule : texts.rules)
+    json["rules"].push_back(
+        {{"id", rule.id}, {"title", rule.title}, {"spec", rule.spec}, {"latitude", rule.latitude}});
+  for (const RulingText& ruling : texts.rulings)
+    json["rulings"].push_back({{"number", ruling.number}, {"text", ruling.text}});
+  return json;
+}
+
+// `<` cannot occur in JSON outside strings, so that escaping it everywhere changes no value.
+std::string escape_markup(const std::string& json) {
+  std::string out;
+  out.reserve(json.size());
+  for (char c : json) {
+    if (c == '<')
+      out += "\\u003c";
+    else
+      out += c;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string report_data(const Results& results, const ReportTexts& texts) {
+  Json json = {{"tool", results.tool},
+               {"policy", results.policy},
+               {"interrupted", results.interrupted},
+               {"renderers", Json::array()}};
+  for (const RendererInfo& info : results.renderers)
+    json["renderers"].push_back(renderer_json(info));
+  json.update(texts_json(texts));
+  json["diagnostics"] = Json::array();
+  for (const Diagnostic& d : results.diagnostics)
+    json["diagnostics"].push_back({{"file", d.file},
+                                   {"line", d.line},
+                                   {"pointer", d.pointer},
+                                   {"message", d.message},
+                                   {"remedy", d.remedy}});
+  json["cases"] = Json::array();
+  for (const CaseResults& one : results.cases) json["cases"].push_back(case_json(one));
+  return escape_markup(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace edgecase

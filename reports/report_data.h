@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// The data of the HTML report, as JSON.
+//
+// {"tool", "policy", "interrupted", "renderers", "rules", "rulings", "diagnostics", "cases"}. A
+// case holds the words of its file, its exact pixels, its figure, "answers" and "results": two
+// renderers that answered alike share one answer (pixels, disagreements, values, evidence), a
+// result adds what is each renderer's own (verdict, standing, failure, expectation). Pixels are
+// packed as pixels.h says; an answer's are the difference from exact and absent when there is none;
+// an answer without an image of exact's size is "blank".
+// A figure is a list of [role, closed, label, [x, y, x, y, ...]]. Numbers that JSON lacks are the
+// strings "NaN", "Infinity", "-Infinity".
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "reports/html.h"
+
+namespace edgecase {
+
+// An answer with more disagreements than this shows the first so many in the report and names the
+// number of the rest ("omitted"); the results file is complete.
+constexpr std::size_t kMaxDisagreementsPerAnswer = 2000;
+
+// Valid UTF-8 (invalid bytes become U+FFFD) in which `<` occurs only as \u003c, so that no text can
+// end the script element around it.
+std::string report_data(const Results& results, const ReportTexts& texts);
+
+}  // namespace edgecase

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// The terminal's summary: how many cases got which verdict from which renderer, then what nobody
+// expected, each with its first explanation.
+#pragma once
+
+#include <iosfwd>
+
+#include "results/results.h"
+
+namespace edgecase {
+
+// Writes the table verdict x renderer, broken case files, unmet hand-drawn expectations and the
+// unexpected results, at most 20 of each and then "and N more". `color`: with ANSI escapes.
+// Text from files and renderers is written on one line with its control characters made visible,
+// so that no title can steer the terminal.
+void write_summary(const Results& results, bool color, std::ostream& out);
+
+}  // namespace edgecase

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "reports/text.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+namespace edgecase {
+namespace {
+
+constexpr std::uint32_t kReplacement = 0xFFFD;
+constexpr std::uint32_t kControlPictures = 0x2400;
+
+struct Decoded {
+  std::uint32_t code = kReplacement;
+  std::size_t bytes = 1;  // consumed, at least one
+};
+
+std::uint32_t byte_at(std::string_view text, std::size_t at) {
+  return static_cast<unsigned char>(text[at]);
+}
+
+// The number of bytes that a lead byte announces; 0: it is no lead byte.
+std::size_t sequence_length(std::uint32_t lead) {
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead < 0xE0) return 2;
+  if (lead >= 0xE0 && lead < 0xF0) return 3;
+  return lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+}
+
+// Decodes the character at `at`; what is not UTF-8 (overlong, surrogate, cut off) is one
+// replacement character per byte.
+Decoded decode(std::string_view text, std::size_t at) {
+  constexpr std::uint32_t kLeadMask[] = {0, 0x7F, 0x1F, 0x0F, 0x07};
+  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  const std::uint32_t lead = byte_at(text, at);
+  const std::size_t length = sequence_length(lead);
+  if (length == 0 || at + length > text.size()) return {};
+  std::uint32_t code = lead & kLeadMask[length];
+  for (std::size_t i = 1; i < length; ++i) {
+    const std::uint32_t byte = byte_at(text, at + i);
+    if ((byte & 0xC0) != 0x80) return {};
+    code = code << 6 | (byte & 0x3F);
+  }
+  const bool surrogate = code >= 0xD800 && code < 0xE000;
+  if (code < kLeast[length] || code > 0x10FFFF || surrogate) return {};
+  return {code, length};
+}
+
+void append_utf8(std::string& out, std::uint32_t code) {
+  const auto put = [&out](std::uint32_t byte) { out += static_cast<char>(byte); };
+  if (code < 0x80) return put(code);
+  if (code < 0x800) {
+    put(0xC0 | code >> 6);
+  } else {
+    if (code < 0x10000) {
+      put(0xE0 | code >> 12);
+    } else {
+      put(0xF0 | code >> 18);
+      put(0x80 | (code >> 12 & 0x3F));
+    }
+    put(0x80 | (code >> 6 & 0x3F));
+  }
+  put(0x80 | (code & 0x3F));
+}
+
+// Marks that change the direction of the text around them.
+bool turns_text(std::uint32_t code) {
+  return code == 0x061C || code == 0x200E || code == 0x200F || (code >= 0x202A && code <= 0x202E) ||
+         (code >= 0x2066 && code <= 0x2069);
+}
+
+std::uint32_t visible(std::uint32_t code, bool keep_breaks) {
+  if (keep_breaks && (code == '\t' || code == '\n')) return code;
+  if (code < 0x20) return kControlPictures + code;
+  if (code == 0x7F) return kControlPictures + 0x21;
+  if (!keep_breaks && turns_text(code)) return kReplacement;
+  const bool c1 = code >= 0x80 && code < 0xA0;
+  return c1 || code == 0xFFFE || code == 0xFFFF ? kReplacement : code;
+}
+
+std::string make_visible(std::string_view text, bool keep_breaks) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();) {
+    const Decoded next = decode(text, at);
+    append_utf8(out, visible(next.code, keep_breaks));
+    at += next.bytes;
+  }
+  return out;
+}
+
+std::string counted(std::size_t count, const char* singular, const char* plural) {
+  return fmt::format("{} {}", count, count == 1 ? singular : plural);
+}
+
+}  // namespace
+
+std::string xml_text(std::string_view text) {
+  return make_visible(text, true);
+}
+
+std::string one_line(std::string_view text) {
+  return make_visible(text, false);
+}
+
+std::size_t count_differences(const Result& result) {
+  std::size_t count = result.disagreements.size();
+  for (const ValueAggregate& values : result.values) count += values.differing.size();
+  return count;
+}
+
+std::string headline(const Result& result) {
+  std::string text = fmt::format("{}, {}", name_of(result.verdict), name_of(result.standing));
+  if (result.verdict == Verdict::not_run) {
+    if (result.failure) text += fmt::format(", {}", name_of(result.failure->kind));
+    return text;
+  }
+  const std::size_t listed = result.disagreements.size();
+  const std::size_t values = count_differences(result) - listed;
+  text += ", " + counted(listed, "disagreement", "disagreements");
+  if (values > 0) text += ", " + counted(values, "value", "values") + " within what is permitted";
+  return text;
+}
+
+std::string describe(const Disagreement& d) {
+  std::string text = fmt::format("pixel ({}, {})", d.x, d.y);
+  if (d.sample > 0) text += fmt::format(", sample {}", d.sample);
+  if (d.primitive >= 0) text += fmt::format(", primitive {}", d.primitive);
+  text += fmt::format(", {}, {}, {}", name_of(d.kind), d.rule, d.legal ? "legal" : "not legal");
+  if (d.ruling > 0) text += fmt::format(" by ruling {}", d.ruling);
+  if (!d.cause.empty()) text += fmt::format(", cause {}", d.cause);
+  return text + ": " + d.explanation;
+}
+
+std::string describe(const ValueAggregate& values) {
+  if (values.differing.empty())
+    return fmt::format("{}: all {} values agree", values.attribute, values.compared);
+  return fmt::format(
+      "{}: {} of {} values differ within what is permitted, worst {:.4g} ULP at pixel ({}, {}): "
+      "{} exact, {} rendered",
+      values.attribute, values.differing.size(), values.compared, values.worst_ulp, values.worst.x,
+      values.worst.y, values.worst_exact, values.worst_rendered);
+}
+
+std::string first_explanation(const Result& result) {
+  if (result.failure) return result.failure->reason;
+  if (!result.disagreements.empty()) {
+    const Disagreement& first = result.disagreements.front();
+    return fmt::format("pixel ({}, {}): {}", first.x, first.y, first.explanation);
+  }
+  for (const ValueAggregate& values : result.values)
+    if (!values.differing.empty()) return describe(values);
+  return result.expectation;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// The few phrases that every report shares, so that JUnit, the terminal and HTML tell one story.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "results/results.h"
+
+namespace edgecase {
+
+// `text` as XML 1.0 can hold it, nothing dropped: control characters become their pictures
+// (U+2400 to U+2421), invalid UTF-8 and U+FFFE, U+FFFF become U+FFFD. Tab and line feed stay.
+std::string xml_text(std::string_view text);
+
+// The same on one line: tabs and line feeds become their pictures too, and marks that turn the
+// direction of text U+FFFD, so that what stands beside the text keeps its place.
+std::string one_line(std::string_view text);
+
+// Disagreements, and values that differ inside what is permitted.
+std::size_t count_differences(const Result& result);
+
+// "violation, unexpected, 3 disagreements": verdict, standing and counts of a result.
+std::string headline(const Result& result);
+
+// "pixel (3, 4), missing, line.diamond-exit, not legal: EXPLANATION".
+std::string describe(const Disagreement& disagreement);
+
+// "color: 12 of 340 values differ within what is permitted, worst 1 ULP at pixel (3, 4): 0.5 exact,
+// 0.50000006 rendered".
+std::string describe(const ValueAggregate& values);
+
+// Why a result is what it is, as its first sentence: the failure's reason, the first disagreement
+// or the first value that differs, else the expectation's reason; may be empty.
+std::string first_explanation(const Result& result);
+
+}  // namespace edgecase

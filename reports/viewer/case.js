@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// One case: the words of its author, one renderer's answer at a time, and its pictures.
+
+const CaseView = {
+  one: null,
+  result: null,
+  pictures: null,
+  list: null,
+  index: -1,   // of the chosen disagreement
+  parts: null,
+
+  close() {
+    CaseView.pictures?.destroy();
+    CaseView.one = CaseView.result = CaseView.pictures = null;
+  },
+
+  // The result to open first: the named renderer's, else the one most worth a look.
+  resultFor(one, name) {
+    const named = one.results.find((r) => r.renderer === name);
+    const score = (r) => (isSurprise(r) ? 10 : 0) + VERDICTS[r.verdict].rank;
+    return named || one.results.reduce((best, r) => (!best || score(r) > score(best) ? r : best),
+      null);
+  },
+
+  show(one, state) {
+    const result = CaseView.resultFor(one, state.on || state.renderer);
+    if (one === CaseView.one && result === CaseView.result) return CaseView.choose(state.at, false);
+    CaseView.close();
+    CaseView.one = one;
+    CaseView.result = result;
+    replace(byId("app"), caseHead(one, state), result ? CaseView.build(one, result)
+      : h("main.case", {}, caseWords(one), h("p.card", {}, "No renderer was run on this case.")));
+    if (result) {
+      CaseView.pictures.resize();
+      CaseView.choose(state.at, false);
+    }
+  },
+
+  build(one, result) {
+    const {answer} = result;
+    CaseView.parts = {
+      finding: h("div.finding", {"aria-live": "polite"}), commands: h("div", {}),
+      stepper: h("span.steps", {}),
+    };
+    CaseView.pictures = new Pictures(one, result, CaseView.pick);
+    CaseView.list = new DisagreementList(answer, (index) => CaseView.choose(index, true));
+    return h("main.case", {}, caseWords(one), rendererTabs(one, result),
+      h("section.card.answer", {role: "tabpanel", "aria-label": result.renderer},
+        resultLine(result, CaseView.parts.stepper), CaseView.parts.finding),
+      CaseView.pictures.element, CaseView.list.element, valuesSection(answer, CaseView.pick),
+      evidenceSection(answer),
+      h("section.card", {}, h("h2", {}, "Reproduce"), CaseView.parts.commands),
+      h("section.card", {}, verticesOf(one.figure), h("details", {},
+        h("summary", {}, "Case file ", h("code.faint", {}, one.file)),
+        h("pre", {tabindex: "0"}, prettySource(one.source)))));
+  },
+
+  // Chooses a disagreement by its number; `at` of the route is 1 for the first.
+  choose(at, write) {
+    const all = CaseView.result.answer.disagreements;
+    const index = write ? at : Math.min(Math.max(Number(at) - 1 || 0, 0), all.length - 1);
+    if (write) history.replaceState(null, "", Route.href({
+      case: CaseView.one.id, on: CaseView.result.renderer, at: index + 1,
+    }));
+    CaseView.index = index;
+    CaseView.tell(all[index] || null, all[index] || worstPlace(CaseView.result.answer));
+    CaseView.list.show(index);
+    CaseView.pictures.select(all[index] || null, all[index] ? null : CaseView.pixel);
+  },
+
+  // A pixel was clicked: its (next) disagreement, or the pixel alone.
+  pick(x, y) {
+    const all = CaseView.result.answer.disagreements;
+    const here = all.map((d, i) => [d, i]).filter(([d]) => d.x === x && d.y === y);
+    if (here.length) {
+      const next = here.find(([, i]) => i > CaseView.index) || here[0];
+      return CaseView.choose(next[1], true);
+    }
+    CaseView.index = -1;
+    CaseView.tell(null, {x, y});
+    CaseView.list.show(-1);
+    CaseView.pictures.select(null, {x, y});
+  },
+
+  step(by) {
+    const count = CaseView.result ? CaseView.result.answer.disagreements.length : 0;
+    if (!count) return;
+    const from = CaseView.index < 0 && by < 0 ? 0 : CaseView.index;
+    CaseView.choose((from + by + count) % count, true);
+  },
+
+  // Writes the finding and the commands for a disagreement or a pixel.
+  tell(disagreement, pixel) {
+    CaseView.pixel = pixel && {x: pixel.x, y: pixel.y};
+    const count = CaseView.result.answer.disagreements.length;
+    replace(CaseView.parts.finding,
+      disagreement ? findingOf(disagreement) : nothingFound(CaseView.one, CaseView.result, pixel));
+    replace(CaseView.parts.stepper,
+      stepper(CaseView.index, count, (index) => CaseView.choose(index, true)));
+    replace(CaseView.parts.commands,
+      commandsFor(CaseView.one, CaseView.result, CaseView.pixel).map(commandLine));
+  },
+};
+
+function worstPlace(answer) {
+  const values = answer.values.find((v) => v.differing);
+  return values ? values.worst : null;
+}
+
+function nothingFound(one, result, pixel) {
+  const {answer} = result;
+  if (result.failure)
+    return h("p.sentence", {}, h("b", {}, result.failure.kind + ": "), result.failure.reason);
+  if (answer.disagreements.length)
+    return h("p.sentence", {}, "Nothing is listed at pixel (" + pixel.x + ", " + pixel.y + ").");
+  const values = answer.values.filter((v) => v.differing);
+  if (values.length)
+    return h("p.sentence", {}, values.map((v) => v.differing.toLocaleString("en") + " of " +
+      v.compared.toLocaleString("en") + " " + v.attribute + " values differ within what is " +
+      "permitted; the worst, at pixel (" + v.worst.x + ", " + v.worst.y + "), by " +
+      short(v.worst.ulp) + " ULP. "));
+  return h("p.sentence", {}, "Nothing differs: both draw the same " +
+    plural(one.fragments, "fragment", "fragments") + ".");
+}
+
+function resultLine(result, steps) {
+  return h("div.result-line", {}, verdictBadge(result.verdict), standingBadge(result.standing),
+    h("span.reason", {dir: "auto"}, result.expectation), steps);
+}
+
+function rendererTabs(one, chosen) {
+  return h("div.tabs", {role: "tablist", "aria-label": "Renderers"}, one.results.map((result) =>
+    h("a", {
+      role: "tab", "aria-selected": result === chosen ? "true" : "false",
+      href: Route.href({case: one.id, on: result.renderer, at: ""}),
+      title: result.verdict + ", " + result.standing,
+    }, verdictIcon(result.verdict), result.renderer,
+    h("span.unseen", {}, " " + result.verdict),
+    isSurprise(result) && h("span.standing.alarm", {}, STANDINGS[result.standing].label))));
+}
+
+function caseHead(one, state) {
+  const cases = filteredCases(state);
+  const at = cases.indexOf(one);
+  const link = (step, text, label) => {
+    const next = cases[at + step];
+    return next && at >= 0 ? h("a.button", {
+      href: Route.href({case: next.id, at: ""}), "aria-label": label, title: label,
+    }, text) : h("span.button.off", {"aria-hidden": "true"}, text);
+  };
+  return h("nav.bar", {"aria-label": "Cases"},
+    h("a.button", {href: Route.href({case: "", on: "", at: ""}), title: "All cases (Esc)"},
+      "\u2190 All cases"),
+    h("span.mono.path", {}, one.id),
+    h("span.group", {}, link(-1, "\u2039", "Previous case (k)"),
+      at >= 0 && h("span.faint", {}, at + 1 + " of " + cases.length),
+      link(1, "\u203a", "Next case (j)")),
+    h("button.quiet", {onclick: showHelp, "aria-label": "Keys"}, h("kbd", {}, "?")));
+}
+
+function originOf(origin) {
+  if (!origin) return null;
+  if (!/^https?:\/\//i.test(origin)) return h("span", {}, origin);
+  return h("a", {href: origin, rel: "noopener noreferrer", target: "_blank"}, "origin \u2197");
+}
+
+function caseWords(one) {
+  return h("header.words", {},
+    h("h1", {tabindex: "-1", dir: "auto"}, one.title || one.id),
+    one.why && h("p.why", {dir: "auto"}, one.why),
+    h("p.facts", {}, one.rules.map(ruleChip), one.spec && h("span", {}, one.spec),
+      h("span", {}, one.width + " \u00d7 " + one.height + " " + one.surface),
+      one.tags.map((tag) => h("span", {}, "#" + tag)), originOf(one.origin)),
+    one.expect_failures.length > 0 && h("div.card.alarm-box", {},
+      h("b", {}, icon(BANG), " The exact side does not meet this case's hand-drawn truth"),
+      one.expect_failures.map((text) => h("div.lines", {}, text))));
+}

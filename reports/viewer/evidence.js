@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// What stands below the pictures: aggregated values, candidate causes, vertices, the case's source
+// and the commands that show the same again.
+
+function ulpLabel(exponent) {
+  if (exponent < 0) return "< 1";
+  return exponent === 0 ? "1" : "\u2265 " + 2 ** exponent;
+}
+
+function histogramOf(pairs) {
+  const most = Math.max(...pairs.map(([, count]) => count));
+  return h("div.histogram", {role: "img", "aria-label": "Components by error in ULP: " +
+    pairs.map(([e, n]) => ulpLabel(e) + " ULP: " + n).join(", ")},
+  pairs.map(([exponent, count]) => {
+    const bar = h("i", {});
+    bar.style.height = Math.max(2, Math.round(40 * count / most)) + "px";
+    return h("span.bin", {title: ulpLabel(exponent) + " ULP: " + count},
+      h("small", {}, count), bar, h("small.faint", {}, ulpLabel(exponent)));
+  }));
+}
+
+function valuesCard(v, pick) {
+  const {worst} = v;
+  if (!v.differing)
+    return h("div.values", {}, h("b", {}, v.attribute), h("p", {}, "All " +
+      v.compared.toLocaleString("en") + " compared are the correctly rounded values."));
+  return h("div.values", {},
+    h("div", {}, h("b", {}, v.attribute), " ", ruleChip(v.rule), " ",
+      v.ruling ? rulingChip(v.ruling) : null,
+      h("p", {}, v.differing.toLocaleString("en") + " of " + v.compared.toLocaleString("en") +
+        " differ within what is permitted."),
+      h("p", {}, "Worst: ",
+        h("button.link.mono", {onclick: () => pick(worst.x, worst.y)},
+          "pixel (" + worst.x + ", " + worst.y + ")"),
+        " component " + worst.component + ", " + short(worst.ulp) + " ULP: exact ",
+        h("span.mono", {}, short(worst.exact)), ", rendered ",
+        h("span.mono", {}, short(worst.rendered)))),
+    v.histogram.length > 0 && h("div", {}, histogramOf(v.histogram),
+      h("small.faint", {}, "components by error, ULP")));
+}
+
+function valuesSection(answer, pick) {
+  if (!answer.values.length) return null;
+  return h("section.card", {}, h("h2", {}, "Values"),
+    h("div.columns", {}, answer.values.map((v) => valuesCard(v, pick))));
+}
+
+function evidenceSection(answer) {
+  if (!answer.evidence.length && !answer.line_snaps.length) return null;
+  const rows = answer.evidence.map((e) => h("tr", {},
+    h("th", {scope: "row"}, "primitive " + e.primitive),
+    h("td", {}, e.causes.length ? e.causes.map((c) => h("div", {}, causeChips(c)))
+      : h("i.faint", {}, "no catalogued alternative reproduces it")),
+    h("td.mono", {}, e.line_snaps.join(", ")), h("td", {}, e.broken_clause)));
+  return h("section.card", {}, h("h2", {}, "Evidence"),
+    h("p.faint", {}, "Alternatives that reproduce what the renderer drew, smallest sets first."),
+    rows.length > 0 && h("div.scroll", {}, h("table.evidence", {},
+      h("thead", {}, h("tr", {}, h("td", {}), h("th", {}, "candidate causes"),
+        h("th", {}, "snaps under which the line is legal"), h("th", {}, "as given it breaks"))),
+      h("tbody", {}, rows))),
+    answer.line_snaps.length > 0 && h("p", {}, "Every line of the case is legal under: ",
+      h("span.mono", {}, answer.line_snaps.join(", "))));
+}
+
+function verticesOf(figure) {
+  const items = figure.filter(([role]) => role.endsWith("vertex")).flatMap(
+    ([role, , label, at]) => Array.from({length: at.length / 2}, (_, i) => h("li", {},
+      h("span.faint", {}, label || role.replace("-", " "), " "),
+      h("span.mono", {}, coordinate(at[2 * i]) + ", " + coordinate(at[2 * i + 1])))));
+  if (!items.length) return null;
+  return h("details", {}, h("summary", {}, "Vertices (" + items.length + ")"),
+    h("ol.vertices", {}, items.slice(0, 500)));
+}
+
+function prettySource(source) {
+  try {
+    return JSON.stringify(JSON.parse(source), null, 2)
+      .replace(/\[\s+((?:[^\[\]{}]|\n)*?)\s+\]/g, (all, inner) =>
+        inner.length < 90 ? "[" + inner.replace(/\s*\n\s*/g, " ") + "]" : all);
+  } catch (error) {
+    return source;
+  }
+}
+
+// A word as a POSIX shell takes it literally.
+function shellWord(text) {
+  return /^[\w@%+=:,.\/-]+$/.test(text) ? text : "'" + text.replaceAll("'", "'\\''") + "'";
+}
+
+function commandsFor(one, result, pixel) {
+  const against = ["--against", result.renderer];
+  const policy = Report.policy === "opengl" ? [] : ["--policy", Report.policy];
+  const filter = one.id.includes(":") ? ["--filter", one.id] : [];
+  const lines = [["edgecase", "run", one.file, ...filter, ...against, ...policy]];
+  if (pixel)
+    lines.push(["edgecase", "explain", one.id, "--pixel", pixel.x + "," + pixel.y, ...against,
+      ...policy]);
+  return lines.map((line) => line.map(shellWord).join(" "));
+}
+
+async function copyText(text, button) {
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch (error) {
+    const field = h("textarea.unseen", {});
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    document.execCommand("copy");
+    field.remove();
+  }
+  button.textContent = "Copied";
+  say("Copied");
+  setTimeout(() => { button.textContent = "Copy"; }, 1200);
+}
+
+function commandLine(text) {
+  return h("div.command", {}, h("code", {}, text), h("button", {
+    "aria-label": "Copy this command", onclick: (event) => copyText(text, event.currentTarget),
+  }, "Copy"));
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The keyboard.
+
+const KEYS = [
+  ["j  \u2193", "next case"], ["k  \u2191", "previous case"], ["Enter", "open the case"],
+  ["n", "next disagreement"], ["p", "previous disagreement"],
+  ["[  ]", "previous, next renderer"], ["+  -", "larger, smaller"], ["0", "whole image"],
+  ["z", "close to the chosen pixel"], ["Esc", "back to the list"], ["/", "search"],
+  ["?", "these keys"],
+];
+
+function showHelp() {
+  const dialog = byId("help");
+  replace(dialog, h("h2", {}, "Keys"),
+    h("dl", {}, KEYS.map(([key, what]) => [h("dt", {}, h("kbd", {}, key)), h("dd", {}, what)])),
+    h("button", {onclick: () => dialog.close()}, "Close"));
+  dialog.showModal();
+}
+
+function stepCase(by) {
+  const cases = filteredCases(Route.read());
+  const next = cases[cases.indexOf(CaseView.one) + by];
+  if (next) Route.shift({case: next.id, at: ""});
+}
+
+function stepRenderer(by) {
+  const all = CaseView.one.results;
+  const next = all[(all.indexOf(CaseView.result) + by + all.length) % all.length];
+  if (next) Route.shift({on: next.renderer, at: ""});
+}
+
+const CASE_KEYS = {
+  j: () => stepCase(1), ArrowDown: () => stepCase(1),
+  k: () => stepCase(-1), ArrowUp: () => stepCase(-1),
+  n: () => CaseView.step(1), p: () => CaseView.step(-1),
+  "]": () => stepRenderer(1), "[": () => stepRenderer(-1),
+  "+": () => CaseView.pictures?.zoom(1.25), "=": () => CaseView.pictures?.zoom(1.25),
+  "-": () => CaseView.pictures?.zoom(0.8), 0: () => CaseView.pictures?.fit(),
+  z: () => CaseView.pictures?.close(), Escape: () => Route.leaveCase(),
+};
+const LIST_KEYS = {
+  j: () => CaseList.move(1), ArrowDown: () => CaseList.move(1),
+  k: () => CaseList.move(-1), ArrowUp: () => CaseList.move(-1),
+  Escape: () => Route.shift(NO_FILTERS),
+};
+
+function focusSearch() {
+  if (CaseView.one) Route.leaveCase();
+  setTimeout(() => byId("search")?.focus());
+}
+
+addEventListener("keydown", (event) => {
+  if (event.ctrlKey || event.metaKey || event.altKey || byId("help").open) return;
+  const target = event.target;
+  if (target.closest("select, textarea, pre")) return;
+  if (target.id === "search") {
+    if (event.key === "Escape") target.blur();
+    if (event.key !== "ArrowDown") return;
+  }
+  if (event.key === "Escape" && Tip.owner) return void Tip.hide();
+  const table = CaseView.one ? CASE_KEYS : LIST_KEYS;
+  const act = {...table, "/": focusSearch, "?": showHelp}[event.key];
+  if (!act || (target.type === "checkbox" && event.key === " ")) return;
+  event.preventDefault();
+  act();
+});

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// The first page: what ran, how it stands, what could not be judged, and the way into the list.
+
+function headlineOf() {
+  const results = Report.cases.flatMap((one) => one.results);
+  const surprises = results.filter(isSurprise).length;
+  const broken = new Set(Report.diagnostics.map((d) => d.file)).size;
+  const drawn = Report.cases.reduce((sum, one) => sum + one.expect_failures.length, 0);
+  const parts = [];
+  if (surprises) parts.push(plural(surprises, "result is", "results are") + " not as expected");
+  if (broken) parts.push(plural(broken, "case file", "case files") + " cannot be loaded");
+  if (drawn) parts.push(plural(drawn, "hand-drawn truth is", "hand-drawn truths are") + " not met");
+  if (Report.interrupted) parts.push("the run was interrupted");
+  if (!parts.length)
+    return h("p.headline.good", {}, icon(VERDICTS.agree.path),
+      results.length ? "Every result is as expected." : "Nothing was run.");
+  return h("p.headline.alarm", {}, icon(BANG), parts.join("; ") + ".");
+}
+
+function pageHead() {
+  return h("header.head", {},
+    h("h1", {}, "Edgecase report"),
+    h("p.facts", {},
+      h("span", {}, Report.tool), h("span", {}, "policy ", h("b", {}, Report.policy)),
+      h("span", {}, plural(Report.cases.length, "case", "cases")),
+      h("span", {}, plural(Report.renderers.length, "renderer", "renderers"))),
+    h("button.quiet.help", {onclick: showHelp, "aria-label": "Keys"}, "Keys ", h("kbd", {}, "?")));
+}
+
+const resultsOf = (r) => Report.cases.map((one) => one.results[r]).filter(Boolean);
+
+function proportions(r) {
+  const results = resultsOf(r);
+  const bar = h("div.proportions", {"aria-hidden": "true"});
+  for (const verdict of WORST_FIRST) {
+    const count = results.filter((result) => result.verdict === verdict).length;
+    if (!count) continue;
+    const part = h("i", {class: "f-" + verdict});
+    part.style.flexGrow = count;
+    bar.append(part);
+  }
+  return bar;
+}
+
+function rendererHead(info, r) {
+  return h("th", {scope: "col"},
+    h("a.name", {href: Route.href({...NO_FILTERS, renderer: info.name})}, info.name),
+    h("div.claim", {title: "device"}, info.device),
+    h("div.claim", {title: "version, vendor"},
+      [info.version, info.vendor].filter(Boolean).join(" \u00b7 ")),
+    proportions(r));
+}
+
+function summaryCell(count, filter, className) {
+  if (!count) return h("td", {}, h("span.zero", {}, "0"));
+  const state = Route.read();
+  const chosen = FILTER_KEYS.every((key) => state[key] === (filter[key] || ""));
+  return h("td", {}, h("a.figure", {
+    class: className + (chosen ? " chosen" : ""),
+    href: Route.href({...NO_FILTERS, ...(chosen ? {} : filter)}),
+    "aria-current": chosen ? "true" : undefined,
+  }, count.toLocaleString("en")));
+}
+
+function summaryRow(head, className, test, filter) {
+  return h("tr", {class: className}, h("th", {scope: "row"}, head),
+    Report.renderers.map((info, r) => summaryCell(
+      resultsOf(r).filter(test).length, {...filter, renderer: info.name}, className)));
+}
+
+function summaryTable() {
+  const rows = WORST_FIRST.map((verdict) => summaryRow(
+    h("span.verdict", {title: VERDICTS[verdict].means}, verdictIcon(verdict), verdict),
+    "n-" + verdict, (result) => result.verdict === verdict, {verdict}));
+  const surprising = Report.cases.some((one) => one.surprises);
+  return h("div.scroll", {}, h("table.summary", {},
+    h("thead", {}, h("tr", {}, h("td", {}), Report.renderers.map(rendererHead))),
+    h("tbody", {},
+      summaryRow(
+        h("span.verdict", {class: surprising ? "alarm" : ""}, icon(BANG), "not as expected"),
+        surprising ? "alarm" : "", isSurprise, {standing: SURPRISE}),
+      rows)));
+}
+
+function diagnosticItem(d) {
+  const place = d.file + (d.line ? ":" + d.line : "");
+  return h("li", {}, h("code", {}, place), d.pointer && [" ", h("code.faint", {}, d.pointer)],
+    h("div", {}, d.message, d.remedy && h("span.remedy", {}, " \u2192 " + d.remedy)));
+}
+
+function problems() {
+  const drawn = Report.cases.flatMap((one) => one.expect_failures.map((text) => h("li", {},
+    h("a", {href: Route.href({case: one.id})}, one.title || one.id),
+    h("div.lines", {}, text))));
+  const box = (title, items) => items.length > 0 && h("details.problem", {open: items.length < 4},
+    h("summary", {}, icon(BANG), title + " (" + items.length + ")"), h("ul", {}, items));
+  return h("div.problems", {},
+    box("Case files that cannot be loaded", Report.diagnostics.map(diagnosticItem)),
+    box("Hand-drawn truths that the exact side does not meet", drawn));
+}
+
+function overview(state) {
+  return h("main.overview", {}, pageHead(), headlineOf(), summaryTable(), problems(),
+    h("div", {id: "bar"}, filterBar(state)), h("div", {id: "list"}));
+}
+
+// After a filter changed: everything but the search field, in which someone may be typing.
+function refreshOverview(state) {
+  const typing = document.activeElement && document.activeElement.id === "search";
+  const bar = filterBar(state);
+  if (typing) {
+    const kept = byId("search");
+    bar.querySelector("#search").replaceWith(kept);
+    replace(byId("bar"), bar);
+    kept.focus();
+  } else {
+    replace(byId("bar"), bar);
+  }
+  document.querySelector(".summary").parentNode.replaceWith(summaryTable());
+  CaseList.show(state);
+}

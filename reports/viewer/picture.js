@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: MIT
+// The pictures of one result: exact, difference and rendered side by side, with one view, one
+// pointer and one selection; and, where pixels are small, a close-up of the chosen one with the
+// figure of its rule.
+
+// What is drawn over the pixels; kept from case to case.
+const CLOSE_UP = 2.7;           // pixels across the close-up
+const CLOSE_UP_BELOW = 64;      // CSS pixels per pixel: above, the pictures are close enough
+
+const Layers = {grid: true, shapes: true, rule: true, markers: true};
+const LAYER_NAMES = {
+  grid: "Grid", shapes: "Primitives", rule: "Rule figure", markers: "Markers",
+};
+
+class Pictures {
+  // onpick(x, y): a pixel was clicked.
+  constructor(one, result, onpick) {
+    this.one = one;
+    this.result = result;
+    this.onpick = onpick;
+    this.view = new View(one.width, one.height);
+    this.exact = exactPixels(one);
+    this.rendered = renderedPixels(one, result.answer, this.exact);
+    this.selected = null;   // a disagreement
+    this.pixel = null;      // the chosen pixel {x, y}
+    this.hover = null;
+    this.readout = h("div.readout.mono", {"aria-live": "off"});
+    this.scaleText = h("output.scale", {});
+    const titles = ["Exact", "Difference", "Rendered by " + result.renderer,
+      "Close-up of the difference"];
+    this.panes = titles.map((title) => this.pane(title));
+    this.panes[3].view = new View(one.width, one.height);
+    this.element = h("section.pictures", {"aria-label": "Pictures"},
+      this.tools(), h("div.panes", {}, this.panes.map((p) => p.element)), this.readout);
+    this.onresize = () => this.resize();
+    addEventListener("resize", this.onresize);
+    this.colors();
+  }
+
+  destroy() {
+    removeEventListener("resize", this.onresize);
+  }
+
+  pane(title) {
+    const canvas = h("canvas", {
+      role: "img", "aria-label": title + ", " + this.one.width + " by " + this.one.height,
+    });
+    const pane = {title, canvas, image: null};
+    pane.element = h("figure", {}, h("figcaption", {}, title), canvas);
+    this.listen(pane);
+    return pane;
+  }
+
+  // Makes the images in the colours of the present theme.
+  colors() {
+    const {width, height} = this.one;
+    this.theme = themeColors();
+    const kinds = new Map();
+    for (const d of this.result.answer.disagreements) kinds.set(d.y * width + d.x, d.kind);
+    this.kinds = kinds;
+    const rendered = this.rendered;
+    this.panes[0].image = this.exact && imageOf(this.exact, width, height);
+    this.panes[1].image =
+      rendered && differenceImage(this.exact, rendered, width, height, kinds, this.theme);
+    this.panes[2].image = rendered && imageOf(rendered, width, height);
+    this.panes[3].image = this.panes[1].image;
+  }
+
+  tools() {
+    const button = (text, label, act) =>
+      h("button", {type: "button", title: label, "aria-label": label, onclick: act}, text);
+    const toggles = Object.entries(LAYER_NAMES).map(([id, name]) => h("label", {},
+      h("input", {type: "checkbox", checked: Layers[id], onchange: (event) => {
+        Layers[id] = event.target.checked;
+        this.draw();
+      }}), name));
+    return h("div.tools", {role: "toolbar", "aria-label": "View"},
+      h("span.group", {},
+        button("\u2212", "Smaller (-)", () => this.zoom(0.8)), this.scaleText,
+        button("+", "Larger (+, or Ctrl and wheel)", () => this.zoom(1.25)),
+        button("Fit", "Whole image (0)", () => this.fit()),
+        button("Pixel", "Close to the chosen pixel (z)", () => this.close())),
+      h("span.group", {}, toggles), this.legend());
+  }
+
+  legend() {
+    const kinds = Object.keys(KINDS).filter((kind) =>
+      this.result.answer.disagreements.some((d) => d.kind === kind));
+    return h("span.group.legend", {}, kinds.map(kindLabel));
+  }
+
+  // Canvas sizes: as high as the image needs at the width there is, and no higher than leaves the
+  // words and the list's beginning on the screen.
+  resize() {
+    const all = this.element.clientWidth;
+    const across = (columns) => Math.floor((all - 12 * (columns - 1)) / columns);
+    if (across(1) < 40) return;
+    if (matchMedia("(max-width: 760px)").matches) return this.setSizes(across(1), false);
+    const scale = this.fitScale(across(4), this.mostHeight(across(4)));
+    const close = this.rendered !== null && scale < CLOSE_UP_BELOW;
+    this.setSizes(across(close ? 4 : 3), close);
+  }
+
+  mostHeight(width) {
+    const top = this.panes[0].element.getBoundingClientRect().top + scrollY;
+    return Math.max(200, Math.min(width, innerHeight - top - 110));
+  }
+
+  // CSS pixels per image pixel when the whole image shows.
+  fitScale(width, height) {
+    const ratio = ratioNow();
+    return View.fitting(this.one.width, this.one.height,
+      (width - MARGIN.left - MARGIN.right - 6) * ratio,
+      (height - MARGIN.top - MARGIN.bottom - 6) * ratio) / ratio;
+  }
+
+  setSizes(width, close) {
+    const ratio = ratioNow();
+    const most = this.mostHeight(width);
+    const needed = this.fitScale(width, most) * this.one.height + MARGIN.top + MARGIN.bottom + 6;
+    const height = Math.ceil(Math.min(most, Math.max(needed, close ? 230 : 180)));
+    this.panes[3].element.hidden = !close;
+    for (const {canvas} of this.panes) {
+      canvas.style.width = width + "px";
+      canvas.style.height = height + "px";
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(height * ratio);
+    }
+    this.draw();
+  }
+
+  plot(pane) {
+    if (pane.view) return this.closePlot(pane);
+    if (this.view.fitted) {
+      const {width, height} = plotOf(pane.canvas, this.view);
+      this.view.fit(width, height);
+    }
+    return Object.assign(plotOf(pane.canvas, this.view), {theme: this.theme});
+  }
+
+  closePlot(pane) {
+    const place = this.pixel || {x: this.one.width / 2 - 0.5, y: this.one.height / 2 - 0.5};
+    const {width, height} = plotOf(pane.canvas, pane.view);
+    pane.view.scale = Math.max(1, Math.floor(Math.min(width, height) / CLOSE_UP));
+    pane.view.look(place.x + 0.5, place.y + 0.5);
+    return Object.assign(plotOf(pane.canvas, pane.view), {theme: this.theme});
+  }
+
+  draw() {
+    for (const pane of this.panes) if (!pane.element.hidden) this.drawPane(pane);
+    const scale = this.view.scale / ratioNow();
+    this.scaleText.textContent =
+      scale >= 1 ? "\u00d7" + Number(scale.toFixed(2)) : "1/" + Number((1 / scale).toFixed(2));
+    this.tell();
+  }
+
+  drawPane(pane) {
+    const plot = this.plot(pane);
+    const {context} = plot;
+    context.clearRect(0, 0, pane.canvas.width, pane.canvas.height);
+    if (!pane.image) return this.drawNothing(plot);
+    context.save();
+    context.beginPath();
+    context.rect(plot.left, plot.top, plot.width, plot.height);
+    context.clip();
+    context.imageSmoothingEnabled = plot.scale < 1;
+    const {width, height} = this.one;
+    context.drawImage(pane.image, plot.x(0), plot.y(height), width * plot.scale,
+      height * plot.scale);
+    if (Layers.grid) drawGrid(plot, width, height);
+    if (Layers.shapes) drawFigure(plot, this.one.figure, false);
+    if (Layers.markers) this.drawMarkers(plot);
+    this.drawChosen(plot);
+    context.restore();
+    drawAxes(plot, width, height);
+  }
+
+  drawNothing(plot) {
+    const {context, ratio} = plot;
+    context.fillStyle = this.theme.muted;
+    context.font = 13 * ratio + "px system-ui, sans-serif";
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillText("no picture", plot.left + plot.width / 2, plot.top + plot.height / 2);
+  }
+
+  drawMarkers(plot) {
+    const chosen = this.selected;
+    for (const d of this.result.answer.disagreements)
+      if (d !== chosen) drawMarker(plot, d.x, d.y, d.kind, {});
+    if (chosen)
+      drawMarker(plot, chosen.x, chosen.y, chosen.kind,
+        {strong: true, bare: Layers.rule && chosen.figure});
+  }
+
+  drawChosen(plot) {
+    const d = this.selected;
+    if (d && Layers.rule && d.figure) drawFigure(plot, d.figure, plot.scale >= 40 * plot.ratio);
+    for (const place of [this.pixel, this.hover]) {
+      if (!place) continue;
+      const box = new Path2D();
+      box.rect(plot.x(place.x) - 1, plot.y(place.y + 1) - 1, plot.scale + 3, plot.scale + 3);
+      strokeRimmed(plot, box, {color: "#ffffff", width: place === this.hover ? 1 : 1.5});
+    }
+  }
+
+  // Chooses a disagreement (or, with null, only a pixel) and brings it into sight.
+  select(disagreement, pixel) {
+    this.selected = disagreement;
+    this.pixel = pixel || (disagreement && {x: disagreement.x, y: disagreement.y});
+    this.bringIn();
+    this.draw();
+  }
+
+  bringIn() {
+    if (this.view.fitted || !this.pixel) return;
+    const plot = this.plot(this.panes[0]);
+    const x = plot.x(this.pixel.x + 0.5);
+    const y = plot.y(this.pixel.y + 0.5);
+    const inside = x > plot.left && x < plot.left + plot.width && y > plot.top &&
+      y < plot.top + plot.height;
+    if (!inside) this.view.look(this.pixel.x + 0.5, this.pixel.y + 0.5);
+  }
+
+  zoom(factor, around) {
+    const chosen = this.pixel && {x: this.pixel.x + 0.5, y: this.pixel.y + 0.5};
+    const place = around || chosen || this.view;
+    const {scale, x, y} = this.view;
+    this.view.zoom(factor);
+    const kept = scale / this.view.scale;
+    this.view.look(place.x + (x - place.x) * kept, place.y + (y - place.y) * kept);
+    this.draw();
+  }
+
+  fit() {
+    this.view.fitted = true;
+    this.draw();
+  }
+
+  // So close that the figure of a pixel's rule is large.
+  close() {
+    const place = this.pixel || {x: Math.floor(this.view.x), y: Math.floor(this.view.y)};
+    const {width, height} = plotOf(this.panes[0].canvas, this.view);
+    this.view.scale = Math.min(MAX_SCALE, Math.floor(Math.min(width, height) / 4));
+    this.view.look(place.x + 0.5, place.y + 0.5);
+    this.draw();
+  }
+
+  placeOf(pane, event) {
+    const box = pane.canvas.getBoundingClientRect();
+    const plot = plotOf(pane.canvas, pane.view || this.view);
+    const ratio = ratioNow();
+    const x = plot.column((event.clientX - box.left) * ratio);
+    const y = plot.row((event.clientY - box.top) * ratio);
+    const inside = x >= 0 && y >= 0 && x < this.one.width && y < this.one.height;
+    return {x, y, pixel: inside ? {x: Math.floor(x), y: Math.floor(y)} : null};
+  }
+
+  listen(pane) {
+    const {canvas} = pane;
+    let drag = null;
+    canvas.addEventListener("pointerdown", (event) => {
+      const {x, y} = this.view;
+      drag = {x: event.clientX, y: event.clientY, viewX: x, viewY: y, far: false};
+      canvas.setPointerCapture(event.pointerId);
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (drag && !pane.view) this.pan(drag, event);
+      const place = this.placeOf(pane, event);
+      this.point(place.pixel, place, pane);
+    });
+    canvas.addEventListener("pointerup", (event) => {
+      const {pixel} = this.placeOf(pane, event);
+      if (drag && !drag.far && pixel) this.onpick(pixel.x, pixel.y);
+      drag = null;
+    });
+    canvas.addEventListener("pointercancel", () => { drag = null; });
+    canvas.addEventListener("pointerleave", () => this.point(null, null, pane));
+    canvas.addEventListener("wheel", (event) => {
+      if (pane.view || (!event.ctrlKey && !event.metaKey)) return;
+      event.preventDefault();
+      this.zoom(event.deltaY < 0 ? 1.25 : 0.8, this.placeOf(pane, event));
+    }, {passive: false});
+  }
+
+  pan(drag, event) {
+    const ratio = ratioNow();
+    const right = (event.clientX - drag.x) * ratio;
+    const down = (event.clientY - drag.y) * ratio;
+    if (!drag.far && Math.hypot(right, down) < 4 * ratio) return;
+    drag.far = true;
+    this.view.look(drag.viewX - right / this.view.scale, drag.viewY + down / this.view.scale);
+  }
+
+  point(pixel, place, pane) {
+    this.hover = pixel;
+    this.near = place && this.vertexNear(place, (pane.view || this.view).scale);
+    this.draw();
+  }
+
+  // The vertex within a few screen pixels of a place.
+  vertexNear(place, scale) {
+    const reach = 7 * ratioNow() / scale;
+    for (const [role, , label, at] of this.one.figure) {
+      if (!role.endsWith("vertex")) continue;
+      for (let i = 0; i < at.length; i += 2)
+        if (Math.hypot(at[i] - place.x, at[i + 1] - place.y) < reach)
+          return {role, label, x: at[i], y: at[i + 1]};
+    }
+    return null;
+  }
+
+  colorText(pixels, {x, y}) {
+    if (!pixels) return "none";
+    const at = 4 * (y * this.one.width + x);
+    return Array.from(pixels.subarray(at, at + 4)).join(" ");
+  }
+
+  // One line about the pixel under the pointer, or else the chosen one.
+  tell() {
+    const pixel = this.hover || this.pixel;
+    if (!pixel) return void replace(this.readout, "Point at a pixel to read it.");
+    replace(this.readout,
+      h("b", {}, "(" + pixel.x + ", " + pixel.y + ")"),
+      h("span", {}, "centre (" + (pixel.x + 0.5) + ", " + (pixel.y + 0.5) + ")"),
+      h("span", {}, "exact " + this.colorText(this.exact, pixel)),
+      h("span", {}, "rendered " + this.colorText(this.rendered, pixel)),
+      this.near && h("span.near", {}, [this.near.role.replace("-", " "), this.near.label, "at",
+        coordinate(this.near.x) + ", " + coordinate(this.near.y)].filter(Boolean).join(" ")));
+  }
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The words and shapes of the report: each verdict, standing and kind has a text, a shape and a
+// colour (by its class), so that no meaning hangs on colour alone.
+
+const VERDICTS = {
+  violation: {
+    rank: 4, path: "M3.5 3.5l9 9M12.5 3.5l-9 9",
+    means: "Something is outside what the specification allows.",
+  },
+  permitted: {
+    rank: 3, path: "M8 2.5 14.2 13.5H1.8z",
+    means: "All is allowed, but no catalogued alternative explains some of it.",
+  },
+  convention: {
+    rank: 2, path: "M2 6.4c2-2.6 4-2.2 6-.6s4 2 6-.6M2 11.4c2-2.6 4-2.2 6-.6s4 2 6-.6",
+    means: "All is allowed and follows alternatives that the specification leaves open.",
+  },
+  "not-run": {
+    rank: 1, path: "M8 2.2a5.8 5.8 0 1 0 .01 0zM4 12 12 4",
+    means: "There is no rendering to compare. Never counted as agreement.",
+  },
+  agree: {
+    rank: 0, path: "M2.8 8.6 6.5 12.2 13.2 4",
+    means: "Nothing differs from the exact rendering under this policy.",
+  },
+};
+const WORST_FIRST = Object.keys(VERDICTS);
+
+const STANDINGS = {
+  unexpected: {label: "unexpected", means: "It differs, and no expectation says so."},
+  changed: {label: "changed", means: "It differs, but not as its expectation says."},
+  "unexpected-agreement": {
+    label: "now agrees", means: "It agrees, although an expectation says that it differs.",
+  },
+  expected: {label: "expected", means: "It agrees, or differs exactly as an expectation says."},
+};
+
+const KINDS = {
+  missing: {path: "M8 2.6a5.4 5.4 0 1 0 .01 0z", means: "exact draws it, the renderer does not"},
+  extra: {path: "M8 2v12M2 8h12", means: "the renderer draws it, exact does not"},
+  duplicate: {
+    path: "M2.2 2.2h8v8h-8zM5.8 5.8h8v8h-8z",
+    means: "the renderer draws it more often than exact",
+  },
+  value: {path: "M8 1.8 14.2 8 8 14.2 1.8 8z", means: "both draw it, with different values"},
+};
+
+const BANG = "M8 2.5v7M8 12.4v1";
+
+const verdictIcon = (verdict) => icon(VERDICTS[verdict].path, "v-" + verdict);
+const kindIcon = (kind) => icon(KINDS[kind].path, "k-" + kind);
+
+function verdictBadge(verdict, extra) {
+  return h("span.badge", {class: "b-" + verdict, title: VERDICTS[verdict].means},
+    icon(VERDICTS[verdict].path), verdict, extra);
+}
+
+function standingBadge(standing) {
+  const known = standing === "expected";
+  return h("span.standing", {class: known ? "" : "alarm", title: STANDINGS[standing].means},
+    known ? null : icon(BANG), STANDINGS[standing].label);
+}
+
+function kindLabel(kind) {
+  return h("span.kind", {class: "k-" + kind, title: KINDS[kind].means}, kindIcon(kind), kind);
+}
+
+// "2.50390625 (2+129/256)": a dyadic number in both forms, whole numbers as they are.
+function coordinate(value) {
+  if (typeof value !== "number" || Number.isInteger(value)) return String(value);
+  const sign = value < 0 ? "-" : "";
+  const size = Math.abs(value);
+  for (let below = 2; below <= 65536; below *= 2) {
+    const above = size * below;
+    if (!Number.isInteger(above)) continue;
+    const whole = Math.floor(size);
+    const part = above - whole * below + "/" + below;
+    return value + " (" + sign + (whole ? whole + (sign || "+") : "") + part + ")";
+  }
+  return String(value);
+}
+
+const short = (value) =>
+  typeof value === "number" ? String(Number(value.toPrecision(9))) : String(value);
+const tuple = (values) => "(" + values.map(short).join(", ") + ")";
+
+// What exact and the renderer have at a disputed sample.
+function compared(d) {
+  const hits = (n) => (n === 1 ? "1 hit" : n + " hits");
+  const text = (list) =>
+    d.kind === "value" ? tuple(list) : list.length === 1 ? hits(list[0]) : tuple(list);
+  return ["exact " + text(d.exact), "rendered " + text(d.rendered)];
+}

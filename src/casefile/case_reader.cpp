@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "casefile/case_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "casefile/expect_reader.h"
+#include "casefile/scene_reader.h"
+#include "casefile/text.h"
+
+namespace edgecase {
+namespace {
+
+const Keys kCaseKeys{{"title", "rules", "target", "draws"},
+                     {"$schema", "why", "spec", "origin", "tags", "expect"},
+                     {"sweep", "variants", "zip", "textures", "transform", "mesh"}};
+
+bool is_word(std::string_view word, bool dashes) {
+  return !word.empty() && std::all_of(word.begin(), word.end(), [&](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (dashes && c == '-');
+  });
+}
+
+void read_text_into(const ObjectReader& object, const char* name, TextLimits limits,
+                    Findings& findings, std::string& value) {
+  if (const auto place = object.find(name))
+    value = read_text(*place, name, limits, findings).value_or("");
+}
+
+// An array of strings without repetition; `check` looks at each of them.
+template <class Check>
+std::vector<std::string> read_words(const Place& place, const char* what, Findings& findings,
+                                    const Check& check) {
+  std::vector<std::string> words;
+  if (!expect_kind(place, JsonKind::array, what, findings)) return words;
+  for (std::size_t i = 0; i < place.node->children.size(); ++i) {
+    const Place item = place.child(i);
+    const auto word = read_text(item, fmt::format("an item of {}", what), {1, 200}, findings);
+    if (!word) continue;
+    if (std::find(words.begin(), words.end(), *word) != words.end())
+      findings.add(item, fmt::format("{} stands twice in {}", quote(*word), what), "keep one");
+    else
+      check(item, *word);
+    words.push_back(*word);
+  }
+  return words;
+}
+
+std::vector<std::string> read_rules(const Place& place, std::span<const std::string> known,
+                                    Findings& findings) {
+  if (place.node->kind == JsonKind::array && place.node->children.empty())
+    findings.add(place, "a case names no rule", "name the rule that the case is about");
+  return read_words(place, "rules", findings, [&](const Place& item, const std::string& word) {
+    if (!is_rule_id(word)) {
+      findings.add(item, fmt::format("{} is no rule's id", quote(word)),
+                   "write an id like line.diamond-exit; `edgecase rules` lists them");
+    } else if (!known.empty() && std::find(known.begin(), known.end(), word) == known.end()) {
+      findings.add(item, fmt::format("there is no rule {}", quote(word)),
+                   suggest_names(word, known));
+    }
+  });
+}
+
+std::vector<std::string> read_tags(const Place& place, Findings& findings) {
+  return read_words(place, "tags", findings, [&](const Place& item, const std::string& word) {
+    if (!is_word(word, true))
+      findings.add(item, fmt::format("{} is no tag", quote(word)),
+                   "use lower-case letters, digits and dashes");
+  });
+}
+
+bool is_link(std::string_view text) {
+  for (const std::string_view scheme : {"https://", "http://"})
+    if (text.starts_with(scheme))
+      return text.size() > scheme.size() && text.find(' ') == std::string_view::npos;
+  return false;
+}
+
+void read_origin(const Place& place, Findings& findings, std::string& origin) {
+  const std::optional<std::string> text = read_text(place, "origin", {}, findings);
+  if (!text) return;
+  origin = *text;
+  if (!is_link(origin))
+    findings.add(place, fmt::format("{} is no link", quote(origin)),
+                 "write a link that starts with https:// or http://");
+}
+
+void read_words_of_case(const ObjectReader& object, std::span<const std::string> known_rules,
+                        Findings& findings, Case& result) {
+  std::string schema;
+  read_text_into(object, "$schema", {}, findings, schema);
+  read_text_into(object, "title", {1, 200}, findings, result.title);
+  read_text_into(object, "why", {0, 10000, true}, findings, result.why);
+  read_text_into(object, "spec", {}, findings, result.spec);
+  if (const auto rules = object.find("rules"))
+    result.rules = read_rules(*rules, known_rules, findings);
+  if (const auto origin = object.find("origin")) read_origin(*origin, findings, result.origin);
+  if (const auto tags = object.find("tags")) result.tags = read_tags(*tags, findings);
+}
+
+}  // namespace
+
+bool is_rule_id(std::string_view name) {
+  std::size_t dot = name.find('.');
+  if (dot == std::string_view::npos || !is_word(name.substr(0, dot), false)) return false;
+  while (dot != std::string_view::npos) {
+    const std::size_t start = dot + 1;
+    dot = name.find('.', start);
+    const std::size_t end = dot == std::string_view::npos ? name.size() : dot;
+    if (!is_word(name.substr(start, end - start), true)) return false;
+  }
+  return true;
+}
+
+void read_case(const JsonNode& root, std::span<const std::string> known_rules, Findings& findings,
+               Case& result) {
+  const ObjectReader object({&root, ""}, "a case", kCaseKeys, findings);
+  read_words_of_case(object, known_rules, findings, result);
+  TargetFields target;
+  if (const auto place = object.find("target")) target = read_target(*place, findings);
+  if (const auto place = object.find("expect"))
+    result.expect = read_expect(*place, target.target, result.file.parent_path(), findings);
+  const auto draws_place = object.find("draws");
+  if (!draws_place) return;
+  const std::vector<DrawFields> draws = read_draws(*draws_place, findings);
+  result.scene = complete_scene(target, draws, result.id, *draws_place, findings);
+}
+
+}  // namespace edgecase

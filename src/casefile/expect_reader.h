@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// Reads `expect`: the author's drawings of which pixels are hit, in the case file or beside it.
+//
+// Drawings are written as people see them, top row first, and stored bottom row first, since window
+// coordinates have y up. A drawing in a file of its own must lie inside the case's folder, whatever
+// links and ".." say.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "casefile/fields.h"
+#include "model/case.h"
+#include "model/scene.h"
+
+namespace edgecase {
+
+// `target` gives the wanted size; a width or height of 0 is unknown and not checked. `folder` is
+// the case file's.
+std::vector<Expect> read_expect(const Place& place, const Target& target,
+                                const std::filesystem::path& folder, Findings& findings);
+
+}  // namespace edgecase

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// Loads a policy file: a choice of alternative for rules, over all and per kind of surface.
+//
+//   {"name": "mine", "latitude": "none", "rules": {"triangle.fill-rule": "left-bottom"},
+//    "surfaces": {"fbo": {"line.snap": "none"}}}
+//
+// `name` is required; latitude is "opengl" if not said; "$schema" and "why" (a string for people)
+// are allowed too. Faults are collected as for cases. What rules and alternatives exist is the
+// caller's knowledge.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/case.h"
+#include "model/policy.h"
+
+namespace edgecase {
+
+struct KnownRule {
+  std::string id;
+  std::vector<std::string> alternatives;
+};
+
+struct LoadedPolicy {
+  std::optional<Policy> value;  // set exactly when there are no diagnostics
+  std::vector<Diagnostic> diagnostics;
+};
+
+// `known`: every rule that may be named, with its alternatives; empty: not checked.
+LoadedPolicy load_policy(const std::filesystem::path& file, std::span<const KnownRule> known);
+
+LoadedPolicy load_policy_text(const std::string& text, const std::filesystem::path& file,
+                              std::span<const KnownRule> known);
+
+}  // namespace edgecase

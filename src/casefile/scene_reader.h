@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// Reads what a case draws: `target` and `draws` to a Scene, defaults filled in.
+//
+// Defaults that depend on the whole scene are filled last: colours that the file leaves open
+// (casefile/salted_colors.h) and the viewport (casefile/viewport.h). Only a scene without any other
+// fault is then checked for vertices that would not reach OpenGL as written.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "casefile/fields.h"
+#include "model/scene.h"
+
+namespace edgecase {
+
+constexpr int kMaxTargetSize = 4096;         // pixels along a side
+constexpr std::size_t kMaxDraws = 64;        // of a case
+constexpr std::size_t kMaxVertices = 65536;  // of a case, all draws together
+
+// A target as written; what it leaves open is absent.
+struct TargetFields {
+  Target target;
+  std::optional<Color> clear;
+  std::optional<Viewport> viewport;
+};
+
+TargetFields read_target(const Place& place, Findings& findings);
+
+// A draw as written, with the places that later checks speak of.
+struct VertexFields {
+  Vertex vertex;
+  bool has_color = false;
+  std::optional<Place> x;  // places of the coordinates
+  std::optional<Place> y;
+};
+struct DrawFields {
+  Draw draw;  // without its vertices
+  std::vector<VertexFields> vertices;
+};
+
+std::vector<DrawFields> read_draws(const Place& place, Findings& findings);
+
+// Joins both to a scene, with every default filled in. `id` salts the colours. Adds findings for
+// vertices that OpenGL could not be given exactly; `draws_place` is the place of the draws.
+Scene complete_scene(const TargetFields& target, const std::vector<DrawFields>& draws,
+                     const std::string& id, const Place& draws_place, Findings& findings);
+
+}  // namespace edgecase

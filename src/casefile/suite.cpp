@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "casefile/suite.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <system_error>
+
+#include "casefile/text.h"
+
+namespace edgecase {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_case_file(const fs::path& file) {
+  return file.extension() == ".json" && file.stem().extension() != ".schema";
+}
+
+bool is_skipped(const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  return name == "expectations" || name == "policies" || name.starts_with('.');
+}
+
+// The nearest of `folder` and the folders above it that is named "cases", else `folder`.
+fs::path root_of(const fs::path& folder) {
+  for (fs::path at = folder; at.has_relative_path(); at = at.parent_path())
+    if (at.filename() == "cases") return at;
+  return folder;
+}
+
+fs::path normal(const fs::path& path) {
+  std::error_code error;
+  fs::path result = fs::absolute(path, error).lexically_normal();
+  // "folder/" and "folder/." both end in an empty name.
+  if (!result.has_filename()) result = result.parent_path();
+  return result;
+}
+
+class Finder {
+ public:
+  void add_path(const fs::path& path) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) {
+      add_folder(path, root_of(normal(path)));
+    } else if (fs::exists(path, error)) {
+      add_file(path, root_of(normal(path).parent_path()));
+    } else {
+      diagnose(path, "there is no such file or folder", "check the path's spelling");
+    }
+  }
+
+  FoundCases take();
+
+ private:
+  void add_folder(const fs::path& folder, const fs::path& root);
+  void add_file(const fs::path& file, const fs::path& root);
+  void diagnose(const fs::path& path, std::string message, std::string remedy) {
+    found_.diagnostics.push_back(
+        {path.generic_string(), 0, "", std::move(message), std::move(remedy)});
+  }
+
+  FoundCases found_;
+  std::set<fs::path> seen_;
+};
+
+void Finder::add_folder(const fs::path& folder, const fs::path& root) {
+  std::error_code error;
+  fs::recursive_directory_iterator entry(folder, error);
+  const fs::recursive_directory_iterator end;
+  while (!error && entry != end) {
+    std::error_code ignored;
+    if (entry->is_directory(ignored)) {
+      if (is_skipped(entry->path())) entry.disable_recursion_pending();
+    } else if (is_case_file(entry->path())) {
+      add_file(entry->path(), root);
+    }
+    entry.increment(error);
+  }
+  if (error)
+    diagnose(folder, "the folder cannot be read: " + error.message(), "check its permissions");
+}
+
+void Finder::add_file(const fs::path& file, const fs::path& root) {
+  const fs::path absolute = normal(file);
+  if (!seen_.insert(absolute).second) return;
+  const std::string id = absolute.lexically_relative(root).replace_extension().generic_string();
+  if (find_invalid_utf8(id)) {
+    std::string shown = file.generic_string();
+    std::replace_if(
+        shown.begin(), shown.end(), [](char c) { return c < 0x20; }, '?');
+    diagnose(shown, "the file's name is not UTF-8", "rename the file");
+    return;
+  }
+  found_.cases.push_back({file, id});
+}
+
+FoundCases Finder::take() {
+  auto& cases = found_.cases;
+  std::stable_sort(cases.begin(), cases.end(),
+                   [](const CaseFile& a, const CaseFile& b) { return a.id < b.id; });
+  const auto twin = [](const CaseFile& a, const CaseFile& b) { return a.id == b.id; };
+  for (auto at = std::adjacent_find(cases.begin(), cases.end(), twin); at != cases.end();
+       at = std::adjacent_find(at, cases.end(), twin)) {
+    const auto other = std::next(at);
+    diagnose(
+        other->file,
+        fmt::format("its id {} is also that of {}", quote(other->id), at->file.generic_string()),
+        "give a folder that holds both, or run them one after the other");
+    cases.erase(other);
+  }
+  return std::move(found_);
+}
+
+}  // namespace
+
+FoundCases find_cases(std::span<const fs::path> paths) {
+  Finder finder;
+  for (const fs::path& path : paths) finder.add_path(path);
+  return finder.take();
+}
+
+}  // namespace edgecase

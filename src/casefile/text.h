@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// Small services on text for messages: UTF-8, lists of names, and "did you mean".
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace edgecase {
+
+// Offset of the first byte that is not part of well-formed UTF-8 (no overlong forms, no
+// surrogates, nothing above U+10FFFF); none when all of it is.
+std::optional<std::size_t> find_invalid_utf8(std::string_view text);
+
+// Number of code points; `text` must be well-formed UTF-8.
+std::size_t count_characters(std::string_view text);
+
+// In double quotes, cut after about 60 characters.
+std::string quote(std::string_view text);
+
+// "a, b, c".
+std::string join_names(std::span<const std::string> names);
+
+// The name that differs least from `name`, if it is near enough to be meant: `name` is its start,
+// or up to a third of the characters (at least one of three) are changed, left out, added or
+// swapped with a neighbour. Empty: none.
+std::string nearest_name(std::string_view name, std::span<const std::string> names);
+
+// "did you mean \"NEAREST\"? Allowed are a, b, c", the question only where a name is near.
+std::string suggest_names(std::string_view name, std::span<const std::string> names);
+
+}  // namespace edgecase

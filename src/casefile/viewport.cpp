@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+//
+// The choice of a centre: let x have f fraction bits, f > 0. With a size of at least 2 the centre c
+// is whole, so x - c has f fraction bits too, and it is a float32 number exactly when
+// |x - c| < 2^(24-f). Each vertex thus confines the centre to an open interval; the centres that
+// suit all vertices are an intersection of intervals, found in one pass. Size 1 means a target one
+// pixel wide with all vertices inside it: differences below 1/2, always exact.
+//
+// A coordinate that is a float32 number itself has |x| < 2^(24-f), so the centre 0 suits all of
+// them at once: enlarging the viewport until 0 can be its centre always ends the search, unless a
+// vertex lies at the very end of the range, 8192.
+#include "casefile/viewport.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "exact/numeral.h"
+
+namespace edgecase {
+namespace {
+
+constexpr int kSignificantBits = 24;
+constexpr int kNoBound = 1 << 30;  // pixels; beyond every centre that can occur
+
+int trailing_zeros(std::int64_t n) {
+  return std::countr_zero(static_cast<std::uint64_t>(n));
+}
+
+// Significant bits of n, from its highest set bit to its lowest.
+int significant_bits(std::int64_t n) {
+  if (n == 0) return 0;
+  const auto magnitude = static_cast<std::uint64_t>(n < 0 ? -n : n);
+  return static_cast<int>(std::bit_width(magnitude)) - std::countr_zero(magnitude);
+}
+
+// What the vertices of a case ask of one side of the viewport. All in pixels, inclusive.
+struct Demands {
+  int left = 0;   // the side starts here or further left
+  int right = 0;  // and ends here or further right
+  int lowest_centre = -kNoBound;
+  int highest_centre = kNoBound;
+};
+
+void demand(Fixed x, Demands& demands) {
+  demands.left = std::min(demands.left, static_cast<int>(x.ceil()) - 1);
+  demands.right = std::max(demands.right, static_cast<int>(x.floor()) + 1);
+  const int fraction_bits =
+      Fixed::kFractionBits - std::min(Fixed::kFractionBits, trailing_zeros(x.raw()));
+  if (fraction_bits == 0) return;
+  const Fixed reach = Fixed::from_integer(std::int64_t{1} << (kSignificantBits - fraction_bits));
+  demands.lowest_centre =
+      std::max(demands.lowest_centre, static_cast<int>((x - reach).floor()) + 1);
+  demands.highest_centre =
+      std::min(demands.highest_centre, static_cast<int>((x + reach).ceil()) - 1);
+}
+
+std::optional<ViewportSide> choose_side(const Demands& demands) {
+  std::optional<ViewportSide> fallback;
+  for (int size = 1; size <= kMaxViewportSize; size *= 2) {
+    const int lowest = demands.right - size;
+    if (lowest > demands.left) continue;
+    if (!fallback) fallback = ViewportSide{demands.left, size};
+    const int half = size / 2;
+    const int from = std::max(lowest, demands.lowest_centre - half);
+    const int to = std::min(demands.left, demands.highest_centre - half);
+    if (from <= to || size == 1) return ViewportSide{size == 1 ? demands.left : to, size};
+  }
+  return fallback;
+}
+
+Inexactness too_fine(std::string message) {
+  return {std::move(message),
+          "give the coordinate fewer fraction bits, or move it nearer to the target"};
+}
+
+}  // namespace
+
+bool fits_float32(std::int64_t n) {
+  return significant_bits(n) <= kSignificantBits;
+}
+
+std::optional<Viewport> choose_viewport(const Target& target, const std::vector<Draw>& draws) {
+  Demands across{0, target.width, -kNoBound, kNoBound};
+  Demands up{0, target.height, -kNoBound, kNoBound};
+  for (const Draw& draw : draws) {
+    for (const Vertex& vertex : draw.vertices) {
+      demand(vertex.position.x, across);
+      demand(vertex.position.y, up);
+    }
+  }
+  const std::optional<ViewportSide> columns = choose_side(across);
+  const std::optional<ViewportSide> rows = choose_side(up);
+  if (!columns || !rows) return std::nullopt;
+  return Viewport{columns->origin, rows->origin, columns->size, rows->size};
+}
+
+std::optional<Inexactness> find_inexactness(Fixed coordinate, ViewportSide side, char axis) {
+  const Fixed low = Fixed::from_integer(side.origin);
+  const Fixed high = low + Fixed::from_integer(side.size);
+  const std::string shown = fmt::format("{} = {}", axis, to_decimal(coordinate));
+  if (coordinate <= low || coordinate >= high)
+    return Inexactness{fmt::format("{} does not lie strictly inside the viewport, which spans {} "
+                                   "to {}",
+                                   shown, to_decimal(low), to_decimal(high)),
+                       "move the vertex, enlarge the viewport, or leave the viewport out"};
+  if (!fits_float32(coordinate.raw()))
+    return too_fine(fmt::format("{} has {} significant bits, and OpenGL's float32 holds {}", shown,
+                                significant_bits(coordinate.raw()), kSignificantBits));
+  // The centre is a multiple of 1/2, hence exact as Fixed, and far below 24 bits.
+  const Fixed centre = Fixed::from_raw((low.raw() + high.raw()) / 2);
+  const std::int64_t difference = (coordinate - centre).raw();
+  if (!fits_float32(difference))
+    return too_fine(fmt::format(
+        "{} is {} from the viewport's centre, {} significant bits where "
+        "OpenGL's float32 holds {}",
+        shown, to_decimal(coordinate - centre), significant_bits(difference), kSignificantBits));
+  // Clip coordinate: difference / (size / 2). Only an odd factor of the size can spoil it.
+  const std::int64_t odd = side.size >> std::countr_zero(static_cast<unsigned>(side.size));
+  if (difference % odd == 0 && fits_float32(difference / odd)) return std::nullopt;
+  return Inexactness{fmt::format("{} has no exact clip coordinate in a viewport of size {}: {} / "
+                                 "{} is no float32 number",
+                                 shown, side.size, to_decimal(coordinate - centre),
+                                 to_decimal(Fixed::from_raw((high - low).raw() / 2))),
+                     "use a viewport whose sizes are powers of two, or leave the viewport out"};
+}
+
+}  // namespace edgecase

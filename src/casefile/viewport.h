@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// Viewports that hand OpenGL the very numbers of the case file.
+//
+// OpenGL takes clip coordinates and computes the window position itself: with centre c and size s
+// of the viewport, a vertex at x is sent as (x - c) / (s / 2) and comes back as that times s / 2
+// plus c, all in float32 (24 significant bits). If x, x - c and the quotient are each float32
+// numbers, then nothing is rounded on the way. A power-of-two size makes the quotient as exact as
+// the difference; the right centre keeps the difference short. The third coordinate needs no check:
+// multiples of 2^-16 in [-1, 1], and (z + 1) / 2, have at most 18 significant bits.
+//
+// Vertices stay strictly inside, since a clipped vertex is a new, rounded one.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/fixed.h"
+#include "model/scene.h"
+
+namespace edgecase {
+
+constexpr int kMaxViewportSize = 16384;
+
+// The smallest viewport that contains the target's rectangle, has all vertices strictly inside and
+// keeps their coordinates exact: sizes are powers of two, the origin is at whole pixels, as near to
+// (0, 0) as can be. Where exactness cannot be had, the smallest that contains all is returned and
+// find_inexactness tells which vertex is to blame. None when a side would exceed kMaxViewportSize.
+std::optional<Viewport> choose_viewport(const Target& target, const std::vector<Draw>& draws);
+
+// One side of a viewport, in whole pixels: [origin, origin + size].
+struct ViewportSide {
+  int origin = 0;
+  int size = 0;
+};
+
+// Why a coordinate along this side would not reach OpenGL unrounded and unclipped.
+struct Inexactness {
+  std::string message;
+  std::string remedy;
+};
+
+// None when the coordinate is exact in every step and strictly inside. `axis`: 'x' or 'y'.
+std::optional<Inexactness> find_inexactness(Fixed coordinate, ViewportSide side, char axis);
+
+// Whether n is a float32 number, scaled by any power of two: at most 24 significant bits.
+bool fits_float32(std::int64_t n);
+
+}  // namespace edgecase

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "diff/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "diff/cause.h"
+#include "diff/coverage_diff.h"
+#include "diff/legality.h"
+#include "diff/value_diff.h"
+#include "raster/rasterizer.h"
+#include "rules/choices.h"
+#include "rules/coverage/diamond_exit.h"
+#include "rules/coverage/point_ownership.h"
+#include "rules/coverage/triangle_fill.h"
+
+namespace edgecase {
+namespace {
+
+// What the comparison of one primitive needs, beside the primitive.
+struct Context {
+  const Scene& scene;
+  const RuleChoices& choices;
+  int bits;
+};
+
+Explanation explain(const ScenePrimitive& primitive, PixelPosition p,
+                    const CoverageChoice& choice) {
+  const auto at = [&](int i) { return choice.snap(primitive.vertices[i].position); };
+  switch (primitive.state->primitive) {
+    case Primitive::points:
+      return explain_point(at(0), p.x, p.y, choice.ties);
+    case Primitive::lines:
+      return explain_line({at(0), at(1)}, p.x, p.y, choice.ties);
+    case Primitive::triangles:
+      return explain_triangle({at(0), at(1), at(2)}, p.x, p.y, choice.ties);
+  }
+  return {};
+}
+
+Disagreement coverage_disagreement(const ScenePrimitive& primitive,
+                                   const CoverageDifference& difference, const Context& context) {
+  const Primitive type = primitive.state->primitive;
+  Disagreement d;
+  d.x = difference.pixel.x;
+  d.y = difference.pixel.y;
+  d.primitive = primitive.index;
+  d.exact = {static_cast<double>(difference.exact)};
+  d.rendered = {static_cast<double>(difference.drawn)};
+  d.kind =
+      difference.drawn < difference.exact ? DisagreementKind::missing : DisagreementKind::extra;
+  d.rule = coverage_rule_of(type);
+  Explanation why = explain(primitive, difference.pixel, context.choices.of(type));
+  d.explanation =
+      fmt::format("{} {}: {}; exact {} the pixel, the renderer {}.",
+                  std::string(name_of(type), std::string(name_of(type)).size() - 1),
+                  primitive.index, why.text, difference.exact > 0 ? "draws" : "does not draw",
+                  difference.drawn > 0 ? "draws it" : "does not");
+  d.figure = std::move(why.figure);
+  // Rulings on lines speak of whole segments: compare_primitive and judge() complete these.
+  if (type == Primitive::lines) return d;
+  const Legality legality = judge_sample(primitive, difference, context.bits);
+  d.legal = legality.legal;
+  d.ruling = legality.ruling;
+  d.explanation += fmt::format(" Ruling {}: {}.", legality.ruling, legality.reason);
+  return d;
+}
+
+Disagreement duplicate(const ScenePrimitive& primitive, const CoverageDifference& difference) {
+  Disagreement d;
+  d.x = difference.pixel.x;
+  d.y = difference.pixel.y;
+  d.primitive = primitive.index;
+  d.kind = DisagreementKind::duplicate;
+  d.rule = "fragment.once";
+  d.ruling = 7;
+  d.exact = {static_cast<double>(difference.exact)};
+  d.rendered = {static_cast<double>(difference.drawn)};
+  d.explanation = fmt::format(
+      "primitive {} produces the fragment of pixel ({}, {}) {} times. Ruling 7: once at most.",
+      primitive.index, d.x, d.y, difference.drawn);
+  d.figure.marks = {sample_mark(pixel_centre(d.x, d.y))};
+  return d;
+}
+
+// What the rulings on lines say of the segment, for all of its disagreements.
+void judge_line(const ScenePrimitive& line, const PrimitiveCoverage& coverage, const Target& target,
+                Result::Evidence& evidence, Result& result) {
+  evidence.line_snaps = legal_line_snaps(line, coverage.drawn, target);
+  evidence.broken_clause = broken_clause_unsnapped(line, coverage.drawn, target);
+  const int ruling = coverage.exact.empty() ? 2 : 1;
+  for (Disagreement& d : result.disagreements) {
+    if (d.primitive != line.index || d.rule != "line.diamond-exit") continue;
+    d.ruling = ruling;
+    d.explanation += evidence.broken_clause.empty()
+                         ? fmt::format(" Ruling {} holds for the segment as given.", ruling)
+                         : fmt::format(" Ruling {}, for the segment as given: {}.", ruling,
+                                       evidence.broken_clause);
+  }
+}
+
+void compare_primitive(const ScenePrimitive& primitive, const PrimitiveCoverage& coverage,
+                       const Context& context, Result& result) {
+  const auto found = differences(coverage);
+  if (found.empty()) return;
+  for (const CoverageDifference& difference : found) {
+    if ((difference.drawn > 0) != (difference.exact > 0))
+      result.disagreements.push_back(coverage_disagreement(primitive, difference, context));
+    if (difference.drawn > 1) result.disagreements.push_back(duplicate(primitive, difference));
+  }
+  Result::Evidence evidence;
+  evidence.primitive = primitive.index;
+  evidence.causes = find_causes(primitive, context.scene.target,
+                                context.choices.of(primitive.state->primitive), coverage);
+  if (primitive.state->primitive == Primitive::lines)
+    judge_line(primitive, coverage, context.scene.target, evidence, result);
+  result.evidence.push_back(std::move(evidence));
+}
+
+// Snaps under which every line of the scene is legal, whether it differs from exact or not.
+std::vector<std::string> common_line_snaps(std::span<const ScenePrimitive> primitives,
+                                           std::span<const PrimitiveCoverage> coverage,
+                                           const Target& target) {
+  std::vector<std::string> common;
+  for (Snap snap : all_snaps()) common.push_back(name_of(snap));
+  for (const ScenePrimitive& primitive : primitives) {
+    if (primitive.state->primitive != Primitive::lines) continue;
+    const auto legal = legal_line_snaps(
+        primitive, coverage[static_cast<std::size_t>(primitive.index)].drawn, target);
+    std::erase_if(common, [&](const std::string& name) {
+      return std::find(legal.begin(), legal.end(), name) == legal.end();
+    });
+  }
+  return common;
+}
+
+// A hole or a double hit on a shared edge turns the disagreements behind it into violations.
+void apply_shared_edge_fault(const SharedEdgeFault& fault, Result& result) {
+  for (Disagreement& d : result.disagreements) {
+    const bool concerned = d.x == fault.pixel.x && d.y == fault.pixel.y &&
+                           (d.primitive == fault.first || d.primitive == fault.second) &&
+                           d.rule == "triangle.fill-rule";
+    if (!concerned) continue;
+    d.legal = false;
+    d.rule = "triangle.shared-edge";
+    d.ruling = 5;
+    d.explanation += fmt::format(
+        " Ruling 5: triangles {} and {} share the edge here and together hit this sample {} times "
+        "instead of once.",
+        fault.first, fault.second, fault.hits);
+  }
+}
+
+bool reads_before(const Disagreement& a, const Disagreement& b) {
+  return std::tie(a.y, a.x, a.primitive, a.kind, a.rule) <
+         std::tie(b.y, b.x, b.primitive, b.kind, b.rule);
+}
+
+}  // namespace
+
+Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
+               const Rendering& rendered, int reported_subpixel_bits) {
+  const RuleChoices choices = resolve(policy, scene.target.surface);
+  const int bits = latitude_bits(reported_subpixel_bits);
+  const std::vector<ScenePrimitive> primitives = primitives_of(scene);
+  const auto coverage = match_coverage(primitives.size(), exact, rendered);
+
+  Result result;
+  result.pixels = rendered.pixels;
+  for (const ScenePrimitive& primitive : primitives)
+    compare_primitive(primitive, coverage[static_cast<std::size_t>(primitive.index)],
+                      {scene, choices, bits}, result);
+  for (const SharedEdgeFault& fault : shared_edge_faults(primitives, coverage, scene.target, bits))
+    apply_shared_edge_fault(fault, result);
+  result.line_snaps = common_line_snaps(primitives, coverage, scene.target);
+  const ValueContext values{scene, primitives, choices.values, bits};
+  compare_fragment_values(values, rendered, result);
+  compare_pixels(values, rendered, result);
+  std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
+  return result;
+}
+
+Result not_run(Failure failure) {
+  Result result;
+  result.verdict = Verdict::not_run;
+  result.failure = std::move(failure);
+  return result;
+}
+
+Figure scene_figure(const Scene& scene) {
+  Figure figure;
+  for (const ScenePrimitive& primitive : primitives_of(scene)) {
+    const int count = vertices_per_primitive(primitive.state->primitive);
+    Mark outline{MarkRole::primitive, count == 3, {}, std::to_string(primitive.index)};
+    for (int i = 0; i < count; ++i) {
+      const Point position = primitive.vertices[i].position;
+      outline.points.push_back(position_of(position));
+      figure.marks.push_back(
+          {MarkRole::vertex, false, {position_of(position)}, format_point(position)});
+    }
+    figure.marks.push_back(std::move(outline));
+  }
+  return figure;
+}
+
+std::vector<PixelExplanation> explain_pixel(const Scene& scene, const Policy& policy, int x,
+                                            int y) {
+  const RuleChoices choices = resolve(policy, scene.target.surface);
+  std::vector<PixelExplanation> result;
+  for (const ScenePrimitive& primitive : primitives_of(scene)) {
+    const CoverageChoice& choice = choices.of(primitive.state->primitive);
+    const auto pixels = covered_pixels(primitive, scene.target, choice);
+    Explanation why = explain(primitive, {x, y}, choice);
+    result.push_back({primitive.index,
+                      std::find(pixels.begin(), pixels.end(), PixelPosition{x, y}) != pixels.end(),
+                      coverage_rule_of(primitive.state->primitive), std::move(why.text),
+                      std::move(why.figure)});
+  }
+  return result;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// Compare: everything that can be said of one renderer's answer to one case by itself.
+//
+//   match -> legality, cause, explanation per difference -> values -> Result (not judged yet)
+#pragma once
+
+#include "model/figure.h"
+#include "model/policy.h"
+#include "model/rendering.h"
+#include "model/result.h"
+#include "model/scene.h"
+
+namespace edgecase {
+
+// Compares a rendering of `scene` with the exact one under `policy`. Both must have the scene's
+// size and only primitives of the scene. The verdict stays open until judge().
+Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
+               const Rendering& rendered, int reported_subpixel_bits);
+
+// The result of a scene that has no rendering.
+Result not_run(Failure failure);
+
+// The outlines and vertices of a scene's primitives.
+Figure scene_figure(const Scene& scene);
+
+// Why pixel (x, y) is or is not drawn by each primitive under a policy: a sentence each, with the
+// rule's figure.
+struct PixelExplanation {
+  int primitive = 0;
+  bool covered = false;
+  std::string rule;
+  std::string text;
+  Figure figure;
+};
+
+std::vector<PixelExplanation> explain_pixel(const Scene& scene, const Policy& policy, int x, int y);
+
+}  // namespace edgecase

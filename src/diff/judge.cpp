@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "diff/judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "diff/cause.h"
+#include "rules/coverage/snap.h"
+
+namespace edgecase {
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// The snap under which most cases are legal; the first in catalogue order of those that tie.
+std::string choose_line_reading(std::span<Result* const> results) {
+  std::string best;
+  std::ptrdiff_t most = -1;
+  for (Snap snap : all_snaps()) {
+    const std::string name = name_of(snap);
+    const auto legal = std::count_if(results.begin(), results.end(), [&](const Result* result) {
+      return !result->failure && contains(result->line_snaps, name);
+    });
+    if (legal <= most) continue;
+    most = legal;
+    best = name;
+  }
+  return best;
+}
+
+// The alternatives of a cause: what stands between " + ".
+std::vector<std::string> parts_of(const std::string& cause) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at < cause.size();) {
+    const std::size_t end = std::min(cause.find(" + ", at), cause.size());
+    parts.push_back(cause.substr(at, end - at));
+    at = end + 3;
+  }
+  return parts;
+}
+
+using Counts = std::map<std::string, std::size_t>;
+
+// How many primitives of the run each alternative helps to reproduce, alone or with another.
+Counts count_alternatives(std::span<Result* const> results) {
+  Counts counts;
+  for (const Result* result : results) {
+    for (const Result::Evidence& evidence : result->evidence) {
+      std::set<std::string> helpful;
+      for (const std::string& cause : evidence.causes)
+        for (const std::string& part : parts_of(cause)) helpful.insert(part);
+      for (const std::string& part : helpful) ++counts[part];
+    }
+  }
+  return counts;
+}
+
+// The candidate whose alternatives explain most of the run; the first in catalogue order of those
+// that tie.
+std::string choose_cause(const Result::Evidence& evidence, const Counts& counts) {
+  std::string best;
+  std::size_t most = 0;
+  for (const std::string& cause : evidence.causes) {
+    std::size_t score = 0;
+    for (const std::string& part : parts_of(cause)) score += counts.at(part);
+    if (score <= most) continue;
+    most = score;
+    best = cause;
+  }
+  return best;
+}
+
+bool is_line(const Disagreement& d) {
+  return d.rule == "line.diamond-exit";
+}
+
+void judge_primitive(const Result::Evidence& evidence, const std::string& reading,
+                     const std::string& cause, Result& result) {
+  for (Disagreement& d : result.disagreements) {
+    if (d.primitive != evidence.primitive || d.kind == DisagreementKind::value) continue;
+    d.cause = cause;
+    if (!is_line(d)) continue;
+    d.legal = contains(evidence.line_snaps, reading);
+    if (cause == kInteriorGap) d.ruling = 3;
+  }
+}
+
+Verdict verdict_of(const Result& result, Latitude latitude) {
+  if (result.failure) return Verdict::not_run;
+  if (result.disagreements.empty() && result.values.empty()) return Verdict::agree;
+  if (latitude == Latitude::none) return Verdict::violation;
+  bool all_open = result.values.empty();
+  for (const Disagreement& d : result.disagreements) {
+    if (!d.legal) return Verdict::violation;
+    all_open = all_open && is_open_choice(d.cause);
+  }
+  return all_open ? Verdict::convention : Verdict::permitted;
+}
+
+// FNV-1a, 64 bits, of rule, kind and pixel set. Values inside the permitted interval count by rule
+// only: which of them are off by an ULP may change with the processor. Without a rendering, the
+// kind of failure stands in its place.
+std::string fingerprint_of(const Result& result) {
+  if (result.failure) return name_of(result.failure->kind);
+  std::set<std::string> lines;
+  for (const Disagreement& d : result.disagreements)
+    lines.insert(fmt::format("{} {} {} {}\n", d.rule, name_of(d.kind), d.x, d.y));
+  for (const ValueAggregate& values : result.values)
+    lines.insert(fmt::format("{} {} permitted\n", values.rule, values.attribute));
+  if (lines.empty()) return "";
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const std::string& line : lines)
+    for (const char c : line) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return fmt::format("{:016x}", hash);
+}
+
+}  // namespace
+
+std::string judge(std::span<Result* const> results, Latitude latitude) {
+  const std::string reading = choose_line_reading(results);
+  const Counts counts = count_alternatives(results);
+  for (Result* result : results) {
+    if (!result->failure)
+      for (const Result::Evidence& evidence : result->evidence)
+        judge_primitive(evidence, reading, choose_cause(evidence, counts), *result);
+    result->verdict = verdict_of(*result, latitude);
+    result->fingerprint = fingerprint_of(*result);
+  }
+  return reading;
+}
+
+}  // namespace edgecase

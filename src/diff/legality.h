@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// Legality: is a difference inside the specification? Computed from the scene and from what was
+// drawn alone, without any policy or profile.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "diff/coverage_diff.h"
+#include "model/scene.h"
+
+namespace edgecase {
+
+// b of ruling 4: the larger of 4 and what the renderer reports, and no finer than our coordinates.
+int latitude_bits(int reported_subpixel_bits);
+
+// Whether one difference of one primitive is allowed, by which rule and ruling.
+struct Legality {
+  bool legal = false;
+  int ruling = 0;
+  std::string rule;    // the rule that is broken or under which the difference is allowed
+  std::string reason;  // one clause, why
+};
+
+// Points and triangles: `difference` judged by itself.
+Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                      int bits);
+
+// Lines: names of the catalogued snaps under which the segment's drawn pixels hold rulings 1 and 2.
+std::vector<std::string> legal_line_snaps(const ScenePrimitive& line,
+                                          std::span<const PixelPosition> drawn,
+                                          const Target& target);
+
+// The clause of rulings 1 and 2 that the segment as given breaks, or empty.
+std::string broken_clause_unsnapped(const ScenePrimitive& line,
+                                    std::span<const PixelPosition> drawn, const Target& target);
+
+// Samples that two triangles with a common edge must hit exactly once but hit otherwise.
+struct SharedEdgeFault {
+  PixelPosition pixel;
+  int first = 0;  // primitive indices
+  int second = 0;
+  int hits = 0;  // by the two together
+};
+
+std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> primitives,
+                                                std::span<const PrimitiveCoverage> coverage,
+                                                const Target& target, int bits);
+
+}  // namespace edgecase

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+//
+// Decimals are handled as strings of digits, so that no digit that a person wrote is ever rounded
+// before it is judged. The fraction of a decimal, 0.d1d2d3..., times 2^16 is a long multiplication
+// digit by digit: what is carried out of the first digit is the whole part, what stays behind is
+// the remainder. A remainder of zero means that the number is a multiple of 2^-16; its first digit
+// against 5 finds the nearest multiple, ties included.
+//
+// The grammar is JSON's, without spaces: no plus sign in front, no leading zeros, digits on both
+// sides of the point (".5" and "1." are refused, as JSON refuses them as numbers). Denominators are
+// powers of two up to 65536, written out, so that a pattern can check them too.
+#include "exact/numeral.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kMaxDigits = 40;
+constexpr int kMaxExponent = 999;
+constexpr std::int64_t kMaxRaw = std::int64_t{1} << (40 + Fixed::kFractionBits);
+constexpr std::int64_t kMaxDenominator = Fixed::kOne;
+constexpr std::size_t kMaxWholeDigits = 13;  // 2^40 has 13 decimal digits
+// A whole number of 13 digits, and its raw value, stay far inside int64.
+static_assert(10'000'000'000'000 < (std::int64_t{1} << 44));
+
+using Parsed = std::variant<Fixed, NumeralError>;
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kShown = 48;
+  std::size_t end = std::min(text.size(), kShown);
+  // Cut between characters of UTF-8, never inside one.
+  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
+    --end;
+  std::string result(1, '"');
+  result += text.substr(0, end);
+  result += end < text.size() ? "...\"" : "\"";
+  return result;
+}
+
+NumeralError malformed(std::string_view text) {
+  return {quoted(text) +
+          " is no numeral; write a decimal like 10.5, a fraction like 21/2, a whole number with a "
+          "fraction like 10+3/256, or ~ and a decimal for the nearest multiple of 1/65536"};
+}
+
+NumeralError too_long(std::string_view text) {
+  return {quoted(text) + " has more than 40 digits; shorten it"};
+}
+
+NumeralError too_large(std::string_view text) {
+  return {quoted(text) + " is too large; write a number of magnitude 2^40 at most"};
+}
+
+// Reads characters from the left; what is left over is `rest`.
+struct Cursor {
+  std::string_view rest;
+
+  bool take(char c) {
+    if (rest.empty() || rest.front() != c) return false;
+    rest.remove_prefix(1);
+    return true;
+  }
+  // The digits at the front, perhaps none.
+  std::string_view take_digits() {
+    std::size_t count = 0;
+    while (count < rest.size() && is_digit(rest[count])) ++count;
+    const std::string_view digits = rest.substr(0, count);
+    rest.remove_prefix(count);
+    return digits;
+  }
+};
+
+bool is_whole(std::string_view digits) {
+  return !digits.empty() && (digits.size() == 1 || digits.front() != '0');
+}
+
+// -------------------------------------------------------------------------------------- decimals
+
+// The decimal's magnitude is whole.fraction, both strings of digits.
+struct Decimal {
+  bool negative = false;
+  std::string whole;
+  std::string fraction;
+};
+
+// The exponent after 'e', or none when it is malformed or beyond 999 in magnitude.
+std::optional<int> take_exponent(Cursor& cursor) {
+  const bool negative = cursor.take('-');
+  if (!negative) cursor.take('+');
+  const std::string_view digits = cursor.take_digits();
+  if (digits.empty()) return std::nullopt;
+  int value = 0;
+  for (const char digit : digits) value = std::min(kMaxExponent + 1, 10 * value + (digit - '0'));
+  return negative ? -value : value;
+}
+
+// Moves the decimal point `exponent` places to the right, to the left when negative.
+void shift_point(Decimal& decimal, int exponent) {
+  std::string& from = exponent > 0 ? decimal.fraction : decimal.whole;
+  std::string& to = exponent > 0 ? decimal.whole : decimal.fraction;
+  const auto places = static_cast<std::size_t>(exponent > 0 ? exponent : -exponent);
+  if (exponent > 0) {
+    if (from.size() < places) from.append(places - from.size(), '0');
+    to += from.substr(0, places);
+    from.erase(0, places);
+  } else {
+    if (from.size() < places) from.insert(0, places - from.size(), '0');
+    to.insert(0, from.substr(from.size() - places));
+    from.erase(from.size() - places);
+  }
+}
+
+std::variant<Decimal, NumeralError> parse_decimal(std::string_view text, std::string_view shown) {
+  Cursor cursor{text};
+  Decimal decimal;
+  decimal.negative = cursor.take('-');
+  decimal.whole = cursor.take_digits();
+  if (!is_whole(decimal.whole)) return malformed(shown);
+  if (cursor.take('.')) {
+    decimal.fraction = cursor.take_digits();
+    if (decimal.fraction.empty()) return malformed(shown);
+  }
+  if (decimal.whole.size() + decimal.fraction.size() > kMaxDigits) return too_long(shown);
+  if (cursor.take('e') || cursor.take('E')) {
+    const std::optional<int> exponent = take_exponent(cursor);
+    if (!exponent) return malformed(shown);
+    if (*exponent > kMaxExponent || *exponent < -kMaxExponent)
+      return NumeralError{quoted(shown) + " has an exponent beyond 999; write the number out"};
+    shift_point(decimal, *exponent);
+  }
+  if (!cursor.rest.empty()) return malformed(shown);
+  decimal.whole.erase(0, decimal.whole.find_first_not_of('0'));
+  return decimal;
+}
+
+// The magnitude times 2^16, rounded down, and what was rounded away.
+struct Scaled {
+  std::int64_t floor = 0;
+  std::string remainder;  // digits after the point
+
+  bool exact() const { return remainder.find_first_not_of('0') == std::string::npos; }
+  bool nearest_is_above() const {
+    if (remainder.empty() || remainder.front() < '5') return false;
+    const bool tie =
+        remainder.front() == '5' && remainder.find_first_not_of('0', 1) == std::string::npos;
+    return !tie || floor % 2 != 0;
+  }
+};
+
+// `decimal.whole` has at most kMaxWholeDigits digits.
+Scaled scale(const Decimal& decimal) {
+  std::int64_t whole = 0;
+  for (const char digit : decimal.whole) whole = 10 * whole + (digit - '0');
+  Scaled scaled{0, decimal.fraction};
+  std::int64_t carry = 0;
+  for (auto digit = scaled.remainder.rbegin(); digit != scaled.remainder.rend(); ++digit) {
+    const std::int64_t product = (*digit - '0') * Fixed::kOne + carry;
+    *digit = static_cast<char>('0' + product % 10);
+    carry = product / 10;
+  }
+  scaled.floor = whole * Fixed::kOne + carry;
+  return scaled;
+}
+
+Fixed with_sign(bool negative, std::int64_t raw) {
+  return Fixed::from_raw(negative ? -raw : raw);
+}
+
+NumeralError between_multiples(bool negative, std::int64_t floor, std::string_view shown) {
+  Fixed lower = with_sign(negative, floor);
+  Fixed upper = with_sign(negative, floor + 1);
+  if (negative) std::swap(lower, upper);
+  return {std::string(shown) + " is no multiple of 1/65536; write one of its neighbours " +
+          to_decimal(lower) + " and " + to_decimal(upper) + ", or \"~" + std::string(shown) +
+          "\" for the nearest"};
+}
+
+Parsed decimal_to_fixed(std::string_view text, std::string_view shown, bool nearest) {
+  const auto parsed = parse_decimal(text, shown);
+  if (const auto* error = std::get_if<NumeralError>(&parsed)) return *error;
+  const Decimal& decimal = std::get<Decimal>(parsed);
+  if (decimal.whole.size() > kMaxWholeDigits) return too_large(shown);
+  const Scaled scaled = scale(decimal);
+  if (scaled.floor > kMaxRaw || (scaled.floor == kMaxRaw && !scaled.exact()))
+    return too_large(shown);
+  if (scaled.exact()) return with_sign(decimal.negative, scaled.floor);
+  if (!nearest) return between_multiples(decimal.negative, scaled.floor, shown);
+  return with_sign(decimal.negative, scaled.floor + (scaled.nearest_is_above() ? 1 : 0));
+}
+
+// ------------------------------------------------------------------------------------- fractions
+
+// The value of a whole number up to 2^56, or none when the digits say more.
+std::optional<std::int64_t> whole_value(std::string_view digits) {
+  std::int64_t value = 0;
+  for (const char digit : digits) {
+    value = 10 * value + (digit - '0');
+    if (value > kMaxRaw) return std::nullopt;
+  }
+  return value;
+}
+
+// The raw magnitude of numerator/denominator.
+Parsed ratio(std::string_view numerator, std::string_view denominator, std::string_view shown) {
+  const std::optional<std::int64_t> below = whole_value(denominator);
+  if (!below || *below == 0 || *below > kMaxDenominator || (*below & (*below - 1)) != 0)
+    return NumeralError{quoted(shown) +
+                        " has a denominator that is no power of two up to 65536; write the "
+                        "fraction with one, or ~ and a decimal for the nearest multiple of "
+                        "1/65536"};
+  const std::optional<std::int64_t> above = whole_value(numerator);
+  const std::int64_t step = kMaxDenominator / *below;
+  if (!above || *above > kMaxRaw / step) return too_large(shown);
+  return Fixed::from_raw(*above * step);
+}
+
+// "N/D", "W+N/D" and "W-N/D", with a sign in front or not.
+Parsed parse_fraction(std::string_view text) {
+  Cursor cursor{text};
+  const bool negative = cursor.take('-');
+  std::string_view whole = "0";
+  std::string_view numerator = cursor.take_digits();
+  bool fraction_negative = negative;
+  if (cursor.rest.starts_with('+') || cursor.rest.starts_with('-')) {
+    fraction_negative = cursor.take('-');
+    if (!fraction_negative) cursor.take('+');
+    whole = numerator;
+    numerator = cursor.take_digits();
+  }
+  if (!cursor.take('/')) return malformed(text);
+  const std::string_view denominator = cursor.take_digits();
+  if (!cursor.rest.empty() || !is_whole(whole) || !is_whole(numerator) || !is_whole(denominator))
+    return malformed(text);
+  if (whole.size() + numerator.size() + denominator.size() > kMaxDigits) return too_long(text);
+  const Parsed fraction = ratio(numerator, denominator, text);
+  if (std::holds_alternative<NumeralError>(fraction)) return fraction;
+  const std::optional<std::int64_t> ones = whole_value(whole);
+  if (!ones || *ones > kMaxRaw / Fixed::kOne) return too_large(text);
+  const Fixed sum = with_sign(negative, *ones * Fixed::kOne) +
+                    with_sign(fraction_negative, std::get<Fixed>(fraction).raw());
+  if (sum.raw() > kMaxRaw || sum.raw() < -kMaxRaw) return too_large(text);
+  return sum;
+}
+
+}  // namespace
+
+std::variant<Fixed, NumeralError> parse_numeral(std::string_view text) {
+  if (text.starts_with('~')) return decimal_to_fixed(text.substr(1), text, true);
+  if (text.find('/') != std::string_view::npos) return parse_fraction(text);
+  return decimal_to_fixed(text, text, false);
+}
+
+std::string to_decimal(Fixed value) {
+  const bool negative = value.raw() < 0;
+  // The magnitude as unsigned, so that the most negative raw value has one.
+  const auto raw = static_cast<std::uint64_t>(value.raw());
+  const std::uint64_t magnitude = negative ? 0 - raw : raw;
+  constexpr auto kOne = static_cast<std::uint64_t>(Fixed::kOne);
+  std::string text = negative ? "-" : "";
+  text += std::to_string(magnitude / kOne);
+  std::uint64_t fraction = magnitude % kOne;
+  if (fraction != 0) text += '.';
+  while (fraction != 0) {
+    fraction *= 10;
+    text += static_cast<char>('0' + fraction / kOne);
+    fraction %= kOne;
+  }
+  return text;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// Numerals: how people write exact coordinates, and how we print them.
+//
+// Accepted forms: a decimal ("10.5", "-3", "1e2"), a fraction ("21/2"), a whole number with a
+// fraction ("10+3/256", "-1-1/16"), and "~DECIMAL", which takes the nearest multiple of 2^-16 (a
+// tie goes to the even one). Without the tilde the number must be a multiple of 2^-16: 0.1 is
+// refused, and the refusal names its two neighbours. Numbers are written as in JSON (no plus in
+// front, no leading zeros, digits on both sides of a point); denominators are powers of two up to
+// 65536.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "exact/fixed.h"
+
+namespace edgecase {
+
+// Why a numeral is refused, with the remedy: one sentence, no full stop at its end.
+struct NumeralError {
+  std::string message;
+};
+
+// Parses a numeral of the forms above. The result may lie outside the coordinate range (magnitude
+// up to 2^40); the caller checks ranges. Digits beyond 40 are refused.
+std::variant<Fixed, NumeralError> parse_numeral(std::string_view text);
+
+// The canonical decimal of a number: exact, shortest, no exponent ("10.5", "-0.00390625", "3").
+std::string to_decimal(Fixed value);
+
+}  // namespace edgecase

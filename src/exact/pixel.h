@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Pixels by column and row, and rectangles of them. Rows count from the bottom; nothing here knows
+// where within a pixel a sample lies.
+#pragma once
+
+#include <compare>
+
+namespace edgecase {
+
+struct PixelPosition {
+  int x = 0;
+  int y = 0;
+  friend constexpr auto operator<=>(PixelPosition, PixelPosition) = default;
+};
+
+// Whole pixels, both ends inclusive.
+struct PixelBounds {
+  int x_min = 0;
+  int y_min = 0;
+  int x_max = -1;
+  int y_max = -1;
+
+  bool contains(PixelPosition p) const {
+    return p.x >= x_min && p.x <= x_max && p.y >= y_min && p.y <= y_max;
+  }
+  PixelBounds grown(int by) const { return {x_min - by, y_min - by, x_max + by, y_max + by}; }
+};
+
+}  // namespace edgecase

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Case: one scene with the words around it, as a case file gives them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "model/scene.h"
+
+namespace edgecase {
+
+// The author's hand-drawn truth for the exact side under one policy.
+struct Expect {
+  std::string policy = "opengl";
+  // Hits per pixel, row by row from the bottom, width * height of them.
+  std::vector<int> coverage;
+  std::string where;  // FILE:LINE and JSON pointer of the drawing, for messages
+};
+
+struct Case {
+  std::string id;  // path from the suite's root, without suffix, with '/'
+  std::string title;
+  std::string why;
+  std::vector<std::string> rules;  // ids of the rules that the case is about
+  std::string spec;
+  std::string origin;  // a link, where a bug led to the case
+  std::vector<std::string> tags;
+  std::filesystem::path file;
+  std::string source;  // the file's text
+  Scene scene;
+  std::vector<Expect> expect;
+};
+
+// Something wrong with a file that a person wrote.
+struct Diagnostic {
+  std::string file;
+  int line = 0;         // from 1; 0: the file as a whole
+  std::string pointer;  // RFC 6901, "" for the document
+  std::string message;  // what is wrong
+  std::string remedy;   // how to put it right
+};
+
+// "FILE:LINE: POINTER: message; remedy", the parts that exist.
+std::string to_string(const Diagnostic& diagnostic);
+
+}  // namespace edgecase

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// Figure: the geometry that explains a pixel, as rules compute it and reports draw it. A report
+// knows no rule: it styles marks by their role and writes their labels.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace edgecase {
+
+enum class MarkRole {
+  primitive,       // outline of the primitive as given, in window coordinates
+  vertex,          // one of its vertices
+  snapped_vertex,  // where a vertex lies after snapping
+  region,          // what a sample's rule looks at: a line's diamond, a point's square
+  owned,           // edges or corners of a primitive or region that count as inside
+  sample,          // the sample that is decided
+  edge,            // the edge or segment on which the decision hangs
+};
+
+const char* name_of(MarkRole);
+
+struct Mark {
+  MarkRole role = MarkRole::primitive;
+  bool closed = false;                            // join the last position to the first
+  std::vector<std::pair<double, double>> points;  // window coordinates, pixels, y up
+  std::string label;                              // short text beside the first position, or none
+};
+
+struct Figure {
+  std::vector<Mark> marks;
+};
+
+}  // namespace edgecase

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// Renderer: anything that turns scenes into renderings, and the two ways in which it may not.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <variant>
+
+#include "model/rendering.h"
+#include "model/scene.h"
+
+namespace edgecase {
+
+// Who a renderer is and what it claims of itself. Claims are not facts: `edgecase backends` renders
+// probes to find out.
+struct RendererInfo {
+  std::string name;     // as the command line names it: "osmesa:llvmpipe"
+  std::string vendor;   // GL_VENDOR, or what the program says
+  std::string version;  // GL_VERSION, or what the program says
+  std::string device;   // GL_RENDERER, or what the program says
+  int subpixel_bits =
+      4;  // GL_SUBPIXEL_BITS; 4, the least that OpenGL allows, where nothing is said
+  std::map<std::string, std::string> traits;  // further claims, by name
+};
+
+// A scene to render, with the id of its case: renderers use the id in messages only.
+struct Task {
+  std::string id;
+  const Scene* scene = nullptr;
+};
+
+enum class FailureKind {
+  unsupported,  // the renderer says that it does not do this
+  crashed,      // its process ended
+  timed_out,    // no answer in time
+  garbage,      // the answer is no rendering of this scene
+  unavailable,  // it could not be started at all
+};
+
+const char* name_of(FailureKind);
+
+// Why a scene has no rendering: one sentence, for people.
+struct Failure {
+  FailureKind kind = FailureKind::unsupported;
+  std::string reason;
+};
+
+using Outcome = std::variant<Rendering, Failure>;
+
+// Receives the outcome of tasks[index]; called once for every task, in order, on the thread that
+// called render.
+using OutcomeSink = std::function<void(std::size_t index, Outcome)>;
+
+class Renderer {
+ public:
+  virtual ~Renderer() = default;
+  // Known in full only after the first rendering, since a process tells who it is as it answers.
+  virtual RendererInfo info() const = 0;
+  // Renders every task. Never throws for what a renderer does: that is a Failure. Returns early,
+  // leaving tasks without an outcome, only when `sink` asked for it by throwing.
+  virtual void render(std::span<const Task> tasks, const OutcomeSink& sink) = 0;
+};
+
+}  // namespace edgecase

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// Rendering: what a renderer made of a scene. The same type for the exact side, for OpenGL and for
+// any other program; doubles hold the float32 values of a GL without loss.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace edgecase {
+
+// One fragment shader invocation.
+struct Fragment {
+  int x = 0;                   // pixel column, 0 to width - 1
+  int y = 0;                   // pixel row, 0 to height - 1, y up
+  int primitive = 0;           // index in drawing order, see primitives_of
+  std::uint32_t coverage = 1;  // bit s set: sample s is covered
+  double depth = 0;            // window depth, 0 to 1
+  std::array<double, 4> color{};  // before conversion to the target's format
+  bool has_depth = true;  // false: the renderer tells no depth
+  bool has_color = true;          // false: the renderer tells no per-fragment colour
+};
+
+// Orders by pixel (row, then column) and primitive: the order in which renderings are stored.
+bool precedes(const Fragment& a, const Fragment& b);
+
+struct Rendering {
+  int width = 0;
+  int height = 0;
+  int samples = 1;
+  std::vector<std::uint8_t> pixels;  // RGBA8, row by row from the bottom, 4 * width * height
+  std::vector<std::uint32_t> hits;   // fragments per pixel from a pass of its own; empty: none
+  std::vector<Fragment> fragments;   // sorted by `precedes`, equal ones in drawing order
+
+  std::size_t pixel_index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
+  }
+};
+
+// Sorts the fragments by `precedes`, stably.
+void sort_fragments(Rendering& rendering);
+
+// The unsigned 8-bit value nearest to a colour component, which is clamped to [0, 1] first; a tie
+// goes to the even value; NaN becomes 0. GL 4.6 core, 2.3.5.2.
+std::uint8_t to_unorm8(double component);
+
+}  // namespace edgecase

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// Result: one renderer's answer to one case, compared and judged.
+//
+// src/diff fills it in two steps: compare() what can be said of one case alone, judge() what
+// depends on a whole run (which catalogued snap its lines are read with, which of several causes
+// explains most). Expectations then say how it stands to what is known.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/renderer.h"
+#include "model/verdict.h"
+
+namespace edgecase {
+
+// How a result stands to what is known of the renderer.
+enum class Standing {
+  expected,              // agrees, or differs exactly as an expectation says
+  unexpected,            // differs, and no expectation says so
+  changed,               // differs, but not as its expectation says
+  unexpected_agreement,  // agrees, although an expectation says that it differs
+};
+
+const char* name_of(Standing);
+
+// One renderer's answer to one case, compared.
+struct Result {
+  // Which alternatives reproduce what the renderer drew of one primitive: smallest sets first,
+  // each as a cause, "rule=alternative" or two joined by " + ".
+  struct Evidence {
+    int primitive = 0;
+    std::vector<std::string> causes;
+    std::vector<std::string> line_snaps;  // lines: snaps under which rulings 1 and 2 hold
+    std::string broken_clause;            // lines: what the segment as given breaks, or empty
+  };
+
+  Verdict verdict = Verdict::not_run;
+  std::optional<Failure> failure;  // set exactly when the verdict is not-run
+  std::string fingerprint;         // of rule, kind and pixel set; empty when nothing differs
+  std::vector<Disagreement> disagreements;  // complete, sorted by pixel, primitive, kind
+  std::vector<ValueAggregate> values;
+  std::vector<Evidence> evidence;        // of the primitives that have a disagreement
+  std::vector<std::string> line_snaps;   // snaps under which every line of the case is legal
+  std::vector<std::uint8_t> pixels;      // RGBA8, bottom row first; empty when not run
+  Standing standing = Standing::expected;
+  std::string expectation;  // the reason that the matching expectation gives, or why none matches
+};
+
+}  // namespace edgecase

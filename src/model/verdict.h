@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// What a comparison finds: disagreements, aggregated values, and the verdict over a case.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "model/figure.h"
+
+namespace edgecase {
+
+enum class DisagreementKind {
+  missing,    // exact draws the sample, the renderer does not
+  extra,      // the renderer draws it, exact does not
+  duplicate,  // the renderer draws it more often than exact does
+  value,      // both draw it, with different values
+};
+
+const char* name_of(DisagreementKind);
+
+// One fragment or sample on which a renderer differs from exact.
+struct Disagreement {
+  int x = 0;  // pixel column
+  int y = 0;  // pixel row, y up
+  int sample = 0;
+  int primitive = -1;  // index in drawing order; -1: the pixel as a whole
+  DisagreementKind kind = DisagreementKind::missing;
+  std::string rule;           // id, "line.diamond-exit"
+  bool legal = false;         // the specification allows it, whatever explains it
+  std::string cause;          // "rule=alternative", two joined by " + "; empty: none found
+  int ruling = 0;             // number of the ruling by which `legal` was decided
+  std::vector<double> exact;  // hits (missing, extra, duplicate) or components (value)
+  std::vector<double> rendered;
+  std::string explanation;  // a sentence with numbers
+  Figure figure;            // what to draw over this pixel, beside the case's figure
+};
+
+// All values of one attribute of one case: how many differ inside what the specification permits.
+struct ValueAggregate {
+  struct Place {
+    int x = 0;
+    int y = 0;
+    int primitive = -1;
+  };
+  std::string attribute;  // "color", "depth", "pixel"
+  std::string rule;
+  int ruling = 0;
+  std::uint64_t compared = 0;    // fragments compared
+  std::vector<Place> differing;  // inside the permitted interval, not the correctly rounded value
+  Place worst;                   // the place with the largest error of all that differ
+  int worst_component = 0;
+  double worst_exact = 0;
+  double worst_rendered = 0;
+  double worst_ulp = 0;  // error in units of the last place of the value's format
+  std::map<int, std::uint64_t> ulp_histogram;  // floor(log2(error in ULP)) -> components
+};
+
+// Ordered from best to worst; a case gets the worst that applies.
+enum class Verdict { agree, convention, permitted, violation, not_run };
+
+const char* name_of(Verdict);
+bool parse_name(const std::string& name, Verdict& value);
+
+}  // namespace edgecase

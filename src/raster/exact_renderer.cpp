@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "raster/exact_renderer.h"
+
+#include <utility>
+
+#include "raster/rasterizer.h"
+
+namespace edgecase {
+
+ExactRenderer::ExactRenderer(Policy policy) : policy_(std::move(policy)) {}
+
+RendererInfo ExactRenderer::info() const {
+  RendererInfo info;
+  info.name = "exact";
+  info.vendor = "Edgecase";
+  info.version = "policy " + policy_.name;
+  info.device = "exact rasterizer";
+  info.subpixel_bits = Fixed::kFractionBits;
+  return info;
+}
+
+void ExactRenderer::render(std::span<const Task> tasks, const OutcomeSink& sink) {
+  for (std::size_t i = 0; i < tasks.size(); ++i) sink(i, rasterize(*tasks[i].scene, policy_));
+}
+
+}  // namespace edgecase

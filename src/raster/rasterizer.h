@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// The exact rasterizer, plain path: stages over the primitives of a scene, each decision taken by
+// the predicate of its rule. It knows no OpenGL and compares nothing.
+//
+//   primitives_of -> snap -> coverage (rules/coverage) -> attributes (rules/values) -> pixels
+#pragma once
+
+#include <vector>
+
+#include "model/policy.h"
+#include "model/rendering.h"
+#include "model/scene.h"
+#include "rules/choices.h"
+#include "exact/pixel.h"
+#include "rules/values/smooth_attribute.h"
+
+namespace edgecase {
+
+// The pixels of the target that one primitive covers under a choice of rules, sorted by row,
+// column.
+std::vector<PixelPosition> covered_pixels(const ScenePrimitive& primitive, const Target& target,
+                                          const CoverageChoice& choice);
+
+// What is interpolated over a primitive: one component of its colour, or its window depth.
+Interpolant color_interpolant(const ScenePrimitive& primitive, std::size_t component,
+                              LineParameter line_parameter);
+Interpolant depth_interpolant(const ScenePrimitive& primitive, LineParameter line_parameter);
+
+// The colour (RGBA) and window depth of a primitive at a pixel's centre, from unsnapped positions:
+// the double nearest to the exact value, to within 2^-48 of the largest vertex value.
+Fragment shade(const ScenePrimitive& primitive, PixelPosition pixel, const ValueChoice& choice);
+
+// The rendering that a policy's rules, applied without rounding, produce.
+Rendering rasterize(const Scene& scene, const Policy& policy);
+
+}  // namespace edgecase

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "results/expectations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+namespace edgecase {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Expectation parse_entry(const Json& json) {
+  Expectation entry;
+  const std::string verdict = json.at("verdict");
+  if (!parse_name(verdict, entry.verdict))
+    throw std::runtime_error(fmt::format("\"{}\" is no verdict", verdict));
+  entry.fingerprint = json.at("fingerprint");
+  entry.reason = json.at("reason");
+  entry.link = json.value("link", "");
+  if (entry.reason.empty()) throw std::runtime_error("an expectation needs a reason");
+  for (const auto& [key, value] : json.items())
+    if (key != "case" && key != "verdict" && key != "fingerprint" && key != "reason" &&
+        key != "link")
+      throw std::runtime_error(fmt::format("unknown key \"{}\"", key));
+  return entry;
+}
+
+// "3 pixels differ by triangle.fill-rule (triangle.fill-rule=left-bottom)": what was found, in
+// short.
+std::string reason_from(const Result& result) {
+  if (result.failure)
+    return fmt::format("{}: {}", name_of(result.failure->kind), result.failure->reason);
+  std::set<std::string> rules;
+  std::set<std::string> causes;
+  bool unexplained = false;
+  for (const Disagreement& d : result.disagreements) {
+    rules.insert(d.rule);
+    if (d.cause.empty())
+      unexplained = true;
+    else
+      causes.insert(d.cause);
+  }
+  std::string text;
+  if (!rules.empty()) {
+    text = fmt::format("{} by {}",
+                       result.disagreements.size() == 1
+                           ? "one difference"
+                           : fmt::format("{} differences", result.disagreements.size()),
+                       fmt::join(rules, ", "));
+    if (!causes.empty()) text += fmt::format("; it follows {}", fmt::join(causes, " and "));
+    if (unexplained)
+      text += causes.empty() ? "; no catalogued alternative draws this"
+                             : "; some follow no catalogued alternative";
+  }
+  for (const ValueAggregate& values : result.values)
+    text += fmt::format("{}{} rounded otherwise than exactly, within what is permitted",
+                        text.empty() ? "" : "; ", values.attribute);
+  return text;
+}
+
+bool same_answer(const Expectation& entry, const Result& result) {
+  return entry.verdict == result.verdict && entry.fingerprint == result.fingerprint;
+}
+
+}  // namespace
+
+std::variant<Expectations, std::string> parse_expectations(const std::string& text) {
+  std::string where = "the file";
+  try {
+    const Json json = Json::parse(text);
+    Expectations result;
+    result.renderer = json.at("renderer");
+    result.measured = json.at("measured");
+    for (const Json& item : json.at("expectations")) {
+      where = fmt::format("expectation {}", result.cases.size());
+      const std::string id = item.at("case");
+      where = fmt::format("expectation of {}", id);
+      if (!result.cases.emplace(id, parse_entry(item)).second)
+        throw std::runtime_error("the case has two entries");
+    }
+    return result;
+  } catch (const std::exception& error) {
+    return fmt::format("{}: {}", where, error.what());
+  }
+}
+
+std::string expectations_text(const Expectations& expectations) {
+  std::string text =
+      fmt::format("{{\n  \"renderer\": {},\n  \"measured\": {},\n  \"expectations\": [",
+                  Json(expectations.renderer).dump(), Json(expectations.measured).dump());
+  const char* separator = "\n";
+  for (const auto& [id, entry] : expectations.cases) {
+    Json json = {{"case", id},
+                 {"verdict", name_of(entry.verdict)},
+                 {"fingerprint", entry.fingerprint},
+                 {"reason", entry.reason}};
+    if (!entry.link.empty()) json["link"] = entry.link;
+    text += fmt::format("{}    {}", separator,
+                        json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    separator = ",\n";
+  }
+  return text + "\n  ]\n}\n";
+}
+
+std::string expectations_file_name(const std::string& renderer) {
+  std::string name = renderer;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == ':' || c == '/' || c == ' '; }, '-');
+  return name + ".json";
+}
+
+void apply_expectations(Results& results, std::size_t index, const Expectations* expectations) {
+  for (CaseResults& one : results.cases) {
+    Result& result = one.results[index];
+    const Expectation* entry = nullptr;
+    if (expectations != nullptr)
+      if (const auto found = expectations->cases.find(one.id); found != expectations->cases.end())
+        entry = &found->second;
+    if (entry == nullptr) {
+      result.standing =
+          result.verdict == Verdict::agree ? Standing::expected : Standing::unexpected;
+      result.expectation =
+          result.verdict == Verdict::agree ? "" : "no expectation says that it differs";
+    } else if (same_answer(*entry, result)) {
+      result.standing = Standing::expected;
+      result.expectation = entry->reason;
+    } else {
+      result.standing =
+          result.verdict == Verdict::agree ? Standing::unexpected_agreement : Standing::changed;
+      result.expectation = fmt::format("expected {} {} ({})", name_of(entry->verdict),
+                                       entry->fingerprint, entry->reason);
+    }
+  }
+}
+
+std::vector<ExpectationChange> plan_blessing(const Results& results, std::size_t index,
+                                             const Expectations& current,
+                                             const std::string& reason) {
+  std::vector<ExpectationChange> changes;
+  for (const CaseResults& one : results.cases) {
+    const Result& result = one.results[index];
+    const auto found = current.cases.find(one.id);
+    const Expectation* before = found != current.cases.end() ? &found->second : nullptr;
+    if (result.verdict == Verdict::agree) {
+      if (before != nullptr) changes.push_back({one.id, before, std::nullopt});
+      continue;
+    }
+    if (before != nullptr && same_answer(*before, result)) continue;
+    Expectation after{result.verdict, result.fingerprint,
+                      reason.empty() ? reason_from(result) : reason,
+                      before != nullptr ? before->link : ""};
+    changes.push_back({one.id, before, std::move(after)});
+  }
+  return changes;
+}
+
+}  // namespace edgecase

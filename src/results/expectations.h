@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// Expectations: what a named renderer is known to answer, so that CI is green on known faults and
+// red on new ones.
+//
+// A file belongs to one renderer. An entry names a case, the verdict, the fingerprint of what
+// differs, and the reason, for people. A case without an entry is expected to agree. An entry
+// matches only if both verdict and fingerprint are what they were: a known fault that changes is as
+// red as a new one, and so is one that is gone.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/verdict.h"
+#include "results/results.h"
+
+namespace edgecase {
+
+struct Expectation {
+  Verdict verdict = Verdict::violation;
+  std::string fingerprint;
+  std::string reason;  // one sentence, never empty
+  std::string link;    // where it is reported, or empty
+};
+
+struct Expectations {
+  std::string renderer;  // name, "osmesa:llvmpipe"
+  std::string measured;  // device and version on which the entries were measured
+  std::map<std::string, Expectation> cases;  // by case id
+};
+
+// Reads a file's text; a sentence that says what is wrong and where, otherwise.
+std::variant<Expectations, std::string> parse_expectations(const std::string& text);
+
+// The file's text: an entry on a line each, sorted by case id.
+std::string expectations_text(const Expectations& expectations);
+
+// The name of a renderer's file: "osmesa-llvmpipe.json".
+std::string expectations_file_name(const std::string& renderer);
+
+// Sets standing and expectation of every result of the renderer at `index`. `expectations` may be
+// null: then every case is expected to agree.
+void apply_expectations(Results& results, std::size_t index, const Expectations* expectations);
+
+// What blessing would change: for each case of the results whose entry would be another, the old
+// and the new one. Reasons of unchanged entries are kept; a new entry gets `reason`, or where that
+// is empty a reason made of the causes found.
+struct ExpectationChange {
+  std::string id;
+  const Expectation* before = nullptr;  // null: the entry is new
+  std::optional<Expectation> after;     // nothing: the entry goes
+};
+
+std::vector<ExpectationChange> plan_blessing(const Results& results, std::size_t index,
+                                             const Expectations& current,
+                                             const std::string& reason);
+
+}  // namespace edgecase

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// The results file: a run's results as JSON, written and read.
+//
+// The same results give the same bytes: members stand in one order, cases are sorted, nothing says
+// when or where the run took place. Cases stand on a line each, so that two files can be compared
+// with ordinary tools. What was written reads back as it was, but for the text of case files.
+//
+//   {"tool", "policy", "renderers": [{"name", "vendor", "version", "device", "subpixel_bits",
+//    "traits"}], "cases": [{"id", "title", …, "results": {RENDERER: {"verdict", "fingerprint",
+//    "disagreements": […], "values": […], …}}}], "diagnostics": […], "summary"}
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <variant>
+
+#include "results/results.h"
+
+namespace edgecase {
+
+// The caller checks the stream's state afterwards.
+void write_results(const Results& results, std::ostream& out);
+
+// Reads what write_results wrote; otherwise a sentence that says what is wrong and where.
+std::variant<Results, std::string> read_results(const std::string& text);
+
+}  // namespace edgecase

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "results/results_json.h"
+
+namespace edgecase {
+namespace {
+
+using Json = nlohmann::json;
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  throw std::runtime_error(fmt::format("'{}' is no lower-case hexadecimal digit", c));
+}
+
+std::vector<std::uint8_t> from_hex(const std::string& text) {
+  if (text.size() % 2 != 0) throw std::runtime_error("pixels have an odd number of digits");
+  std::vector<std::uint8_t> bytes(text.size() / 2);
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    bytes[i] = static_cast<std::uint8_t>(16 * hex_digit(text[2 * i]) + hex_digit(text[2 * i + 1]));
+  return bytes;
+}
+
+double to_number(const Json& json) {
+  if (json.is_number()) return json.get<double>();
+  const std::string text = json.get<std::string>();
+  if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
+  if (text == "inf") return std::numeric_limits<double>::infinity();
+  if (text == "-inf") return -std::numeric_limits<double>::infinity();
+  throw std::runtime_error(fmt::format("\"{}\" is no number", text));
+}
+
+// The value whose name_of is the given text, among those from `first` to `last`.
+template <class Enum>
+Enum to_enum(const Json& json, Enum first, Enum last) {
+  const std::string text = json.get<std::string>();
+  for (int i = static_cast<int>(first); i <= static_cast<int>(last); ++i)
+    if (text == name_of(static_cast<Enum>(i))) return static_cast<Enum>(i);
+  throw std::runtime_error(fmt::format("\"{}\" is not known here", text));
+}
+
+template <class Item, class Convert>
+std::vector<Item> to_list(const Json& json, Convert convert) {
+  if (!json.is_array()) throw std::runtime_error("a list is missing");
+  std::vector<Item> result;
+  for (const Json& item : json) result.push_back(convert(item));
+  return result;
+}
+
+Figure to_figure(const Json& json) {
+  Figure figure;
+  for (const Json& item : json) {
+    Mark mark;
+    mark.role = to_enum(item.at("role"), MarkRole::primitive, MarkRole::edge);
+    mark.closed = item.value("closed", false);
+    mark.label = item.value("label", "");
+    for (const Json& point : item.at("points"))
+      mark.points.emplace_back(point.at(0).get<double>(), point.at(1).get<double>());
+    figure.marks.push_back(std::move(mark));
+  }
+  return figure;
+}
+
+Disagreement to_disagreement(const Json& json) {
+  Disagreement d;
+  d.x = json.at("pixel").at(0);
+  d.y = json.at("pixel").at(1);
+  d.sample = json.at("sample");
+  d.primitive = json.at("primitive");
+  d.kind = to_enum(json.at("kind"), DisagreementKind::missing, DisagreementKind::value);
+  d.rule = json.at("rule");
+  d.legal = json.at("legal");
+  d.cause = json.at("cause");
+  d.ruling = json.at("ruling");
+  d.exact = to_list<double>(json.at("exact"), to_number);
+  d.rendered = to_list<double>(json.at("rendered"), to_number);
+  d.explanation = json.at("explanation");
+  d.figure = to_figure(json.at("figure"));
+  return d;
+}
+
+ValueAggregate::Place to_place(const Json& json) {
+  return {json.at(0), json.at(1), json.at(2)};
+}
+
+ValueAggregate to_values(const Json& json) {
+  ValueAggregate values;
+  values.attribute = json.at("attribute");
+  values.rule = json.at("rule");
+  values.ruling = json.at("ruling");
+  values.compared = json.at("compared");
+  values.worst = to_place(json.at("worst"));
+  values.worst_component = json.at("worst_component");
+  values.worst_exact = to_number(json.at("worst_exact"));
+  values.worst_rendered = to_number(json.at("worst_rendered"));
+  values.worst_ulp = to_number(json.at("worst_ulp"));
+  for (const auto& [bucket, count] : json.at("ulp_histogram").items())
+    values.ulp_histogram[std::stoi(bucket)] = count;
+  values.differing = to_list<ValueAggregate::Place>(json.at("differing"), to_place);
+  return values;
+}
+
+Result::Evidence to_evidence(const Json& json) {
+  Result::Evidence evidence;
+  evidence.primitive = json.at("primitive");
+  evidence.causes = json.at("causes").get<std::vector<std::string>>();
+  evidence.line_snaps = json.value("line_snaps", std::vector<std::string>{});
+  evidence.broken_clause = json.value("broken_clause", "");
+  return evidence;
+}
+
+Result to_result(const Json& json, const CaseResults& exact) {
+  Result result;
+  result.verdict = to_enum(json.at("verdict"), Verdict::agree, Verdict::not_run);
+  result.fingerprint = json.at("fingerprint");
+  result.standing =
+      to_enum(json.at("standing"), Standing::expected, Standing::unexpected_agreement);
+  result.expectation = json.value("expectation", "");
+  if (json.contains("failure")) {
+    const Json& failure = json.at("failure");
+    result.failure =
+        Failure{to_enum(failure.at("kind"), FailureKind::unsupported, FailureKind::unavailable),
+                failure.at("reason")};
+  }
+  result.disagreements = to_list<Disagreement>(json.at("disagreements"), to_disagreement);
+  result.values = to_list<ValueAggregate>(json.at("values"), to_values);
+  result.evidence = to_list<Result::Evidence>(json.at("evidence"), to_evidence);
+  result.line_snaps = json.at("line_snaps").get<std::vector<std::string>>();
+  if (json.contains("pixels")) {
+    const std::string pixels = json.at("pixels");
+    result.pixels = pixels == "exact" ? exact.pixels : from_hex(pixels);
+  }
+  return result;
+}
+
+CaseResults to_case(const Json& json, const std::vector<RendererInfo>& renderers) {
+  CaseResults one;
+  one.id = json.at("id");
+  one.title = json.at("title");
+  one.why = json.at("why");
+  one.rules = json.at("rules").get<std::vector<std::string>>();
+  one.spec = json.at("spec");
+  one.origin = json.at("origin");
+  one.tags = json.at("tags").get<std::vector<std::string>>();
+  one.file = json.at("file");
+  one.surface = json.at("surface");
+  one.width = json.at("width");
+  one.height = json.at("height");
+  one.fragments = json.at("fragments");
+  one.pixels = from_hex(json.at("pixels"));
+  one.figure = to_figure(json.at("figure"));
+  one.expect_failures = json.at("expect_failures").get<std::vector<std::string>>();
+  for (const RendererInfo& info : renderers)
+    one.results.push_back(to_result(json.at("results").at(info.name), one));
+  return one;
+}
+
+RendererInfo to_renderer(const Json& json) {
+  RendererInfo info;
+  info.name = json.at("name");
+  info.vendor = json.at("vendor");
+  info.version = json.at("version");
+  info.device = json.at("device");
+  info.subpixel_bits = json.at("subpixel_bits");
+  info.traits = json.at("traits").get<std::map<std::string, std::string>>();
+  return info;
+}
+
+Diagnostic to_diagnostic(const Json& json) {
+  return {json.at("file"), json.at("line"), json.at("pointer"), json.at("message"),
+          json.at("remedy")};
+}
+
+}  // namespace
+
+std::variant<Results, std::string> read_results(const std::string& text) {
+  try {
+    const Json json = Json::parse(text);
+    Results results;
+    results.tool = json.at("tool");
+    results.policy = json.at("policy");
+    results.interrupted = json.at("interrupted");
+    results.renderers = to_list<RendererInfo>(json.at("renderers"), to_renderer);
+    results.diagnostics = to_list<Diagnostic>(json.at("diagnostics"), to_diagnostic);
+    for (const Json& one : json.at("cases"))
+      results.cases.push_back(to_case(one, results.renderers));
+    return results;
+  } catch (const std::exception& error) {
+    return fmt::format("this is no results file of `edgecase run`: {}", error.what());
+  }
+}
+
+}  // namespace edgecase

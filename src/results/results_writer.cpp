@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "results/results_json.h"
+
+namespace edgecase {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string hex(const std::vector<std::uint8_t>& bytes) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  text.reserve(2 * bytes.size());
+  for (std::uint8_t byte : bytes) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15];
+  }
+  return text;
+}
+
+// JSON has no NaN or infinity; strings say so rather than a null that might mean anything.
+Json number(double value) {
+  if (value != value) return "nan";
+  if (value > 1.7976931348623157e308) return "inf";
+  if (value < -1.7976931348623157e308) return "-inf";
+  return value;
+}
+
+Json numbers(const std::vector<double>& values) {
+  Json array = Json::array();
+  for (double value : values) array.push_back(number(value));
+  return array;
+}
+
+Json figure_json(const Figure& figure) {
+  Json array = Json::array();
+  for (const Mark& mark : figure.marks) {
+    Json points = Json::array();
+    for (const auto& [x, y] : mark.points) points.push_back({x, y});
+    Json object = {{"role", name_of(mark.role)}, {"points", std::move(points)}};
+    if (mark.closed) object["closed"] = true;
+    if (!mark.label.empty()) object["label"] = mark.label;
+    array.push_back(std::move(object));
+  }
+  return array;
+}
+
+Json disagreement_json(const Disagreement& d) {
+  return {{"pixel", {d.x, d.y}},
+          {"sample", d.sample},
+          {"primitive", d.primitive},
+          {"kind", name_of(d.kind)},
+          {"rule", d.rule},
+          {"legal", d.legal},
+          {"cause", d.cause},
+          {"ruling", d.ruling},
+          {"exact", numbers(d.exact)},
+          {"rendered", numbers(d.rendered)},
+          {"explanation", d.explanation},
+          {"figure", figure_json(d.figure)}};
+}
+
+Json place_json(const ValueAggregate::Place& place) {
+  return Json::array({place.x, place.y, place.primitive});
+}
+
+Json values_json(const ValueAggregate& values) {
+  Json differing = Json::array();
+  for (const auto& place : values.differing) differing.push_back(place_json(place));
+  Json histogram = Json::object();
+  for (const auto& [bucket, count] : values.ulp_histogram)
+    histogram[std::to_string(bucket)] = count;
+  return {{"attribute", values.attribute},
+          {"rule", values.rule},
+          {"ruling", values.ruling},
+          {"compared", values.compared},
+          {"worst", place_json(values.worst)},
+          {"worst_component", values.worst_component},
+          {"worst_exact", number(values.worst_exact)},
+          {"worst_rendered", number(values.worst_rendered)},
+          {"worst_ulp", number(values.worst_ulp)},
+          {"ulp_histogram", std::move(histogram)},
+          {"differing", std::move(differing)}};
+}
+
+Json evidence_json(const Result::Evidence& evidence) {
+  Json object = {{"primitive", evidence.primitive}, {"causes", evidence.causes}};
+  if (!evidence.line_snaps.empty()) object["line_snaps"] = evidence.line_snaps;
+  if (!evidence.broken_clause.empty()) object["broken_clause"] = evidence.broken_clause;
+  return object;
+}
+
+template <class Range, class Convert>
+Json list(const Range& range, Convert convert) {
+  Json array = Json::array();
+  for (const auto& item : range) array.push_back(convert(item));
+  return array;
+}
+
+Json result_json(const Result& result, const CaseResults& exact) {
+  Json object = {{"verdict", name_of(result.verdict)},
+                 {"fingerprint", result.fingerprint},
+                 {"standing", name_of(result.standing)}};
+  if (!result.expectation.empty()) object["expectation"] = result.expectation;
+  if (result.failure)
+    object["failure"] = {{"kind", name_of(result.failure->kind)},
+                         {"reason", result.failure->reason}};
+  object["disagreements"] = list(result.disagreements, disagreement_json);
+  object["values"] = list(result.values, values_json);
+  object["evidence"] = list(result.evidence, evidence_json);
+  object["line_snaps"] = result.line_snaps;
+  // Equal pictures are said to be so, not stored twice.
+  if (!result.failure)
+    object["pixels"] = result.pixels == exact.pixels ? "exact" : hex(result.pixels);
+  return object;
+}
+
+Json case_json(const CaseResults& one, const std::vector<RendererInfo>& renderers) {
+  Json results = Json::object();
+  for (std::size_t i = 0; i < one.results.size(); ++i)
+    results[renderers[i].name] = result_json(one.results[i], one);
+  return {{"id", one.id},
+          {"title", one.title},
+          {"why", one.why},
+          {"rules", one.rules},
+          {"spec", one.spec},
+          {"origin", one.origin},
+          {"tags", one.tags},
+          {"file", one.file},
+          {"surface", one.surface},
+          {"width", one.width},
+          {"height", one.height},
+          {"fragments", one.fragments},
+          {"pixels", hex(one.pixels)},
+          {"figure", figure_json(one.figure)},
+          {"expect_failures", one.expect_failures},
+          {"results", std::move(results)}};
+}
+
+Json renderer_json(const RendererInfo& info) {
+  return {{"name", info.name},
+          {"vendor", info.vendor},
+          {"version", info.version},
+          {"device", info.device},
+          {"subpixel_bits", info.subpixel_bits},
+          {"traits", info.traits}};
+}
+
+Json diagnostic_json(const Diagnostic& d) {
+  return {{"file", d.file},
+          {"line", d.line},
+          {"pointer", d.pointer},
+          {"message", d.message},
+          {"remedy", d.remedy}};
+}
+
+// renderer -> verdict -> number of cases.
+Json summary_json(const Results& results) {
+  Json summary = Json::object();
+  for (std::size_t i = 0; i < results.renderers.size(); ++i) {
+    Json counts = Json::object();
+    for (const auto& [verdict, count] : count_verdicts(results, i))
+      counts[name_of(verdict)] = count;
+    summary[results.renderers[i].name] = std::move(counts);
+  }
+  return summary;
+}
+
+// Names and messages may hold bytes that are no UTF-8; they are replaced, never fatal.
+std::string dump(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+void write_results(const Results& results, std::ostream& out) {
+  out << "{\n\"tool\":" << dump(results.tool) << ",\n\"policy\":" << dump(results.policy)
+      << ",\n\"interrupted\":" << (results.interrupted ? "true" : "false")
+      << ",\n\"renderers\":" << dump(list(results.renderers, renderer_json))
+      << ",\n\"diagnostics\":" << dump(list(results.diagnostics, diagnostic_json))
+      << ",\n\"summary\":" << dump(summary_json(results)) << ",\n\"cases\":[";
+  const char* separator = "\n";
+  for (const CaseResults& one : results.cases) {
+    out << separator << dump(case_json(one, results.renderers));
+    separator = ",\n";
+  }
+  out << "\n]\n}\n";
+}
+
+}  // namespace edgecase

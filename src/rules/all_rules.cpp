@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "rules/all_rules.h"
+
+#include <vector>
+
+#include "rules/coverage/diamond_exit.h"
+#include "rules/coverage/fragment_once.h"
+#include "rules/coverage/point_ownership.h"
+#include "rules/coverage/shared_edge.h"
+#include "rules/coverage/snap.h"
+#include "rules/coverage/triangle_fill.h"
+#include "rules/values/flat_attribute.h"
+#include "rules/values/framebuffer.h"
+#include "rules/values/smooth_attribute.h"
+
+namespace edgecase {
+
+const char* name_of(Openness openness) {
+  switch (openness) {
+    case Openness::open:
+      return "open";
+    case Openness::mandated:
+      return "mandated";
+    case Openness::illegal:
+      return "illegal";
+  }
+  return "?";
+}
+
+// The table of contents. An explicit list: nothing registers itself.
+std::span<const Rule> all_rules() {
+  static const std::vector<Rule> rules = {
+      fragment_once_rule(),
+      point_ownership_rule(),
+      diamond_exit_rule(),
+      triangle_fill_rule(),
+      shared_edge_rule(),
+      snap_rule("subpixel.snap"),
+      snap_rule("point.snap"),
+      snap_rule("line.snap"),
+      snap_rule("triangle.snap"),
+      flat_attribute_rule(),
+      provoking_vertex_rule(),
+      smooth_attribute_rule(),
+      depth_rule(),
+      unorm8_rule(),
+      order_rule(),
+  };
+  return rules;
+}
+
+const Rule* find_rule(std::string_view id) {
+  for (const Rule& rule : all_rules())
+    if (rule.id == id) return &rule;
+  return nullptr;
+}
+
+const Alternative* find_alternative(const Rule& rule, std::string_view name) {
+  for (const Alternative& alternative : rule.alternatives)
+    if (alternative.name == name) return &alternative;
+  return nullptr;
+}
+
+const Ruling* find_ruling(int number) {
+  for (const Rule& rule : all_rules())
+    for (const Ruling& ruling : rule.rulings)
+      if (ruling.number == number) return &ruling;
+  return nullptr;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// Shared edges: no hole and no double hit between two triangles (GL 4.6 core, 14.6.1).
+//
+// When two triangles lie on opposite sides of an edge with bit-identical ends, a sample on it is
+// produced by exactly one of them. Snapping moves both triangles alike, so the promise holds for
+// every sample that lies inside their union whatever the allowed moves are; it is the one thing
+// about ties that OpenGL does mandate. Near the ends of the edge other triangles take part, and
+// there nothing is promised about two alone.
+#pragma once
+
+#include <optional>
+
+#include "rules/coverage/triangle_fill.h"
+
+namespace edgecase {
+
+Rule shared_edge_rule();
+
+struct SharedEdge {
+  Point a, b;         // the common ends, in the order of the first triangle made counter-clockwise
+  Point left, right;  // the third vertices of the first and of the second triangle
+};
+
+// The common edge of two triangles that lie on opposite sides of it, if they have one.
+std::optional<SharedEdge> shared_edge(const Triangle& first, const Triangle& second);
+
+// Must the sample be hit exactly once by the two triangles, for every allowed move of the vertices?
+// True where the sample may lie on either side of the edge and strictly inside the other four.
+bool must_hit_once(const SharedEdge& edge, Point sample, int bits);
+
+}  // namespace edgecase

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// Sub-pixel snapping: vertices rounded to a grid of 2^-b pixels before anything else is decided.
+//
+// OpenGL's ideal rasterization knows no grid; implementations have one and say how fine it is with
+// GL_SUBPIXEL_BITS, at least 4 (GL 4.6 core, implementation-dependent values). Policy `opengl`
+// therefore snaps nothing, and a renderer that does is explained by the alternative it follows.
+// Snapping comes before edge setup: a triangle may degenerate by it, and two triangles may overlap.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "exact/fixed.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+struct Snap {
+  enum class Rounding {
+    half_even,  // to the nearest grid line, a tie to the even one
+    half_up,    // to the nearest grid line, a tie to the right or up
+    truncate,   // to the grid line at or below: low bits dropped
+  };
+
+  int bits = Fixed::kFractionBits;  // 4 to 12; kFractionBits: no snapping
+  Rounding rounding = Rounding::half_even;
+
+  constexpr bool is_none() const { return bits == Fixed::kFractionBits; }
+  Fixed operator()(Fixed value) const;
+  Point operator()(Point point) const { return {(*this)(point.x), (*this)(point.y)}; }
+  friend constexpr bool operator==(Snap, Snap) = default;
+};
+
+// "none", "8-half-even", "4-truncate", …
+std::string name_of(Snap snap);
+
+// `none`, then 12 down to 4 bits in each rounding: of several that explain something equally well,
+// the one that moves vertices least comes first.
+std::span<const Snap> all_snaps();
+
+// Null when there is none of that name.
+const Snap* find_snap(std::string_view name);
+
+// The catalogue entry; `id` is "subpixel.snap" or the snap of one primitive type.
+Rule snap_rule(const std::string& id);
+
+}  // namespace edgecase

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// Ties: what happens when a sample lies exactly on a boundary.
+//
+// Every coverage rule here asks whether functions of the sample are positive: an edge function of a
+// triangle, a side of a point's square, a side of a line's diamond. A function can be exactly zero.
+// A perturbed rule then moves the sample by (+-e, +-e^2) or (+-e^2, +-e), for every e below some
+// bound, and asks again: the first word of the rule's name is the direction that dominates.
+// `left-bottom` moves the sample by (+e, +e^2), y up: a sample on a left edge (interior to its
+// right) moves inside, so left edges are owned, and of horizontal edges the bottom one. The eight
+// orders are all there are of this kind, and each gives a sample on an edge shared by two triangles
+// to exactly one of them.
+//
+// OpenGL's own perturbation of line endpoints, by -(e, e^2) (GL 4.6 core, 14.5.1), is `left-bottom`
+// too: moving both endpoints one way is moving the sample the other.
+//
+// `open` and `closed` decide ties without moving anything: boundaries never count, or always.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exact/wide.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+struct TieRule {
+  enum class Kind { perturbed, open, closed };
+
+  const char* name = "";
+  Kind kind = Kind::perturbed;
+  // Direction of the sample's move: e * (first_x, first_y) + e^2 * (second_x, second_y).
+  int first_x = 0, first_y = 0, second_x = 0, second_y = 0;
+
+  // Is a function positive at the sample? `value` is the function there, (gradient_x, gradient_y)
+  // its growth as the sample moves right and up; the function is linear. Magnitudes up to 2^120.
+  constexpr bool positive(Int128 value, Int128 gradient_x, Int128 gradient_y) const {
+    if (value != 0) return value > 0;
+    if (kind != Kind::perturbed) return kind == Kind::closed;
+    const Int128 first = gradient_x * first_x + gradient_y * first_y;
+    if (first != 0) return first > 0;
+    return gradient_x * second_x + gradient_y * second_y > 0;
+  }
+};
+
+// The eight perturbed rules, then open and closed.
+std::span<const TieRule> all_tie_rules();
+
+// Null when there is none of that name.
+const TieRule* find_tie_rule(std::string_view name);
+
+// Catalogue entries for a rule whose alternatives are the tie rules.
+std::vector<Alternative> tie_alternatives(Openness perturbed, Openness open_and_closed);
+
+}  // namespace edgecase

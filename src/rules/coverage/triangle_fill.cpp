@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "rules/coverage/triangle_fill.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace edgecase {
+namespace {
+
+// What an edge a -> b of a counter-clockwise triangle is called, y up: its interior lies to its
+// left, so an edge that goes down has it to the right of the edge, which makes it a left edge.
+const char* edge_kind(Point a, Point b) {
+  if (b.y < a.y) return "left";
+  if (b.y > a.y) return "right";
+  return b.x > a.x ? "bottom" : "top";
+}
+
+bool edge_owned(Point a, Point b, const TieRule& ties) {
+  return ties.positive(0, a.y.raw() - b.y.raw(), b.x.raw() - a.x.raw());
+}
+
+// Distance of the sample from the line through a and b, pixels, positive inside; for people only.
+double distance_inside(Point a, Point b, Point sample) {
+  const double length = std::hypot(static_cast<double>(b.x.raw() - a.x.raw()),
+                                   static_cast<double>(b.y.raw() - a.y.raw()));
+  return static_cast<double>(cross(a, b, sample)) / length / static_cast<double>(Fixed::kOne);
+}
+
+// The edge on which the decision hangs: one that the sample is outside of, else one that it lies
+// on, else the nearest.
+std::size_t deciding_edge(const Triangle& t, Point sample) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (distance_inside(t[i], t[(i + 1) % 3], sample) <
+        distance_inside(t[best], t[(best + 1) % 3], sample))
+      best = i;
+  return best;
+}
+
+std::string describe_edge(Point a, Point b, Point sample, const TieRule& ties) {
+  const std::int64_t side = cross(a, b, sample);
+  const std::string edge =
+      fmt::format("the {} edge {} to {}", edge_kind(a, b), format_point(a), format_point(b));
+  if (side != 0)
+    return fmt::format("lies {:.6g} pixels {} {}", std::abs(distance_inside(a, b, sample)),
+                       side > 0 ? "inside" : "outside", edge);
+  return fmt::format("lies exactly on {}, which {} {}", edge, ties.name,
+                     edge_owned(a, b, ties) ? "counts as inside" : "counts as outside");
+}
+
+}  // namespace
+
+std::int64_t doubled_area(const Triangle& t) {
+  return cross(t[0], t[1], t[2]);
+}
+
+Triangle counter_clockwise(const Triangle& t) {
+  return doubled_area(t) >= 0 ? t : Triangle{t[0], t[2], t[1]};
+}
+
+bool triangle_covers(const Triangle& triangle, int x, int y, const TieRule& ties) {
+  if (doubled_area(triangle) == 0) return false;
+  const Triangle t = counter_clockwise(triangle);
+  const Point sample = pixel_centre(x, y);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point a = t[i];
+    const Point b = t[(i + 1) % 3];
+    // The edge function's gradient is the edge turned left: (-dy, dx).
+    if (!ties.positive(cross(a, b, sample), a.y.raw() - b.y.raw(), b.x.raw() - a.x.raw()))
+      return false;
+  }
+  return true;
+}
+
+Explanation explain_triangle(const Triangle& triangle, int x, int y, const TieRule& ties) {
+  const Point sample = pixel_centre(x, y);
+  Explanation result;
+  result.figure.marks = {sample_mark(sample)};
+  if (doubled_area(triangle) == 0) {
+    result.text = fmt::format("the triangle {} {} {} has no area and draws nothing",
+                              format_point(triangle[0]), format_point(triangle[1]),
+                              format_point(triangle[2]));
+    return result;
+  }
+  const Triangle t = counter_clockwise(triangle);
+  const std::size_t i = deciding_edge(t, sample);
+  result.text = fmt::format("the sample {} {}", format_point(sample),
+                            describe_edge(t[i], t[(i + 1) % 3], sample, ties));
+  result.figure.marks.push_back(
+      segment_mark(MarkRole::edge, t[i], t[(i + 1) % 3], edge_kind(t[i], t[(i + 1) % 3])));
+  for (std::size_t e = 0; e < 3; ++e)
+    if (edge_owned(t[e], t[(e + 1) % 3], ties))
+      result.figure.marks.push_back(segment_mark(MarkRole::owned, t[e], t[(e + 1) % 3]));
+  return result;
+}
+
+// The triangles that the moves allow have as their union the sum of the triangle and an open square
+// of half-width 2^-bits: both are convex, and conv(A u B u C) of the three moved squares is that
+// sum. A sample lies in it unless an axis or an edge's normal separates them.
+bool triangle_possibly_covered(const Triangle& triangle, Point sample, int bits) {
+  const std::int64_t step = Fixed::kOne >> bits;
+  const auto [x_low, x_high] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
+  const auto [y_low, y_high] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
+  if (sample.x.raw() <= x_low.raw() - step || sample.x.raw() >= x_high.raw() + step) return false;
+  if (sample.y.raw() <= y_low.raw() - step || sample.y.raw() >= y_high.raw() + step) return false;
+  const Triangle t = counter_clockwise(triangle);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point a = t[i];
+    const Point b = t[(i + 1) % 3];
+    const Int128 reach =
+        static_cast<Int128>(std::abs(b.x.raw() - a.x.raw()) + std::abs(b.y.raw() - a.y.raw())) *
+        step;
+    const Int128 side = cross(a, b, sample);
+    if (a != b && side <= -reach) return false;
+    // Without area, both sides of the segment are outside.
+    if (a != b && doubled_area(triangle) == 0 && side >= reach) return false;
+  }
+  return true;
+}
+
+// (a + s - p) x (b + t - p) is linear in each of the four components of the moves s and t, so over
+// the open box of moves it stays positive exactly when no corner of the box makes it negative.
+bool robustly_left(Point a, Point b, Point p, int bits) {
+  const std::int64_t step = Fixed::kOne >> bits;
+  for (int corner = 0; corner < 16; ++corner) {
+    const auto move = [&](int bit) { return (corner >> bit & 1) != 0 ? step : -step; };
+    const Int128 ax = a.x.raw() + move(0) - p.x.raw();
+    const Int128 ay = a.y.raw() + move(1) - p.y.raw();
+    const Int128 bx = b.x.raw() + move(2) - p.x.raw();
+    const Int128 by = b.y.raw() + move(3) - p.y.raw();
+    if (ax * by - ay * bx < 0) return false;
+  }
+  return true;
+}
+
+bool triangle_possibly_uncovered(const Triangle& triangle, Point sample, int bits) {
+  if (doubled_area(triangle) == 0) return true;
+  const Triangle t = counter_clockwise(triangle);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!robustly_left(t[i], t[(i + 1) % 3], sample, bits)) return true;
+  return false;
+}
+
+Rule triangle_fill_rule() {
+  return {
+      "triangle.fill-rule",
+      "A triangle covers the samples inside it; samples on an edge follow one tie rule",
+      "14.6.1 (basic polygon rasterization)",
+      "which triangle gets a sample exactly on an edge; vertices may be moved to the sub-pixel "
+      "grid",
+      "left-top",
+      tie_alternatives(Openness::open, Openness::illegal),
+      {{4,
+        "Triangles: each vertex may be moved by less than one step of 2^-b in x and in y, where "
+        "b is the larger of 4 and the SUBPIXEL_BITS that the renderer reports, and a sample on "
+        "an edge may go either way. A sample may be drawn if some such move puts it inside or "
+        "on an edge, and left out if some such move puts it outside or on an edge. OpenGL "
+        "mandates no particular fill rule."}}};
+}
+
+}  // namespace edgecase

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// Triangles: point sampling and the fill rule (GL 4.6 core, 14.6.1).
+//
+// A triangle produces the fragment of each pixel whose centre lies inside it. Three edge functions,
+// cross products in 62-bit integers, say on which side of each edge the centre lies. A centre
+// exactly on an edge is decided by a tie rule; OpenGL demands only that of two triangles which
+// share an edge exactly one gets it, so any of the eight perturbed rules conforms. `left-top` owns
+// left edges, then top edges, y up. Mind the sense of the words: where y points down, `left-bottom`
+// is what is usually called the top-left rule.
+//
+// Both windings are drawn alike; a triangle without area draws nothing.
+#pragma once
+
+#include <array>
+
+#include "rules/coverage/explain.h"
+#include "rules/coverage/tie_rule.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+using Triangle = std::array<Point, 3>;
+
+Rule triangle_fill_rule();
+
+// Twice the signed area in units of 2^-32, positive when counter-clockwise (y up).
+std::int64_t doubled_area(const Triangle& triangle);
+
+// The same triangle with vertices in counter-clockwise order. Undefined order without area.
+Triangle counter_clockwise(const Triangle& triangle);
+
+// Does the triangle produce the fragment of pixel (x, y)?
+bool triangle_covers(const Triangle& triangle, int x, int y, const TieRule& ties);
+
+// Why, in a sentence with numbers.
+Explanation explain_triangle(const Triangle& triangle, int x, int y, const TieRule& ties);
+
+// May the specification's latitude hold the sample covered, may it hold it uncovered? Each vertex
+// may move by less than 2^-bits in x and in y, and ties on edges go either way. bits: 1 to 16.
+bool triangle_possibly_covered(const Triangle& triangle, Point sample, int bits);
+bool triangle_possibly_uncovered(const Triangle& triangle, Point sample, int bits);
+
+// Does p lie strictly to the left of a -> b for every move of a and b by less than 2^-bits?
+bool robustly_left(Point a, Point b, Point p, int bits);
+
+}  // namespace edgecase

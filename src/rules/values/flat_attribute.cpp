@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "rules/values/flat_attribute.h"
+
+namespace edgecase {
+
+std::size_t provoking_index(const Draw& draw, ProvokingChoice choice) {
+  const bool first =
+      choice == ProvokingChoice::first ||
+      (choice == ProvokingChoice::as_set && draw.provoking_vertex == ProvokingVertex::first);
+  return first ? 0 : static_cast<std::size_t>(vertices_per_primitive(draw.primitive)) - 1;
+}
+
+Rule flat_attribute_rule() {
+  return {"attribute.flat",
+          "A flat attribute is that of the provoking vertex, unchanged",
+          "13 (flat shading)",
+          "none",
+          "",
+          {},
+          {{8,
+            "Flat attributes are copied, not computed: any other value than that of the provoking "
+            "vertex, to the bit, is a violation."}}};
+}
+
+Rule provoking_vertex_rule() {
+  return {"attribute.provoking-vertex",
+          "The provoking vertex is the one that the convention in force names",
+          "13 (flat shading)",
+          "none where the convention can be set, as in OpenGL",
+          "as-set",
+          {{"as-set", Openness::mandated, "the vertex that the scene's convention names"},
+           {"first", Openness::illegal, "the first vertex, whatever the scene says"},
+           {"last", Openness::illegal, "the last vertex, whatever the scene says"}},
+          {}};
+}
+
+}  // namespace edgecase

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// Flat attributes and the provoking vertex (GL 4.6 core, flat shading in chapter 13).
+//
+// A flat attribute takes the value of one vertex of the primitive, the provoking one: the last by
+// default, the first where the scene asks for it. Nothing is computed, so nothing may be lost.
+#pragma once
+
+#include <cstddef>
+
+#include "model/scene.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+Rule flat_attribute_rule();
+Rule provoking_vertex_rule();
+
+enum class ProvokingChoice { as_set, first, last };
+
+// Which of the primitive's vertices provokes, 0 to vertices_per_primitive - 1.
+std::size_t provoking_index(const Draw& draw, ProvokingChoice choice);
+
+}  // namespace edgecase

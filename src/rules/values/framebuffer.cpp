@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "rules/values/framebuffer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgecase {
+
+Unorm8Range unorm8_permitted(Interval value) {
+  const double low = std::clamp(value.low, 0.0, 1.0) * 255;
+  const double high = std::clamp(value.high, 0.0, 1.0) * 255;
+  return {static_cast<int>(std::floor(low)), static_cast<int>(std::ceil(high))};
+}
+
+Rule unorm8_rule() {
+  return {"framebuffer.unorm8",
+          "A colour is stored as the nearest 8-bit value",
+          "2.3.5.2 (conversion from floating-point to normalized fixed-point)",
+          "either of the two nearest values; the nearest is preferred",
+          "",
+          {},
+          {{10,
+            "Pixels of an 8-bit target: either integer next to 255 times the clamped colour of "
+            "the last fragment, as the renderer itself tells that colour; where it tells none, "
+            "of any colour that ruling 9 permits. A pixel without fragments holds the clear "
+            "colour, likewise rounded."}}};
+}
+
+Rule order_rule() {
+  return {"framebuffer.order",
+          "Primitives take effect in the order in which they are drawn",
+          "2.1 (execution model)",
+          "none",
+          "",
+          {},
+          {{11,
+            "Without blending and depth test the last primitive drawn determines a pixel. The "
+            "colour of an earlier one there is a violation."}}};
+}
+
+}  // namespace edgecase

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+#include "run/child_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <thread>
+
+extern char** environ;
+
+namespace edgecase {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::size_t kChunk = std::size_t{1} << 16;
+constexpr int kPipeSize = 1 << 20;
+constexpr std::size_t kErrorOutput = 2000;
+// How long a program may take to end after its input was closed, or after it closed its output.
+constexpr milliseconds kFarewell{500};
+// How often a program that neither reads nor writes is looked at: its output may stay open in a
+// grandchild although it is dead.
+constexpr milliseconds kGlance{100};
+
+// Blocks SIGPIPE on this thread and swallows the one that a write of ours raised, so that neither
+// the process's signal handlers nor other threads notice.
+class SigpipeGuard {
+ public:
+  SigpipeGuard() {
+    sigemptyset(&pipe_);
+    sigaddset(&pipe_, SIGPIPE);
+    sigset_t pending;
+    sigpending(&pending);
+    was_pending_ = sigismember(&pending, SIGPIPE) == 1;
+    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+  }
+  ~SigpipeGuard() {
+    const timespec now{};
+    if (!was_pending_)
+      while (sigtimedwait(&pipe_, nullptr, &now) < 0 && errno == EINTR) {
+      }
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  SigpipeGuard(const SigpipeGuard&) = delete;
+  SigpipeGuard& operator=(const SigpipeGuard&) = delete;
+
+ private:
+  sigset_t pipe_{};
+  sigset_t before_{};
+  bool was_pending_ = false;
+};
+
+std::vector<std::string> environment_of(const Command& command) {
+  std::vector<std::string> result;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string text = *entry;
+    const std::string name = text.substr(0, text.find('='));
+    if (command.environment.count(name) == 0 &&
+        std::find(command.unset.begin(), command.unset.end(), name) == command.unset.end())
+      result.push_back(text);
+  }
+  for (const auto& [name, value] : command.environment) result.push_back(name + "=" + value);
+  return result;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (std::string& text : texts) result.push_back(text.data());
+  result.push_back(nullptr);
+  return result;
+}
+
+void set_nonblocking(int descriptor) {
+  fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) | O_NONBLOCK);
+  // Fewer switches between the two processes; a smaller pipe works as well.
+  fcntl(descriptor, F_SETPIPE_SZ, kPipeSize);
+}
+
+// posix_spawn's attributes and file actions, destroyed in every case.
+struct SpawnSettings {
+  posix_spawnattr_t attributes;
+  posix_spawn_file_actions_t actions;
+
+  SpawnSettings() {
+    posix_spawnattr_init(&attributes);
+    posix_spawn_file_actions_init(&actions);
+    sigset_t none;
+    sigemptyset(&none);
+    sigset_t defaults;
+    sigemptyset(&defaults);
+    for (int signal : {SIGPIPE, SIGINT, SIGTERM, SIGQUIT}) sigaddset(&defaults, signal);
+    posix_spawnattr_setflags(
+        &attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigdefault(&attributes, &defaults);
+  }
+  ~SpawnSettings() {
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+  }
+  SpawnSettings(const SpawnSettings&) = delete;
+  SpawnSettings& operator=(const SpawnSettings&) = delete;
+};
+
+}  // namespace
+
+ChildProcess::Descriptor& ChildProcess::Descriptor::operator=(Descriptor&& other) noexcept {
+  std::swap(number_, other.number_);
+  return *this;
+}
+
+void ChildProcess::Descriptor::close() {
+  if (number_ >= 0) ::close(number_);
+  number_ = -1;
+}
+
+std::variant<std::unique_ptr<ChildProcess>, std::string> ChildProcess::start(
+    const Command& command) {
+  std::unique_ptr<ChildProcess> child(new ChildProcess);
+  std::string error;
+  if (!child->spawn(command, error)) return error;
+  return child;
+}
+
+bool ChildProcess::make_pipe(Pipe& pipe) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) return false;
+  pipe.read = Descriptor(ends[0]);
+  pipe.write = Descriptor(ends[1]);
+  // Should we run without standard streams, a pipe may take their numbers: dup2 onto itself would
+  // then be lost in the child, so keep clear of them.
+  for (Descriptor* end : {&pipe.read, &pipe.write})
+    if (end->number() <= STDERR_FILENO)
+      *end = Descriptor(fcntl(end->number(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+  return pipe.read.is_open() && pipe.write.is_open();
+}
+
+bool ChildProcess::spawn(const Command& command, std::string& error) {
+  Pipe in;
+  Pipe out;
+  Pipe err;
+  if (!make_pipe(in) || !make_pipe(out) || !make_pipe(err)) {
+    error = fmt::format("no pipe can be made: {}", strerror(errno));
+    return false;
+  }
+  SpawnSettings settings;
+  posix_spawn_file_actions_adddup2(&settings.actions, in.read.number(), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&settings.actions, out.write.number(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&settings.actions, err.write.number(), STDERR_FILENO);
+  std::vector<std::string> arguments = command.argv;
+  std::vector<std::string> environment = environment_of(command);
+  const int failure =
+      posix_spawnp(&pid_, arguments.front().c_str(), &settings.actions, &settings.attributes,
+                   pointers(arguments).data(), pointers(environment).data());
+  if (failure != 0) {
+    pid_ = -1;
+    error = fmt::format("'{}' cannot be started: {}", command.argv.front(), strerror(failure));
+    return false;
+  }
+  input_ = std::move(in.write);
+  output_ = std::move(out.read);
+  errors_ = std::move(err.read);
+  for (const Descriptor* end : {&input_, &output_, &errors_}) set_nonblocking(end->number());
+  return true;
+}
+
+ChildProcess::~ChildProcess() {
+  if (pid_ < 0) return;
+  input_.close();
+  wait_for_end(kFarewell);
+  reap();
+}
+
+// False when the program will never read the rest.
+bool ChildProcess::write_some(std::string_view request, std::size_t& written) {
+  const SigpipeGuard guard;
+  while (written < request.size()) {
+    const ssize_t count =
+        ::write(input_.number(), request.data() + written, request.size() - written);
+    if (count < 0) return errno == EAGAIN || errno == EINTR;
+    written += static_cast<std::size_t>(count);
+  }
+  return true;
+}
+
+// False at the end of its output.
+bool ChildProcess::read_some() {
+  std::array<char, kChunk> chunk;
+  const ssize_t count = ::read(output_.number(), chunk.data(), chunk.size());
+  if (count < 0) return errno == EAGAIN || errno == EINTR;
+  received_.append(chunk.data(), static_cast<std::size_t>(count));
+  return count > 0;
+}
+
+void ChildProcess::drain_errors() {
+  std::array<char, kChunk> chunk;
+  const ssize_t count =
+      errors_.is_open() ? ::read(errors_.number(), chunk.data(), chunk.size()) : 0;
+  if (count < 0 && (errno == EAGAIN || errno == EINTR)) return;
+  if (count <= 0) return errors_.close();
+  error_output_.append(chunk.data(), static_cast<std::size_t>(count));
+  if (error_output_.size() > kErrorOutput)
+    error_output_.erase(0, error_output_.size() - kErrorOutput);
+}
+
+bool ChildProcess::take_line(std::string& answer) {
+  const std::size_t end = received_.find('\n', searched_);
+  searched_ = received_.size();
+  if (end == std::string::npos) return false;
+  answer = received_.substr(0, end);
+  received_.erase(0, end + 1);
+  searched_ = 0;
+  return true;
+}
+
+ChildProcess::Status ChildProcess::exchange(std::string_view request, std::string& answer,
+                                            std::size_t max_line_length,
+                                            Clock::time_point deadline) {
+  const std::string line = std::string(request) + "\n";
+  std::size_t written = 0;
+  bool answered = false;
+  while (true) {
+    // A line that comes before the whole request was read is still an answer to it, but the rest of
+    // the request must go out first, or the next one would start in its middle.
+    answered = answered || take_line(answer);
+    if (answered && written == line.size()) return Status::answered;
+    if (!answered && received_.size() > max_line_length) return Status::too_long;
+
+    const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
+    if (left.count() <= 0) return Status::timed_out;
+    std::array<pollfd, 3> polled{{
+        {output_.number(), POLLIN, 0},
+        {written < line.size() ? input_.number() : -1, POLLOUT, 0},
+        {errors_.number(), POLLIN, 0},
+    }};
+    const int ready =
+        poll(polled.data(), polled.size(), static_cast<int>(std::min(left, kGlance).count()));
+    if (polled[2].revents != 0 && ready > 0) drain_errors();
+    if (ready > 0 && polled[1].revents != 0 && !write_some(line, written)) written = line.size();
+    if (ready > 0 && polled[0].revents != 0 && !read_some()) break;
+    if (ready == 0 && has_ended()) break;
+  }
+  // Its last words may be an answer, but nobody is left for the next scene; what it wrote to
+  // standard error says why.
+  answered = answered || take_line(answer);
+  wait_for_end(kFarewell);
+  return answered ? Status::answered : Status::ended;
+}
+
+bool ChildProcess::has_ended() {
+  if (pid_ < 0) return true;
+  siginfo_t info{};
+  // WNOWAIT leaves the program to be reaped: until then no other process can get its number.
+  if (waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0) return true;
+  return info.si_pid == pid_;
+}
+
+bool ChildProcess::wait_for_end(milliseconds patience) {
+  const auto deadline = Clock::now() + patience;
+  milliseconds nap{1};
+  while (!has_ended()) {
+    if (Clock::now() >= deadline) return false;
+    // Its farewell may be longer than the pipe.
+    drain_errors();
+    std::this_thread::sleep_for(nap);
+    nap = std::min(nap * 2, milliseconds(20));
+  }
+  return true;
+}
+
+void ChildProcess::reap() {
+  if (pid_ < 0) return;
+  ended_by_itself_ = has_ended();
+  ::kill(-pid_, SIGKILL);
+  while (waitpid(pid_, &wait_status_, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  for (std::size_t before = error_output_.size() + 1;
+       errors_.is_open() && before != error_output_.size();) {
+    before = error_output_.size();
+    drain_errors();
+  }
+  input_.close();
+  output_.close();
+  errors_.close();
+}
+
+void ChildProcess::kill() {
+  reap();
+}
+
+std::string ChildProcess::how_it_ended() const {
+  if (pid_ >= 0 || !ended_by_itself_) return "";
+  if (WIFEXITED(wait_status_)) return fmt::format("exit status {}", WEXITSTATUS(wait_status_));
+  const int signal = WTERMSIG(wait_status_);
+  return fmt::format("signal {} ({})", signal, strsignal(signal));
+}
+
+int ChildProcess::exit_status() const {
+  return pid_ < 0 && ended_by_itself_ && WIFEXITED(wait_status_) ? WEXITSTATUS(wait_status_) : -1;
+}
+
+}  // namespace edgecase

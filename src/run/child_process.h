@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// ChildProcess: a program that answers lines with lines, held at arm's length.
+//
+// Writing, reading and draining its standard error happen in one poll loop with a deadline, so that
+// no program can block us: one that does not read, one that answers without end, one that fills its
+// standard error. The program runs in a process group of its own (Ctrl-C is ours to handle) and the
+// group dies with this object. A write to a dead program is an error here, never a SIGPIPE.
+//
+// It knows nothing of scenes and never restarts: that is for process_renderer.h.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace edgecase {
+
+// A program and its surroundings.
+struct Command {
+  std::vector<std::string> argv;  // argv[0]: a path, or a name that is looked up in PATH
+  std::map<std::string, std::string> environment;  // added to, or replacing, our own
+  std::vector<std::string> unset;                  // removed from our own
+};
+
+class ChildProcess {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  enum class Status {
+    answered,   // a whole line came
+    ended,      // the program ended, or closed its output
+    timed_out,  // the deadline passed
+    too_long,   // more than max_line_length bytes came without a line break
+  };
+
+  // Starts the program, or says why it cannot be started.
+  static std::variant<std::unique_ptr<ChildProcess>, std::string> start(const Command& command);
+
+  // Asks the program to end by closing its input, gives it a moment, then kills its group.
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  // Writes `request` and a line break, and reads one line into `answer`, without its line break.
+  // After anything but `answered` the program is of no further use.
+  Status exchange(std::string_view request, std::string& answer, std::size_t max_line_length,
+                  Clock::time_point deadline);
+
+  // Kills the group and reaps the program. Afterwards the two below are known.
+  void kill();
+
+  // How the program ended: "exit status 3", "signal 11 (Segmentation fault)"; "" while it runs, and
+  // when it was we who killed it.
+  std::string how_it_ended() const;
+  // Its exit status; -1 when it did not exit by itself.
+  int exit_status() const;
+  // The last 2000 bytes or so that it wrote to standard error.
+  const std::string& error_output() const { return error_output_; }
+
+ private:
+  // A file descriptor that closes itself.
+  class Descriptor {
+   public:
+    explicit Descriptor(int number = -1) : number_(number) {}
+    Descriptor(Descriptor&& other) noexcept : number_(other.number_) { other.number_ = -1; }
+    Descriptor& operator=(Descriptor&& other) noexcept;
+    ~Descriptor() { close(); }
+    void close();
+    int number() const { return number_; }
+    bool is_open() const { return number_ >= 0; }
+
+   private:
+    int number_;
+  };
+  struct Pipe {
+    Descriptor read;
+    Descriptor write;
+  };
+
+  ChildProcess() = default;
+
+  static bool make_pipe(Pipe& pipe);
+  bool spawn(const Command& command, std::string& error);
+  bool write_some(std::string_view request, std::size_t& written);
+  bool read_some();
+  void drain_errors();
+  bool take_line(std::string& answer);
+  bool has_ended();
+  bool wait_for_end(std::chrono::milliseconds patience);
+  void reap();
+
+  pid_t pid_ = -1;       // -1 once reaped
+  int wait_status_ = 0;  // as waitpid gives it
+  bool ended_by_itself_ = false;
+  Descriptor input_;   // its standard input, where we write
+  Descriptor output_;  // its standard output, where we read
+  Descriptor errors_;
+  std::string received_;      // output that is not yet part of an answer
+  std::size_t searched_ = 0;  // bytes of received_ known to hold no line break
+  std::string error_output_;
+};
+
+}  // namespace edgecase

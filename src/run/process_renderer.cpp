@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "run/process_renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "wire/answer_line.h"
+#include "wire/request_line.h"
+
+namespace edgecase {
+
+namespace {
+
+constexpr int kMostSilentDeaths = 3;
+// The exit status by which a program says that it cannot work here at all.
+constexpr int kUnavailableStatus = 3;
+constexpr std::size_t kLongestQuote = 300;
+
+// The smallest scene: one pixel, nothing drawn.
+Scene empty_scene() {
+  Scene scene;
+  scene.target.width = 1;
+  scene.target.height = 1;
+  scene.viewport = {0, 0, 1, 1};
+  return scene;
+}
+
+// Room for a thousand fragments in each pixel of a small target, for several in each of a large
+// one.
+std::size_t longest_answer(const Scene& scene) {
+  constexpr std::size_t kBase = std::size_t{1} << 26;
+  constexpr std::size_t kPerPixel = 1024;
+  return std::min(kMaxLineLength, kBase + kPerPixel * static_cast<std::size_t>(scene.target.width) *
+                                              static_cast<std::size_t>(scene.target.height));
+}
+
+// The end of a text as one line of printable characters.
+std::string last_words(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  if (text.size() > kLongestQuote) text = "..." + text.substr(text.size() - kLongestQuote);
+  std::replace(text.begin(), text.end(), '\n', '|');
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  return text;
+}
+
+}  // namespace
+
+ProcessRenderer::ProcessRenderer(ProcessSpec spec) : spec_(std::move(spec)) {
+  info_.name = spec_.name;
+  if (spec_.command.argv.empty()) unavailable_ = "the renderer names no program";
+}
+
+void ProcessRenderer::render(std::span<const Task> tasks, const OutcomeSink& sink) {
+  for (std::size_t i = 0; i < tasks.size(); ++i) sink(i, render_one(tasks[i]));
+}
+
+Outcome ProcessRenderer::render_one(const Task& task) {
+  if (!unavailable_.empty()) return Failure{FailureKind::unavailable, unavailable_};
+  Outcome outcome = attempt(task);
+  if (silent_deaths_ < kMostSilentDeaths || ever_answered_) return outcome;
+  // Three scenes in a row may each be fatal to a program that works: ask for next to nothing.
+  if (answers_an_empty_scene()) return outcome;
+  if (unavailable_.empty())
+    unavailable_ = fmt::format("the program failed {} times without ever answering; lastly, {}",
+                               kMostSilentDeaths, std::get<Failure>(outcome).reason);
+  return Failure{FailureKind::unavailable, unavailable_};
+}
+
+bool ProcessRenderer::answers_an_empty_scene() {
+  const Scene scene = empty_scene();
+  attempt({"start-up", &scene});
+  return ever_answered_;
+}
+
+bool ProcessRenderer::start() {
+  child_answered_ = false;
+  auto started = ChildProcess::start(spec_.command);
+  if (const auto* error = std::get_if<std::string>(&started)) {
+    unavailable_ = *error;
+    return false;
+  }
+  child_ = std::move(std::get<std::unique_ptr<ChildProcess>>(started));
+  return true;
+}
+
+Outcome ProcessRenderer::attempt(const Task& task) {
+  if (child_ == nullptr && !start()) return Failure{FailureKind::unavailable, unavailable_};
+  const Scene& scene = *task.scene;
+  const std::string scene_text = scene_json(scene);
+  const std::string request = request_line(task.id, scene_text);
+  const auto patience = child_answered_ ? spec_.timeout : spec_.timeout + spec_.startup_timeout;
+  std::string answer;
+  const auto status = child_->exchange(request, answer, longest_answer(scene),
+                                       ChildProcess::Clock::now() + patience);
+  if (status == ChildProcess::Status::answered) return read(answer, digest_of(scene_text), scene);
+  Failure failure = failure_of(status);
+  child_.reset();
+  return failure;
+}
+
+Outcome ProcessRenderer::read(const std::string& line, const std::string& digest,
+                              const Scene& scene) {
+  child_answered_ = true;
+  ever_answered_ = true;
+  silent_deaths_ = 0;
+  auto parsed = parse_answer(line, digest, scene);
+  if (const auto* error = std::get_if<WireError>(&parsed)) {
+    // Nobody knows what else is on its way: only a new process is sure to be in step.
+    child_->kill();
+    Failure failure{FailureKind::garbage,
+                    "its answer is refused: " + error->message + quote_errors()};
+    child_.reset();
+    return failure;
+  }
+  Answer& answer = std::get<Answer>(parsed);
+  if (answer.claims) {
+    info_ = std::move(*answer.claims);
+    info_.name = spec_.name;
+  }
+  return std::move(answer.outcome);
+}
+
+Failure ProcessRenderer::failure_of(ChildProcess::Status status) {
+  const bool silent = !child_answered_;
+  child_->kill();
+  if (silent) ++silent_deaths_;
+  if (silent && child_->exit_status() == kUnavailableStatus) {
+    unavailable_ = "the program cannot work here" + quote_errors();
+    return {FailureKind::unavailable, unavailable_};
+  }
+  if (status == ChildProcess::Status::too_long)
+    return {FailureKind::garbage,
+            "its answer goes on without a line break, far beyond what this scene can need"};
+  if (status == ChildProcess::Status::timed_out) {
+    const auto patience = silent ? spec_.timeout + spec_.startup_timeout : spec_.timeout;
+    return {FailureKind::timed_out,
+            fmt::format("no answer within {} ms{}", patience.count(), quote_errors())};
+  }
+  const std::string how = child_->how_it_ended();
+  const std::string when = silent ? "before its first answer" : "while drawing this scene";
+  return {FailureKind::crashed, fmt::format("the program {} {}{}",
+                                            how.empty() ? "closed its output" : "ended with " + how,
+                                            when, quote_errors())};
+}
+
+std::string ProcessRenderer::quote_errors() const {
+  const std::string words = last_words(child_->error_output());
+  return words.empty() ? "" : fmt::format("; it said: {}", words);
+}
+
+}  // namespace edgecase

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// The renderers that live in processes, by the names that the command line gives them.
+//
+//   osmesa:llvmpipe osmesa:softpipe egl:llvmpipe egl:softpipe egl:deviceN exec:PROGRAM
+//
+// The OpenGL ones are all the same program, edgecase-gl; what differs is its argument and the
+// environment it is started in, since Mesa chooses its driver by environment variables that it
+// reads once per process.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "run/process_renderer.h"
+
+namespace edgecase {
+
+// The OpenGL renderers that `edgecase backends` looks at when none is named.
+const std::vector<std::string>& opengl_renderer_names();
+
+// Names for messages: all that the command line knows, patterns included.
+std::string known_renderer_names();
+
+// Why a name is no renderer: one sentence with the known names.
+struct UnknownRenderer {
+  std::string message;
+};
+
+// How to start the renderer of this name. `program_directory` holds the worker program edgecase-gl:
+// the folder of the running executable. Whether the renderer works is for the first scene to show.
+//
+// exec:PROGRAM is the path of an existing file, or else a command line: words separated by spaces,
+// with single or double quotes around words that contain some. The first word is a path (a file in
+// the working folder needs no "./"), or is looked up in PATH.
+std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& name,
+                                                         const std::string& program_directory);
+
+// The folder of the running executable, from /proc/self/exe; "." where that cannot be read.
+std::string executable_directory();
+
+}  // namespace edgecase

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+//
+// From the name of a renderer to the renderer.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "model/policy.h"
+#include "model/renderer.h"
+
+namespace edgecase {
+
+struct RendererOptions {
+  Policy policy;                        // of the renderer `exact`
+  std::chrono::milliseconds timeout{};  // per scene
+  std::string program_directory;        // where the OpenGL worker lies
+};
+
+// `exact`, or any name that renderer_names.h knows. A sentence with the known names otherwise.
+std::variant<std::unique_ptr<Renderer>, std::string> make_renderer(const std::string& name,
+                                                                   const RendererOptions& options);
+
+}  // namespace edgecase

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// A run: every case of a suite, rendered exactly and by each renderer, compared and judged.
+//
+// Work is cut into (renderer, slice of the cases) and handed to a few threads. Each drives one
+// renderer of its own over its slice, while the exact rendering of a case is made once, by whoever
+// needs it first. Results go to places fixed beforehand, so neither the number of threads nor their
+// order can be seen in them.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "results/results.h"
+#include "run/renderers.h"
+#include "run/selection.h"
+
+namespace edgecase {
+
+struct RunOptions {
+  Policy policy;
+  std::vector<std::string> renderers;  // names that make_renderer knows
+  RendererOptions renderer_options;
+  int jobs = 1;                                            // threads, at least 1
+  std::function<void(std::size_t, std::size_t)> progress;  // done, total; from any thread; or empty
+  const std::atomic<bool>* stop = nullptr;                 // becomes true when the run should end
+};
+
+// Runs and judges. Renderer names must be known. Cases that were left out when `stop` became true
+// are not in the results. Expectations are not applied.
+Results run_suite(const Suite& suite, const RunOptions& options);
+
+}  // namespace edgecase

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// Selection: which cases a run is about.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "model/case.h"
+
+namespace edgecase {
+
+struct Shard {
+  int index = 0;  // 0 to count - 1
+  int count = 1;
+};
+
+struct Selection {
+  std::vector<std::filesystem::path> paths;  // files and folders
+  std::vector<std::string> filters;          // shell globs on ids; none: all
+  std::vector<std::string> excludes;         // shell globs on ids
+  std::vector<std::string> tags;             // a case needs one of them; none: all
+  Shard shard;                               // applied last, round robin over sorted ids
+};
+
+struct Suite {
+  std::vector<Case> cases;              // sorted by id
+  std::vector<Diagnostic> diagnostics;  // what could not be loaded, and two cases of one id
+};
+
+// Loads what the selection asks for. A file that cannot be loaded is a diagnostic and costs nothing
+// else; excluded and filtered-out files are not even read.
+Suite load_suite(const Selection& selection);
+
+}  // namespace edgecase

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "wire/request_line.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "wire/reading.h"
+
+namespace edgecase {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+using wire::Path;
+using wire::Refusal;
+
+namespace {
+
+constexpr int kMaxSize = 4096;
+constexpr int kMaxViewport = 32768;
+
+ordered_json to_json(const Color& color) {
+  ordered_json result = ordered_json::array();
+  for (float component : color) result.push_back(static_cast<double>(component));
+  return result;
+}
+
+ordered_json to_json(const Draw& draw) {
+  ordered_json vertices = ordered_json::array();
+  for (const Vertex& vertex : draw.vertices) {
+    vertices.push_back(
+        {{"position",
+          {vertex.position.x.to_double(), vertex.position.y.to_double(), vertex.z.to_double()}},
+         {"color", to_json(vertex.color)}});
+  }
+  return {{"primitive", name_of(draw.primitive)},
+          {"interpolation", name_of(draw.interpolation)},
+          {"provoking_vertex", name_of(draw.provoking_vertex)},
+          {"vertices", std::move(vertices)}};
+}
+
+Color read_color(const json& value, const Path& path) {
+  wire::require_array(value, path, 4);
+  Color color{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Path at(path, i);
+    const double number = wire::read_finite(value[i], at);
+    color[i] = static_cast<float>(number);
+    if (!(number >= 0 && number <= 1) || static_cast<double>(color[i]) != number)
+      throw Refusal(fmt::format("{} is {}, but it must be a float32 value of 0 to 1", at.text(),
+                                value[i].dump()));
+  }
+  return color;
+}
+
+Fixed read_fixed(const json& value, const Path& path) {
+  const double number = wire::read_finite(value, path);
+  const double raw = number * static_cast<double>(Fixed::kOne);
+  if (!(number >= -Fixed::kMaxCoordinate && number <= Fixed::kMaxCoordinate) ||
+      raw != static_cast<double>(static_cast<std::int64_t>(raw)))
+    throw Refusal(fmt::format("{} is {}, but it must be a multiple of 2^-16 of -8192 to 8192",
+                              path.text(), value.dump()));
+  return Fixed::from_raw(static_cast<std::int64_t>(raw));
+}
+
+int read_int(const json& value, const Path& path, int low, int high) {
+  return static_cast<int>(wire::read_integer(value, path, low, high));
+}
+
+template <class Enum>
+Enum read_name(const json& object, const Path& path, const char* key) {
+  const Path at(path, key);
+  const std::string& name = wire::read_string(wire::member(object, path, key), at);
+  Enum value{};
+  if (!parse_name(name, value))
+    throw Refusal(fmt::format("{} is the unknown name \"{}\"", at.text(), wire::excerpt(name, 40)));
+  return value;
+}
+
+Target read_target(const json& value, const Path& path) {
+  wire::require_object(value, path, {"width", "height", "samples", "color", "surface", "clear"});
+  Target target;
+  target.width = read_int(wire::member(value, path, "width"), {path, "width"}, 1, kMaxSize);
+  target.height = read_int(wire::member(value, path, "height"), {path, "height"}, 1, kMaxSize);
+  target.samples = read_int(wire::member(value, path, "samples"), {path, "samples"}, 1, 32);
+  target.color = read_name<ColorFormat>(value, path, "color");
+  target.surface = read_name<Surface>(value, path, "surface");
+  target.clear = read_color(wire::member(value, path, "clear"), {path, "clear"});
+  return target;
+}
+
+Viewport read_viewport(const json& value, const Path& path) {
+  wire::require_array(value, path, 4);
+  return {read_int(value[0], {path, std::size_t{0}}, -kMaxViewport, kMaxViewport),
+          read_int(value[1], {path, std::size_t{1}}, -kMaxViewport, kMaxViewport),
+          read_int(value[2], {path, std::size_t{2}}, 1, kMaxViewport),
+          read_int(value[3], {path, std::size_t{3}}, 1, kMaxViewport)};
+}
+
+Vertex read_vertex(const json& value, const Path& path) {
+  wire::require_object(value, path, {"position", "color"});
+  const json& position = wire::member(value, path, "position");
+  const Path at(path, "position");
+  wire::require_array(position, at, 3);
+  Vertex vertex;
+  vertex.position.x = read_fixed(position[0], {at, std::size_t{0}});
+  vertex.position.y = read_fixed(position[1], {at, std::size_t{1}});
+  vertex.z = read_fixed(position[2], {at, std::size_t{2}});
+  vertex.color = read_color(wire::member(value, path, "color"), {path, "color"});
+  return vertex;
+}
+
+Draw read_draw(const json& value, const Path& path) {
+  wire::require_object(value, path, {"primitive", "interpolation", "provoking_vertex", "vertices"});
+  Draw draw;
+  draw.primitive = read_name<Primitive>(value, path, "primitive");
+  draw.interpolation = read_name<Interpolation>(value, path, "interpolation");
+  draw.provoking_vertex = read_name<ProvokingVertex>(value, path, "provoking_vertex");
+  const json& vertices = wire::member(value, path, "vertices");
+  const Path at(path, "vertices");
+  wire::require_array(vertices, at, vertices.size());
+  const auto step = static_cast<std::size_t>(vertices_per_primitive(draw.primitive));
+  if (vertices.size() % step != 0)
+    throw Refusal(
+        fmt::format("{} has {} vertices, no multiple of {}", at.text(), vertices.size(), step));
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    draw.vertices.push_back(read_vertex(vertices[i], {at, i}));
+  return draw;
+}
+
+Scene read_scene(const json& value, const Path& path) {
+  wire::require_object(value, path, {"target", "viewport", "draws"});
+  Scene scene;
+  scene.target = read_target(wire::member(value, path, "target"), {path, "target"});
+  scene.viewport = read_viewport(wire::member(value, path, "viewport"), {path, "viewport"});
+  const json& draws = wire::member(value, path, "draws");
+  const Path at(path, "draws");
+  wire::require_array(draws, at, draws.size());
+  for (std::size_t i = 0; i < draws.size(); ++i)
+    scene.draws.push_back(read_draw(draws[i], {at, i}));
+  return scene;
+}
+
+Request read_request(const json& document) {
+  const Path root;
+  wire::require_object(document, root, {"edgecase", "id", "digest", "scene"});
+  wire::read_integer(wire::member(document, root, "edgecase"), {root, "edgecase"}, kProtocolVersion,
+                     kProtocolVersion);
+  Request request;
+  request.id = wire::read_string(wire::member(document, root, "id"), {root, "id"});
+  request.digest = wire::read_string(wire::member(document, root, "digest"), {root, "digest"});
+  request.scene = read_scene(wire::member(document, root, "scene"), {root, "scene"});
+  const std::string digest = digest_of(scene_json(request.scene));
+  if (digest != request.digest)
+    throw Refusal(fmt::format("/digest is \"{}\", but the scene's is \"{}\"",
+                              wire::excerpt(request.digest, 40), digest));
+  return request;
+}
+
+}  // namespace
+
+std::string scene_json(const Scene& scene) {
+  ordered_json draws = ordered_json::array();
+  for (const Draw& draw : scene.draws) draws.push_back(to_json(draw));
+  const Target& target = scene.target;
+  const Viewport& viewport = scene.viewport;
+  const ordered_json document = {
+      {"target",
+       {{"width", target.width},
+        {"height", target.height},
+        {"samples", target.samples},
+        {"color", name_of(target.color)},
+        {"surface", name_of(target.surface)},
+        {"clear", to_json(target.clear)}}},
+      {"viewport", {viewport.x, viewport.y, viewport.width, viewport.height}},
+      {"draws", std::move(draws)}};
+  return document.dump();
+}
+
+std::string digest_of(std::string_view scene_json) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (char c : scene_json) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return fmt::format("{:016x}", hash);
+}
+
+std::string request_line(const std::string& id, std::string_view scene_json) {
+  const std::string quoted = json(id).dump(-1, ' ', true, json::error_handler_t::replace);
+  return fmt::format(R"({{"edgecase":{},"id":{},"digest":"{}","scene":{}}})", kProtocolVersion,
+                     quoted, digest_of(scene_json), scene_json);
+}
+
+std::variant<Request, WireError> parse_request(std::string_view line) {
+  try {
+    return read_request(wire::parse_text(line));
+  } catch (const Refusal& refusal) {
+    return WireError{refusal.what()};
+  }
+}
+
+}  // namespace edgecase

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// Colours and depths of fragments: flat ones are copied, smooth ones equal the textbook formula.
+#include <gtest/gtest.h>
+
+#include "raster/rasterizer.h"
+#include "tests/raster/random_scenes.h"
+#include "tests/rules/support.h"
+
+namespace edgecase {
+namespace {
+
+Draw draw_of(Primitive primitive, Interpolation interpolation, ProvokingVertex provoking) {
+  const Point positions[] = {at(1.25, 1.5), at(14.5, 3.75), at(4.25, 12.5)};
+  Draw draw = make_draw(
+      primitive,
+      std::span(positions).first(static_cast<std::size_t>(vertices_per_primitive(primitive))));
+  draw.interpolation = interpolation;
+  draw.provoking_vertex = provoking;
+  return draw;
+}
+
+Rendering render(const Draw& draw) {
+  Scene scene = blank_scene(16, 16);
+  scene.draws = {draw};
+  return rasterize(scene, {});
+}
+
+// Barycentric coordinates of (x, y) in long double, on a triangle or along a line.
+std::array<long double, 3> weights(const Draw& draw, long double x, long double y) {
+  std::array<long double, 3> px{}, py{};
+  for (std::size_t i = 0; i < draw.vertices.size(); ++i) {
+    px[i] = static_cast<long double>(draw.vertices[i].position.x.to_double());
+    py[i] = static_cast<long double>(draw.vertices[i].position.y.to_double());
+  }
+  if (draw.primitive == Primitive::lines) {
+    const long double dx = px[1] - px[0], dy = py[1] - py[0];
+    const long double t = ((x - px[0]) * dx + (y - py[0]) * dy) / (dx * dx + dy * dy);
+    return {1 - t, t, 0};
+  }
+  const long double area = (px[1] - px[0]) * (py[2] - py[0]) - (py[1] - py[0]) * (px[2] - px[0]);
+  const long double b = ((x - px[0]) * (py[2] - py[0]) - (y - py[0]) * (px[2] - px[0])) / area;
+  const long double c = ((px[1] - px[0]) * (y - py[0]) - (py[1] - py[0]) * (x - px[0])) / area;
+  return {1 - b - c, b, c};
+}
+
+TEST(Shade, FlatIsTheProvokingVertexOfEveryPrimitiveType) {
+  for (Primitive primitive : {Primitive::points, Primitive::lines, Primitive::triangles})
+    for (ProvokingVertex provoking : {ProvokingVertex::first, ProvokingVertex::last}) {
+      const Draw draw = draw_of(primitive, Interpolation::flat, provoking);
+      const Color& expected = provoking == ProvokingVertex::first ? draw.vertices.front().color
+                                                                  : draw.vertices.back().color;
+      const Rendering rendering = render(draw);
+      ASSERT_FALSE(rendering.fragments.empty());
+      for (const Fragment& f : rendering.fragments)
+        for (std::size_t c = 0; c < 4; ++c)
+          EXPECT_EQ(f.color[c], static_cast<double>(expected[c])) << name_of(primitive);
+    }
+}
+
+TEST(Shade, SmoothColourAndDepthFollowTheFormula) {
+  for (Primitive primitive : {Primitive::lines, Primitive::triangles}) {
+    const Draw draw = draw_of(primitive, Interpolation::smooth, ProvokingVertex::last);
+    const Rendering rendering = render(draw);
+    ASSERT_GT(rendering.fragments.size(), 10u);
+    for (const Fragment& f : rendering.fragments) {
+      const auto w = weights(draw, f.x + 0.5L, f.y + 0.5L);
+      long double depth = 0;
+      std::array<long double, 4> color{};
+      for (std::size_t v = 0; v < draw.vertices.size(); ++v) {
+        depth += w[v] * (static_cast<long double>(draw.vertices[v].z.to_double()) + 1) / 2;
+        for (std::size_t c = 0; c < 4; ++c)
+          color[c] += w[v] * static_cast<long double>(draw.vertices[v].color[c]);
+      }
+      EXPECT_NEAR(f.depth, static_cast<double>(depth), 1e-14);
+      for (std::size_t c = 0; c < 4; ++c)
+        EXPECT_NEAR(f.color[c], static_cast<double>(color[c]), 1e-14);
+    }
+  }
+}
+
+// Snapping moves what is covered, never what is interpolated: attributes come from the vertices as
+// given.
+TEST(Shade, IsNotSnapped) {
+  Policy snapped;
+  snapped.rules = {{"subpixel.snap", "4-truncate"}};
+  Scene scene = blank_scene(16, 16);
+  const Point positions[] = {at(1 + 1.0 / 32, 1), at(14 + 1.0 / 32, 1), at(1 + 1.0 / 32, 14)};
+  scene.draws = {make_draw(Primitive::triangles, positions)};
+  scene.draws[0].interpolation = Interpolation::smooth;
+  const Fragment plain = rasterize(scene, {}).fragments.at(20);
+  int found = 0;
+  for (const Fragment& f : rasterize(scene, snapped).fragments) {
+    if (f.x != plain.x || f.y != plain.y) continue;
+    ++found;
+    EXPECT_EQ(f.color, plain.color);
+    EXPECT_EQ(f.depth, plain.depth);
+  }
+  EXPECT_EQ(found, 1);
+}
+
+}  // namespace
+}  // namespace edgecase

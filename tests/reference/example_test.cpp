@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+//
+// reference/examples/rasterizer.py on drawings worked out by hand, ties above all: it is an oracle
+// for other tests, so it needs one of its own.
+#include <gmock/gmock.h>
+
+#include "tests/reference/drawings.h"
+
+namespace edgecase {
+namespace {
+
+using ::testing::ElementsAre;
+
+Renderer& example() {
+  static ProcessRenderer renderer([] {
+    ProcessSpec spec;
+    spec.name = "exec:example";
+    spec.command.argv = {EDGECASE_PYTHON, EDGECASE_ROOT "/reference/examples/rasterizer.py"};
+    return spec;
+  }());
+  return renderer;
+}
+
+std::string drawing(int width, int height, const Draw& draw) {
+  Scene scene = blank_scene(width, height);
+  scene.draws = {draw};
+  return coverage(render(example(), scene));
+}
+
+std::string line(int width, int height, int ax, int ay, int bx, int by) {
+  return drawing(width, height, make_draw(Primitive::lines, {{ax, ay}, {bx, by}}));
+}
+
+// Halves of pixels.
+constexpr int kHalf = 128;
+
+TEST(Example, PointsBelongToThePixelOfTheirFloor) {
+  const auto point = [](int x, int y) {
+    return drawing(3, 2, make_draw(Primitive::points, {{x, y}}));
+  };
+  EXPECT_EQ(point(kHalf, kHalf), "...\n#..\n");
+  EXPECT_EQ(point(256, 256), ".#.\n...\n");
+  EXPECT_EQ(point(255, 255), "...\n#..\n");
+  EXPECT_EQ(point(3 * 256, 0), "...\n...\n");
+}
+
+TEST(Example, LinesLeaveOutThePixelTheyEndIn) {
+  EXPECT_EQ(line(6, 1, kHalf, kHalf, 9 * kHalf, kHalf), "####..\n");
+  EXPECT_EQ(line(6, 1, 9 * kHalf, kHalf, kHalf, kHalf), ".####.\n");
+  EXPECT_EQ(line(1, 4, kHalf, kHalf, kHalf, 5 * kHalf), ".\n.\n#\n#\n");
+  EXPECT_EQ(line(3, 1, kHalf, kHalf, kHalf, kHalf), "...\n");
+  // Both ends in one diamond: it is never left.
+  EXPECT_EQ(line(3, 1, kHalf - 32, kHalf, kHalf + 32, kHalf), "...\n");
+}
+
+TEST(Example, LinesOnPixelBordersMoveLeftAndDown) {
+  EXPECT_EQ(line(6, 3, 256, 256, 4 * 256, 256), "......\n......\n.###..\n");
+  EXPECT_EQ(line(3, 4, 256, 0, 256, 3 * 256), "...\n#..\n#..\n#..\n");
+}
+
+TEST(Example, DiamondCornersAndEdges) {
+  // Along the row's centre line from one border between pixels to another, moved left by e and down
+  // by the far smaller e^2. The start moves into the right corner of column 0's diamond, which the
+  // line leaves; its end moves into the right corner of column 2's, which it does not leave.
+  EXPECT_EQ(line(5, 1, 256, kHalf, 3 * 256, kHalf), "##...\n");
+  // The other way round it leaves column 2's diamond and ends in column 0's.
+  EXPECT_EQ(line(5, 1, 3 * 256, kHalf, 256, kHalf), ".##..\n");
+  // Along the diamond's lower left edge, moved down and left: just outside.
+  EXPECT_EQ(line(2, 2, 0, kHalf, kHalf, 0), "..\n..\n");
+  // Along its upper right edge: moved into the diamond. It ends inside its right corner.
+  EXPECT_EQ(line(2, 2, kHalf, 256, 256, kHalf), "..\n..\n");
+  // Beyond that corner it leaves.
+  EXPECT_EQ(line(2, 2, kHalf, 256, 256 + 64, kHalf - 64), "..\n#.\n");
+}
+
+TEST(Example, DiagonalsHitEachColumnOnce) {
+  EXPECT_EQ(line(5, 5, kHalf, kHalf, 9 * kHalf, 9 * kHalf), ".....\n...#.\n..#..\n.#...\n#....\n");
+  EXPECT_EQ(line(4, 4, 0, 4 * 256, 4 * 256, 0), "#...\n.#..\n..#.\n...#\n");
+}
+
+TEST(Example, TrianglesOwnTheirLeftAndThenTheirTopEdges) {
+  // Edges through the centres of columns 0 and 2, rows 0 and 2: left and top centres are owned.
+  EXPECT_EQ(drawing(4, 4, rectangle(kHalf, kHalf, 5 * kHalf, 5 * kHalf)),
+            "....\n##..\n##..\n....\n");
+  // The same clockwise, and a shared diagonal through centres: nothing twice, nothing missing.
+  EXPECT_EQ(drawing(4, 4,
+                    make_draw(Primitive::triangles, {{kHalf, kHalf},
+                                                     {kHalf, 5 * kHalf},
+                                                     {5 * kHalf, 5 * kHalf},
+                                                     {kHalf, kHalf},
+                                                     {5 * kHalf, 5 * kHalf},
+                                                     {5 * kHalf, kHalf}})),
+            "....\n##..\n##..\n....\n");
+  EXPECT_EQ(drawing(2, 2, make_draw(Primitive::triangles, {{0, 0}, {256, 256}, {512, 512}})),
+            "..\n..\n");
+}
+
+TEST(Example, FansRoundACentreHitItOnce) {
+  Scene scene = blank_scene(3, 3);
+  const std::pair<int, int> centre(3 * kHalf, 3 * kHalf);
+  const std::vector<std::pair<int, int>> rim = {{0, 0}, {768, 0}, {768, 768}, {0, 768}};
+  for (std::size_t i = 0; i < 4; ++i)
+    scene.draws.push_back(make_draw(Primitive::triangles, {centre, rim[i], rim[(i + 1) % 4]}));
+  EXPECT_EQ(coverage(render(example(), scene)), "###\n###\n###\n");
+}
+
+TEST(Example, ColoursAndDepth) {
+  Scene scene = blank_scene(4, 1);
+  scene.target.clear = {0, 0, 0.5f, 1};
+  scene.draws = {make_draw(Primitive::lines, {{kHalf, kHalf}, {5 * kHalf, kHalf}})};
+  scene.draws[0].vertices[0].color = {1, 0, 0, 1};
+  scene.draws[0].vertices[1].color = {0, 1, 0, 1};
+  scene.draws[0].vertices[1].z = Fixed::from_integer(1);
+  Rendering rendering = render(example(), scene);
+  EXPECT_THAT(pixel(rendering, 0, 0), ElementsAre(0, 255, 0, 255));
+  // 127.5 goes to the even neighbour.
+  EXPECT_THAT(pixel(rendering, 3, 0), ElementsAre(0, 0, 128, 255));
+  EXPECT_EQ(rendering.fragments[1].depth, 0.75);
+
+  scene.draws[0].provoking_vertex = ProvokingVertex::first;
+  EXPECT_THAT(pixel(render(example(), scene), 1, 0), ElementsAre(255, 0, 0, 255));
+  scene.draws[0].interpolation = Interpolation::smooth;
+  rendering = render(example(), scene);
+  EXPECT_THAT(rendering.fragments[1].color, ElementsAre(0.5, 0.5, 0, 1));
+  EXPECT_THAT(pixel(rendering, 0, 0), ElementsAre(255, 0, 0, 255));
+}
+
+TEST(Example, LaterPrimitivesAreDrawnOverEarlierOnes) {
+  Scene scene = blank_scene(2, 1);
+  scene.draws = {rectangle(0, 0, 512, 256, {1, 0, 0, 1}),
+                 rectangle(256, 0, 512, 256, {0, 1, 0, 1})};
+  const Rendering rendering = render(example(), scene);
+  EXPECT_EQ(coverage(rendering), "#2\n");
+  EXPECT_THAT(pixel(rendering, 0, 0), ElementsAre(255, 0, 0, 255));
+  EXPECT_THAT(pixel(rendering, 1, 0), ElementsAre(0, 255, 0, 255));
+}
+
+}  // namespace
+}  // namespace edgecase

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// The worker program's refusals: what it says when it cannot be what its name promises.
+#include <gmock/gmock.h>
+
+#include "run/renderer_names.h"
+#include "tests/reference/drawings.h"
+
+namespace edgecase {
+namespace {
+
+using ::testing::HasSubstr;
+
+ProcessSpec spec_of(const std::string& name) {
+  return std::get<ProcessSpec>(find_renderer(name, EDGECASE_BIN));
+}
+
+Failure failure_of(const ProcessSpec& spec) {
+  ProcessRenderer renderer(spec);
+  const Outcome outcome = render_outcome(renderer, blank_scene(1, 1));
+  const auto* failure = std::get_if<Failure>(&outcome);
+  return failure == nullptr ? Failure{FailureKind::garbage, "it renders"} : *failure;
+}
+
+TEST(Worker, AnotherDriverThanPromisedIsUnavailable) {
+  for (const char* way : {"osmesa", "egl"}) {
+    ProcessSpec spec = spec_of(std::string(way) + ":llvmpipe");
+    spec.command.environment["GALLIUM_DRIVER"] = "softpipe";
+    const Failure failure = failure_of(spec);
+    EXPECT_EQ(failure.kind, FailureKind::unavailable) << way;
+    EXPECT_THAT(failure.reason, testing::AnyOf(HasSubstr("the driver is 'softpipe', not llvmpipe"),
+                                               HasSubstr("cannot be opened")));
+  }
+}
+
+TEST(Worker, ADeviceThatIsNotThereIsUnavailable) {
+  const Failure failure = failure_of(spec_of("egl:device99"));
+  EXPECT_EQ(failure.kind, FailureKind::unavailable);
+  EXPECT_THAT(failure.reason,
+              testing::AnyOf(HasSubstr("there is no EGL device 99"), HasSubstr("cannot be opened"),
+                             HasSubstr("cannot list its devices")));
+}
+
+TEST(Worker, AnUnknownContextIsUnavailable) {
+  ProcessSpec spec = spec_of("osmesa:llvmpipe");
+  for (const char* name : {"glx", "egl-device:", "egl-device:x", "egl-device:1x"}) {
+    spec.command.argv = {spec.command.argv[0], name};
+    EXPECT_THAT(failure_of(spec).reason, HasSubstr("known are osmesa, egl-surfaceless")) << name;
+  }
+}
+
+TEST(Worker, WithoutShaderStorageItRefusesEachSceneWithAReason) {
+  ProcessSpec spec = spec_of("osmesa:softpipe");
+  spec.command.environment.erase("MESA_GL_VERSION_OVERRIDE");
+  spec.command.environment.erase("MESA_GLSL_VERSION_OVERRIDE");
+  const Failure failure = failure_of(spec);
+  if (failure.reason.find("cannot be opened") != std::string::npos) GTEST_SKIP() << failure.reason;
+  EXPECT_EQ(failure.kind, FailureKind::unsupported);
+  EXPECT_THAT(failure.reason, HasSubstr("needs shader storage blocks (OpenGL 4.3)"));
+}
+
+}  // namespace
+}  // namespace edgecase

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "reports/junit.h"
+
+#include <gtest/gtest.h>
+
+#include <pugixml.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "tests/reports/sample.h"
+
+namespace edgecase {
+namespace {
+
+std::string junit_of(const Results& results) {
+  std::ostringstream out;
+  write_junit(results, out);
+  return out.str();
+}
+
+// One renderer, one case with the given result.
+Results single(const Result& result) {
+  Results results;
+  results.tool = "edgecase";
+  results.policy = "opengl";
+  results.renderers.resize(1);
+  results.renderers[0].name = "osmesa:llvmpipe";
+  results.cases.resize(1);
+  results.cases[0].id = "lines/a/tip";
+  results.cases[0].results = {result};
+  return results;
+}
+
+pugi::xml_document parse(const std::string& text) {
+  pugi::xml_document document;
+  const pugi::xml_parse_result parsed = document.load_string(text.c_str());
+  EXPECT_TRUE(parsed) << parsed.description();
+  return document;
+}
+
+pugi::xml_node first_test(const pugi::xml_document& document) {
+  return document.child("testsuites").child("testsuite").child("testcase");
+}
+
+Result result_of(Verdict verdict, Standing standing) {
+  Result result;
+  result.verdict = verdict;
+  result.standing = standing;
+  if (verdict == Verdict::not_run)
+    result.failure = Failure{FailureKind::timed_out, "no answer in 5 s"};
+  return result;
+}
+
+TEST(Junit, ParsesWithUniqueNamesAndRightCounts) {
+  const Results results = sample::results();
+  const pugi::xml_document document = parse(junit_of(results));
+  std::set<std::string> names;
+  int tests = 0, failures = 0, errors = 0, skipped = 0;
+  const pugi::xml_node root = document.child("testsuites");
+  for (pugi::xml_node suite : root.children("testsuite"))
+    for (pugi::xml_node test : suite.children("testcase")) {
+      ++tests;
+      failures += !test.child("failure").empty();
+      errors += !test.child("error").empty();
+      skipped += !test.child("skipped").empty();
+      const std::string name = test.attribute("classname").as_string() + std::string("\n") +
+                               test.attribute("name").as_string();
+      EXPECT_TRUE(names.insert(name).second) << name;
+    }
+  // Every case and renderer, the two broken files and the two unmet hand-drawn truths.
+  EXPECT_EQ(tests, static_cast<int>(results.cases.size()) * 4 + 2 + 2);
+  EXPECT_EQ(root.attribute("tests").as_int(), tests);
+  EXPECT_EQ(root.attribute("failures").as_int(), failures);
+  EXPECT_EQ(root.attribute("errors").as_int(), errors);
+  EXPECT_EQ(root.attribute("skipped").as_int(), skipped);
+  EXPECT_GT(failures, 0);
+  EXPECT_GT(errors, 2);
+  EXPECT_GT(skipped, 0);
+}
+
+TEST(Junit, ExpectedResultsPassWhateverTheirVerdict) {
+  for (Verdict verdict :
+       {Verdict::agree, Verdict::convention, Verdict::permitted, Verdict::violation}) {
+    const auto document = parse(junit_of(single(result_of(verdict, Standing::expected))));
+    EXPECT_TRUE(first_test(document).first_child().empty()) << name_of(verdict);
+  }
+}
+
+TEST(Junit, EverythingElseFailsAgreementIncluded) {
+  for (Standing standing :
+       {Standing::unexpected, Standing::changed, Standing::unexpected_agreement}) {
+    const Verdict verdict =
+        standing == Standing::unexpected_agreement ? Verdict::agree : Verdict::permitted;
+    const auto document = parse(junit_of(single(result_of(verdict, standing))));
+    const std::string message =
+        first_test(document).child("failure").attribute("message").as_string();
+    EXPECT_NE(message.find(name_of(standing)), std::string::npos) << message;
+    EXPECT_NE(message.find(name_of(verdict)), std::string::npos) << message;
+  }
+}
+
+TEST(Junit, SkippedOnlyWhenKnownNotToRun) {
+  const auto known = parse(junit_of(single(result_of(Verdict::not_run, Standing::expected))));
+  const std::string reason = first_test(known).child("skipped").attribute("message").as_string();
+  EXPECT_NE(reason.find("no answer in 5 s"), std::string::npos) << reason;
+  for (Standing standing : {Standing::unexpected, Standing::changed}) {
+    const auto document = parse(junit_of(single(result_of(Verdict::not_run, standing))));
+    EXPECT_TRUE(first_test(document).child("skipped").empty());
+    EXPECT_NE(std::string(first_test(document).child("error").text().get()).find("no answer"),
+              std::string::npos);
+  }
+}
+
+TEST(Junit, ListsTwentyDisagreementsAndCountsTheRest) {
+  Result result = result_of(Verdict::violation, Standing::unexpected);
+  for (int x = 0; x < 25; ++x)
+    result.disagreements.push_back(sample::disagreement(x, 0, DisagreementKind::extra, false));
+  const auto document = parse(junit_of(single(result)));
+  const std::string body = first_test(document).child("failure").text().get();
+  EXPECT_NE(body.find("Pixel (19, 0) differs."), std::string::npos);
+  EXPECT_EQ(body.find("Pixel (20, 0) differs."), std::string::npos);
+  EXPECT_NE(body.find("and 5 more, see results"), std::string::npos);
+}
+
+TEST(Junit, ClassIsTheRendererAndTheFolder) {
+  const auto document = parse(junit_of(single(result_of(Verdict::agree, Standing::expected))));
+  EXPECT_STREQ(first_test(document).attribute("classname").as_string(), "osmesa:llvmpipe.lines.a");
+  EXPECT_STREQ(first_test(document).attribute("name").as_string(), "lines/a/tip");
+}
+
+TEST(Junit, ARendererNamedTwiceHasTwoSuites) {
+  Results results = single(result_of(Verdict::agree, Standing::expected));
+  results.renderers.push_back(results.renderers[0]);
+  results.cases[0].results.push_back(results.cases[0].results[0]);
+  const auto document = parse(junit_of(results));
+  std::set<std::string> names;
+  for (pugi::xml_node suite : document.child("testsuites").children("testsuite"))
+    EXPECT_TRUE(names.insert(suite.attribute("name").as_string()).second);
+  EXPECT_EQ(names.size(), 2u);
+}
+
+TEST(Junit, AnInterruptedRunIsAnError) {
+  Results results = single(result_of(Verdict::agree, Standing::expected));
+  results.interrupted = true;
+  EXPECT_EQ(parse(junit_of(results)).child("testsuites").attribute("errors").as_int(), 1);
+}
+
+TEST(Junit, SameResultsSameBytes) {
+  EXPECT_EQ(junit_of(sample::results()), junit_of(sample::results()));
+}
+
+}  // namespace
+}  // namespace edgecase

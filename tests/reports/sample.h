@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+//
+// Made-up results for tests of the reports: every verdict, standing, kind of disagreement and
+// failure, values, evidence, broken files, and texts that try to leave the place they are put in.
+// The pictures look like those of a run (lines with diamonds, triangles with a shared edge, smooth
+// colours), the numbers in them are not.
+#pragma once
+
+#include <string>
+
+#include "reports/html.h"
+#include "results/results.h"
+
+namespace edgecase::sample {
+
+// Markup, a script's end, quotes, a right-to-left override, a control character, broken UTF-8.
+extern const std::string kHostile;
+
+// Four renderers, about 60 cases, sorted by id.
+Results results();
+ReportTexts texts();
+
+// One disagreement at (x, y) without figure.
+Disagreement disagreement(int x, int y, DisagreementKind kind, bool legal);
+
+}  // namespace edgecase::sample

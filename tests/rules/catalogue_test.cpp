@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "rules/all_rules.h"
+#include "rules/choices.h"
+
+namespace edgecase {
+namespace {
+
+TEST(Catalogue, IdsAndRulingNumbersAreUnique) {
+  std::set<std::string> ids;
+  std::set<int> rulings;
+  for (const Rule& rule : all_rules()) {
+    EXPECT_TRUE(ids.insert(rule.id).second) << rule.id;
+    for (const Ruling& ruling : rule.rulings)
+      EXPECT_TRUE(rulings.insert(ruling.number).second) << ruling.number;
+  }
+  // Numbered from 1 without gaps, so that a citation can be found.
+  EXPECT_EQ(static_cast<std::size_t>(*rulings.rbegin()), rulings.size());
+  EXPECT_EQ(*rulings.begin(), 1);
+}
+
+TEST(Catalogue, EveryRuleSaysWhatItIs) {
+  for (const Rule& rule : all_rules()) {
+    EXPECT_FALSE(rule.title.empty()) << rule.id;
+    EXPECT_FALSE(rule.spec.empty()) << rule.id;
+    EXPECT_FALSE(rule.latitude.empty()) << rule.id;
+    std::set<std::string> names;
+    for (const Alternative& alternative : rule.alternatives) {
+      EXPECT_TRUE(names.insert(alternative.name).second) << rule.id << " " << alternative.name;
+      EXPECT_FALSE(alternative.meaning.empty()) << rule.id << " " << alternative.name;
+    }
+    EXPECT_EQ(rule.standard.empty(), rule.alternatives.empty()) << rule.id;
+    EXPECT_EQ(find_alternative(rule, rule.standard) == nullptr, rule.standard.empty()) << rule.id;
+  }
+}
+
+TEST(Choices, DefaultsAreThoseOfTheCatalogue) {
+  const RuleChoices choices = resolve(Policy{}, Surface::fbo);
+  EXPECT_STREQ(choices.lines.ties.name, "left-bottom");
+  EXPECT_STREQ(choices.triangles.ties.name, "left-top");
+  EXPECT_STREQ(choices.points.ties.name, "right-top");
+  EXPECT_TRUE(choices.lines.snap.is_none());
+}
+
+TEST(Choices, ASnapOfOnePrimitiveTypeOverridesTheCommonOne) {
+  Policy policy;
+  policy.rules = {{"subpixel.snap", "8-half-even"}, {"line.snap", "none"}};
+  const RuleChoices choices = resolve(policy, Surface::fbo);
+  EXPECT_EQ(name_of(choices.triangles.snap), "8-half-even");
+  EXPECT_EQ(name_of(choices.points.snap), "8-half-even");
+  EXPECT_EQ(name_of(choices.lines.snap), "none");
+}
+
+TEST(Choices, ASurfaceOverridesThePolicy) {
+  Policy policy;
+  policy.rules = {{"triangle.fill-rule", "right-top"}};
+  policy.surfaces[Surface::fbo] = {{"triangle.fill-rule", "bottom-left"}};
+  EXPECT_STREQ(resolve(policy, Surface::fbo).triangles.ties.name, "bottom-left");
+}
+
+}  // namespace
+}  // namespace edgecase

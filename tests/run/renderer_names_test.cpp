@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "run/renderer_names.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+namespace edgecase {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+Command command_of(const std::string& name) {
+  const auto found = find_renderer(name, "/opt/bin");
+  const auto* spec = std::get_if<ProcessSpec>(&found);
+  EXPECT_NE(spec, nullptr) << name;
+  if (spec == nullptr) return {};
+  EXPECT_EQ(spec->name, name);
+  return spec->command;
+}
+
+std::string message_of(const std::string& name) {
+  const auto found = find_renderer(name, "/opt/bin");
+  const auto* unknown = std::get_if<UnknownRenderer>(&found);
+  return unknown == nullptr ? "" : unknown->message;
+}
+
+TEST(RendererNames, MesaDriversComeFromTheWorkerProgram) {
+  const Command osmesa = command_of("osmesa:llvmpipe");
+  EXPECT_THAT(osmesa.argv,
+              ElementsAre("/opt/bin/edgecase-gl", "osmesa", "--expect-driver", "llvmpipe"));
+  EXPECT_EQ(osmesa.environment.at("GALLIUM_DRIVER"), "llvmpipe");
+  EXPECT_EQ(osmesa.environment.count("LIBGL_ALWAYS_SOFTWARE"), 0u);
+  const Command egl = command_of("egl:softpipe");
+  EXPECT_THAT(egl.argv, ElementsAre("/opt/bin/edgecase-gl", "egl-surfaceless", "--expect-driver",
+                                    "softpipe"));
+  EXPECT_EQ(egl.environment.at("LIBGL_ALWAYS_SOFTWARE"), "1");
+  EXPECT_EQ(egl.environment.at("MESA_GL_VERSION_OVERRIDE"), "4.5");
+  EXPECT_THAT(command_of("egl:device12").argv,
+              ElementsAre("/opt/bin/edgecase-gl", "egl-device:12"));
+  for (const std::string& name : opengl_renderer_names()) command_of(name);
+}
+
+TEST(RendererNames, ExecTakesACommandLine) {
+  EXPECT_THAT(command_of("exec:python3 my.py").argv, ElementsAre("python3", "my.py"));
+  EXPECT_THAT(command_of("exec: a  'b  c' d\"e f\"g '' ").argv,
+              ElementsAre("a", "b  c", "de fg", ""));
+}
+
+TEST(RendererNames, ExecTakesTheFileOfThatName) {
+  const auto folder = std::filesystem::temp_directory_path() / "edgecase renderer names";
+  std::filesystem::create_directories(folder);
+  const std::string path = folder / "a program";
+  std::fclose(std::fopen(path.c_str(), "w"));
+  EXPECT_THAT(command_of("exec:" + path).argv, ElementsAre(path));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(RendererNames, RefusalsNameWhatIsKnown) {
+  for (const char* name : {"", "osmesa", "osmesa:zink", "egl:", "egl:device", "egl:device-1",
+                           "egl:device1x", "egl:device9999", "Osmesa:llvmpipe", "recording:x"})
+    EXPECT_THAT(message_of(name), HasSubstr("known are exact, osmesa:llvmpipe")) << name;
+  EXPECT_THAT(message_of("exec:"), HasSubstr("names no program"));
+  EXPECT_THAT(message_of("exec:'a"), HasSubstr("quote that is not closed"));
+}
+
+}  // namespace
+}  // namespace edgecase

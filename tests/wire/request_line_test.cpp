@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "wire/request_line.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/wire/scenes.h"
+
+namespace edgecase {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string message_of(const std::string& line) {
+  const auto parsed = parse_request(line);
+  const auto* error = std::get_if<WireError>(&parsed);
+  return error == nullptr ? "" : error->message;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+// A request with this scene and the digest that belongs to it.
+std::string request_of(const std::string& scene) {
+  return request_line("a", scene);
+}
+
+TEST(RequestLine, ReadsBackEveryFieldOfAScene) {
+  const Scene scene = small_scene();
+  const std::string text = scene_json(scene);
+  const auto parsed = parse_request(request_line("lines/\"odd\" name", text));
+  ASSERT_TRUE(std::holds_alternative<Request>(parsed)) << std::get<WireError>(parsed).message;
+  const Request& request = std::get<Request>(parsed);
+  EXPECT_EQ(request.id, "lines/\"odd\" name");
+  EXPECT_EQ(request.digest, digest_of(text));
+  EXPECT_EQ(request.scene.target.width, 3);
+  EXPECT_EQ(request.scene.target.height, 2);
+  EXPECT_EQ(request.scene.target.clear, scene.target.clear);
+  EXPECT_EQ(request.scene.viewport.x, -1);
+  EXPECT_EQ(request.scene.viewport.y, -2);
+  EXPECT_EQ(request.scene.viewport.width, 8);
+  EXPECT_EQ(request.scene.viewport.height, 16);
+  ASSERT_EQ(request.scene.draws.size(), 2u);
+  EXPECT_EQ(request.scene.draws[0].interpolation, Interpolation::smooth);
+  EXPECT_EQ(request.scene.draws[0].provoking_vertex, ProvokingVertex::first);
+  EXPECT_EQ(request.scene.draws[1].primitive, Primitive::lines);
+  for (std::size_t d = 0; d < 2; ++d) {
+    ASSERT_EQ(request.scene.draws[d].vertices.size(), scene.draws[d].vertices.size());
+    for (std::size_t v = 0; v < scene.draws[d].vertices.size(); ++v) {
+      EXPECT_EQ(request.scene.draws[d].vertices[v].position, scene.draws[d].vertices[v].position);
+      EXPECT_EQ(request.scene.draws[d].vertices[v].z, scene.draws[d].vertices[v].z);
+      EXPECT_EQ(request.scene.draws[d].vertices[v].color, scene.draws[d].vertices[v].color);
+    }
+  }
+}
+
+TEST(RequestLine, CarriesEveryCoordinateExactly) {
+  // Every fraction of 2^-16, at the largest magnitude, where doubles have the fewest digits left.
+  Scene scene = small_scene();
+  for (std::int64_t fraction = 0; fraction < Fixed::kOne; fraction += 13) {
+    scene.draws[1].vertices[0].position.x =
+        Fixed::from_raw(-Fixed::kMaxCoordinate * Fixed::kOne + fraction);
+    const auto parsed = parse_request(request_of(scene_json(scene)));
+    ASSERT_TRUE(std::holds_alternative<Request>(parsed));
+    ASSERT_EQ(std::get<Request>(parsed).scene.draws[1].vertices[0].position.x,
+              scene.draws[1].vertices[0].position.x);
+  }
+}
+
+TEST(RequestLine, IsOneLineInTheDocumentedForm) {
+  Scene scene;
+  scene.target.width = 1;
+  scene.target.height = 1;
+  scene.viewport = {0, 0, 1, 1};
+  Draw draw;
+  draw.primitive = Primitive::points;
+  draw.vertices.resize(1);
+  draw.vertices[0].position = {Fixed::centre_of(0), Fixed::from_raw(1)};
+  scene.draws = {draw};
+  EXPECT_EQ(scene_json(scene),
+            R"({"target":{"width":1,"height":1,"samples":1,"color":"rgba8","surface":"fbo",)"
+            R"("clear":[0.0,0.0,0.0,1.0]},"viewport":[0,0,1,1],"draws":[{"primitive":"points",)"
+            R"("interpolation":"flat","provoking_vertex":"last","vertices":[{"position":)"
+            R"([0.5,1.52587890625e-05,0.0],"color":[1.0,1.0,1.0,1.0]}]}]})");
+}
+
+TEST(RequestLine, DigestIsFnv1a) {
+  // The published test values of the function.
+  EXPECT_EQ(digest_of(""), "cbf29ce484222325");
+  EXPECT_EQ(digest_of("a"), "af63dc4c8601ec8c");
+  EXPECT_EQ(digest_of("foobar"), "85944171f73967e8");
+}
+
+TEST(RequestLine, RefusesWhatIsNoRequest) {
+  const std::string good = request_of(scene_json(small_scene()));
+  EXPECT_EQ(message_of(good), "");
+  EXPECT_THAT(message_of(""), HasSubstr("no line of JSON"));
+  EXPECT_THAT(message_of(good + "x"), HasSubstr("no line of JSON"));
+  EXPECT_THAT(message_of("[]"), HasSubstr("the line must be an object"));
+  EXPECT_THAT(message_of(replaced(good, "\"edgecase\":1", "\"edgecase\":2")),
+              HasSubstr("/edgecase is 2"));
+  EXPECT_THAT(message_of(replaced(good, "\"digest\":\"", "\"digest\":\"0")),
+              HasSubstr("but the scene's is"));
+}
+
+TEST(RequestLine, RefusesWhatIsNoScene) {
+  const std::string good = scene_json(small_scene());
+  const auto refusal = [&](const std::string& from, const std::string& to) {
+    return message_of(request_of(replaced(good, from, to)));
+  };
+  EXPECT_THAT(refusal("\"width\":3", "\"width\":4097"), HasSubstr("/scene/target/width is 4097"));
+  EXPECT_THAT(refusal("\"fbo\"", "\"window\""), HasSubstr("unknown name \"window\""));
+  EXPECT_THAT(refusal("[-1,-2,8,16]", "[-1,-2,8,0]"), HasSubstr("/scene/viewport/3 is 0"));
+  EXPECT_THAT(refusal("[-1,-2,8,16]", "[-1,-2,8]"), HasSubstr("must have 4 elements"));
+  EXPECT_THAT(refusal("[-0.5,0.5,", "[0.1,0.5,"),
+              HasSubstr("/scene/draws/1/vertices/0/position/0 is 0.1"));
+  EXPECT_THAT(refusal("[-0.5,0.5,", "[9000,0.5,"), HasSubstr("must be a multiple of 2^-16"));
+  EXPECT_THAT(refusal("\"lines\"", "\"triangles\""), HasSubstr("no multiple of 3"));
+  EXPECT_THAT(refusal("[1.0,0.0,0.0,1.0]", "[2,0,0,1]"), HasSubstr("color/0 is 2"));
+  EXPECT_THAT(refusal("[1.0,0.0,0.0,1.0]", "[0.1,0,0,1]"), HasSubstr("float32"));
+  EXPECT_THAT(refusal("\"viewport\"", "\"window\""), HasSubstr("unknown key \"window\""));
+}
+
+}  // namespace
+}  // namespace edgecase

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// Probes of a renderer: small scenes whose renderings tell what it can do, whatever it claims.
+//
+// Sub-pixel bits are measured with a nearly horizontal edge across a row of pixels 256 wide. One
+// end stands still 1/16 pixel below the row's centres; the other climbs from the centre line to
+// 1/16 above it in steps of 2^-12. A renderer that snaps vertices to a grid of 2^-b sees the end
+// jump 2^(b-4) times on the way, however it rounds, and each jump moves the column where the edge
+// passes the centres. So the number of different renderings tells b.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "model/renderer.h"
+
+namespace edgecase {
+
+struct ProbeResult {
+  std::string problem;                       // why the renderer is unavailable; empty: it answers
+  std::chrono::milliseconds first_answer{};  // from the start to the first rendering
+  std::size_t points = 0;                    // fragments of the probe that draws one point
+  std::size_t lines = 0;
+  std::size_t triangles = 0;
+  bool smooth = false;           // colours are interpolated
+  bool fragment_colors = false;  // fragments come with colours and depth
+  bool hits_agree = false;       // hit counts are told, and equal the captured fragments
+  int subpixel_bits = 0;         // measured; 0: the probe failed
+  bool more_bits = false;        // the probe resolves no finer than that
+};
+
+// Draws the probes. The renderer must be fresh, or `first_answer` says nothing.
+ProbeResult probe(Renderer& renderer);
+
+}  // namespace edgecase

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase bless: from results to expectations. Shows what would change; --apply changes it.
+#include <fmt/format.h>
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "results/expectations.h"
+#include "results/results_json.h"
+#include "tools/edgecase/commands.h"
+#include "tools/edgecase/options.h"
+
+namespace edgecase {
+namespace {
+
+struct BlessCommand {
+  std::string results = "out/results.json";
+  std::string folder = "cases/expectations";
+  std::vector<std::string> filters;
+  std::vector<std::string> renderers;
+  std::string reason;
+  bool apply = false;
+};
+
+std::string describe(const Expectation& entry) {
+  return fmt::format("{} {}: {}", name_of(entry.verdict), entry.fingerprint, entry.reason);
+}
+
+void print_change(const ExpectationChange& change) {
+  if (change.before != nullptr) fmt::print("- {}: {}\n", change.id, describe(*change.before));
+  if (change.after) fmt::print("+ {}: {}\n", change.id, describe(*change.after));
+}
+
+bool selected(const std::vector<std::string>& globs, const std::string& name) {
+  return globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
+           return fnmatch(glob.c_str(), name.c_str(), 0) == 0;
+         });
+}
+
+// The entries as they stand; none where there is no file yet.
+std::optional<Expectations> load_current(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return Expectations{};
+  const auto text = read_file(path);
+  if (!text) return std::nullopt;
+  auto parsed = parse_expectations(*text);
+  if (auto* current = std::get_if<Expectations>(&parsed)) return std::move(*current);
+  print_error(fmt::format("{}: {}", path.string(), std::get<std::string>(parsed)));
+  return std::nullopt;
+}
+
+ExitCode bless_renderer(const BlessCommand& command, const Results& results, std::size_t index) {
+  const RendererInfo& info = results.renderers[index];
+  const auto path = std::filesystem::path(command.folder) / expectations_file_name(info.name);
+  auto current = load_current(path);
+  if (!current) return ExitCode::usage;
+  auto changes = plan_blessing(results, index, *current, command.reason);
+  std::erase_if(changes, [&](const ExpectationChange& change) {
+    return !selected(command.filters, change.id);
+  });
+  fmt::print("{}: {} change{}\n", path.string(), changes.size(), changes.size() == 1 ? "" : "s");
+  for (const ExpectationChange& change : changes) print_change(change);
+  if (!command.apply || changes.empty()) return ExitCode::as_expected;
+
+  Expectations updated = *current;
+  updated.renderer = info.name;
+  updated.measured = info.device + ", " + info.version;
+  for (const ExpectationChange& change : changes) {
+    if (change.after)
+      updated.cases[change.id] = *change.after;
+    else
+      updated.cases.erase(change.id);
+  }
+  return write_file(path, expectations_text(updated)) ? ExitCode::as_expected : ExitCode::internal;
+}
+
+ExitCode bless(const BlessCommand& command) {
+  const auto text = read_file(command.results);
+  if (!text) return ExitCode::usage;
+  const auto read = read_results(*text);
+  if (const auto* error = std::get_if<std::string>(&read)) {
+    print_error(fmt::format("{}: {}", command.results, *error));
+    return ExitCode::usage;
+  }
+  const auto& results = std::get<Results>(read);
+  ExitCode exit = ExitCode::as_expected;
+  for (std::size_t r = 0; r < results.renderers.size(); ++r)
+    if (selected(command.renderers, results.renderers[r].name))
+      exit = worse(exit, bless_renderer(command, results, r));
+  if (!command.apply) fmt::print("Nothing is written. Run again with --apply to write this.\n");
+  return exit;
+}
+
+}  // namespace
+
+void add_bless_command(CLI::App& app, ExitCode& exit) {
+  CLI::App* command = app.add_subcommand(
+      "bless", "Show how expectations would change to match results; write them with --apply");
+  auto options = std::make_shared<BlessCommand>();
+  command->add_option("results", options->results, "Results file of `edgecase run`")
+      ->capture_default_str();
+  command->add_option("--folder", options->folder, "Folder of the expectations files")
+      ->capture_default_str();
+  command->add_option("--filter", options->filters, "Only cases whose id matches; repeatable");
+  command->add_option("--against", options->renderers, "Only this renderer; repeatable");
+  command->add_option("--reason", options->reason,
+                      "Reason for new and changed entries (default: made of the causes found)");
+  command->add_flag("--apply", options->apply, "Write the files");
+  command->callback([options, &exit] { exit = bless(*options); });
+}
+
+}  // namespace edgecase

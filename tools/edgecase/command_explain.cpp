@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase explain: why exact draws a case as it does, and why a renderer that differs does.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "diff/compare.h"
+#include "raster/rasterizer.h"
+#include "rules/all_rules.h"
+#include "run/expectation_check.h"
+#include "tools/edgecase/commands.h"
+#include "tools/edgecase/suite_run.h"
+
+namespace edgecase {
+namespace {
+
+struct ExplainCommand {
+  std::string path;
+  std::string pixel;
+  PolicyOptions policy;
+  SuiteRunOptions run;
+};
+
+struct Pixel {
+  int x = 0;
+  int y = 0;
+};
+
+// "X,Y" inside the target; prints an error otherwise.
+std::optional<Pixel> parse_pixel(const std::string& text, const Target& target) {
+  Pixel pixel;
+  char rest = '\0';
+  if (std::sscanf(text.c_str(), "%d,%d%c", &pixel.x, &pixel.y, &rest) == 2 && pixel.x >= 0 &&
+      pixel.y >= 0 && pixel.x < target.width && pixel.y < target.height)
+    return pixel;
+  print_error(
+      fmt::format("--pixel \"{}\" is no pixel of this target; write X,Y with X from 0 to {} "
+                  "and Y from 0 (bottom) to {}",
+                  text, target.width - 1, target.height - 1));
+  return std::nullopt;
+}
+
+void print_exact_pixel(const Case& one, const Policy& policy, Pixel pixel) {
+  fmt::print("Pixel ({}, {}), centre ({}, {}), by policy {}:\n", pixel.x, pixel.y, pixel.x + .5,
+             pixel.y + .5, policy.name);
+  for (const PixelExplanation& why : explain_pixel(one.scene, policy, pixel.x, pixel.y))
+    fmt::print("  primitive {} {} it ({}): {}.\n", why.primitive,
+               why.covered ? "draws" : "does not draw", why.rule, why.text);
+}
+
+void print_disagreement(const Disagreement& d) {
+  fmt::print("  ({}, {}) {}, {}, {}{}\n    {}\n", d.x, d.y, name_of(d.kind), d.rule,
+             d.legal ? "allowed" : "NOT allowed",
+             d.cause.empty() ? "" : fmt::format(", cause {}", d.cause), d.explanation);
+  if (const Ruling* ruling = find_ruling(d.ruling))
+    fmt::print("    Ruling {}. {}\n", ruling->number, ruling->text);
+}
+
+void print_values(const ValueAggregate& values) {
+  fmt::print(
+      "  {}: {} of {} differ inside what ruling {} permits; worst {:.3g} ULP at ({}, {}), "
+      "exactly {:.9g}, rendered {:.9g}\n",
+      values.attribute, values.differing.size(), values.compared, values.ruling, values.worst_ulp,
+      values.worst.x, values.worst.y, values.worst_exact, values.worst_rendered);
+}
+
+void print_result(const Result& result, const RendererInfo& info, std::optional<Pixel> pixel) {
+  fmt::print("{} ({}): {}\n", info.name, info.device, name_of(result.verdict));
+  if (result.failure)
+    fmt::print("  {}: {}\n", name_of(result.failure->kind), result.failure->reason);
+  for (const Disagreement& d : result.disagreements)
+    if (!pixel || (pixel->x == d.x && pixel->y == d.y)) print_disagreement(d);
+  for (const ValueAggregate& values : result.values) print_values(values);
+}
+
+ExitCode explain(const ExplainCommand& command) {
+  const auto policy = command.policy.load();
+  if (!policy) return ExitCode::usage;
+  Selection selection;
+  selection.paths = {command.path};
+  const Suite suite = load_suite(selection);
+  print_diagnostics(suite.diagnostics);
+  if (!suite.diagnostics.empty()) return ExitCode::usage;
+  if (suite.cases.empty()) return ExitCode::nothing_selected;
+  ExitCode exit = ExitCode::as_expected;
+  for (const Case& one : suite.cases) {
+    std::optional<Pixel> pixel;
+    if (!command.pixel.empty()) {
+      pixel = parse_pixel(command.pixel, one.scene.target);
+      if (!pixel) return ExitCode::usage;
+    }
+    const Rendering exact = rasterize(one.scene, *policy);
+    fmt::print("{}: {}\n{}\n{}", one.id, one.title, one.why,
+               draw_hits(hits_of(exact), exact.width, exact.height));
+    if (pixel) print_exact_pixel(one, *policy, *pixel);
+    if (command.run.renderers.empty()) continue;
+    Suite single;
+    single.cases = {one};
+    const auto results = run_against(single, *policy, command.run);
+    if (!results) return ExitCode::usage;
+    if (results->cases.empty()) return ExitCode::unexpected;
+    for (std::size_t r = 0; r < results->renderers.size(); ++r) {
+      const Result& result = results->cases.front().results[r];
+      print_result(result, results->renderers[r], pixel);
+      if (result.failure) exit = ExitCode::renderer;
+    }
+  }
+  return exit;
+}
+
+}  // namespace
+
+void add_explain_command(CLI::App& app, ExitCode& exit) {
+  CLI::App* command = app.add_subcommand(
+      "explain", "Say why pixels of a case are drawn, and why a renderer differs");
+  auto options = std::make_shared<ExplainCommand>();
+  command->add_option("case", options->path, "Case file")->required();
+  command->add_option("--pixel", options->pixel, "X,Y: only this pixel, y up");
+  options->policy.add_to(*command);
+  options->run.add_to(*command);
+  command->callback([options, &exit] { exit = explain(*options); });
+}
+
+}  // namespace edgecase

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase report: reports from a results file, without rendering anything.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "results/results_json.h"
+#include "tools/edgecase/commands.h"
+#include "tools/edgecase/report_files.h"
+#include "tools/edgecase/suite_run.h"
+
+namespace edgecase {
+namespace {
+
+// The text of the case files is not part of a results file; take it from where they lie.
+void load_sources(Results& results) {
+  for (CaseResults& one : results.cases) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(one.file, error)) continue;
+    if (auto text = read_file(one.file)) one.source = std::move(*text);
+  }
+}
+
+ExitCode report(const std::string& path, const ReportFiles& files) {
+  const auto text = read_file(path);
+  if (!text) return ExitCode::usage;
+  auto read = read_results(*text);
+  if (const auto* error = std::get_if<std::string>(&read)) {
+    print_error(fmt::format("{}: {}", path, *error));
+    return ExitCode::usage;
+  }
+  auto& results = std::get<Results>(read);
+  load_sources(results);
+  return files.write(results) ? ExitCode::as_expected : ExitCode::internal;
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app, ExitCode& exit) {
+  CLI::App* command =
+      app.add_subcommand("report", "Write reports from a results file, without rendering");
+  auto path = std::make_shared<std::string>();
+  auto files = std::make_shared<ReportFiles>();
+  command->add_option("results", *path, "Results file of `edgecase run`")->required();
+  files->add_to(*command);
+  command->callback([path, files, &exit] { exit = report(*path, *files); });
+}
+
+}  // namespace edgecase

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// The subcommands: each adds itself to the command line and, when chosen, sets the exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "tools/edgecase/exit_code.h"
+
+namespace edgecase {
+
+void add_run_command(CLI::App& app, ExitCode& exit);
+void add_render_command(CLI::App& app, ExitCode& exit);
+void add_explain_command(CLI::App& app, ExitCode& exit);
+void add_rules_command(CLI::App& app, ExitCode& exit);
+void add_backends_command(CLI::App& app, ExitCode& exit);
+void add_validate_command(CLI::App& app, ExitCode& exit);
+void add_bless_command(CLI::App& app, ExitCode& exit);
+void add_report_command(CLI::App& app, ExitCode& exit);
+
+}  // namespace edgecase

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// Options that several subcommands share, and what they mean.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/policy.h"
+#include "run/selection.h"
+
+namespace edgecase {
+
+inline constexpr const char* kToolName = "edgecase " EDGECASE_VERSION;
+
+// Which cases: PATH…, --filter, --exclude, --tag, --shard.
+struct SelectionOptions {
+  std::vector<std::string> paths;
+  std::vector<std::string> filters;
+  std::vector<std::string> excludes;
+  std::vector<std::string> tags;
+  std::string shard;
+
+  void add_to(CLI::App& command, bool with_shard);
+  // The selection, `cases` where no path is given; throws CLI::ValidationError for a bad --shard.
+  Selection selection() const;
+};
+
+// --policy NAME|FILE and --strict.
+struct PolicyOptions {
+  std::string policy = "opengl";
+  bool strict = false;
+
+  void add_to(CLI::App& command);
+  // Prints what is wrong and returns nothing when the policy cannot be had.
+  std::optional<Policy> load() const;
+};
+
+// The folder whose expectations and policies belong to these paths: the nearest `cases`, or the
+// first folder given.
+std::filesystem::path suite_folder(const Selection& selection);
+
+// Prints diagnostics, one a line, to standard error.
+void print_diagnostics(const std::vector<Diagnostic>& diagnostics);
+
+// Prints "edgecase: message" to standard error.
+void print_error(const std::string& message);
+
+// Reads a whole file; prints an error and returns nothing when it cannot be read.
+std::optional<std::string> read_file(const std::filesystem::path& path);
+
+// Writes a file, its folder made if need be; false, with the error printed, when it cannot be.
+bool write_file(const std::filesystem::path& path, const std::string& text);
+
+// Should output to `descriptor` be coloured? `choice`: auto, always or never.
+bool use_color(const std::string& choice, int descriptor);
+
+}  // namespace edgecase

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "tools/edgecase/suite_run.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "run/renderer_names.h"
+#include "run/run.h"
+
+namespace edgecase {
+namespace {
+
+std::atomic<bool> interrupted = false;
+
+void on_interrupt(int) {
+  interrupted = true;
+}
+
+// One line on a terminal that is written over: cases done, rate, time left.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool enabled) : enabled_(enabled) {}
+  ~ProgressLine() {
+    if (shown_) fmt::print(stderr, "\r\x1b[K");
+  }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void update(std::size_t done, std::size_t total) {
+    if (!enabled_) return;
+    const std::lock_guard lock(mutex_);
+    const auto now = Clock::now();
+    if (now - last_ < std::chrono::milliseconds(100)) return;
+    last_ = now;
+    shown_ = true;
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    const double rate = static_cast<double>(done) / std::max(seconds, 1e-3);
+    fmt::print(stderr, "\r\x1b[K{} of {} cases, {:.0f} per second, {:.0f} s left", done, total,
+               rate, static_cast<double>(total - done) / std::max(rate, 1e-3));
+    std::fflush(stderr);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool enabled_;
+  bool shown_ = false;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_ = start_;
+  std::mutex mutex_;
+};
+
+bool is_known(const std::string& renderer) {
+  auto made = make_renderer(renderer, {{}, std::chrono::seconds(1), executable_directory()});
+  if (const auto* error = std::get_if<std::string>(&made)) {
+    print_error(*error);
+    return false;
+  }
+  return true;
+}
+
+bool are_known(const std::vector<std::string>& renderers) {
+  std::set<std::string> seen;
+  for (const std::string& renderer : renderers) {
+    if (!is_known(renderer)) return false;
+    if (seen.insert(renderer).second) continue;
+    print_error(fmt::format("the renderer {} is named twice; name it once", renderer));
+    return false;
+  }
+  return true;
+}
+
+ExitCode exit_code_of(const Result& result) {
+  if (result.standing == Standing::expected) return ExitCode::as_expected;
+  if (result.failure && result.failure->kind != FailureKind::unsupported) return ExitCode::renderer;
+  return ExitCode::unexpected;
+}
+
+}  // namespace
+
+void SuiteRunOptions::add_to(CLI::App& command) {
+  command.add_option(
+      "--against", renderers,
+      "Renderer to compare with exact, repeatable: osmesa:llvmpipe, osmesa:softpipe, "
+      "egl:llvmpipe, egl:softpipe, egl:deviceN, exec:PROGRAM, exact");
+  command.add_option("--jobs", jobs, "Threads (default: one per processor)")
+      ->check(CLI::Range(1, 256));
+  command.add_option("--timeout", timeout, "Seconds per case")->check(CLI::Range(0.01, 3600.0));
+  command.add_option("--progress", progress, "Progress on standard error")
+      ->check(CLI::IsMember({"auto", "never"}));
+}
+
+std::string default_renderer() {
+  for (const char* library : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
+    void* handle = dlopen(library, RTLD_LAZY | RTLD_LOCAL);
+    if (handle == nullptr) continue;
+    dlclose(handle);
+    return "osmesa:llvmpipe";
+  }
+  return "egl:llvmpipe";
+}
+
+std::optional<Results> run_against(const Suite& suite, const Policy& policy,
+                                   SuiteRunOptions options) {
+  if (options.renderers.empty()) options.renderers = {default_renderer()};
+  if (!are_known(options.renderers)) return std::nullopt;
+  ProgressLine progress(options.progress == "auto" && isatty(STDERR_FILENO) != 0);
+
+  RunOptions run;
+  run.policy = policy;
+  run.renderers = options.renderers;
+  run.renderer_options = {policy,
+                          std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),
+                          executable_directory()};
+  run.jobs =
+      options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
+  run.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
+  run.stop = &interrupted;
+  const auto previous = std::signal(SIGINT, on_interrupt);
+  Results results = run_suite(suite, run);
+  std::signal(SIGINT, previous);
+  results.tool = kToolName;
+  return results;
+}
+
+std::optional<std::vector<Expectations>> load_expectations(const std::filesystem::path& folder,
+                                                           const std::vector<std::string>& files) {
+  std::vector<std::filesystem::path> paths(files.begin(), files.end());
+  std::error_code error;
+  if (files.empty())
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+      if (entry.path().extension() == ".json") paths.push_back(entry.path());
+  std::vector<Expectations> result;
+  for (const auto& path : paths) {
+    const auto text = read_file(path);
+    if (!text) return std::nullopt;
+    auto parsed = parse_expectations(*text);
+    if (const auto* message = std::get_if<std::string>(&parsed)) {
+      print_error(fmt::format("{}: {}; put it right, or make it anew with `edgecase bless`",
+                              path.string(), *message));
+      return std::nullopt;
+    }
+    result.push_back(std::move(std::get<Expectations>(parsed)));
+  }
+  return result;
+}
+
+void apply_all_expectations(const std::vector<Expectations>& expectations, Results& results) {
+  for (std::size_t r = 0; r < results.renderers.size(); ++r) {
+    const Expectations* own = nullptr;
+    for (const Expectations& candidate : expectations)
+      if (candidate.renderer == results.renderers[r].name) own = &candidate;
+    apply_expectations(results, r, own);
+  }
+}
+
+ExitCode exit_code_of(const Results& results) {
+  ExitCode exit = ExitCode::as_expected;
+  if (!results.diagnostics.empty()) exit = worse(exit, ExitCode::usage);
+  if (results.cases.empty() && results.diagnostics.empty()) exit = ExitCode::nothing_selected;
+  if (results.interrupted) exit = worse(exit, ExitCode::unexpected);
+  for (const CaseResults& one : results.cases) {
+    if (!one.expect_failures.empty()) exit = worse(exit, ExitCode::unexpected);
+    for (const Result& result : one.results) exit = worse(exit, exit_code_of(result));
+  }
+  return exit;
+}
+
+}  // namespace edgecase

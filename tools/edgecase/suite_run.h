@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// What `run` and `explain --against` share: rendering a suite against renderers, with progress on
+// standard error and Ctrl-C that keeps what was finished.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results/expectations.h"
+#include "results/results.h"
+#include "run/selection.h"
+#include "tools/edgecase/exit_code.h"
+#include "tools/edgecase/options.h"
+
+namespace edgecase {
+
+struct SuiteRunOptions {
+  std::vector<std::string> renderers;  // none: the default one
+  int jobs = 0;                        // 0: one per processor
+  double timeout = 10;                 // seconds per case
+  std::string progress = "auto";
+
+  void add_to(CLI::App& command);
+};
+
+// The renderer that is used where none is named: OSMesa's llvmpipe, or EGL's where there is no
+// OSMesa.
+std::string default_renderer();
+
+// Runs the suite. Prints an error and returns nothing when a renderer's name is unknown or given
+// twice.
+std::optional<Results> run_against(const Suite& suite, const Policy& policy,
+                                   SuiteRunOptions options);
+
+// The expectations of the results' renderers, read from `folder` or from the files named; a file
+// that is missing in the folder is no error. Nothing, with the error printed, when one is broken.
+std::optional<std::vector<Expectations>> load_expectations(const std::filesystem::path& folder,
+                                                           const std::vector<std::string>& files);
+
+// Applies the expectations to the renderers that they belong to.
+void apply_all_expectations(const std::vector<Expectations>& expectations, Results& results);
+
+// The exit code that results deserve, expectations having been applied.
+ExitCode exit_code_of(const Results& results);
+
+}  // namespace edgecase
