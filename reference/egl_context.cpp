@@ -8,7 +8,9 @@
 #include <EGL/eglext.h>
 #include <fmt/format.h>
 
-#include <string_view>
+#include <algorithm>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "reference/shared_library.h"
@@ -24,7 +26,10 @@ struct EglFunctions {
   decltype(eglTerminate)* terminate = nullptr;
   decltype(eglBindAPI)* bind_api = nullptr;
   decltype(eglChooseConfig)* choose_config = nullptr;
+  decltype(eglGetConfigAttrib)* get_config_attribute = nullptr;
   decltype(eglCreateContext)* create_context = nullptr;
+  decltype(eglCreatePbufferSurface)* create_pbuffer = nullptr;
+  decltype(eglDestroySurface)* destroy_surface = nullptr;
   decltype(eglMakeCurrent)* make_current = nullptr;
   decltype(eglGetError)* get_error = nullptr;
 
@@ -33,7 +38,10 @@ struct EglFunctions {
            library.load("eglQueryString", query_string) &&
            library.load("eglInitialize", initialize) && library.load("eglTerminate", terminate) &&
            library.load("eglBindAPI", bind_api) && library.load("eglChooseConfig", choose_config) &&
+           library.load("eglGetConfigAttrib", get_config_attribute) &&
            library.load("eglCreateContext", create_context) &&
+           library.load("eglCreatePbufferSurface", create_pbuffer) &&
+           library.load("eglDestroySurface", destroy_surface) &&
            library.load("eglMakeCurrent", make_current) && library.load("eglGetError", get_error);
   }
 
@@ -43,7 +51,10 @@ struct EglFunctions {
   }
 };
 
-// The display owns its contexts: terminating it frees them.
+// Pbuffers kept at a time; a suite uses a handful of sizes.
+constexpr std::size_t kMostPbuffers = 16;
+
+// The display owns its contexts and surfaces: terminating it frees them.
 class EglContext final : public GlContext {
  public:
   EglContext(const EglFunctions& egl, EGLDisplay display, std::string description)
@@ -55,20 +66,86 @@ class EglContext final : public GlContext {
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
-  void set_context(EGLContext context) { context_ = context; }
+  void set_context(EGLContext context, EGLConfig config) {
+    context_ = context;
+    config_ = config;
+  }
 
-  bool make_current() override {
-    return egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+  bool make_current() override { return bind(EGL_NO_SURFACE); }
+  std::string bind_window(int width, int height) override {
+    const EGLSurface surface = find_pbuffer(width, height);
+    if (surface == EGL_NO_SURFACE || (surface != current_ && !bind(surface)))
+      return fmt::format("{} refuses a pbuffer of {}x{}: EGL error {:#06x}", description_, width,
+                         height, egl_.get_error());
+    return "";
   }
   GlFunction get_proc(const char* name) const override { return egl_.get_proc_address(name); }
   std::string description() const override { return description_; }
 
  private:
+  bool bind(EGLSurface surface) {
+    if (egl_.make_current(display_, surface, surface, context_) != EGL_TRUE) return false;
+    current_ = surface;
+    return true;
+  }
+
+  EGLSurface find_pbuffer(int width, int height) {
+    const std::pair size(width, height);
+    if (const auto found = pbuffers_.find(size); found != pbuffers_.end()) return found->second;
+    if (pbuffers_.size() >= kMostPbuffers) {
+      // The one that is current lives until another one is.
+      for (const auto& [ignored, surface] : pbuffers_) egl_.destroy_surface(display_, surface);
+      pbuffers_.clear();
+      current_ = EGL_NO_SURFACE;
+    }
+    const EGLint attributes[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
+    const EGLSurface surface = egl_.create_pbuffer(display_, config_, attributes);
+    if (surface != EGL_NO_SURFACE) pbuffers_.emplace(size, surface);
+    return surface;
+  }
+
   EglFunctions egl_;
   EGLDisplay display_;
   EGLContext context_ = EGL_NO_CONTEXT;
+  EGLConfig config_ = nullptr;
+  EGLSurface current_ = EGL_NO_SURFACE;
+  std::map<std::pair<int, int>, EGLSurface> pbuffers_;
   std::string description_;
 };
+
+// A configuration with exactly 8 bits per channel, one sample and pbuffers; null when there is
+// none. EGL lists deeper formats first, so the list is searched.
+EGLConfig find_config(const EglFunctions& egl, EGLDisplay display) {
+  const EGLint wanted[] = {EGL_SURFACE_TYPE,
+                           EGL_PBUFFER_BIT,
+                           EGL_RENDERABLE_TYPE,
+                           EGL_OPENGL_BIT,
+                           EGL_RED_SIZE,
+                           8,
+                           EGL_GREEN_SIZE,
+                           8,
+                           EGL_BLUE_SIZE,
+                           8,
+                           EGL_ALPHA_SIZE,
+                           8,
+                           EGL_SAMPLE_BUFFERS,
+                           0,
+                           EGL_NONE};
+  EGLint count = 0;
+  if (egl.choose_config(display, wanted, nullptr, 0, &count) != EGL_TRUE) return nullptr;
+  std::vector<EGLConfig> configs(static_cast<std::size_t>(count));
+  egl.choose_config(display, wanted, configs.data(), count, &count);
+  const auto has_eight_bits = [&](EGLConfig config) {
+    for (EGLint channel : {EGL_RED_SIZE, EGL_GREEN_SIZE, EGL_BLUE_SIZE, EGL_ALPHA_SIZE}) {
+      EGLint bits = 0;
+      egl.get_config_attribute(display, config, channel, &bits);
+      if (bits != 8) return false;
+    }
+    return true;
+  };
+  const auto found = std::find_if(configs.begin(), configs.end(), has_eight_bits);
+  return found == configs.end() ? nullptr : *found;
+}
 
 EGLContext create_core_context(const EglFunctions& egl, EGLDisplay display, EGLConfig config) {
   constexpr EGLint kVersions[][2] = {{4, 6}, {4, 5}, {4, 3}, {3, 3}};
@@ -95,16 +172,13 @@ ContextResult make_context(const EglFunctions& egl, EGLDisplay display, std::str
   auto result = std::make_unique<EglContext>(egl, display, description);
   if (egl.bind_api(EGL_OPENGL_API) != EGL_TRUE)
     return ContextError{description + " offers no desktop OpenGL"};
-  const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                           EGL_NONE};
-  EGLConfig config = nullptr;
-  EGLint count = 0;
-  if (egl.choose_config(display, wanted, &config, 1, &count) != EGL_TRUE || count == 0)
-    return ContextError{description + " has no configuration for desktop OpenGL"};
+  const EGLConfig config = find_config(egl, display);
+  if (config == nullptr)
+    return ContextError{description + " has no configuration for desktop OpenGL with RGBA8"};
   const EGLContext context = create_core_context(egl, display, config);
   if (context == EGL_NO_CONTEXT)
     return ContextError{description + " offers no OpenGL core context of version 3.3 or later"};
-  result->set_context(context);
+  result->set_context(context, config);
   return result;
 }
 

@@ -2,9 +2,10 @@
 //
 // EGL without a window system: Mesa's surfaceless platform, or a device by its number.
 //
-// The context is current without any surface; all drawing goes to framebuffer objects. Device
-// numbers are the positions in the list of EGL_EXT_device_enumeration: real hardware comes first
-// where there is one, and Mesa adds one software device.
+// The context is current without any surface until a scene asks for a window surface: pbuffers,
+// kept by size, stand in for windows. Device numbers are the positions in the list of
+// EGL_EXT_device_enumeration: real hardware comes first where there is one, and Mesa adds one
+// software device.
 #pragma once
 
 #include "reference/gl_context.h"

@@ -4,6 +4,10 @@
 //
 // One process holds one context for its whole life: Mesa reads the choice of its driver once per
 // process, and a driver that crashes must take nothing else with it.
+//
+// Beside framebuffer objects, which are the GL's, there is the framebuffer of the window system:
+// OSMesa's own buffer, or an EGL pbuffer. It is what framebuffer 0 names while it is bound, has
+// RGBA8 colours and one sample, and drivers may treat it otherwise than a framebuffer object.
 #pragma once
 
 #include <memory>
@@ -19,6 +23,10 @@ class GlContext {
   virtual ~GlContext() = default;
   // Makes the context current on this thread; false when the system refuses.
   virtual bool make_current() = 0;
+  // Keeps the context current, and makes a window-system framebuffer of this size, in pixels, its
+  // framebuffer 0. Contents are undefined. Returns why that cannot be; empty: done. Framebuffer
+  // objects and all other state stay as they are.
+  virtual std::string bind_window(int width, int height) = 0;
   // The GL function of this name, or null. The context must be current.
   virtual GlFunction get_proc(const char* name) const = 0;
   // How the context was made: "OSMesa", "EGL surfaceless", "EGL device 0".

@@ -3,7 +3,9 @@
 
 #include <GL/osmesa.h>
 
-#include <array>
+#include <fmt/format.h>
+
+#include <vector>
 
 #include "reference/shared_library.h"
 
@@ -33,19 +35,37 @@ class OsmesaContext final : public GlContext {
   OsmesaContext(const OsmesaContext&) = delete;
   OsmesaContext& operator=(const OsmesaContext&) = delete;
 
-  bool make_current() override {
-    return functions_.make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSize, kSize) ==
-           GL_TRUE;
+  bool make_current() override { return bind(kFirstSize, kFirstSize); }
+  std::string bind_window(int width, int height) override {
+    if (width == width_ && height == height_) return "";
+    if (bind(width, height)) return "";
+    width_ = height_ = 0;
+    return fmt::format("OSMesa refuses a buffer of {}x{}", width, height);
   }
   GlFunction get_proc(const char* name) const override { return functions_.get_proc_address(name); }
   std::string description() const override { return "OSMesa"; }
 
  private:
-  static constexpr int kSize = 16;  // pixels; nothing is ever drawn here
+  static constexpr int kFirstSize = 16;  // pixels; until a scene asks for a window
+
+  // OSMesa copies what is drawn to the buffer, which must live until another one is bound.
+  bool bind(int width, int height) {
+    std::vector<unsigned char> buffer(4 * static_cast<std::size_t>(width) *
+                                      static_cast<std::size_t>(height));
+    if (functions_.make_current(context_, buffer.data(), GL_UNSIGNED_BYTE, width, height) !=
+        GL_TRUE)
+      return false;
+    buffer_.swap(buffer);
+    width_ = width;
+    height_ = height;
+    return true;
+  }
 
   OsmesaFunctions functions_;
   OSMesaContext context_;
-  std::array<unsigned char, 4 * kSize * kSize> buffer_{};
+  std::vector<unsigned char> buffer_;  // RGBA8, bottom row first: OSMESA_Y_UP is the default
+  int width_ = 0;                      // of buffer_, in pixels
+  int height_ = 0;
 };
 
 OSMesaContext create_core_context(const OsmesaFunctions& functions, int major, int minor) {

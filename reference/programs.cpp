@@ -14,11 +14,13 @@ layout(location = 1) in vec4 color;
 layout(location = 2) in int primitive;
 flat out vec4 flat_color;
 smooth out vec4 smooth_color;
+noperspective out vec4 noperspective_color;
 flat out int primitive_index;
 void main() {
   gl_Position = position;
   flat_color = color;
   smooth_color = color;
+  noperspective_color = color;
   primitive_index = primitive;
 }
 )";
@@ -26,17 +28,20 @@ void main() {
 constexpr const char* kColorShader = R"(#version 430 core
 flat in vec4 flat_color;
 smooth in vec4 smooth_color;
-layout(location = 0) uniform int use_smooth;
+noperspective in vec4 noperspective_color;
+layout(location = 0) uniform int interpolation;
 layout(location = 0) out vec4 target;
 void main() {
-  target = use_smooth != 0 ? smooth_color : flat_color;
+  target = interpolation == 0 ? flat_color
+                              : (interpolation == 1 ? smooth_color : noperspective_color);
 }
 )";
 
 constexpr const char* kCountShader = R"(#version 430 core
+layout(location = 2) uniform float hit_step;
 layout(location = 0) out vec4 target;
 void main() {
-  target = vec4(1.0, 0.0, 0.0, 1.0);
+  target = vec4(hit_step, 0.0, 0.0, 0.0);
 }
 )";
 
@@ -44,8 +49,9 @@ void main() {
 constexpr const char* kCaptureShader = R"(#version 430 core
 flat in vec4 flat_color;
 smooth in vec4 smooth_color;
+noperspective in vec4 noperspective_color;
 flat in int primitive_index;
-layout(location = 0) uniform int use_smooth;
+layout(location = 0) uniform int interpolation;
 layout(location = 1) uniform uint capacity;
 layout(location = 0) out vec4 target;
 struct Record {
@@ -64,7 +70,8 @@ layout(std430, binding = 0) buffer Capture {
   Record records[];
 };
 void main() {
-  vec4 color = use_smooth != 0 ? smooth_color : flat_color;
+  vec4 color = interpolation == 0 ? flat_color
+                                  : (interpolation == 1 ? smooth_color : noperspective_color);
   uint slot = atomicAdd(count, 1u);
   if (slot < capacity) {
     records[slot] = Record(int(gl_FragCoord.x), int(gl_FragCoord.y), primitive_index,

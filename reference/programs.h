@@ -3,9 +3,9 @@
 // The three GL programs, compiled once: a program per case would cost more than all drawing.
 //
 // All share one vertex shader, so that every pass rasterizes the same primitives. What differs from
-// draw to draw is a uniform or a vertex attribute. The primitive's index travels as a flat
-// attribute that is equal at all its vertices: gl_PrimitiveID makes a shader draw nothing on one
-// driver and is garbage on another.
+// draw to draw is a uniform or a vertex attribute. The primitive's number travels as a flat
+// attribute, reference/vertex_data.h: gl_PrimitiveID makes a shader draw nothing on one driver and
+// is garbage on another.
 #pragma once
 
 #include <string>
@@ -21,15 +21,20 @@ constexpr GLuint kColorAttribute = 1;      // vec4
 constexpr GLuint kPrimitiveAttribute = 2;  // int
 
 // Uniform locations of the fragment shaders.
-constexpr GLint kSmoothUniform = 0;    // int: 1 takes the interpolated colour, 0 the flat one
-constexpr GLint kCapacityUniform = 1;  // uint: records that the capture's buffer has room for
+constexpr GLint kInterpolationUniform = 0;  // int: which of the colours below is taken
+constexpr GLint kCapacityUniform = 1;       // uint: records that the capture's buffer has room for
+constexpr GLint kStepUniform = 2;           // float: what the count program writes
+
+constexpr GLint kFlatColor = 0;
+constexpr GLint kSmoothColor = 1;
+constexpr GLint kNoperspectiveColor = 2;
 
 // Binding of the capture's buffer.
 constexpr GLuint kCaptureBinding = 0;
 
 struct Programs {
   GlProgram color;    // writes the fragment's colour
-  GlProgram count;    // writes 1 to the red channel
+  GlProgram count;    // writes the step to the red channel
   GlProgram capture;  // writes the colour, and appends a record: see reference/capture.h
 };
 

@@ -3,126 +3,44 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+
+#include "reference/draw_state.h"
+#include "reference/vertex_data.h"
 
 namespace edgecase {
 
 namespace {
 
-struct GpuVertex {
-  float clip[4];
-  float color[4];
-  std::int32_t primitive;
-};
-
-// The clip coordinate that the viewport transform takes to window coordinate `window`.
-float to_clip(Fixed window, int origin, int size) {
-  const double half = size / 2.0;
-  return static_cast<float>((window.to_double() - (origin + half)) / half);
-}
-
-std::vector<GpuVertex> gpu_vertices(const Scene& scene) {
-  std::vector<GpuVertex> result;
-  const Viewport& viewport = scene.viewport;
-  for (const ScenePrimitive& primitive : primitives_of(scene)) {
-    const int count = vertices_per_primitive(primitive.state->primitive);
-    for (int i = 0; i < count; ++i) {
-      const Vertex& vertex = primitive.vertices[i];
-      const Color& color = vertex.color;
-      result.push_back({{to_clip(vertex.position.x, viewport.x, viewport.width),
-                         to_clip(vertex.position.y, viewport.y, viewport.height),
-                         static_cast<float>(vertex.z.to_double()), 1.0f},
-                        {color[0], color[1], color[2], color[3]},
-                        primitive.index});
-    }
+// The value of the interpolation uniform.
+GLint to_uniform(Interpolation interpolation) {
+  switch (interpolation) {
+    case Interpolation::flat:
+      return kFlatColor;
+    case Interpolation::smooth:
+      return kSmoothColor;
+    case Interpolation::noperspective:
+      return kNoperspectiveColor;
   }
-  return result;
+  return kFlatColor;
 }
 
-GLenum mode_of(Primitive primitive) {
-  switch (primitive) {
-    case Primitive::points:
-      return GL_POINTS;
-    case Primitive::lines:
-      return GL_LINES;
-    case Primitive::triangles:
-      return GL_TRIANGLES;
-  }
-  return GL_POINTS;
+std::size_t area_of(const Rendering& rendering) {
+  return static_cast<std::size_t>(rendering.width) * static_cast<std::size_t>(rendering.height);
 }
 
-// The whole fixed-function state of a draw, but for blending, which belongs to the pass.
-void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw) {
-  constexpr GLenum kSwitchedOff[] = {GL_CULL_FACE,
-                                     GL_DEPTH_TEST,
-                                     GL_STENCIL_TEST,
-                                     GL_SCISSOR_TEST,
-                                     GL_DITHER,
-                                     GL_LINE_SMOOTH,
-                                     GL_POLYGON_SMOOTH,
-                                     GL_POLYGON_OFFSET_POINT,
-                                     GL_POLYGON_OFFSET_LINE,
-                                     GL_POLYGON_OFFSET_FILL,
-                                     GL_COLOR_LOGIC_OP,
-                                     GL_FRAMEBUFFER_SRGB,
-                                     GL_DEPTH_CLAMP,
-                                     GL_PRIMITIVE_RESTART,
-                                     GL_RASTERIZER_DISCARD,
-                                     GL_PROGRAM_POINT_SIZE,
-                                     GL_SAMPLE_ALPHA_TO_COVERAGE,
-                                     GL_SAMPLE_COVERAGE,
-                                     GL_SAMPLE_MASK};
-  for (GLenum off : kSwitchedOff) gl.Disable(off);
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  gl.PointSize(1);
-  gl.LineWidth(1);
-  gl.DepthRange(0, 1);
-  gl.Viewport(scene.viewport.x, scene.viewport.y, scene.viewport.width, scene.viewport.height);
-  gl.ProvokingVertex(draw.provoking_vertex == ProvokingVertex::first ? GL_FIRST_VERTEX_CONVENTION
-                                                                     : GL_LAST_VERTEX_CONVENTION);
-}
-
-void clear(const GladGLContext& gl, const GlFramebuffer& framebuffer, const Color& color) {
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-  gl.Disable(GL_SCISSOR_TEST);
-  gl.Disable(GL_DITHER);
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl.ClearBufferfv(GL_COLOR, 0, color.data());
-}
-
-const char* name_of_error(GLenum error) {
-  switch (error) {
-    case GL_INVALID_ENUM:
-      return "GL_INVALID_ENUM";
-    case GL_INVALID_VALUE:
-      return "GL_INVALID_VALUE";
-    case GL_INVALID_OPERATION:
-      return "GL_INVALID_OPERATION";
-    case GL_INVALID_FRAMEBUFFER_OPERATION:
-      return "GL_INVALID_FRAMEBUFFER_OPERATION";
-    case GL_OUT_OF_MEMORY:
-      return "GL_OUT_OF_MEMORY";
-    case GL_CONTEXT_LOST:
-      return "GL_CONTEXT_LOST";
-    default:
-      return "an unknown GL error";
-  }
-}
-
-// The first error since the last call, or GL_NO_ERROR. A lost context reports its loss for ever.
-GLenum take_error(const GladGLContext& gl) {
-  const GLenum first = gl.GetError();
-  for (GLenum next = first; next != GL_NO_ERROR && next != GL_CONTEXT_LOST;) next = gl.GetError();
-  return first;
+std::string text_of(const std::array<float, 2>& range) {
+  return fmt::format("{:g} to {:g}", range[0], range[1]);
 }
 
 }  // namespace
 
-SceneRenderer::Objects::Objects(const GladGLContext& gl, Programs made)
+SceneRenderer::Objects::Objects(const GladGLContext& gl, GlContext& context, Programs made)
     : programs(std::move(made)),
       capture(gl),
-      targets(gl),
+      targets(gl, context),
       vertices(make_buffer(gl)),
       vertex_array(make_vertex_array(gl)) {
   gl.BindVertexArray(vertex_array.name());
@@ -140,11 +58,11 @@ SceneRenderer::Objects::Objects(const GladGLContext& gl, Programs made)
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
 }
 
-SceneRenderer::SceneRenderer(const GlContext& context) {
+SceneRenderer::SceneRenderer(GlContext& context) {
   const auto load = [](void* user, const char* name) {
     return static_cast<const GlContext*>(user)->get_proc(name);
   };
-  const int version = gladLoadGLContextUserPtr(&gl_, load, const_cast<GlContext*>(&context));
+  const int version = gladLoadGLContextUserPtr(&gl_, load, &context);
   if (version == 0) {
     problem_ = "the context offers no OpenGL functions";
     return;
@@ -164,7 +82,7 @@ SceneRenderer::SceneRenderer(const GlContext& context) {
     problem_ = error->message;
     return;
   }
-  objects_.emplace(gl_, std::move(std::get<Programs>(programs)));
+  objects_.emplace(gl_, context, std::move(std::get<Programs>(programs)));
   info_.traits["capture"] = "ssbo";
   if (const GLenum error = take_error(gl_); error != GL_NO_ERROR)
     problem_ = fmt::format("preparing the context raised {}", name_of_error(error));
@@ -186,10 +104,17 @@ void SceneRenderer::describe(const GlContext& context) {
   info_.subpixel_bits = integer(GL_SUBPIXEL_BITS);
   gl_.GetIntegerv(GL_MAX_VIEWPORT_DIMS, max_viewport_);
   max_size_ = integer(GL_MAX_RENDERBUFFER_SIZE);
+  gl_.GetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, line_widths_.data());
+  gl_.GetFloatv(GL_POINT_SIZE_RANGE, point_sizes_.data());
+  // Wide lines are deprecated, and an error in contexts that promise to do without.
+  if ((integer(GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) != 0)
+    line_widths_[1] = std::min(line_widths_[1], 1.0f);
   info_.traits = {{"context", context.description()},
                   {"glsl", text(GL_SHADING_LANGUAGE_VERSION)},
                   {"max_samples", std::to_string(integer(GL_MAX_SAMPLES))},
                   {"max_viewport", fmt::format("{}x{}", max_viewport_[0], max_viewport_[1])},
+                  {"line_widths", text_of(line_widths_)},
+                  {"point_sizes", text_of(point_sizes_)},
                   {"capture", "none"}};
 }
 
@@ -203,6 +128,24 @@ std::string SceneRenderer::limit_exceeded_by(const Scene& scene) const {
   if (scene.viewport.width > max_viewport_[0] || scene.viewport.height > max_viewport_[1])
     return fmt::format("a {}x{} viewport exceeds this driver's {}x{}", scene.viewport.width,
                        scene.viewport.height, max_viewport_[0], max_viewport_[1]);
+  for (const Draw& draw : scene.draws)
+    if (std::string problem = limit_exceeded_by(draw); !problem.empty()) return problem;
+  return "";
+}
+
+std::string SceneRenderer::limit_exceeded_by(const Draw& draw) const {
+  const PrimitiveKind kind = kind_of(draw.primitive);
+  const double size = draw.point_size.to_double();
+  if (kind == PrimitiveKind::point &&
+      (size < static_cast<double>(point_sizes_[0]) || size > static_cast<double>(point_sizes_[1])))
+    return fmt::format("points of size {} are not drawn by this driver: it has {}", size,
+                       text_of(point_sizes_));
+  // A width is rounded to a whole number, at least 1 (GL 4.6 core, 14.5.2.1).
+  const double width = draw.line_width.to_double();
+  if (kind == PrimitiveKind::line &&
+      std::floor(width + 0.5) > std::max(1.0, static_cast<double>(line_widths_[1])))
+    return fmt::format("lines of width {} are not drawn by this driver: it has {}", width,
+                       text_of(line_widths_));
   return "";
 }
 
@@ -228,14 +171,34 @@ void SceneRenderer::draw_all(const Scene& scene, const GlProgram& program) {
       gl_.BlendFunc(GL_ONE, GL_ONE);
     } else {
       gl_.Disable(GL_BLEND);
-      gl_.Uniform1i(kSmoothUniform, draw.interpolation == Interpolation::smooth ? 1 : 0);
+      gl_.Uniform1i(kInterpolationUniform, to_uniform(draw.interpolation));
     }
-    // What does not fill a primitive was not uploaded.
-    const int step = vertices_per_primitive(draw.primitive);
-    const GLsizei count = static_cast<GLsizei>(draw.vertices.size()) / step * step;
+    const auto count = static_cast<GLsizei>(draw.vertices.size());
     gl_.DrawArrays(mode_of(draw.primitive), first, count);
     first += count;
   }
+}
+
+void SceneRenderer::draw_pixels(const Scene& scene, const Surfaces& surfaces,
+                                Rendering& rendering) {
+  clear(gl_, surfaces.color, scene.target.clear);
+  draw_all(scene, objects_->programs.color);
+  rendering.pixels.resize(4 * area_of(rendering));
+  gl_.ReadPixels(0, 0, rendering.width, rendering.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                 rendering.pixels.data());
+}
+
+void SceneRenderer::count_hits(const Scene& scene, const Surfaces& surfaces, Rendering& rendering) {
+  clear(gl_, surfaces.count, {0, 0, 0, 0});
+  gl_.UseProgram(objects_->programs.count.name());
+  gl_.Uniform1f(kStepUniform, surfaces.step);
+  draw_all(scene, objects_->programs.count);
+  std::vector<float> sums(area_of(rendering));
+  gl_.ReadPixels(0, 0, rendering.width, rendering.height, GL_RED, GL_FLOAT, sums.data());
+  rendering.hits.resize(sums.size());
+  std::transform(sums.begin(), sums.end(), rendering.hits.begin(), [&](float sum) {
+    return static_cast<std::uint32_t>(std::lround(sum / surfaces.step));
+  });
 }
 
 std::optional<std::string> SceneRenderer::capture_fragments(const Scene& scene,
@@ -258,38 +221,44 @@ std::optional<std::string> SceneRenderer::capture_fragments(const Scene& scene,
   return "drawing the same scene twice gave different numbers of fragments";
 }
 
+std::string SceneRenderer::doubt_of(const Rendering& rendering, const Surfaces& surfaces) const {
+  std::vector<std::uint32_t> counts(area_of(rendering));
+  for (const Fragment& fragment : rendering.fragments) {
+    if (fragment.primitive == kNoPrimitive)
+      return fmt::format(
+          "the fragment at pixel ({}, {}) has the flat attributes of a vertex that provokes no "
+          "primitive",
+          fragment.x, fragment.y);
+    if (++counts[rendering.pixel_index(fragment.x, fragment.y)] > surfaces.most_hits)
+      return fmt::format("pixel ({}, {}) has more hits than the {} that this surface can count",
+                         fragment.x, fragment.y, surfaces.most_hits);
+  }
+  return "";
+}
+
 Outcome SceneRenderer::render(const Scene& scene) {
   std::string problem = problem_.empty() ? limit_exceeded_by(scene) : problem_;
   if (!problem.empty()) return Failure{FailureKind::unsupported, problem};
-  const int width = scene.target.width;
-  const int height = scene.target.height;
-  const TargetBuffers* target = objects_->targets.find(width, height);
-  if (target == nullptr)
-    return Failure{FailureKind::unsupported,
-                   fmt::format("this driver has no {}x{} framebuffer", width, height)};
+  const auto found = objects_->targets.find(scene.target);
+  if (const auto* reason = std::get_if<std::string>(&found)) {
+    take_error(gl_);
+    return Failure{FailureKind::unsupported, *reason};
+  }
+  const Surfaces& surfaces = std::get<Surfaces>(found);
   Rendering rendering;
-  rendering.width = width;
-  rendering.height = height;
-  const std::size_t area = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  rendering.width = scene.target.width;
+  rendering.height = scene.target.height;
   upload(scene);
-
-  clear(gl_, target->color, scene.target.clear);
-  draw_all(scene, objects_->programs.color);
-  rendering.pixels.resize(4 * area);
-  gl_.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rendering.pixels.data());
-
-  clear(gl_, target->count, {0, 0, 0, 0});
-  draw_all(scene, objects_->programs.count);
-  std::vector<float> counts(area);
-  gl_.ReadPixels(0, 0, width, height, GL_RED, GL_FLOAT, counts.data());
-  rendering.hits.assign(counts.begin(), counts.end());
-
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, target->color.name());
+  draw_pixels(scene, surfaces, rendering);
+  count_hits(scene, surfaces, rendering);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, surfaces.color);
   const auto overflow = capture_fragments(scene, rendering);
   if (const GLenum error = take_error(gl_); error != GL_NO_ERROR)
     return Failure{error == GL_CONTEXT_LOST ? FailureKind::crashed : FailureKind::unsupported,
                    fmt::format("drawing raised {}", name_of_error(error))};
   if (overflow) return Failure{FailureKind::unsupported, *overflow};
+  if (std::string doubt = doubt_of(rendering, surfaces); !doubt.empty())
+    return Failure{FailureKind::unsupported, std::move(doubt)};
   return rendering;
 }
 

@@ -3,15 +3,16 @@
 // SceneRenderer: a Scene drawn by an OpenGL context, as a Rendering.
 //
 // Three passes draw the same primitives with the same state: pixels (colours into RGBA8), hit
-// counts (1 added per fragment into R32F) and the capture (a record per fragment shader invocation,
-// reference/capture.h). Pixels and hit counts go through the fixed-function end of the pipeline and
-// the capture does not, so that they check each other: whoever reads the answer refuses it where
-// they differ.
+// counts (added up by blending, reference/targets.h) and the capture (a record per fragment shader
+// invocation, reference/capture.h). Pixels and hit counts go through the fixed-function end of the
+// pipeline and the capture does not, so that they check each other: whoever reads the answer
+// refuses it where they differ.
 //
 // It does not transform, clip or judge anything: scenes carry window coordinates, and the loader
 // has made sure that clip coordinates and their window images are exact in float32.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,7 +31,7 @@ class SceneRenderer {
  public:
   // `context` must be current, stay so, and outlive the renderer. A context that lacks what drawing
   // needs still makes a renderer: it answers every scene with the reason.
-  explicit SceneRenderer(const GlContext& context);
+  explicit SceneRenderer(GlContext& context);
 
   // What the context says of itself; the name is left empty.
   const RendererInfo& info() const { return info_; }
@@ -42,7 +43,7 @@ class SceneRenderer {
  private:
   // GL objects, in the order in which they may be made. Only there where `problem_` is empty.
   struct Objects {
-    explicit Objects(const GladGLContext& gl, Programs made);
+    Objects(const GladGLContext& gl, GlContext& context, Programs made);
     Programs programs;
     Capture capture;
     Targets targets;
@@ -51,16 +52,25 @@ class SceneRenderer {
   };
 
   void describe(const GlContext& context);
+  // What this driver cannot draw, as a sentence; empty: it can.
   std::string limit_exceeded_by(const Scene& scene) const;
+  std::string limit_exceeded_by(const Draw& draw) const;
   void upload(const Scene& scene);
   void draw_all(const Scene& scene, const GlProgram& program);
+  void draw_pixels(const Scene& scene, const Surfaces& surfaces, Rendering& rendering);
+  void count_hits(const Scene& scene, const Surfaces& surfaces, Rendering& rendering);
   std::optional<std::string> capture_fragments(const Scene& scene, Rendering& rendering);
+
+  // Why a rendering is not to be relied upon, as a sentence; empty: nothing speaks against it.
+  std::string doubt_of(const Rendering& rendering, const Surfaces& surfaces) const;
 
   GladGLContext gl_{};
   RendererInfo info_;
   std::string problem_;  // why nothing can be drawn; empty: all is there
   int max_size_ = 0;
   int max_viewport_[2] = {0, 0};
+  std::array<float, 2> line_widths_{1, 1};  // smallest and largest, pixels
+  std::array<float, 2> point_sizes_{1, 1};
   std::optional<Objects> objects_;
 };
 

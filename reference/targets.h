@@ -1,36 +1,57 @@
 // SPDX-License-Identifier: MIT
 //
-// Framebuffer objects of the sizes that scenes ask for, kept for the next scene of the same size.
+// Where the passes of a scene land: framebuffer objects of the sizes that scenes ask for, kept for
+// the next scene of the same size, or the framebuffer of the window system.
+//
+// Hits are counted by additive blending. A framebuffer object counts in R32F, exact up to 2^24 hits
+// per pixel. A window has RGBA8 alone and must do the counting too, or another surface's rules
+// would be counted: each hit adds 1/255, one step of an 8-bit channel, which is exact up to 255
+// hits.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "model/scene.h"
+#include "reference/gl_context.h"
 #include "reference/gl_objects.h"
 
 namespace edgecase {
 
-struct TargetBuffers {
-  GlRenderbuffer color_image;
-  GlFramebuffer color;  // RGBA8, what the scene draws to
-  GlRenderbuffer count_image;
-  GlFramebuffer count;  // R32F, one addition per fragment: exact up to 2^24 fragments
+// Framebuffers by name, and how hits are counted in the second.
+struct Surfaces {
+  GLuint color = 0;             // RGBA8: what the scene draws to; 0 is the window
+  GLuint count = 0;             // its red channel holds hits, in units of `step`
+  float step = 1;               // what a hit adds
+  std::uint32_t most_hits = 0;  // per pixel, beyond which counts are wrong
 };
 
 class Targets {
  public:
-  // The context must be current and outlive the targets.
-  explicit Targets(const GladGLContext& gl) : gl_(gl) {}
+  // The context must be current and outlive the targets, and `gl` be its functions.
+  Targets(const GladGLContext& gl, GlContext& context) : gl_(gl), context_(context) {}
 
-  // The buffers of this size, contents undefined; null when the driver cannot have them. The
-  // pointer is good until the next call.
-  const TargetBuffers* find(int width, int height);
+  // The framebuffers for a target, contents undefined, or why the driver cannot have them. Good
+  // until the next call.
+  std::variant<Surfaces, std::string> find(const Target& target);
 
  private:
+  struct Buffers {
+    GlRenderbuffer color_image;
+    GlFramebuffer color;
+    GlRenderbuffer count_image;
+    GlFramebuffer count;
+  };
+
+  std::variant<Surfaces, std::string> find_objects(int width, int height);
+  std::variant<Surfaces, std::string> find_window(int width, int height);
+
   const GladGLContext& gl_;
-  std::map<std::pair<int, int>, TargetBuffers> sizes_;
+  GlContext& context_;
+  std::map<std::pair<int, int>, Buffers> sizes_;
 };
 
 }  // namespace edgecase

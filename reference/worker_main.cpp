@@ -77,7 +77,7 @@ int run(int argc, char** argv) {
   ContextResult opened = open_context(argv[1]);
   if (const auto* error = std::get_if<ContextError>(&opened))
     return complain(kUnavailable, error->message);
-  const auto& context = *std::get<std::unique_ptr<GlContext>>(opened);
+  GlContext& context = *std::get<std::unique_ptr<GlContext>>(opened);
   SceneRenderer renderer(context);
   const std::string& device = renderer.info().device;
   if (expects && device.find(argv[3]) == std::string::npos)

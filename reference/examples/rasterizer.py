@@ -15,9 +15,13 @@ from fractions import Fraction
 HALF = Fraction(1, 2)
 
 
-def point(a):
-    """14.4.1, size 1: the pixel whose square contains the point."""
-    return lambda x, y: [1] if x <= a[0] < x + 1 and y <= a[1] < y + 1 else None
+def point(size):
+    """14.4.1: the pixel's centre lies in the square of this size round the point. The square owns
+    its right and top sides; OpenGL leaves that open."""
+    def rule(a):
+        return lambda x, y: ([1] if all(n - size / 2 < pixel + HALF <= n + size / 2
+                                        for n, pixel in zip(a, (x, y))) else None)
+    return rule
 
 
 def line(a, b):
@@ -65,45 +69,74 @@ def triangle(a, b, c):
     return covers
 
 
-RULES = {"points": (1, point), "lines": (2, line), "triangles": (3, triangle)}
+def primitives(kind, n):
+    """10.1: the primitives that n vertices make. Each is the numbers of its vertices, turned so
+    that under the `first` convention the first one provokes, and under `last` the last one."""
+    return {"points": [[i] for i in range(n)],
+            "lines": [[i, i + 1] for i in range(0, n - 1, 2)],
+            "line_strip": [[i, i + 1] for i in range(n - 1)],
+            "line_loop": [[i, (i + 1) % n] for i in range(n)],
+            "triangles": [[i, i + 1, i + 2] for i in range(0, n - 2, 3)],
+            "triangle_strip": [[i, i + 1, i + 2] for i in range(n - 2)],  # winding plays no part
+            "triangle_fan": [[i, 0, i + 1] for i in range(1, n - 1)]}[kind]
+
+
+def common(boxes):
+    """The pixels that lie in all of these rectangles [x, y, width, height]."""
+    left, bottom = (max(box[i] for box in boxes) for i in (0, 1))
+    right, top = (min(box[i] + box[i + 2] for box in boxes) for i in (0, 1))
+    return [(x, y) for y in range(bottom, top) for x in range(left, right)]
 
 
 def render(scene):
     width, height = scene["target"]["width"], scene["target"]["height"]
-    left, bottom, wide, high = scene["viewport"]
+    left, bottom, wide, high = viewport = scene["viewport"]
+    target = [0, 0, width, height]
     pixels = [scene["target"]["clear"]] * (width * height)
     fragments, primitive = [], 0
     for draw in scene["draws"]:
-        size, rule = RULES[draw["primitive"]]
-        smooth, provoking = draw["interpolation"] == "smooth", draw["provoking_vertex"]
-        for first in range(0, len(draw["vertices"]), size):
-            vertices = draw["vertices"][first:first + size]
+        rules = {1: point(Fraction(draw["point_size"])), 2: line, 3: triangle}
+        flat, provoking = draw["interpolation"] == "flat", draw["provoking_vertex"]
+        for numbers in primitives(draw["primitive"], len(draw["vertices"])):
+            vertices = [draw["vertices"][n] for n in numbers]
             corners = [[Fraction(n) for n in v["position"]] for v in vertices]
             colors = [[Fraction(n) for n in v["color"]] for v in vertices]
-            covers = rule(*corners)
-            for y in range(max(0, bottom), min(height, bottom + high)):
-                for x in range(max(0, left), min(width, left + wide)):
-                    weights = covers(x, y)
-                    if weights is None:
-                        continue
-                    mix = lambda values: sum(w * v for w, v in zip(weights, values))
-                    color = ([mix(part) for part in zip(*colors)] if smooth
-                             else colors[0 if provoking == "first" else -1])
-                    depth = (mix([c[2] for c in corners]) + 1) / 2
-                    pixels[y * width + x] = color
-                    fragments.append({"x": x, "y": y, "primitive": primitive,
-                                      "depth": float(depth), "color": [float(n) for n in color]})
+            covers = rules[len(corners)](*corners)
+            boxes = [target, draw.get("scissor", target)]
+            # 13.7: lines and triangles are cut at the viewport. Of a point only the vertex is
+            # clipped: its square may reach beyond.
+            if len(corners) > 1:
+                boxes.append(viewport)
+            elif not (0 <= corners[0][0] - left <= wide and 0 <= corners[0][1] - bottom <= high):
+                boxes.append([0, 0, 0, 0])
+            for x, y in common(boxes):
+                weights = covers(x, y)
+                if weights is None:
+                    continue
+                mix = lambda values: sum(w * v for w, v in zip(weights, values))
+                color = (colors[0 if provoking == "first" else -1] if flat
+                         else [mix(part) for part in zip(*colors)])
+                depth = (mix([c[2] for c in corners]) + 1) / 2
+                pixels[y * width + x] = color
+                fragments.append({"x": x, "y": y, "primitive": primitive,
+                                  "depth": float(depth), "color": [float(n) for n in color]})
             primitive += 1
     # round() takes the nearest integer, and the even one of two.
     unorm = [round(255 * min(max(Fraction(n), 0), 1)) for pixel in pixels for n in pixel]
     return {"pixels": unorm, "fragments": fragments}
 
 
+def answer(scene):
+    if scene["target"]["samples"] != 1:
+        return {"not_run": "this example draws one sample per pixel"}
+    # 14.5.2.1: a width is rounded to a whole number of pixels.
+    if any(d["primitive"].startswith("line") and d["line_width"] >= 1.5 for d in scene["draws"]):
+        return {"not_run": "this example draws lines of width 1"}
+    return render(scene)
+
+
 for request in map(json.loads, sys.stdin):
-    if request["scene"]["target"]["samples"] == 1:
-        answer = render(request["scene"])
-    else:
-        answer = {"not_run": "this example draws one sample per pixel"}
-    answer["digest"] = request["digest"]
-    answer["renderer"] = {"vendor": "Edgecase", "device": "rasterizer.py", "subpixel_bits": 16}
-    print(json.dumps(answer), flush=True)
+    reply = answer(request["scene"])
+    reply["digest"] = request["digest"]
+    reply["renderer"] = {"vendor": "Edgecase", "device": "rasterizer.py", "subpixel_bits": 16}
+    print(json.dumps(reply), flush=True)

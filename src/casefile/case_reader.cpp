@@ -5,16 +5,14 @@
 
 #include <algorithm>
 
-#include "casefile/expect_reader.h"
-#include "casefile/scene_reader.h"
 #include "casefile/text.h"
 
 namespace edgecase {
 namespace {
 
 const Keys kCaseKeys{{"title", "rules", "target", "draws"},
-                     {"$schema", "why", "spec", "origin", "tags", "expect"},
-                     {"sweep", "variants", "zip", "textures", "transform", "mesh"}};
+                     {"$schema", "why", "spec", "origin", "tags", "expect", "sweep", "variants"},
+                     {"textures", "transform", "mesh"}};
 
 bool is_word(std::string_view word, bool dashes) {
   return !word.empty() && std::all_of(word.begin(), word.end(), [&](char c) {
@@ -113,18 +111,17 @@ bool is_rule_id(std::string_view name) {
   return true;
 }
 
-void read_case(const JsonNode& root, std::span<const std::string> known_rules, Findings& findings,
-               Case& result) {
+CaseFields read_case_fields(const JsonNode& root, std::span<const std::string> known_rules,
+                            Findings& findings) {
+  CaseFields fields;
   const ObjectReader object({&root, ""}, "a case", kCaseKeys, findings);
-  read_words_of_case(object, known_rules, findings, result);
-  TargetFields target;
-  if (const auto place = object.find("target")) target = read_target(*place, findings);
+  read_words_of_case(object, known_rules, findings, fields.words);
+  if (const auto place = object.find("target")) fields.target = read_target(*place, findings);
   if (const auto place = object.find("expect"))
-    result.expect = read_expect(*place, target.target, result.file.parent_path(), findings);
-  const auto draws_place = object.find("draws");
-  if (!draws_place) return;
-  const std::vector<DrawFields> draws = read_draws(*draws_place, findings);
-  result.scene = complete_scene(target, draws, result.id, *draws_place, findings);
+    expect_kind(*place, JsonKind::array, "expect", findings);
+  fields.draws_place = object.find("draws");
+  if (fields.draws_place) fields.draws = read_draws(*fields.draws_place, findings);
+  return fields;
 }
 
 }  // namespace edgecase

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads the root of a case file: the words round the scene, then the scene, then the drawings.
+// Reads the root of a case file: the words round the scene, then what is drawn and on what.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "casefile/fields.h"
+#include "casefile/scene_reader.h"
 #include "model/case.h"
 
 namespace edgecase {
@@ -16,9 +19,18 @@ namespace edgecase {
 // by dots, two words at least: "line.diamond-exit".
 bool is_rule_id(std::string_view name);
 
-// Fills `result` from the tree; its id and file must be set. What is wrong is added to `findings`,
-// and `result` is then incomplete.
-void read_case(const JsonNode& root, std::span<const std::string> known_rules, Findings& findings,
-               Case& result);
+// A case as its file says it, before anything that depends on the case's id. Its places live as
+// long as the tree.
+struct CaseFields {
+  Case words;  // title to tags
+  TargetFields target;
+  std::vector<DrawFields> draws;
+  std::optional<Place> draws_place;  // none: the file has no draws
+};
+
+// Reads a tree. What is wrong is added to `findings`, and the result is then incomplete. Of
+// "sweep", "variants" and "expect" only their presence is looked at.
+CaseFields read_case_fields(const JsonNode& root, std::span<const std::string> known_rules,
+                            Findings& findings);
 
 }  // namespace edgecase

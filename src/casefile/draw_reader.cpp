@@ -8,17 +8,20 @@ namespace edgecase {
 namespace {
 
 const Keys kDrawKeys{{"primitive", "vertices"}, {"state", "color"}, {}};
-const Keys kStateKeys{{},
-                      {"interpolation", "provoking_vertex"},
-                      {"texture", "sampler", "depth", "stencil", "blend", "cull", "polygon_offset",
-                       "line_width", "scissor", "sample_mask"}};
+const Keys kStateKeys{
+    {},
+    {"interpolation", "provoking_vertex", "line_width", "point_size", "scissor"},
+    {"texture", "sampler", "depth", "stencil", "blend", "cull", "polygon_offset", "sample_mask"}};
 const Keys kVertexKeys{{"at"}, {"color"}, {"uv", "attributes"}};
 
-const Names kPrimitiveNames{{"points", "lines", "triangles"},
-                            {"line_strip", "line_loop", "triangle_strip", "triangle_fan"}};
+const Names kPrimitiveNames{
+    {"points", "lines", "line_strip", "line_loop", "triangles", "triangle_strip", "triangle_fan"},
+    {}};
 
 constexpr FixedRange kWindowRange{Fixed::from_integer(-Fixed::kMaxCoordinate),
                                   Fixed::from_integer(Fixed::kMaxCoordinate)};
+// Widths of lines and sizes of points, pixels: every multiple of 2^-16 above 0.
+constexpr FixedRange kSizeRange{Fixed::from_raw(1), Fixed::from_integer(64)};
 constexpr FixedRange kDepthRange{Fixed::from_integer(-1), Fixed::from_integer(1)};
 
 // [x, y], [x, y, z] or [x, y, z, w].
@@ -75,23 +78,44 @@ VertexFields read_vertex(const Place& place, const std::optional<Color>& draw_co
 void read_state(const Place& place, Draw& draw, Findings& findings) {
   const ObjectReader object(place, "a state", kStateKeys, findings);
   if (const auto interpolation = object.find("interpolation"))
-    read_enum(*interpolation, "interpolation", {{"flat", "smooth"}, {}}, findings,
+    read_enum(*interpolation, "interpolation", {{"flat", "smooth", "noperspective"}, {}}, findings,
               draw.interpolation);
   if (const auto provoking = object.find("provoking_vertex"))
     read_enum(*provoking, "the provoking vertex", {{"first", "last"}, {}}, findings,
               draw.provoking_vertex);
+  if (const auto width = object.find("line_width"))
+    draw.line_width =
+        read_coordinate(*width, "line_width", kSizeRange, findings).value_or(draw.line_width);
+  if (const auto size = object.find("point_size"))
+    draw.point_size =
+        read_coordinate(*size, "point_size", kSizeRange, findings).value_or(draw.point_size);
+  if (const auto scissor = object.find("scissor"))
+    draw.scissor = read_rectangle(*scissor, "a scissor", 0, findings);
 }
 
-void read_vertices(const Place& place, std::optional<int> step, const std::optional<Color>& color,
-                   Findings& findings, std::vector<VertexFields>& vertices) {
+// `count` vertices make no whole primitives.
+void refuse_count(const Place& place, Primitive primitive, std::size_t count, Findings& findings) {
+  const int each = vertices_of(kind_of(primitive));
+  const bool connected = is_vertex_count(primitive, static_cast<std::size_t>(each) + 1);
+  if (connected)
+    findings.add(place,
+                 fmt::format("a {} has {} vertices, and needs {}", name_of(primitive), count, each),
+                 fmt::format("write {} vertices or more", each));
+  else
+    findings.add(place,
+                 fmt::format("a draw has {} vertices, and each primitive takes {}", count, each),
+                 fmt::format("write a multiple of {}", each));
+}
+
+void read_vertices(const Place& place, std::optional<Primitive> primitive,
+                   const std::optional<Color>& color, Findings& findings,
+                   std::vector<VertexFields>& vertices) {
   if (!expect_kind(place, JsonKind::array, "a list of vertices", findings)) return;
   const std::size_t count = place.node->children.size();
   if (count == 0) {
     findings.add(place, "a draw has no vertices", "add the vertices of at least one primitive");
-  } else if (step && count % static_cast<std::size_t>(*step) != 0) {
-    findings.add(place,
-                 fmt::format("a draw has {} vertices, and each primitive takes {}", count, *step),
-                 fmt::format("write a multiple of {}", *step));
+  } else if (primitive && !is_vertex_count(*primitive, count)) {
+    refuse_count(place, *primitive, count, findings);
   }
   vertices.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
@@ -101,17 +125,17 @@ void read_vertices(const Place& place, std::optional<int> step, const std::optio
 DrawFields read_draw(const Place& place, Findings& findings) {
   DrawFields fields;
   const ObjectReader object(place, "a draw", kDrawKeys, findings);
-  std::optional<int> step;
+  std::optional<Primitive> known;
   if (const auto primitive = object.find("primitive")) {
     if (read_enum(*primitive, "a primitive", kPrimitiveNames, findings, fields.draw.primitive))
-      step = vertices_per_primitive(fields.draw.primitive);
+      known = fields.draw.primitive;
   }
   if (const auto state = object.find("state")) read_state(*state, fields.draw, findings);
   std::optional<Color> color;
   if (const auto given = object.find("color"))
     color = read_color(*given, "a draw's colour", findings);
   if (const auto vertices = object.find("vertices"))
-    read_vertices(*vertices, step, color, findings, fields.vertices);
+    read_vertices(*vertices, known, color, findings, fields.vertices);
   return fields;
 }
 

@@ -12,7 +12,7 @@
 namespace edgecase {
 namespace {
 
-const Keys kExpectKeys{{}, {"policy", "coverage", "coverage_file"}, {"when", "values"}};
+const Keys kExpectKeys{{}, {"policy", "when", "coverage", "coverage_file"}, {"values"}};
 
 // One row of a drawing and the place that messages about it name.
 struct Row {
@@ -115,8 +115,10 @@ void read_drawing_file(const Place& place, const Target& target,
   expect.coverage = rows_to_hits(rows_of_text(*file.text, place), place, target, findings);
 }
 
-Expect read_one(const Place& place, const Target& target, const std::filesystem::path& folder,
-                Findings& findings) {
+}  // namespace
+
+Expect read_drawing(const Place& place, const Target& target, const std::filesystem::path& folder,
+                    Findings& findings) {
   Expect expect;
   const ObjectReader object(place, "an expectation", kExpectKeys, findings);
   if (!object.valid()) return expect;
@@ -138,17 +140,6 @@ Expect read_one(const Place& place, const Target& target, const std::filesystem:
   }
   if (file && !drawing) read_drawing_file(*file, target, folder, findings, expect);
   return expect;
-}
-
-}  // namespace
-
-std::vector<Expect> read_expect(const Place& place, const Target& target,
-                                const std::filesystem::path& folder, Findings& findings) {
-  std::vector<Expect> result;
-  if (!expect_kind(place, JsonKind::array, "expect", findings)) return result;
-  for (std::size_t i = 0; i < place.node->children.size(); ++i)
-    result.push_back(read_one(place.child(i), target, folder, findings));
-  return result;
 }
 
 }  // namespace edgecase

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include "casefile/fields.h"
 #include "model/case.h"
@@ -16,9 +15,10 @@
 
 namespace edgecase {
 
-// `target` gives the wanted size; a width or height of 0 is unknown and not checked. `folder` is
-// the case file's.
-std::vector<Expect> read_expect(const Place& place, const Target& target,
-                                const std::filesystem::path& folder, Findings& findings);
+// One item of `expect`. `target` gives the wanted size; a width or height of 0 is unknown and not
+// checked. `folder` is the case file's. Which cases it holds for, its "when", is read by
+// casefile/expect_when.h.
+Expect read_drawing(const Place& place, const Target& target, const std::filesystem::path& folder,
+                    Findings& findings);
 
 }  // namespace edgecase

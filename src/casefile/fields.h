@@ -39,6 +39,7 @@ class Findings {
   void add(Diagnostic diagnostic) { diagnostics_.push_back(std::move(diagnostic)); }
   // Tells something that is no fault.
   void note(const Place& place, std::string message);
+  void note(Diagnostic note) { notes_.push_back(std::move(note)); }
 
   bool empty() const { return diagnostics_.empty(); }
   std::size_t size() const { return diagnostics_.size(); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Loads a case file: JSON to a Case whose Scene is complete, or all that is wrong with the file.
+// Loads a case file: JSON to Cases whose Scenes are complete, or all that is wrong with the file.
+//
+// A file stands for one case, or, with "sweep" and "variants", for several (casefile/expansion.h).
 //
 // Defaults: state is flat interpolation with the last vertex provoking; the target has one sample,
 // format rgba8 and is a framebuffer object; the viewport is chosen so that OpenGL receives exact
@@ -9,29 +11,28 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "model/case.h"
 
 namespace edgecase {
 
-struct LoadedCase {
-  std::optional<Case> value;            // set exactly when there are no diagnostics
+struct LoadedCases {
+  std::vector<Case> cases;              // empty exactly when there are diagnostics
   std::vector<Diagnostic> diagnostics;  // all faults of the file, in the order of their lines
   std::vector<Diagnostic> notes;        // no faults: which numbers "~" numerals were taken as
 };
 
-// Reads and checks a file. `id` is the case's id (see casefile/suite.h). `known_rules`: ids that
+// Reads and checks a file. `id` is the file's id (see casefile/suite.h), with which those of its
+// cases begin. `known_rules`: ids that
 // "rules" may name; empty: any. Never throws for what the file holds.
-LoadedCase load_case(const std::filesystem::path& file, const std::string& id,
-                     std::span<const std::string> known_rules = {});
+LoadedCases load_cases(const std::filesystem::path& file, const std::string& id,
+                       std::span<const std::string> known_rules = {});
 
 // The same for a text; `file` names it in messages, and its folder is where coverage files lie.
-LoadedCase load_case_text(const std::string& text, const std::filesystem::path& file,
-                          const std::string& id, std::span<const std::string> known_rules = {});
+LoadedCases load_cases_text(const std::string& text, const std::filesystem::path& file,
+                            const std::string& id, std::span<const std::string> known_rules = {});
 
 }  // namespace edgecase

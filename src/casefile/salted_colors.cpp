@@ -31,6 +31,15 @@ std::uint64_t channel(std::uint32_t hue, std::uint32_t centre) {
   return (2 * kSixth - away) * 255 / kSixth;
 }
 
+constexpr std::uint64_t kGoldenTurn = 0x9E3779B9;  // 2^32 / golden ratio
+
+// Are the hues of two colours, so many steps from each other, a sixth of a turn apart or more?
+bool hues_differ(std::uint64_t steps) {
+  constexpr std::uint32_t kSixth = 0x2AAAAAAA;  // 2^32 / 6
+  const auto turn = static_cast<std::uint32_t>(steps * kGoldenTurn);
+  return std::min(turn, std::uint32_t{0} - turn) >= kSixth;
+}
+
 }  // namespace
 
 std::uint64_t hash_of_id(std::string_view id) {
@@ -47,8 +56,7 @@ Color salted_clear(std::uint64_t hash) {
 }
 
 Color salted_primitive(std::uint64_t hash, std::uint64_t primitive) {
-  constexpr std::uint64_t kGoldenTurn = 0x9E3779B9;  // 2^32 / golden ratio
-  constexpr std::uint32_t kThird = 0x55555555;       // 2^32 / 3
+  constexpr std::uint32_t kThird = 0x55555555;  // 2^32 / 3
   const auto hue = static_cast<std::uint32_t>((hash >> 32) + primitive * kGoldenTurn);
   const std::uint64_t salt = mix(hash + primitive + 1);
   const std::uint64_t peak = 192 + (salt & 63);
@@ -61,6 +69,20 @@ Color salted_primitive(std::uint64_t hash, std::uint64_t primitive) {
     color[i] = component((level & ~std::uint64_t{7}) | noise);
   }
   return color;
+}
+
+std::vector<std::uint64_t> salted_indices(Primitive primitive, std::size_t vertices) {
+  const auto each = static_cast<std::size_t>(vertices_of(kind_of(primitive)));
+  const bool shared = is_vertex_count(primitive, each + 1) && each > 1;
+  std::vector<std::uint64_t> indices;
+  indices.reserve(vertices);
+  for (std::size_t i = 0; i < vertices; ++i) indices.push_back(shared ? i : i / each);
+  if (primitive != Primitive::line_loop || vertices < 2) return indices;
+  // A loop's last vertex stands between the one before it and the first.
+  std::uint64_t& last = indices.back();
+  const std::uint64_t before = indices[vertices - 2];
+  while (!hues_differ(last) || !hues_differ(last - before)) ++last;
+  return indices;
 }
 
 }  // namespace edgecase

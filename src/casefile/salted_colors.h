@@ -13,8 +13,10 @@
 // The result depends on the id and on p alone, on every machine.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "model/scene.h"
 
@@ -26,5 +28,11 @@ Color salted_clear(std::uint64_t hash);
 
 // `primitive`: index in drawing order over all draws of the case.
 Color salted_primitive(std::uint64_t hash, std::uint64_t primitive);
+
+// Which of those colours each vertex of a draw has, counted from the draw's first: separate
+// primitives have one each. The vertices of strips, loops and fans are shared, so that each vertex
+// has one of its own, and hues of primitives that follow each other are a sixth of a turn apart at
+// least, whichever vertex provokes; a loop's last segment and its first follow each other, too.
+std::vector<std::uint64_t> salted_indices(Primitive primitive, std::size_t vertices);
 
 }  // namespace edgecase

@@ -9,18 +9,18 @@ namespace {
 // The vertices of all draws, with salted colours where the file gives none.
 std::vector<Draw> fill_colors(const std::vector<DrawFields>& draws, std::uint64_t hash) {
   std::vector<Draw> result;
-  std::uint64_t primitives_before = 0;
+  std::uint64_t colors_before = 0;
   for (const DrawFields& fields : draws) {
     Draw draw = fields.draw;
     draw.vertices.reserve(fields.vertices.size());
-    const auto step = static_cast<std::size_t>(vertices_per_primitive(draw.primitive));
+    const auto indices = salted_indices(draw.primitive, fields.vertices.size());
     for (std::size_t i = 0; i < fields.vertices.size(); ++i) {
       Vertex vertex = fields.vertices[i].vertex;
       if (!fields.vertices[i].has_color)
-        vertex.color = salted_primitive(hash, primitives_before + i / step);
+        vertex.color = salted_primitive(hash, colors_before + indices[i]);
       draw.vertices.push_back(vertex);
     }
-    primitives_before += fields.vertices.size() / step;
+    if (!indices.empty()) colors_before += indices.back() + 1;
     result.push_back(std::move(draw));
   }
   return result;

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "casefile/fields.h"
@@ -30,6 +31,11 @@ struct TargetFields {
 };
 
 TargetFields read_target(const Place& place, Findings& findings);
+
+// {"x", "y", "width", "height"} in whole pixels: corners from -16384 to 16384, sizes from
+// `least_size` to 16384. `what` names it in messages: "a viewport".
+std::optional<Viewport> read_rectangle(const Place& place, std::string_view what, int least_size,
+                                       Findings& findings);
 
 // A draw as written, with the places that later checks speak of.
 struct VertexFields {

@@ -94,6 +94,11 @@ void Finder::add_file(const fs::path& file, const fs::path& root) {
     diagnose(shown, "the file's name is not UTF-8", "rename the file");
     return;
   }
+  if (id.find(':') != std::string::npos) {
+    diagnose(file, "the file's name holds ':', which in ids starts an axis of a sweep",
+             "rename the file");
+    return;
+  }
   found_.cases.push_back({file, id});
 }
 

@@ -9,7 +9,7 @@ namespace {
 const Keys kTargetKeys{{"width", "height"},
                        {"samples", "color", "surface", "clear", "viewport"},
                        {"depth", "stencil", "sample_positions", "supersample"}};
-const Keys kViewportKeys{{"x", "y", "width", "height"}, {}, {}};
+const Keys kRectangleKeys{{"x", "y", "width", "height"}, {}, {}};
 
 void read_into(const ObjectReader& object, const char* name, IntegerRange range, Findings& findings,
                int& value) {
@@ -25,19 +25,20 @@ void read_samples(const Place& place, Findings& findings) {
     findings.add(place, "more than one sample is not supported yet", "write 1, or leave it out");
 }
 
-std::optional<Viewport> read_viewport(const Place& place, Findings& findings) {
-  const std::size_t before = findings.size();
-  const ObjectReader object(place, "a viewport", kViewportKeys, findings);
-  Viewport viewport;
-  read_into(object, "x", {-kMaxViewportSize, kMaxViewportSize}, findings, viewport.x);
-  read_into(object, "y", {-kMaxViewportSize, kMaxViewportSize}, findings, viewport.y);
-  read_into(object, "width", {1, kMaxViewportSize}, findings, viewport.width);
-  read_into(object, "height", {1, kMaxViewportSize}, findings, viewport.height);
-  if (findings.size() != before) return std::nullopt;
-  return viewport;
-}
-
 }  // namespace
+
+std::optional<Viewport> read_rectangle(const Place& place, std::string_view what, int least_size,
+                                       Findings& findings) {
+  const std::size_t before = findings.size();
+  const ObjectReader object(place, what, kRectangleKeys, findings);
+  Viewport rectangle;
+  read_into(object, "x", {-kMaxViewportSize, kMaxViewportSize}, findings, rectangle.x);
+  read_into(object, "y", {-kMaxViewportSize, kMaxViewportSize}, findings, rectangle.y);
+  read_into(object, "width", {least_size, kMaxViewportSize}, findings, rectangle.width);
+  read_into(object, "height", {least_size, kMaxViewportSize}, findings, rectangle.height);
+  if (findings.size() != before) return std::nullopt;
+  return rectangle;
+}
 
 TargetFields read_target(const Place& place, Findings& findings) {
   TargetFields fields;
@@ -48,11 +49,11 @@ TargetFields read_target(const Place& place, Findings& findings) {
   if (const auto color = object.find("color"))
     read_enum(*color, "a colour format", {{"rgba8"}, {}}, findings, fields.target.color);
   if (const auto surface = object.find("surface"))
-    read_enum(*surface, "a surface", {{"fbo"}, {"window"}}, findings, fields.target.surface);
+    read_enum(*surface, "a surface", {{"fbo", "window"}, {}}, findings, fields.target.surface);
   if (const auto clear = object.find("clear"))
     fields.clear = read_color(*clear, "a clear colour", findings);
   if (const auto viewport = object.find("viewport"))
-    fields.viewport = read_viewport(*viewport, findings);
+    fields.viewport = read_rectangle(*viewport, "a viewport", 1, findings);
   return fields;
 }
 

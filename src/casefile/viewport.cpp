@@ -43,9 +43,19 @@ struct Demands {
   int highest_centre = kNoBound;
 };
 
-void demand(Fixed x, Demands& demands) {
-  demands.left = std::min(demands.left, static_cast<int>(x.ceil()) - 1);
-  demands.right = std::max(demands.right, static_cast<int>(x.floor()) + 1);
+// Pixels around a draw's vertices that what is drawn there may take up, beside the pixel that
+// every vertex needs to lie strictly inside.
+int room_of(const Draw& draw) {
+  const PrimitiveKind kind = kind_of(draw.primitive);
+  if (kind == PrimitiveKind::triangle) return 0;
+  const Fixed size = kind == PrimitiveKind::line ? draw.line_width : draw.point_size;
+  if (size <= Fixed::from_integer(1)) return 0;
+  return static_cast<int>((size.ceil() + 1) / 2);
+}
+
+void demand(Fixed x, int room, Demands& demands) {
+  demands.left = std::min(demands.left, static_cast<int>(x.ceil()) - 1 - room);
+  demands.right = std::max(demands.right, static_cast<int>(x.floor()) + 1 + room);
   const int fraction_bits =
       Fixed::kFractionBits - std::min(Fixed::kFractionBits, trailing_zeros(x.raw()));
   if (fraction_bits == 0) return;
@@ -85,9 +95,10 @@ std::optional<Viewport> choose_viewport(const Target& target, const std::vector<
   Demands across{0, target.width, -kNoBound, kNoBound};
   Demands up{0, target.height, -kNoBound, kNoBound};
   for (const Draw& draw : draws) {
+    const int room = room_of(draw);
     for (const Vertex& vertex : draw.vertices) {
-      demand(vertex.position.x, across);
-      demand(vertex.position.y, up);
+      demand(vertex.position.x, room, across);
+      demand(vertex.position.y, room, up);
     }
   }
   const std::optional<ViewportSide> columns = choose_side(across);

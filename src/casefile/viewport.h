@@ -26,7 +26,8 @@ constexpr int kMaxViewportSize = 16384;
 
 // The smallest viewport that contains the target's rectangle, has all vertices strictly inside and
 // keeps their coordinates exact: sizes are powers of two, the origin is at whole pixels, as near to
-// (0, 0) as can be. Where exactness cannot be had, the smallest that contains all is returned and
+// (0, 0) as can be. Lines wider and points larger than a pixel get room for half their size round
+// their vertices. Where exactness cannot be had, the smallest that contains all is returned and
 // find_inexactness tells which vertex is to blame. None when a side would exceed kMaxViewportSize.
 std::optional<Viewport> choose_viewport(const Target& target, const std::vector<Draw>& draws);
 

@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <string_view>
 
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "rules/coverage/diamond_exit.h"
+#include "rules/coverage/point_ownership.h"
 
 namespace edgecase {
 namespace {
@@ -16,7 +19,7 @@ namespace {
 bool is_interior_gap(const ScenePrimitive& line, const PrimitiveCoverage& coverage) {
   const auto differing = differences(coverage);
   if (differing.size() != 1 || differing[0].drawn != 0) return false;
-  const Segment segment{line.vertices[0].position, line.vertices[1].position};
+  const Segment segment{line.vertices[0]->position, line.vertices[1]->position};
   const auto along = [&](PixelPosition p) { return segment.x_major() ? p.x : p.y; };
   const int gap = along(differing[0].pixel);
   const auto drawn_where = [&](auto where) {
@@ -27,34 +30,102 @@ bool is_interior_gap(const ScenePrimitive& line, const PrimitiveCoverage& covera
          drawn_where([&](int at) { return at > gap; });
 }
 
+// One alternative of a rule, as a change of a choice.
+struct Change {
+  std::string cause;  // "rule=alternative"
+  std::function<void(CoverageChoice&)> apply;
+
+  CoverageChoice applied_to(CoverageChoice choice) const {
+    apply(choice);
+    return choice;
+  }
+};
+
+// The alternatives of one rule, but for the one that is chosen.
+using RuleAlternatives = std::vector<Change>;
+
+RuleAlternatives snaps_beside(PrimitiveKind kind, Snap chosen) {
+  RuleAlternatives result;
+  for (Snap snap : all_snaps())
+    if (snap != chosen)
+      result.push_back({fmt::format("{}={}", snap_rule_of(kind), name_of(snap)),
+                        [snap](CoverageChoice& choice) { choice.snap = snap; }});
+  return result;
+}
+
+RuleAlternatives ties_beside(PrimitiveKind kind, const TieRule& chosen) {
+  RuleAlternatives result;
+  const auto rules = kind == PrimitiveKind::point ? point_tie_rules() : all_tie_rules();
+  for (const TieRule& ties : rules)
+    if (std::string_view(ties.name) != chosen.name)
+      result.push_back({fmt::format("{}={}", coverage_rule_of(kind), ties.name),
+                        [&ties](CoverageChoice& choice) { choice.ties = ties; }});
+  return result;
+}
+
+RuleAlternatives algorithms_beside(LineAlgorithm chosen) {
+  RuleAlternatives result;
+  for (LineAlgorithm algorithm : all_line_algorithms())
+    if (algorithm != chosen)
+      result.push_back(
+          {fmt::format("line.algorithm={}", name_of(algorithm)),
+           [algorithm](CoverageChoice& choice) { choice.line.algorithm = algorithm; }});
+  return result;
+}
+
+RuleAlternatives boundaries_beside(const DiamondBoundary& chosen) {
+  RuleAlternatives result;
+  for (const DiamondBoundary& boundary : all_diamond_boundaries())
+    if (boundary.name != chosen.name)
+      result.push_back({fmt::format("line.diamond-exit={}", boundary.name),
+                        [&boundary](CoverageChoice& choice) { choice.line.boundary = &boundary; }});
+  return result;
+}
+
+RuleAlternatives wide_lines_beside(WideLine chosen) {
+  RuleAlternatives result;
+  for (WideLine wide : {WideLine::replicate, WideLine::rectangle, WideLine::parallelogram})
+    if (wide != chosen)
+      result.push_back({fmt::format("line.width={}", name_of(wide)),
+                        [wide](CoverageChoice& choice) { choice.line.wide = wide; }});
+  return result;
+}
+
+// The alternatives of every rule that has a say in the primitive's coverage.
+std::vector<RuleAlternatives> alternatives_beside(const ScenePrimitive& primitive,
+                                                  const CoverageChoice& chosen) {
+  if (primitive.kind != PrimitiveKind::line)
+    return {ties_beside(primitive.kind, chosen.ties), snaps_beside(primitive.kind, chosen.snap)};
+  std::vector<RuleAlternatives> rules = {algorithms_beside(chosen.line.algorithm),
+                                         boundaries_beside(*chosen.line.boundary),
+                                         snaps_beside(primitive.kind, chosen.snap)};
+  if (primitive.state->line_width != Fixed::from_integer(1))
+    rules.push_back(wide_lines_beside(chosen.line.wide));
+  return rules;
+}
+
 }  // namespace
 
 std::vector<std::string> find_causes(const ScenePrimitive& primitive, const Target& target,
                                      const CoverageChoice& chosen,
                                      const PrimitiveCoverage& coverage) {
-  const auto reproduces = [&](Snap snap, const TieRule& ties) {
-    return covered_pixels(primitive, target, {snap, ties}) == coverage.drawn;
+  const auto reproduces = [&](const CoverageChoice& choice) {
+    return covered_pixels(primitive, target, choice) == coverage.drawn;
   };
-  const auto tie_cause = [&](const TieRule& ties) {
-    return fmt::format("{}={}", coverage_rule_of(primitive.state->primitive), ties.name);
-  };
-  const auto snap_cause = [&](Snap snap) {
-    return fmt::format("{}={}", snap_rule_of(primitive.state->primitive), name_of(snap));
-  };
-  const std::string_view own_ties = chosen.ties.name;
-
+  const std::vector<RuleAlternatives> rules = alternatives_beside(primitive, chosen);
   std::vector<std::string> causes;
-  for (const TieRule& ties : all_tie_rules())
-    if (ties.name != own_ties && reproduces(chosen.snap, ties)) causes.push_back(tie_cause(ties));
-  for (Snap snap : all_snaps())
-    if (snap != chosen.snap && reproduces(snap, chosen.ties)) causes.push_back(snap_cause(snap));
+  for (const RuleAlternatives& rule : rules)
+    for (const Change& change : rule)
+      if (reproduces(change.applied_to(chosen))) causes.push_back(change.cause);
   if (!causes.empty()) return causes;
 
-  for (const TieRule& ties : all_tie_rules())
-    for (Snap snap : all_snaps())
-      if (ties.name != own_ties && snap != chosen.snap && reproduces(snap, ties))
-        causes.push_back(tie_cause(ties) + " + " + snap_cause(snap));
-  if (causes.empty() && primitive.state->primitive == Primitive::lines &&
+  for (std::size_t i = 0; i < rules.size(); ++i)
+    for (std::size_t j = i + 1; j < rules.size(); ++j)
+      for (const Change& first : rules[i])
+        for (const Change& second : rules[j])
+          if (reproduces(second.applied_to(first.applied_to(chosen))))
+            causes.push_back(first.cause + " + " + second.cause);
+  if (causes.empty() && primitive.kind == PrimitiveKind::line &&
       is_interior_gap(primitive, coverage))
     causes.push_back(kInteriorGap);
   return causes;

@@ -11,7 +11,9 @@
 #include "diff/coverage_diff.h"
 #include "diff/legality.h"
 #include "diff/value_diff.h"
+#include "exact/numeral.h"
 #include "raster/rasterizer.h"
+#include "rules/all_rules.h"
 #include "rules/choices.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/point_ownership.h"
@@ -27,15 +29,30 @@ struct Context {
   int bits;
 };
 
+// Lines of width 1 by the diamond-exit rule are explained by its numbers, others by the algorithm.
+Explanation explain_line_choice(const ScenePrimitive& line, const Segment& segment, PixelPosition p,
+                                const CoverageChoice& choice) {
+  Explanation why = explain_line(segment, p.x, p.y, *choice.line.boundary);
+  const bool thin = line.state->line_width == Fixed::from_integer(1);
+  if (thin && choice.line.algorithm == LineAlgorithm::diamond_exit) return why;
+  const Rule& rule = *find_rule(thin ? "line.algorithm" : "line.width");
+  const char* name = thin ? name_of(choice.line.algorithm) : name_of(choice.line.wide);
+  why.text =
+      fmt::format("the segment {} to {} of width {} is drawn as {} says ({})",
+                  format_point(segment.a), format_point(segment.b),
+                  to_decimal(line.state->line_width), name, find_alternative(rule, name)->meaning);
+  return why;
+}
+
 Explanation explain(const ScenePrimitive& primitive, PixelPosition p,
                     const CoverageChoice& choice) {
-  const auto at = [&](int i) { return choice.snap(primitive.vertices[i].position); };
-  switch (primitive.state->primitive) {
-    case Primitive::points:
-      return explain_point(at(0), p.x, p.y, choice.ties);
-    case Primitive::lines:
-      return explain_line({at(0), at(1)}, p.x, p.y, choice.ties);
-    case Primitive::triangles:
+  const auto at = [&](std::size_t i) { return choice.snap(primitive.vertices[i]->position); };
+  switch (primitive.kind) {
+    case PrimitiveKind::point:
+      return explain_point({at(0), primitive.state->point_size}, p.x, p.y, choice.ties);
+    case PrimitiveKind::line:
+      return explain_line_choice(primitive, {at(0), at(1)}, p, choice);
+    case PrimitiveKind::triangle:
       return explain_triangle({at(0), at(1), at(2)}, p.x, p.y, choice.ties);
   }
   return {};
@@ -43,7 +60,6 @@ Explanation explain(const ScenePrimitive& primitive, PixelPosition p,
 
 Disagreement coverage_disagreement(const ScenePrimitive& primitive,
                                    const CoverageDifference& difference, const Context& context) {
-  const Primitive type = primitive.state->primitive;
   Disagreement d;
   d.x = difference.pixel.x;
   d.y = difference.pixel.y;
@@ -52,16 +68,15 @@ Disagreement coverage_disagreement(const ScenePrimitive& primitive,
   d.rendered = {static_cast<double>(difference.drawn)};
   d.kind =
       difference.drawn < difference.exact ? DisagreementKind::missing : DisagreementKind::extra;
-  d.rule = coverage_rule_of(type);
-  Explanation why = explain(primitive, difference.pixel, context.choices.of(type));
+  d.rule = coverage_rule_of(primitive.kind);
+  Explanation why = explain(primitive, difference.pixel, context.choices.of(primitive.kind));
   d.explanation =
-      fmt::format("{} {}: {}; exact {} the pixel, the renderer {}.",
-                  std::string(name_of(type), std::string(name_of(type)).size() - 1),
+      fmt::format("{} {}: {}; exact {} the pixel, the renderer {}.", name_of(primitive.kind),
                   primitive.index, why.text, difference.exact > 0 ? "draws" : "does not draw",
                   difference.drawn > 0 ? "draws it" : "does not");
   d.figure = std::move(why.figure);
   // Rulings on lines speak of whole segments: compare_primitive and judge() complete these.
-  if (type == Primitive::lines) return d;
+  if (primitive.kind == PrimitiveKind::line) return d;
   const Legality legality = judge_sample(primitive, difference, context.bits);
   d.legal = legality.legal;
   d.ruling = legality.ruling;
@@ -91,7 +106,7 @@ void judge_line(const ScenePrimitive& line, const PrimitiveCoverage& coverage, c
                 Result::Evidence& evidence, Result& result) {
   evidence.line_snaps = legal_line_snaps(line, coverage.drawn, target);
   evidence.broken_clause = broken_clause_unsnapped(line, coverage.drawn, target);
-  const int ruling = coverage.exact.empty() ? 2 : 1;
+  const int ruling = ruling_on_line(line, target);
   for (Disagreement& d : result.disagreements) {
     if (d.primitive != line.index || d.rule != "line.diamond-exit") continue;
     d.ruling = ruling;
@@ -113,9 +128,9 @@ void compare_primitive(const ScenePrimitive& primitive, const PrimitiveCoverage&
   }
   Result::Evidence evidence;
   evidence.primitive = primitive.index;
-  evidence.causes = find_causes(primitive, context.scene.target,
-                                context.choices.of(primitive.state->primitive), coverage);
-  if (primitive.state->primitive == Primitive::lines)
+  evidence.causes =
+      find_causes(primitive, context.scene.target, context.choices.of(primitive.kind), coverage);
+  if (primitive.kind == PrimitiveKind::line)
     judge_line(primitive, coverage, context.scene.target, evidence, result);
   result.evidence.push_back(std::move(evidence));
 }
@@ -127,7 +142,7 @@ std::vector<std::string> common_line_snaps(std::span<const ScenePrimitive> primi
   std::vector<std::string> common;
   for (Snap snap : all_snaps()) common.push_back(name_of(snap));
   for (const ScenePrimitive& primitive : primitives) {
-    if (primitive.state->primitive != Primitive::lines) continue;
+    if (primitive.kind != PrimitiveKind::line) continue;
     const auto legal = legal_line_snaps(
         primitive, coverage[static_cast<std::size_t>(primitive.index)].drawn, target);
     std::erase_if(common, [&](const std::string& name) {
@@ -193,10 +208,10 @@ Result not_run(Failure failure) {
 Figure scene_figure(const Scene& scene) {
   Figure figure;
   for (const ScenePrimitive& primitive : primitives_of(scene)) {
-    const int count = vertices_per_primitive(primitive.state->primitive);
+    const auto count = static_cast<std::size_t>(vertices_of(primitive.kind));
     Mark outline{MarkRole::primitive, count == 3, {}, std::to_string(primitive.index)};
-    for (int i = 0; i < count; ++i) {
-      const Point position = primitive.vertices[i].position;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point position = primitive.vertices[i]->position;
       outline.points.push_back(position_of(position));
       figure.marks.push_back(
           {MarkRole::vertex, false, {position_of(position)}, format_point(position)});
@@ -211,12 +226,12 @@ std::vector<PixelExplanation> explain_pixel(const Scene& scene, const Policy& po
   const RuleChoices choices = resolve(policy, scene.target.surface);
   std::vector<PixelExplanation> result;
   for (const ScenePrimitive& primitive : primitives_of(scene)) {
-    const CoverageChoice& choice = choices.of(primitive.state->primitive);
+    const CoverageChoice& choice = choices.of(primitive.kind);
     const auto pixels = covered_pixels(primitive, scene.target, choice);
     Explanation why = explain(primitive, {x, y}, choice);
     result.push_back({primitive.index,
                       std::find(pixels.begin(), pixels.end(), PixelPosition{x, y}) != pixels.end(),
-                      coverage_rule_of(primitive.state->primitive), std::move(why.text),
+                      coverage_rule_of(primitive.kind), std::move(why.text),
                       std::move(why.figure)});
   }
   return result;

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "model/rendering.h"
 #include "exact/pixel.h"
+#include "model/rendering.h"
 
 namespace edgecase {
 

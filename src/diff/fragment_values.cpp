@@ -54,7 +54,7 @@ Component make_component(Interpolant interpolant, PixelPosition pixel, int bits,
   interpolant.line_parameter = LineParameter::projection;
   result.permitted = rounded_to_float(interpolate_permitted(interpolant, sample, bits));
   interpolant.line_parameter = LineParameter::major_axis;
-  result.by_major_axis = interpolant.primitive == Primitive::lines &&
+  result.by_major_axis = interpolant.kind == PrimitiveKind::line &&
                          rounded_to_float(interpolate_permitted(interpolant, sample, bits))
                              .contains(to_float(rendered));
   return result;
@@ -64,7 +64,7 @@ Component make_component(Interpolant interpolant, PixelPosition pixel, int bits,
 std::string wrong_provoking_vertex(const ScenePrimitive& primitive, const Fragment& fragment) {
   for (const auto& [choice, name] :
        {std::pair{ProvokingChoice::first, "first"}, std::pair{ProvokingChoice::last, "last"}}) {
-    const Color& color = primitive.vertices[provoking_index(*primitive.state, choice)].color;
+    const Color& color = primitive.vertices[provoking_index(primitive, choice)]->color;
     if (std::equal(color.begin(), color.end(), fragment.color.begin(),
                    [](float a, double b) { return static_cast<double>(a) == b; }))
       return fmt::format("attribute.provoking-vertex={}", name);
@@ -80,12 +80,13 @@ bool shows(const Fragment& fragment, const Color& color) {
 void compare_flat_color(const ValueContext& context, const ScenePrimitive& primitive,
                         const Fragment& fragment, Result& result) {
   const Draw& draw = *primitive.state;
-  const Color& color = primitive.vertices[provoking_index(draw, context.choice.provoking)].color;
+  const Color& color =
+      primitive.vertices[provoking_index(primitive, context.choice.provoking)]->color;
   if (shows(fragment, color)) return;
   Disagreement d =
       value_disagreement({fragment.x, fragment.y}, fragment.primitive, "attribute.flat", 8);
-  d.legal =
-      shows(fragment, primitive.vertices[provoking_index(draw, ProvokingChoice::as_set)].color);
+  d.legal = shows(fragment,
+                  primitive.vertices[provoking_index(primitive, ProvokingChoice::as_set)]->color);
   d.exact.assign(color.begin(), color.end());
   d.rendered.assign(fragment.color.begin(), fragment.color.end());
   d.cause = wrong_provoking_vertex(primitive, fragment);

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raster/rasterizer.h"
 #include "rules/choices.h"
+#include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/line_latitude.h"
 #include "rules/coverage/point_ownership.h"
 #include "rules/coverage/shared_edge.h"
@@ -17,27 +19,30 @@ namespace edgecase {
 namespace {
 
 Triangle triangle_of(const ScenePrimitive& primitive) {
-  return {primitive.vertices[0].position, primitive.vertices[1].position,
-          primitive.vertices[2].position};
+  return {primitive.vertices[0]->position, primitive.vertices[1]->position,
+          primitive.vertices[2]->position};
 }
 
-Segment segment_of(const ScenePrimitive& primitive, Snap snap) {
-  return {snap(primitive.vertices[0].position), snap(primitive.vertices[1].position)};
+SeenLine seen_line(const ScenePrimitive& line, Snap snap, const Target& target) {
+  return {
+      {snap(line.vertices[0]->position), snap(line.vertices[1]->position)},
+      line.state->line_width == Fixed::from_integer(1) ? 1 : rounded_width(line.state->line_width),
+      drawable_bounds(*line.state, target)};
 }
 
-PixelBounds bounds_of(const Target& target) {
-  return {0, 0, target.width - 1, target.height - 1};
+SizedPoint point_of(const ScenePrimitive& primitive) {
+  return {primitive.vertices[0]->position, primitive.state->point_size};
 }
 
 bool possibly_covered(const ScenePrimitive& primitive, PixelPosition p, int bits) {
-  if (primitive.state->primitive == Primitive::points)
-    return point_possibly_covered(primitive.vertices[0].position, p.x, p.y, bits);
+  if (primitive.kind == PrimitiveKind::point)
+    return point_possibly_covered(point_of(primitive), p.x, p.y, bits);
   return triangle_possibly_covered(triangle_of(primitive), pixel_centre(p.x, p.y), bits);
 }
 
 bool possibly_uncovered(const ScenePrimitive& primitive, PixelPosition p, int bits) {
-  if (primitive.state->primitive == Primitive::points)
-    return point_possibly_uncovered(primitive.vertices[0].position, p.x, p.y, bits);
+  if (primitive.kind == PrimitiveKind::point)
+    return point_possibly_uncovered(point_of(primitive), p.x, p.y, bits);
   return triangle_possibly_uncovered(triangle_of(primitive), pixel_centre(p.x, p.y), bits);
 }
 
@@ -45,17 +50,21 @@ long count(std::span<const PixelPosition> pixels, PixelPosition p) {
   return std::count(pixels.begin(), pixels.end(), p);
 }
 
+PixelBounds common(const PixelBounds& a, const PixelBounds& b) {
+  return {std::max(a.x_min, b.x_min), std::max(a.y_min, b.y_min), std::min(a.x_max, b.x_max),
+          std::min(a.y_max, b.y_max)};
+}
+
 // Pixels whose centres may lie near the segment a-b: its bounding box, grown by one.
 PixelBounds bounds_near(Point a, Point b, const PixelBounds& target) {
   const auto [x_low, x_high] = std::minmax(a.x, b.x);
   const auto [y_low, y_high] = std::minmax(a.y, b.y);
-  const auto clip = [](std::int64_t value, int low, int high) {
-    return static_cast<int>(std::clamp<std::int64_t>(value, low, high));
+  const auto clip = [](std::int64_t value) {
+    return static_cast<int>(
+        std::clamp<std::int64_t>(value, -2 * Fixed::kMaxCoordinate, 2 * Fixed::kMaxCoordinate));
   };
-  return {clip(x_low.floor() - 1, target.x_min, target.x_max + 1),
-          clip(y_low.floor() - 1, target.y_min, target.y_max + 1),
-          clip(x_high.floor() + 1, target.x_min - 1, target.x_max),
-          clip(y_high.floor() + 1, target.y_min - 1, target.y_max)};
+  return common(target, {clip(x_low.floor() - 1), clip(y_low.floor() - 1), clip(x_high.floor() + 1),
+                         clip(y_high.floor() + 1)});
 }
 
 }  // namespace
@@ -66,10 +75,10 @@ int latitude_bits(int reported_subpixel_bits) {
 
 Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
                       int bits) {
-  const bool point = primitive.state->primitive == Primitive::points;
+  const bool point = primitive.kind == PrimitiveKind::point;
   const bool extra = difference.drawn > difference.exact;
   Legality result;
-  result.rule = coverage_rule_of(primitive.state->primitive);
+  result.rule = coverage_rule_of(primitive.kind);
   result.ruling = point ? 6 : 4;
   result.legal = extra ? possibly_covered(primitive, difference.pixel, bits)
                        : possibly_uncovered(primitive, difference.pixel, bits);
@@ -85,14 +94,20 @@ std::vector<std::string> legal_line_snaps(const ScenePrimitive& line,
                                           const Target& target) {
   std::vector<std::string> result;
   for (Snap snap : all_snaps())
-    if (broken_line_clause(segment_of(line, snap), drawn, bounds_of(target)).empty())
+    if (broken_line_clause(seen_line(line, snap, target), drawn).empty())
       result.push_back(name_of(snap));
   return result;
 }
 
 std::string broken_clause_unsnapped(const ScenePrimitive& line,
                                     std::span<const PixelPosition> drawn, const Target& target) {
-  return broken_line_clause(segment_of(line, Snap{}), drawn, bounds_of(target));
+  return broken_line_clause(seen_line(line, Snap{}, target), drawn);
+}
+
+int ruling_on_line(const ScenePrimitive& line, const Target& target) {
+  const SeenLine seen = seen_line(line, Snap{}, target);
+  if (seen.width != 1) return 12;
+  return is_unseen(seen) ? 2 : 1;
 }
 
 std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> primitives,
@@ -100,14 +115,16 @@ std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> 
                                                 const Target& target, int bits) {
   std::vector<SharedEdgeFault> faults;
   const auto is_triangle = [](const ScenePrimitive& p) {
-    return p.state->primitive == Primitive::triangles;
+    return p.kind == PrimitiveKind::triangle;
   };
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     for (std::size_t j = i + 1; j < primitives.size(); ++j) {
       if (!is_triangle(primitives[i]) || !is_triangle(primitives[j])) continue;
       const auto edge = shared_edge(triangle_of(primitives[i]), triangle_of(primitives[j]));
       if (!edge) continue;
-      const PixelBounds near = bounds_near(edge->a, edge->b, bounds_of(target));
+      const PixelBounds near = bounds_near(edge->a, edge->b,
+                                           common(drawable_bounds(*primitives[i].state, target),
+                                                  drawable_bounds(*primitives[j].state, target)));
       for (int y = near.y_min; y <= near.y_max; ++y) {
         for (int x = near.x_min; x <= near.x_max; ++x) {
           const long hits = count(coverage[i].drawn, {x, y}) + count(coverage[j].drawn, {x, y});

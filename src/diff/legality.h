@@ -37,6 +37,10 @@ std::vector<std::string> legal_line_snaps(const ScenePrimitive& line,
 std::string broken_clause_unsnapped(const ScenePrimitive& line,
                                     std::span<const PixelPosition> drawn, const Target& target);
 
+// The ruling that speaks of the line as given: 12 for a wide one, 2 where the diamond-exit rule
+// draws nothing of it, else 1.
+int ruling_on_line(const ScenePrimitive& line, const Target& target);
+
 // Samples that two triangles with a common edge must hit exactly once but hit otherwise.
 struct SharedEdgeFault {
   PixelPosition pixel;

@@ -20,7 +20,11 @@ struct Expect {
 };
 
 struct Case {
-  std::string id;  // path from the suite's root, without suffix, with '/'
+  // Path from the suite's root, without suffix, with '/'; then ":" and each of `parts`.
+  std::string id;
+  // What tells the case from the others of its file: "dx=-0.5" of each axis of a sweep, in the
+  // file's order, then "reverse", "winding", "octant=3" or "translate=3,2".
+  std::vector<std::string> parts;
   std::string title;
   std::string why;
   std::vector<std::string> rules;  // ids of the rules that the case is about

@@ -13,13 +13,13 @@ namespace edgecase {
 
 // One fragment shader invocation.
 struct Fragment {
-  int x = 0;                   // pixel column, 0 to width - 1
-  int y = 0;                   // pixel row, 0 to height - 1, y up
-  int primitive = 0;           // index in drawing order, see primitives_of
-  std::uint32_t coverage = 1;  // bit s set: sample s is covered
-  double depth = 0;            // window depth, 0 to 1
+  int x = 0;                      // pixel column, 0 to width - 1
+  int y = 0;                      // pixel row, 0 to height - 1, y up
+  int primitive = 0;              // index in drawing order, see primitives_of
+  std::uint32_t coverage = 1;     // bit s set: sample s is covered
+  double depth = 0;               // window depth, 0 to 1
   std::array<double, 4> color{};  // before conversion to the target's format
-  bool has_depth = true;  // false: the renderer tells no depth
+  bool has_depth = true;          // false: the renderer tells no depth
   bool has_color = true;          // false: the renderer tells no per-fragment colour
 };
 

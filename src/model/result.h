@@ -43,9 +43,9 @@ struct Result {
   std::string fingerprint;         // of rule, kind and pixel set; empty when nothing differs
   std::vector<Disagreement> disagreements;  // complete, sorted by pixel, primitive, kind
   std::vector<ValueAggregate> values;
-  std::vector<Evidence> evidence;        // of the primitives that have a disagreement
-  std::vector<std::string> line_snaps;   // snaps under which every line of the case is legal
-  std::vector<std::uint8_t> pixels;      // RGBA8, bottom row first; empty when not run
+  std::vector<Evidence> evidence;       // of the primitives that have a disagreement
+  std::vector<std::string> line_snaps;  // snaps under which every line of the case is legal
+  std::vector<std::uint8_t> pixels;     // RGBA8, bottom row first; empty when not run
   Standing standing = Standing::expected;
   std::string expectation;  // the reason that the matching expectation gives, or why none matches
 };

@@ -14,12 +14,21 @@ struct Named {
 
 constexpr Named<Primitive> kPrimitives[] = {{Primitive::points, "points"},
                                             {Primitive::lines, "lines"},
-                                            {Primitive::triangles, "triangles"}};
-constexpr Named<Interpolation> kInterpolations[] = {{Interpolation::flat, "flat"},
-                                                    {Interpolation::smooth, "smooth"}};
+                                            {Primitive::line_strip, "line_strip"},
+                                            {Primitive::line_loop, "line_loop"},
+                                            {Primitive::triangles, "triangles"},
+                                            {Primitive::triangle_strip, "triangle_strip"},
+                                            {Primitive::triangle_fan, "triangle_fan"}};
+constexpr Named<PrimitiveKind> kKinds[] = {{PrimitiveKind::point, "point"},
+                                           {PrimitiveKind::line, "line"},
+                                           {PrimitiveKind::triangle, "triangle"}};
+constexpr Named<Interpolation> kInterpolations[] = {
+    {Interpolation::flat, "flat"},
+    {Interpolation::smooth, "smooth"},
+    {Interpolation::noperspective, "noperspective"}};
 constexpr Named<ProvokingVertex> kProvoking[] = {{ProvokingVertex::first, "first"},
                                                  {ProvokingVertex::last, "last"}};
-constexpr Named<Surface> kSurfaces[] = {{Surface::fbo, "fbo"}};
+constexpr Named<Surface> kSurfaces[] = {{Surface::fbo, "fbo"}, {Surface::window, "window"}};
 constexpr Named<ColorFormat> kColorFormats[] = {{ColorFormat::rgba8, "rgba8"}};
 
 template <class Enum, std::size_t N>
@@ -43,6 +52,9 @@ bool find_value(const Named<Enum> (&table)[N], const std::string& name, Enum& va
 
 const char* name_of(Primitive value) {
   return find_name(kPrimitives, value);
+}
+const char* name_of(PrimitiveKind value) {
+  return find_name(kKinds, value);
 }
 const char* name_of(Interpolation value) {
   return find_name(kInterpolations, value);
@@ -73,14 +85,101 @@ bool parse_name(const std::string& name, ColorFormat& value) {
   return find_value(kColorFormats, name, value);
 }
 
+PrimitiveKind kind_of(Primitive primitive) {
+  switch (primitive) {
+    case Primitive::points:
+      return PrimitiveKind::point;
+    case Primitive::lines:
+    case Primitive::line_strip:
+    case Primitive::line_loop:
+      return PrimitiveKind::line;
+    case Primitive::triangles:
+    case Primitive::triangle_strip:
+    case Primitive::triangle_fan:
+      return PrimitiveKind::triangle;
+  }
+  return PrimitiveKind::triangle;
+}
+
+bool is_vertex_count(Primitive primitive, std::size_t count) {
+  const auto size = static_cast<std::size_t>(vertices_of(kind_of(primitive)));
+  const bool separate = primitive == Primitive::points || primitive == Primitive::lines ||
+                        primitive == Primitive::triangles;
+  return count >= size && (!separate || count % size == 0);
+}
+
+namespace {
+
+// The vertices of a draw's primitive, by their places in the draw, and which of them provoke.
+struct Assembled {
+  std::array<std::size_t, 3> vertices{};
+  int provoking_first = 0;
+  int provoking_last = 0;
+};
+
+std::size_t primitive_count(Primitive primitive, std::size_t vertices) {
+  const auto size = static_cast<std::size_t>(vertices_of(kind_of(primitive)));
+  if (vertices < size) return 0;
+  switch (primitive) {
+    case Primitive::points:
+    case Primitive::lines:
+    case Primitive::triangles:
+      return vertices / size;
+    case Primitive::line_loop:
+      return vertices;
+    case Primitive::line_strip:
+      return vertices - 1;
+    case Primitive::triangle_strip:
+    case Primitive::triangle_fan:
+      return vertices - 2;
+  }
+  return 0;
+}
+
+// Primitive i of a draw (GL 4.6 core, 10.1); the last segment of a loop returns to vertex 0.
+Assembled assemble(Primitive primitive, std::size_t i, std::size_t vertices) {
+  switch (primitive) {
+    case Primitive::points:
+      return {{i, 0, 0}, 0, 0};
+    case Primitive::lines:
+      return {{2 * i, 2 * i + 1, 0}, 0, 1};
+    case Primitive::line_strip:
+    case Primitive::line_loop:
+      return {{i, (i + 1) % vertices, 0}, 0, 1};
+    case Primitive::triangles:
+      return {{3 * i, 3 * i + 1, 3 * i + 2}, 0, 2};
+    // Every second triangle of a strip is turned round, so that all wind one way.
+    case Primitive::triangle_strip:
+      if (i % 2 == 1) return {{i + 1, i, i + 2}, 1, 2};
+      return {{i, i + 1, i + 2}, 0, 2};
+    case Primitive::triangle_fan:
+      return {{0, i + 1, i + 2}, 1, 2};
+  }
+  return {};
+}
+
+}  // namespace
+
 std::vector<ScenePrimitive> primitives_of(const Scene& scene) {
   std::vector<ScenePrimitive> result;
   for (std::size_t d = 0; d < scene.draws.size(); ++d) {
     const Draw& draw = scene.draws[d];
-    const auto step = static_cast<std::size_t>(vertices_per_primitive(draw.primitive));
-    for (std::size_t v = 0; v + step <= draw.vertices.size(); v += step)
-      result.push_back(
-          {static_cast<int>(result.size()), static_cast<int>(d), &draw, draw.vertices.data() + v});
+    const std::size_t count = primitive_count(draw.primitive, draw.vertices.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const Assembled assembled = assemble(draw.primitive, i, draw.vertices.size());
+      ScenePrimitive primitive;
+      primitive.index = static_cast<int>(result.size());
+      primitive.draw = static_cast<int>(d);
+      primitive.kind = kind_of(draw.primitive);
+      primitive.state = &draw;
+      for (int v = 0; v < vertices_of(primitive.kind); ++v) {
+        const auto at = static_cast<std::size_t>(v);
+        primitive.vertices[at] = &draw.vertices[assembled.vertices[at]];
+      }
+      primitive.provoking_first = assembled.provoking_first;
+      primitive.provoking_last = assembled.provoking_last;
+      result.push_back(primitive);
+    }
   }
   return result;
 }

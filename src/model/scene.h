@@ -5,7 +5,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +15,22 @@
 
 namespace edgecase {
 
-enum class Primitive { points, lines, triangles };
-enum class Interpolation { flat, smooth };
+// How a draw's vertices make primitives (GL 4.6 core, 10.1).
+enum class Primitive {
+  points,
+  lines,
+  line_strip,
+  line_loop,
+  triangles,
+  triangle_strip,
+  triangle_fan,
+};
+// What a primitive is, once assembled.
+enum class PrimitiveKind { point, line, triangle };
+enum class Interpolation { flat, smooth, noperspective };
 enum class ProvokingVertex { first, last };
 // Where pixels land: a framebuffer object, or the window system's framebuffer.
-enum class Surface { fbo };
+enum class Surface { fbo, window };
 enum class ColorFormat { rgba8 };
 
 // Red, green, blue, alpha; linear, 0 to 1; every component a float32 value.
@@ -50,7 +63,10 @@ struct Draw {
   Primitive primitive = Primitive::triangles;
   Interpolation interpolation = Interpolation::flat;
   ProvokingVertex provoking_vertex = ProvokingVertex::last;
-  std::vector<Vertex> vertices;  // a multiple of vertices_per_primitive(primitive)
+  Fixed line_width = Fixed::from_integer(1);  // pixels, more than 0, at most 64
+  Fixed point_size = Fixed::from_integer(1);  // pixels, more than 0, at most 64
+  std::optional<Viewport> scissor;            // fragments outside are dropped; a size may be 0
+  std::vector<Vertex> vertices;               // as many as is_vertex_count allows
 };
 
 struct Scene {
@@ -59,20 +75,19 @@ struct Scene {
   std::vector<Draw> draws;
 };
 
-constexpr int vertices_per_primitive(Primitive primitive) {
-  switch (primitive) {
-    case Primitive::points:
-      return 1;
-    case Primitive::lines:
-      return 2;
-    case Primitive::triangles:
-      return 3;
-  }
-  return 1;
+PrimitiveKind kind_of(Primitive primitive);
+
+// How many vertices a primitive of a kind has: 1, 2 or 3.
+constexpr int vertices_of(PrimitiveKind kind) {
+  return static_cast<int>(kind) + 1;
 }
+
+// Does this number of vertices make whole primitives, and at least one?
+bool is_vertex_count(Primitive primitive, std::size_t count);
 
 // The names that case files, JSON and reports use.
 const char* name_of(Primitive);
+const char* name_of(PrimitiveKind);
 const char* name_of(Interpolation);
 const char* name_of(ProvokingVertex);
 const char* name_of(Surface);
@@ -85,13 +100,17 @@ bool parse_name(const std::string& name, ProvokingVertex& value);
 bool parse_name(const std::string& name, Surface& value);
 bool parse_name(const std::string& name, ColorFormat& value);
 
-// One primitive of a scene, with the index that fragments carry: primitives are numbered from 0 in
-// drawing order over all draws.
+// One assembled primitive of a scene, with the index that fragments carry: primitives are numbered
+// from 0 in drawing order over all draws.
 struct ScenePrimitive {
   int index = 0;
   int draw = 0;
+  PrimitiveKind kind = PrimitiveKind::triangle;
   const Draw* state = nullptr;
-  const Vertex* vertices = nullptr;  // vertices_per_primitive(state->primitive) of them
+  std::array<const Vertex*, 3> vertices{};  // vertices_of(kind) of them, in the order of assembly
+  // Which of them provokes under either convention (GL 4.6 core, table 13.2).
+  int provoking_first = 0;
+  int provoking_last = 0;
 };
 
 // All primitives of a scene in drawing order. The pointers live as long as `scene` does.

@@ -14,22 +14,23 @@
 namespace edgecase {
 namespace {
 
-PixelBounds bounds_of(const Target& target) {
-  return {0, 0, target.width - 1, target.height - 1};
-}
-
-// Pixels whose centres can lie within the hull of the positions grown by one pixel.
-PixelBounds bounds_of(std::span<const Point> positions, const PixelBounds& target) {
-  PixelBounds result = target;
-  const auto [x_low, x_high] = std::minmax_element(positions.begin(), positions.end(),
-                                                   [](Point a, Point b) { return a.x < b.x; });
-  const auto [y_low, y_high] = std::minmax_element(positions.begin(), positions.end(),
-                                                   [](Point a, Point b) { return a.y < b.y; });
-  result.x_min = static_cast<int>(std::max<std::int64_t>(target.x_min, x_low->x.floor() - 1));
-  result.x_max = static_cast<int>(std::min<std::int64_t>(target.x_max, x_high->x.floor() + 1));
-  result.y_min = static_cast<int>(std::max<std::int64_t>(target.y_min, y_low->y.floor() - 1));
-  result.y_max = static_cast<int>(std::min<std::int64_t>(target.y_max, y_high->y.floor() + 1));
-  return result;
+// Pixels whose centres can lie within the hull of the positions grown by half a size and one pixel.
+PixelBounds bounds_near(std::span<const Point> positions, Fixed size, const PixelBounds& all) {
+  Point low = positions[0];
+  Point high = positions[0];
+  for (Point p : positions) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const std::int64_t margin = size.ceil() / 2 + 1;
+  const auto clip = [](std::int64_t value) {
+    return static_cast<int>(
+        std::clamp<std::int64_t>(value, -Fixed::kMaxCoordinate * 2, Fixed::kMaxCoordinate * 2));
+  };
+  return {std::max(all.x_min, clip(low.x.floor() - margin)),
+          std::max(all.y_min, clip(low.y.floor() - margin)),
+          std::min(all.x_max, clip(high.x.floor() + margin)),
+          std::min(all.y_max, clip(high.y.floor() + margin))};
 }
 
 template <class Covers>
@@ -54,12 +55,12 @@ template <class ValueOf>
 Interpolant make_interpolant(const ScenePrimitive& primitive, LineParameter line_parameter,
                              ValueOf value_of) {
   Interpolant f;
-  f.primitive = primitive.state->primitive;
+  f.kind = primitive.kind;
   f.line_parameter = line_parameter;
-  for (int i = 0; i < vertices_per_primitive(f.primitive); ++i) {
+  for (int i = 0; i < vertices_of(f.kind); ++i) {
     const auto index = static_cast<std::size_t>(i);
-    f.positions[index] = primitive.vertices[i].position;
-    f.values[index] = value_of(primitive.vertices[i]);
+    f.positions[index] = primitive.vertices[index]->position;
+    f.values[index] = value_of(*primitive.vertices[index]);
   }
   return f;
 }
@@ -71,25 +72,39 @@ void write_pixel(Rendering& rendering, int x, int y, const std::array<double, 4>
 
 }  // namespace
 
+PixelBounds drawable_bounds(const Draw& draw, const Target& target) {
+  PixelBounds bounds{0, 0, target.width - 1, target.height - 1};
+  if (!draw.scissor) return bounds;
+  const Viewport& scissor = *draw.scissor;
+  bounds.x_min = std::max(bounds.x_min, scissor.x);
+  bounds.y_min = std::max(bounds.y_min, scissor.y);
+  bounds.x_max = std::min(bounds.x_max, scissor.x + scissor.width - 1);
+  bounds.y_max = std::min(bounds.y_max, scissor.y + scissor.height - 1);
+  return bounds;
+}
+
 std::vector<PixelPosition> covered_pixels(const ScenePrimitive& primitive, const Target& target,
                                           const CoverageChoice& choice) {
-  const PixelBounds all = bounds_of(target);
+  const PixelBounds all = drawable_bounds(*primitive.state, target);
   std::array<Point, 3> p{};
-  const int count = vertices_per_primitive(primitive.state->primitive);
-  for (int i = 0; i < count; ++i)
-    p[static_cast<std::size_t>(i)] = choice.snap(primitive.vertices[i].position);
-  const PixelBounds bounds = bounds_of(std::span(p).first(static_cast<std::size_t>(count)), all);
+  const auto count = static_cast<std::size_t>(vertices_of(primitive.kind));
+  for (std::size_t i = 0; i < count; ++i) p[i] = choice.snap(primitive.vertices[i]->position);
 
-  switch (primitive.state->primitive) {
-    case Primitive::points:
-      return collect(bounds, [&](int x, int y) { return point_covers(p[0], x, y, choice.ties); });
-    case Primitive::lines: {
-      auto pixels = diamond_exit_pixels({p[0], p[1]}, all, choice.ties);
+  switch (primitive.kind) {
+    case PrimitiveKind::point: {
+      const SizedPoint point{p[0], primitive.state->point_size};
+      return collect(bounds_near({p.data(), count}, point.size, all),
+                     [&](int x, int y) { return point_covers(point, x, y, choice.ties); });
+    }
+    case PrimitiveKind::line: {
+      auto pixels =
+          line_pixels({p[0], p[1]}, primitive.state->line_width, all, choice.line, choice.ties);
       std::sort(pixels.begin(), pixels.end(), row_first);
       return pixels;
     }
-    case Primitive::triangles:
-      return collect(bounds, [&](int x, int y) { return triangle_covers(p, x, y, choice.ties); });
+    case PrimitiveKind::triangle:
+      return collect(bounds_near({p.data(), count}, Fixed(), all),
+                     [&](int x, int y) { return triangle_covers(p, x, y, choice.ties); });
   }
   return {};
 }
@@ -115,7 +130,7 @@ Fragment shade(const ScenePrimitive& primitive, PixelPosition pixel, const Value
   fragment.y = pixel.y;
   fragment.primitive = primitive.index;
   fragment.depth = middle(interpolate_exact(depth_interpolant(primitive, parameter), sample));
-  const Vertex& provoking = primitive.vertices[provoking_index(draw, choice.provoking)];
+  const Vertex& provoking = *primitive.vertices[provoking_index(primitive, choice.provoking)];
   for (std::size_t c = 0; c < 4; ++c)
     fragment.color[c] =
         draw.interpolation == Interpolation::flat
@@ -141,7 +156,7 @@ Rendering rasterize(const Scene& scene, const Policy& policy) {
   for (int y = 0; y < rendering.height; ++y)
     for (int x = 0; x < rendering.width; ++x) write_pixel(rendering, x, y, clear);
   for (const ScenePrimitive& primitive : primitives_of(scene)) {
-    const CoverageChoice& choice = choices.of(primitive.state->primitive);
+    const CoverageChoice& choice = choices.of(primitive.kind);
     for (PixelPosition pixel : covered_pixels(primitive, scene.target, choice)) {
       const Fragment fragment = shade(primitive, pixel, choices.values);
       write_pixel(rendering, pixel.x, pixel.y, fragment.color);

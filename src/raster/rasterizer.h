@@ -8,14 +8,17 @@
 
 #include <vector>
 
+#include "exact/pixel.h"
 #include "model/policy.h"
 #include "model/rendering.h"
 #include "model/scene.h"
 #include "rules/choices.h"
-#include "exact/pixel.h"
 #include "rules/values/smooth_attribute.h"
 
 namespace edgecase {
+
+// The pixels to which a draw can write: the target's, within the scissor rectangle. May be empty.
+PixelBounds drawable_bounds(const Draw& draw, const Target& target);
 
 // The pixels of the target that one primitive covers under a choice of rules, sorted by row,
 // column.

@@ -62,6 +62,11 @@ std::string reason_from(const Result& result) {
   return text;
 }
 
+// Bytes that are no UTF-8 are replaced, never fatal.
+std::string dump(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 bool same_answer(const Expectation& entry, const Result& result) {
   return entry.verdict == result.verdict && entry.fingerprint == result.fingerprint;
 }
@@ -75,6 +80,11 @@ std::variant<Expectations, std::string> parse_expectations(const std::string& te
     Expectations result;
     result.renderer = json.at("renderer");
     result.measured = json.at("measured");
+    for (const auto& [key, value] : json.items())
+      if (key != "renderer" && key != "measured" && key != "expectations")
+        throw std::runtime_error(fmt::format("unknown key \"{}\"", key));
+    if (!json.at("expectations").is_array())
+      throw std::runtime_error("\"expectations\" is no list");
     for (const Json& item : json.at("expectations")) {
       where = fmt::format("expectation {}", result.cases.size());
       const std::string id = item.at("case");
@@ -91,7 +101,7 @@ std::variant<Expectations, std::string> parse_expectations(const std::string& te
 std::string expectations_text(const Expectations& expectations) {
   std::string text =
       fmt::format("{{\n  \"renderer\": {},\n  \"measured\": {},\n  \"expectations\": [",
-                  Json(expectations.renderer).dump(), Json(expectations.measured).dump());
+                  dump(expectations.renderer), dump(expectations.measured));
   const char* separator = "\n";
   for (const auto& [id, entry] : expectations.cases) {
     Json json = {{"case", id},
@@ -99,8 +109,7 @@ std::string expectations_text(const Expectations& expectations) {
                  {"fingerprint", entry.fingerprint},
                  {"reason", entry.reason}};
     if (!entry.link.empty()) json["link"] = entry.link;
-    text += fmt::format("{}    {}", separator,
-                        json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    text += fmt::format("{}    {}", separator, dump(json));
     separator = ",\n";
   }
   return text + "\n  ]\n}\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -26,6 +27,16 @@ std::vector<std::uint8_t> from_hex(const std::string& text) {
   return bytes;
 }
 
+// RGBA8 of a picture of the given size.
+std::vector<std::uint8_t> to_pixels(const std::string& hex, int width, int height) {
+  std::vector<std::uint8_t> pixels = from_hex(hex);
+  if (width < 0 || height < 0 ||
+      pixels.size() != 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+    throw std::runtime_error(fmt::format("{} bytes of pixels do not make a picture of {} by {}",
+                                         pixels.size(), width, height));
+  return pixels;
+}
+
 double to_number(const Json& json) {
   if (json.is_number()) return json.get<double>();
   const std::string text = json.get<std::string>();
@@ -42,6 +53,16 @@ Enum to_enum(const Json& json, Enum first, Enum last) {
   for (int i = static_cast<int>(first); i <= static_cast<int>(last); ++i)
     if (text == name_of(static_cast<Enum>(i))) return static_cast<Enum>(i);
   throw std::runtime_error(fmt::format("\"{}\" is not known here", text));
+}
+
+// A whole number as a member's name.
+int to_integer(const std::string& text) {
+  int value = 0;
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  if (read.ec != std::errc{} || read.ptr != end)
+    throw std::runtime_error(fmt::format("\"{}\" is no whole number", text));
+  return value;
 }
 
 template <class Item, class Convert>
@@ -100,7 +121,7 @@ ValueAggregate to_values(const Json& json) {
   values.worst_rendered = to_number(json.at("worst_rendered"));
   values.worst_ulp = to_number(json.at("worst_ulp"));
   for (const auto& [bucket, count] : json.at("ulp_histogram").items())
-    values.ulp_histogram[std::stoi(bucket)] = count;
+    values.ulp_histogram[to_integer(bucket)] = count;
   values.differing = to_list<ValueAggregate::Place>(json.at("differing"), to_place);
   return values;
 }
@@ -133,7 +154,7 @@ Result to_result(const Json& json, const CaseResults& exact) {
   result.line_snaps = json.at("line_snaps").get<std::vector<std::string>>();
   if (json.contains("pixels")) {
     const std::string pixels = json.at("pixels");
-    result.pixels = pixels == "exact" ? exact.pixels : from_hex(pixels);
+    result.pixels = pixels == "exact" ? exact.pixels : to_pixels(pixels, exact.width, exact.height);
   }
   return result;
 }
@@ -152,7 +173,7 @@ CaseResults to_case(const Json& json, const std::vector<RendererInfo>& renderers
   one.width = json.at("width");
   one.height = json.at("height");
   one.fragments = json.at("fragments");
-  one.pixels = from_hex(json.at("pixels"));
+  one.pixels = to_pixels(json.at("pixels"), one.width, one.height);
   one.figure = to_figure(json.at("figure"));
   one.expect_failures = json.at("expect_failures").get<std::vector<std::string>>();
   for (const RendererInfo& info : renderers)
@@ -179,6 +200,7 @@ Diagnostic to_diagnostic(const Json& json) {
 }  // namespace
 
 std::variant<Results, std::string> read_results(const std::string& text) {
+  std::string where;
   try {
     const Json json = Json::parse(text);
     Results results;
@@ -187,11 +209,13 @@ std::variant<Results, std::string> read_results(const std::string& text) {
     results.interrupted = json.at("interrupted");
     results.renderers = to_list<RendererInfo>(json.at("renderers"), to_renderer);
     results.diagnostics = to_list<Diagnostic>(json.at("diagnostics"), to_diagnostic);
-    for (const Json& one : json.at("cases"))
-      results.cases.push_back(to_case(one, results.renderers));
+    results.cases = to_list<CaseResults>(json.at("cases"), [&](const Json& one) {
+      where = fmt::format("case {}: ", one.at("id").get<std::string>());
+      return to_case(one, results.renderers);
+    });
     return results;
   } catch (const std::exception& error) {
-    return fmt::format("this is no results file of `edgecase run`: {}", error.what());
+    return fmt::format("this is no results file of `edgecase run`: {}{}", where, error.what());
   }
 }
 

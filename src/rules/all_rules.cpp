@@ -5,6 +5,7 @@
 
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/fragment_once.h"
+#include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/point_ownership.h"
 #include "rules/coverage/shared_edge.h"
 #include "rules/coverage/snap.h"
@@ -33,6 +34,8 @@ std::span<const Rule> all_rules() {
       fragment_once_rule(),
       point_ownership_rule(),
       diamond_exit_rule(),
+      line_algorithm_rule(),
+      line_width_rule(),
       triangle_fill_rule(),
       shared_edge_rule(),
       snap_rule("subpixel.snap"),

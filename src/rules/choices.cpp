@@ -15,14 +15,30 @@ std::string chosen(const Policy& policy, Surface surface, const std::string& rul
   return choice != policy.rules.end() ? choice->second : "";
 }
 
-CoverageChoice resolve_primitive(const Policy& policy, Surface surface, Primitive primitive) {
+// The alternative chosen for a rule, or the catalogue's standard one.
+std::string chosen_or_standard(const Policy& policy, Surface surface, const std::string& rule) {
+  const std::string choice = chosen(policy, surface, rule);
+  return choice.empty() ? find_rule(rule)->standard : choice;
+}
+
+LineChoice resolve_line(const Policy& policy, Surface surface) {
+  LineChoice result;
+  parse_name(chosen_or_standard(policy, surface, "line.algorithm"), result.algorithm);
+  parse_name(chosen_or_standard(policy, surface, "line.width"), result.wide);
+  result.boundary = find_diamond_boundary(chosen_or_standard(policy, surface, "line.diamond-exit"));
+  return result;
+}
+
+CoverageChoice resolve_primitive(const Policy& policy, Surface surface, PrimitiveKind kind) {
   CoverageChoice result;
-  std::string snap = chosen(policy, surface, snap_rule_of(primitive));
-  if (snap.empty()) snap = chosen(policy, surface, "subpixel.snap");
-  if (const Snap* found = find_snap(snap)) result.snap = *found;
-  std::string ties = chosen(policy, surface, coverage_rule_of(primitive));
-  if (ties.empty()) ties = find_rule(coverage_rule_of(primitive))->standard;
-  result.ties = *find_tie_rule(ties);
+  std::string snap = chosen(policy, surface, snap_rule_of(kind));
+  if (snap.empty()) snap = chosen_or_standard(policy, surface, "subpixel.snap");
+  result.snap = *find_snap(snap);
+  // Lines that are drawn as areas are drawn as polygons are.
+  const bool point = kind == PrimitiveKind::point;
+  result.ties = *find_tie_rule(
+      chosen_or_standard(policy, surface, point ? "point.ownership" : "triangle.fill-rule"));
+  result.line = resolve_line(policy, surface);
   return result;
 }
 
@@ -38,46 +54,46 @@ ValueChoice resolve_values(const Policy& policy, Surface surface) {
 
 }  // namespace
 
-const CoverageChoice& RuleChoices::of(Primitive primitive) const {
-  switch (primitive) {
-    case Primitive::points:
+const CoverageChoice& RuleChoices::of(PrimitiveKind kind) const {
+  switch (kind) {
+    case PrimitiveKind::point:
       return points;
-    case Primitive::lines:
+    case PrimitiveKind::line:
       return lines;
-    case Primitive::triangles:
+    case PrimitiveKind::triangle:
       return triangles;
   }
   return triangles;
 }
 
-const char* coverage_rule_of(Primitive primitive) {
-  switch (primitive) {
-    case Primitive::points:
+const char* coverage_rule_of(PrimitiveKind kind) {
+  switch (kind) {
+    case PrimitiveKind::point:
       return "point.ownership";
-    case Primitive::lines:
+    case PrimitiveKind::line:
       return "line.diamond-exit";
-    case Primitive::triangles:
+    case PrimitiveKind::triangle:
       return "triangle.fill-rule";
   }
   return "?";
 }
 
-const char* snap_rule_of(Primitive primitive) {
-  switch (primitive) {
-    case Primitive::points:
+const char* snap_rule_of(PrimitiveKind kind) {
+  switch (kind) {
+    case PrimitiveKind::point:
       return "point.snap";
-    case Primitive::lines:
+    case PrimitiveKind::line:
       return "line.snap";
-    case Primitive::triangles:
+    case PrimitiveKind::triangle:
       return "triangle.snap";
   }
   return "?";
 }
 
 RuleChoices resolve(const Policy& policy, Surface surface) {
-  return {resolve_primitive(policy, surface, Primitive::points),
-          resolve_primitive(policy, surface, Primitive::lines),
-          resolve_primitive(policy, surface, Primitive::triangles),
+  return {resolve_primitive(policy, surface, PrimitiveKind::point),
+          resolve_primitive(policy, surface, PrimitiveKind::line),
+          resolve_primitive(policy, surface, PrimitiveKind::triangle),
           resolve_values(policy, surface)};
 }
 

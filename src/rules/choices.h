@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/policy.h"
+#include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/snap.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/values/flat_attribute.h"
@@ -15,10 +16,11 @@
 
 namespace edgecase {
 
-// What a policy says for one primitive type.
+// What a policy says for one kind of primitive.
 struct CoverageChoice {
   Snap snap;
-  TieRule ties;
+  TieRule ties;     // of a point's square, a triangle's edges, a line drawn as an area
+  LineChoice line;  // of lines alone
 };
 
 // What a policy says of attributes.
@@ -34,14 +36,14 @@ struct RuleChoices {
   CoverageChoice triangles;
   ValueChoice values;
 
-  const CoverageChoice& of(Primitive primitive) const;
+  const CoverageChoice& of(PrimitiveKind kind) const;
 };
 
 // Rules and alternatives that the policy names must be of the catalogue.
 RuleChoices resolve(const Policy& policy, Surface surface);
 
-// The rule that decides the coverage of a primitive type, and the rule of its snapping.
-const char* coverage_rule_of(Primitive primitive);
-const char* snap_rule_of(Primitive primitive);
+// The rule by which ties of a kind of primitive are decided, and the rule of its snapping.
+const char* coverage_rule_of(PrimitiveKind kind);
+const char* snap_rule_of(PrimitiveKind kind);
 
 }  // namespace edgecase

@@ -29,7 +29,7 @@ constexpr std::size_t kErrorOutput = 2000;
 // How long a program may take to end after its input was closed, or after it closed its output.
 constexpr milliseconds kFarewell{500};
 // How often a program that neither reads nor writes is looked at: its output may stay open in a
-// grandchild although it is dead.
+// grandchild although it is dead. And how often we ask whether to stop.
 constexpr milliseconds kGlance{100};
 
 // Blocks SIGPIPE on this thread and swallows the one that a write of ours raised, so that neither
@@ -225,8 +225,8 @@ bool ChildProcess::take_line(std::string& answer) {
 }
 
 ChildProcess::Status ChildProcess::exchange(std::string_view request, std::string& answer,
-                                            std::size_t max_line_length,
-                                            Clock::time_point deadline) {
+                                            std::size_t max_line_length, Clock::time_point deadline,
+                                            const std::atomic<bool>* stop) {
   const std::string line = std::string(request) + "\n";
   std::size_t written = 0;
   bool answered = false;
@@ -236,6 +236,7 @@ ChildProcess::Status ChildProcess::exchange(std::string_view request, std::strin
     answered = answered || take_line(answer);
     if (answered && written == line.size()) return Status::answered;
     if (!answered && received_.size() > max_line_length) return Status::too_long;
+    if (stop != nullptr && stop->load()) return Status::stopped;
 
     const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
     if (left.count() <= 0) return Status::timed_out;

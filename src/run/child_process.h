@@ -12,6 +12,7 @@
 
 #include <sys/types.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <map>
@@ -39,6 +40,7 @@ class ChildProcess {
     ended,      // the program ended, or closed its output
     timed_out,  // the deadline passed
     too_long,   // more than max_line_length bytes came without a line break
+    stopped,    // `stop` became true
   };
 
   // Starts the program, or says why it cannot be started.
@@ -50,9 +52,10 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   // Writes `request` and a line break, and reads one line into `answer`, without its line break.
-  // After anything but `answered` the program is of no further use.
+  // `stop`, which may be null, is looked at ten times a second. After anything but `answered` the
+  // program is of no further use.
   Status exchange(std::string_view request, std::string& answer, std::size_t max_line_length,
-                  Clock::time_point deadline);
+                  Clock::time_point deadline, const std::atomic<bool>* stop = nullptr);
 
   // Kills the group and reaps the program. Afterwards the two below are known.
   void kill();

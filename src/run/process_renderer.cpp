@@ -90,10 +90,9 @@ Outcome ProcessRenderer::attempt(const Task& task) {
   const Scene& scene = *task.scene;
   const std::string scene_text = scene_json(scene);
   const std::string request = request_line(task.id, scene_text);
-  const auto patience = child_answered_ ? spec_.timeout : spec_.timeout + spec_.startup_timeout;
   std::string answer;
   const auto status = child_->exchange(request, answer, longest_answer(scene),
-                                       ChildProcess::Clock::now() + patience);
+                                       ChildProcess::Clock::now() + patience(), spec_.stop);
   if (status == ChildProcess::Status::answered) return read(answer, digest_of(scene_text), scene);
   Failure failure = failure_of(status);
   child_.reset();
@@ -122,9 +121,17 @@ Outcome ProcessRenderer::read(const std::string& line, const std::string& digest
   return std::move(answer.outcome);
 }
 
+// A program that has shown that it can start is given less time to do so again.
+std::chrono::milliseconds ProcessRenderer::patience() const {
+  if (child_answered_) return spec_.timeout;
+  return spec_.timeout + (ever_answered_ ? spec_.restart_timeout : spec_.startup_timeout);
+}
+
 Failure ProcessRenderer::failure_of(ChildProcess::Status status) {
   const bool silent = !child_answered_;
   child_->kill();
+  if (status == ChildProcess::Status::stopped)
+    return {FailureKind::timed_out, "the run was interrupted"};
   if (silent) ++silent_deaths_;
   if (silent && child_->exit_status() == kUnavailableStatus) {
     unavailable_ = "the program cannot work here" + quote_errors();
@@ -134,9 +141,8 @@ Failure ProcessRenderer::failure_of(ChildProcess::Status status) {
     return {FailureKind::garbage,
             "its answer goes on without a line break, far beyond what this scene can need"};
   if (status == ChildProcess::Status::timed_out) {
-    const auto patience = silent ? spec_.timeout + spec_.startup_timeout : spec_.timeout;
     return {FailureKind::timed_out,
-            fmt::format("no answer within {} ms{}", patience.count(), quote_errors())};
+            fmt::format("no answer within {} ms{}", patience().count(), quote_errors())};
   }
   const std::string how = child_->how_it_ended();
   const std::string when = silent ? "before its first answer" : "while drawing this scene";

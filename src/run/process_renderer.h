@@ -8,6 +8,7 @@
 // answering anything, is unavailable for all scenes, and is not tried again.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <string>
@@ -21,7 +22,11 @@ struct ProcessSpec {
   std::string name;  // as the command line names the renderer: "osmesa:llvmpipe"
   Command command;
   std::chrono::milliseconds timeout{10'000};          // from the request to the whole answer
-  std::chrono::milliseconds startup_timeout{30'000};  // added for the first answer of a process
+  std::chrono::milliseconds startup_timeout{30'000};  // added for the very first answer
+  std::chrono::milliseconds restart_timeout{5'000};   // added for the first one after a restart
+  // Becomes true when nobody waits for answers any more: the scene at hand then fails as timed out,
+  // and its outcome means nothing. Or null.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 class ProcessRenderer final : public Renderer {
@@ -37,6 +42,7 @@ class ProcessRenderer final : public Renderer {
   bool start();
   Outcome attempt(const Task& task);
   Outcome read(const std::string& line, const std::string& digest, const Scene& scene);
+  std::chrono::milliseconds patience() const;
   Failure failure_of(ChildProcess::Status status);
   bool answers_an_empty_scene();
   std::string quote_errors() const;

@@ -16,6 +16,7 @@ std::variant<std::unique_ptr<Renderer>, std::string> make_renderer(const std::st
   if (auto* unknown = std::get_if<UnknownRenderer>(&found)) return std::move(unknown->message);
   auto& spec = std::get<ProcessSpec>(found);
   spec.timeout = options.timeout;
+  spec.stop = options.stop;
   return std::make_unique<ProcessRenderer>(std::move(spec));
 }
 

@@ -3,6 +3,7 @@
 // From the name of a renderer to the renderer.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <string>
@@ -14,9 +15,10 @@
 namespace edgecase {
 
 struct RendererOptions {
-  Policy policy;                        // of the renderer `exact`
-  std::chrono::milliseconds timeout{};  // per scene
-  std::string program_directory;        // where the OpenGL worker lies
+  Policy policy;                            // of the renderer `exact`
+  std::chrono::milliseconds timeout{};      // per scene
+  std::string program_directory;            // where the OpenGL worker lies
+  const std::atomic<bool>* stop = nullptr;  // as ProcessSpec has it
 };
 
 // `exact`, or any name that renderer_names.h knows. A sentence with the known names otherwise.

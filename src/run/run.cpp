@@ -8,6 +8,7 @@
 #include <span>
 #include <thread>
 #include <utility>
+#include <variant>
 
 #include "diff/compare.h"
 #include "diff/judge.h"
@@ -104,6 +105,8 @@ class Run {
     for (std::size_t i = slice.begin; i < slice.end; ++i)
       tasks.push_back({suite_.cases[i].id, &suite_.cases[i].scene});
     renderer.render(tasks, [&](std::size_t index, Outcome outcome) {
+      // A failure may come from being stopped itself.
+      if (stopped() && std::holds_alternative<Failure>(outcome)) throw Stopped{};
       const std::size_t at = slice.begin + index;
       results_[at][slice.renderer] = compare_outcome(at, std::move(outcome), renderer);
       report_progress();

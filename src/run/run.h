@@ -26,7 +26,9 @@ struct RunOptions {
   RendererOptions renderer_options;
   int jobs = 1;                                            // threads, at least 1
   std::function<void(std::size_t, std::size_t)> progress;  // done, total; from any thread; or empty
-  const std::atomic<bool>* stop = nullptr;                 // becomes true when the run should end
+  // Becomes true when the run should end; put it into renderer_options as well, or a renderer that
+  // hangs is waited for.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 // Runs and judges. Renderer names must be known. Cases that were left out when `stop` became true

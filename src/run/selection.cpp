@@ -4,6 +4,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "casefile/loader.h"
@@ -19,9 +20,32 @@ bool matches_any(const std::vector<std::string>& globs, const std::string& id) {
   });
 }
 
-bool wanted_id(const Selection& selection, const std::string& id) {
-  if (!selection.filters.empty() && !matches_any(selection.filters, id)) return false;
-  return !matches_any(selection.excludes, id);
+// A glob that matches a file's id means all its cases.
+bool wanted_id(const Selection& selection, const std::string& file_id, const std::string& id) {
+  const auto named_by = [&](const std::vector<std::string>& globs) {
+    return matches_any(globs, file_id) || matches_any(globs, id);
+  };
+  if (!selection.filters.empty() && !named_by(selection.filters)) return false;
+  return !named_by(selection.excludes);
+}
+
+// Can a glob match an id that starts with `start`? Some part of it then matches the start.
+bool may_match(const std::string& glob, const std::string& start) {
+  for (std::size_t length = 1; length <= glob.size(); ++length)
+    if (fnmatch(glob.substr(0, length).c_str(), start.c_str(), 0) == 0) return true;
+  return false;
+}
+
+// Can one of a file's cases be asked for?
+bool may_be_wanted(const Selection& selection, const std::string& file_id) {
+  if (matches_any(selection.excludes, file_id)) return false;
+  return selection.filters.empty() || matches_any(selection.filters, file_id) ||
+         std::any_of(selection.filters.begin(), selection.filters.end(),
+                     [&](const std::string& glob) { return may_match(glob, file_id + ":"); });
+}
+
+void append(std::vector<Diagnostic>& from, std::vector<Diagnostic>& to) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
 bool wanted_tags(const Selection& selection, const Case& one) {
@@ -55,12 +79,13 @@ Suite load_suite(const Selection& selection) {
   Suite suite;
   suite.diagnostics = std::move(found.diagnostics);
   for (const CaseFile& file : found.cases) {
-    if (!wanted_id(selection, file.id)) continue;
-    LoadedCase loaded = load_case(file.file, file.id, rules);
-    suite.diagnostics.insert(suite.diagnostics.end(), loaded.diagnostics.begin(),
-                             loaded.diagnostics.end());
-    if (loaded.value && wanted_tags(selection, *loaded.value))
-      suite.cases.push_back(std::move(*loaded.value));
+    if (!may_be_wanted(selection, file.id)) continue;
+    LoadedCases loaded = load_cases(file.file, file.id, rules);
+    append(loaded.diagnostics, suite.diagnostics);
+    append(loaded.notes, suite.notes);
+    for (Case& one : loaded.cases)
+      if (wanted_id(selection, file.id, one.id) && wanted_tags(selection, one))
+        suite.cases.push_back(std::move(one));
   }
   std::sort(suite.cases.begin(), suite.cases.end(),
             [](const Case& a, const Case& b) { return a.id < b.id; });

@@ -18,15 +18,17 @@ struct Shard {
 
 struct Selection {
   std::vector<std::filesystem::path> paths;  // files and folders
-  std::vector<std::string> filters;          // shell globs on ids; none: all
-  std::vector<std::string> excludes;         // shell globs on ids
-  std::vector<std::string> tags;             // a case needs one of them; none: all
-  Shard shard;                               // applied last, round robin over sorted ids
+  // Shell globs on ids of cases; one that matches a file's id means all cases of the file.
+  std::vector<std::string> filters;  // none: all
+  std::vector<std::string> excludes;
+  std::vector<std::string> tags;  // a case needs one of them; none: all
+  Shard shard;                    // applied last, round robin over sorted ids
 };
 
 struct Suite {
   std::vector<Case> cases;              // sorted by id
   std::vector<Diagnostic> diagnostics;  // what could not be loaded, and two cases of one id
+  std::vector<Diagnostic> notes;        // no faults: what "~0.1" was taken as
 };
 
 // Loads what the selection asks for. A file that cannot be loaded is a diagnostic and costs nothing

@@ -107,11 +107,7 @@ std::vector<Integer> read_integers(const json& value, const Path& path, std::siz
 }
 
 int count_primitives(const Scene& scene) {
-  std::size_t count = 0;
-  for (const Draw& draw : scene.draws)
-    count +=
-        draw.vertices.size() / static_cast<std::size_t>(vertices_per_primitive(draw.primitive));
-  return static_cast<int>(count);
+  return static_cast<int>(primitives_of(scene).size());
 }
 
 Rendering read_rendering(const json& document, const Path& root, const Scene& scene) {

@@ -18,11 +18,17 @@ namespace {
 
 constexpr int kMaxSize = 4096;
 constexpr int kMaxViewport = 32768;
+// Of a line's width and a point's size, in pixels.
+constexpr int kMaxThickness = 64;
 
 ordered_json to_json(const Color& color) {
   ordered_json result = ordered_json::array();
   for (float component : color) result.push_back(static_cast<double>(component));
   return result;
+}
+
+ordered_json to_json(const Viewport& box) {
+  return {box.x, box.y, box.width, box.height};
 }
 
 ordered_json to_json(const Draw& draw) {
@@ -33,10 +39,14 @@ ordered_json to_json(const Draw& draw) {
           {vertex.position.x.to_double(), vertex.position.y.to_double(), vertex.z.to_double()}},
          {"color", to_json(vertex.color)}});
   }
-  return {{"primitive", name_of(draw.primitive)},
-          {"interpolation", name_of(draw.interpolation)},
-          {"provoking_vertex", name_of(draw.provoking_vertex)},
-          {"vertices", std::move(vertices)}};
+  ordered_json result = {{"primitive", name_of(draw.primitive)},
+                         {"interpolation", name_of(draw.interpolation)},
+                         {"provoking_vertex", name_of(draw.provoking_vertex)},
+                         {"line_width", draw.line_width.to_double()},
+                         {"point_size", draw.point_size.to_double()}};
+  if (draw.scissor) result["scissor"] = to_json(*draw.scissor);
+  result["vertices"] = std::move(vertices);
+  return result;
 }
 
 Color read_color(const json& value, const Path& path) {
@@ -61,6 +71,17 @@ Fixed read_fixed(const json& value, const Path& path) {
     throw Refusal(fmt::format("{} is {}, but it must be a multiple of 2^-16 of -8192 to 8192",
                               path.text(), value.dump()));
   return Fixed::from_raw(static_cast<std::int64_t>(raw));
+}
+
+// A line's width or a point's size.
+Fixed read_thickness(const json& draw, const Path& path, const char* key) {
+  const Path at(path, key);
+  const json& value = wire::member(draw, path, key);
+  const Fixed thickness = read_fixed(value, at);
+  if (thickness <= Fixed() || thickness > Fixed::from_integer(kMaxThickness))
+    throw Refusal(fmt::format("{} is {}, but it must be more than 0 and at most {}", at.text(),
+                              value.dump(), kMaxThickness));
+  return thickness;
 }
 
 int read_int(const json& value, const Path& path, int low, int high) {
@@ -89,12 +110,13 @@ Target read_target(const json& value, const Path& path) {
   return target;
 }
 
-Viewport read_viewport(const json& value, const Path& path) {
+// x, y, width and height; both sizes at least `smallest`.
+Viewport read_box(const json& value, const Path& path, int smallest) {
   wire::require_array(value, path, 4);
   return {read_int(value[0], {path, std::size_t{0}}, -kMaxViewport, kMaxViewport),
           read_int(value[1], {path, std::size_t{1}}, -kMaxViewport, kMaxViewport),
-          read_int(value[2], {path, std::size_t{2}}, 1, kMaxViewport),
-          read_int(value[3], {path, std::size_t{3}}, 1, kMaxViewport)};
+          read_int(value[2], {path, std::size_t{2}}, smallest, kMaxViewport),
+          read_int(value[3], {path, std::size_t{3}}, smallest, kMaxViewport)};
 }
 
 Vertex read_vertex(const json& value, const Path& path) {
@@ -111,18 +133,23 @@ Vertex read_vertex(const json& value, const Path& path) {
 }
 
 Draw read_draw(const json& value, const Path& path) {
-  wire::require_object(value, path, {"primitive", "interpolation", "provoking_vertex", "vertices"});
+  wire::require_object(value, path,
+                       {"primitive", "interpolation", "provoking_vertex", "line_width",
+                        "point_size", "scissor", "vertices"});
   Draw draw;
   draw.primitive = read_name<Primitive>(value, path, "primitive");
   draw.interpolation = read_name<Interpolation>(value, path, "interpolation");
   draw.provoking_vertex = read_name<ProvokingVertex>(value, path, "provoking_vertex");
+  draw.line_width = read_thickness(value, path, "line_width");
+  draw.point_size = read_thickness(value, path, "point_size");
+  if (const json* scissor = wire::optional_member(value, "scissor"))
+    draw.scissor = read_box(*scissor, {path, "scissor"}, 0);
   const json& vertices = wire::member(value, path, "vertices");
   const Path at(path, "vertices");
   wire::require_array(vertices, at, vertices.size());
-  const auto step = static_cast<std::size_t>(vertices_per_primitive(draw.primitive));
-  if (vertices.size() % step != 0)
-    throw Refusal(
-        fmt::format("{} has {} vertices, no multiple of {}", at.text(), vertices.size(), step));
+  if (!is_vertex_count(draw.primitive, vertices.size()))
+    throw Refusal(fmt::format("{} has {} vertices, which make no whole {}", at.text(),
+                              vertices.size(), name_of(draw.primitive)));
   for (std::size_t i = 0; i < vertices.size(); ++i)
     draw.vertices.push_back(read_vertex(vertices[i], {at, i}));
   return draw;
@@ -132,7 +159,7 @@ Scene read_scene(const json& value, const Path& path) {
   wire::require_object(value, path, {"target", "viewport", "draws"});
   Scene scene;
   scene.target = read_target(wire::member(value, path, "target"), {path, "target"});
-  scene.viewport = read_viewport(wire::member(value, path, "viewport"), {path, "viewport"});
+  scene.viewport = read_box(wire::member(value, path, "viewport"), {path, "viewport"}, 1);
   const json& draws = wire::member(value, path, "draws");
   const Path at(path, "draws");
   wire::require_array(draws, at, draws.size());
@@ -163,17 +190,15 @@ std::string scene_json(const Scene& scene) {
   ordered_json draws = ordered_json::array();
   for (const Draw& draw : scene.draws) draws.push_back(to_json(draw));
   const Target& target = scene.target;
-  const Viewport& viewport = scene.viewport;
-  const ordered_json document = {
-      {"target",
-       {{"width", target.width},
-        {"height", target.height},
-        {"samples", target.samples},
-        {"color", name_of(target.color)},
-        {"surface", name_of(target.surface)},
-        {"clear", to_json(target.clear)}}},
-      {"viewport", {viewport.x, viewport.y, viewport.width, viewport.height}},
-      {"draws", std::move(draws)}};
+  const ordered_json document = {{"target",
+                                  {{"width", target.width},
+                                   {"height", target.height},
+                                   {"samples", target.samples},
+                                   {"color", name_of(target.color)},
+                                   {"surface", name_of(target.surface)},
+                                   {"clear", to_json(target.clear)}}},
+                                 {"viewport", to_json(scene.viewport)},
+                                 {"draws", std::move(draws)}};
   return document.dump();
 }
 

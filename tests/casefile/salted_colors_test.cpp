@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "model/rendering.h"
 
@@ -59,6 +60,37 @@ TEST(SaltedColors, DifferFromCaseToCase) {
   // 1000 draws out of 2^18 colours: two pairs of equal ones are to be expected.
   EXPECT_GE(clears.size(), 990U);
   EXPECT_EQ(both.size(), static_cast<std::size_t>(kCases));
+}
+
+TEST(SaltedColors, SharedVerticesHaveOneEach) {
+  using Indices = std::vector<std::uint64_t>;
+  EXPECT_EQ(salted_indices(Primitive::points, 3), (Indices{0, 1, 2}));
+  EXPECT_EQ(salted_indices(Primitive::lines, 4), (Indices{0, 0, 1, 1}));
+  EXPECT_EQ(salted_indices(Primitive::triangles, 6), (Indices{0, 0, 0, 1, 1, 1}));
+  for (const Primitive primitive :
+       {Primitive::line_strip, Primitive::triangle_strip, Primitive::triangle_fan})
+    EXPECT_EQ(salted_indices(primitive, 4), (Indices{0, 1, 2, 3})) << name_of(primitive);
+}
+
+// Three steps on is a hue too near to the first.
+TEST(SaltedColors, ALoopsLastVertexAvoidsTheFirst) {
+  EXPECT_EQ(salted_indices(Primitive::line_loop, 4), (std::vector<std::uint64_t>{0, 1, 2, 4}));
+}
+
+// The provoking vertices of a loop's segments go round it: each differs from the next.
+TEST(SaltedColors, NeighboursInALoopDiffer) {
+  const std::uint64_t hash = hash_of_id("a");
+  for (std::size_t count = 2; count < 300; ++count) {
+    const auto indices = salted_indices(Primitive::line_loop, count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Color color = salted_primitive(hash, indices[i]);
+      const Color next = salted_primitive(hash, indices[(i + 1) % count]);
+      float difference = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        difference = std::max(difference, std::abs(color[k] - next[k]));
+      EXPECT_GE(difference, 0.25F) << count << " " << i;
+    }
+  }
 }
 
 // Pins the colours, computed by hand from the published constants: committed fingerprints and

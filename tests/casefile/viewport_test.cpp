@@ -61,6 +61,24 @@ TEST(Viewport, GrowsForVerticesOnTheTargetsEdge) {
   EXPECT_EQ(viewport->height, 16);
 }
 
+TEST(Viewport, LeavesRoomForWideLinesAndLargePoints) {
+  Draw draw = points_at({whole(4, 4)});
+  draw.point_size = Fixed::from_integer(6);  // covers 1 to 7, and a pixel more
+  auto viewport = choose_viewport(target_of(8, 8), {draw});
+  ASSERT_TRUE(viewport.has_value());
+  EXPECT_EQ(viewport->width, 8);
+  draw.point_size = Fixed::from_raw(6 * Fixed::kOne + 1);
+  viewport = choose_viewport(target_of(8, 8), {draw});
+  ASSERT_TRUE(viewport.has_value());
+  EXPECT_EQ(viewport->x, -1);
+  EXPECT_EQ(viewport->width, 16);
+  draw.primitive = Primitive::line_loop;
+  draw.vertices.push_back(draw.vertices[0]);
+  EXPECT_EQ(choose_viewport(target_of(8, 8), {draw})->width, 8);  // points only have a size
+  draw.line_width = Fixed::from_integer(7);
+  EXPECT_EQ(choose_viewport(target_of(8, 8), {draw})->width, 16);
+}
+
 TEST(Viewport, MovesItsCentreForFineVertices) {
   // 1/65536 is exact within 256 pixels of the centre, which 1024 / 2 is not.
   const Point fine{Fixed::from_raw(1), Fixed::from_integer(1)};

@@ -43,10 +43,13 @@ void expect_round_trip(const std::vector<Enum>& values) {
 }
 
 TEST(Names, OfScenesReadBack) {
-  expect_round_trip<Primitive>({Primitive::points, Primitive::lines, Primitive::triangles});
-  expect_round_trip<Interpolation>({Interpolation::flat, Interpolation::smooth});
+  expect_round_trip<Primitive>({Primitive::points, Primitive::lines, Primitive::line_strip,
+                                Primitive::line_loop, Primitive::triangles,
+                                Primitive::triangle_strip, Primitive::triangle_fan});
+  expect_round_trip<Interpolation>(
+      {Interpolation::flat, Interpolation::smooth, Interpolation::noperspective});
   expect_round_trip<ProvokingVertex>({ProvokingVertex::first, ProvokingVertex::last});
-  expect_round_trip<Surface>({Surface::fbo});
+  expect_round_trip<Surface>({Surface::fbo, Surface::window});
   expect_round_trip<ColorFormat>({ColorFormat::rgba8});
 }
 
@@ -57,6 +60,8 @@ TEST(Names, OfVerdictsReadBack) {
 }
 
 TEST(Names, OfKindsRolesAndFailuresAreDistinct) {
+  expect_distinct<PrimitiveKind>(
+      {PrimitiveKind::point, PrimitiveKind::line, PrimitiveKind::triangle});
   expect_distinct<DisagreementKind>({DisagreementKind::missing, DisagreementKind::extra,
                                      DisagreementKind::duplicate, DisagreementKind::value});
   expect_distinct<MarkRole>({MarkRole::primitive, MarkRole::vertex, MarkRole::snapped_vertex,

@@ -2,6 +2,13 @@
 #include "tests/raster/random_scenes.h"
 
 namespace edgecase {
+namespace {
+
+constexpr Primitive kPrimitives[] = {
+    Primitive::points,    Primitive::lines,          Primitive::triangles,   Primitive::line_strip,
+    Primitive::line_loop, Primitive::triangle_strip, Primitive::triangle_fan};
+
+}  // namespace
 
 Color color_of_bytes(int red, int green, int blue) {
   const auto component = [](int byte) { return static_cast<float>(byte) / 255.0f; };
@@ -42,12 +49,16 @@ Point RandomScenes::point(const SceneKind& kind) {
 Scene RandomScenes::next(const SceneKind& kind) {
   Scene scene = blank_scene(kind.size, kind.size);
   scene.target.clear = color_of_bytes(below(10), 0, below(10));
-  const int primitives = 1 + below(kind.max_primitives);
-  for (int i = 0; i < primitives; ++i) {
-    const auto primitive = static_cast<Primitive>(below(3));
+  const int draws = 1 + below(kind.max_draws);
+  for (int i = 0; i < draws; ++i) {
+    const Primitive primitive = kPrimitives[below(7)];
     std::vector<Point> positions;
-    for (int v = 0; v < vertices_per_primitive(primitive); ++v) positions.push_back(point(kind));
-    // Every other primitive joins the one before it, as meshes do.
+    for (int v = 0; v < vertices_of(kind_of(primitive)); ++v) positions.push_back(point(kind));
+    // Strips, loops and fans go on for a primitive or two.
+    while (is_vertex_count(primitive, positions.size() + 1) && positions.size() < 5 &&
+           below(2) == 0)
+      positions.push_back(point(kind));
+    // Every other draw joins the one before it, as meshes do.
     if (i > 0 && positions.size() > 1 && below(2) == 0)
       positions.front() = scene.draws.back().vertices.back().position;
     Draw draw = make_draw(primitive, positions, i);

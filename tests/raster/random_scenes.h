@@ -25,7 +25,7 @@ Draw make_draw(Primitive primitive, std::span<const Point> positions, int salt =
 struct SceneKind {
   int size = 8;              // of the square target, pixels
   std::int64_t step = 8192;  // coordinates are multiples of it, raw
-  int max_primitives = 4;    // at least 1, of any type
+  int max_draws = 4;         // at least 1, of any primitive type
   bool smooth = false;       // interpolation may be smooth
 };
 

@@ -47,22 +47,28 @@ oracle::Eighths eighths(Point p) {
 }
 
 bool oracle_covers(const ScenePrimitive& primitive, int x, int y, oracle::Move move) {
-  const auto at = [&](int i) { return eighths(primitive.vertices[i].position); };
-  switch (primitive.state->primitive) {
-    case Primitive::points:
+  const auto at = [&](std::size_t i) { return eighths(primitive.vertices[i]->position); };
+  switch (primitive.kind) {
+    case PrimitiveKind::point:
       return oracle::point_produces(at(0), x, y, move);
-    case Primitive::lines:
+    case PrimitiveKind::line:
       return oracle::line_produces(at(0), at(1), x, y, move);
-    case Primitive::triangles:
+    case PrimitiveKind::triangle:
       return oracle::triangle_produces({at(0), at(1), at(2)}, x, y, move);
   }
   return false;
 }
 
+// GL 4.6 core, table 13.2: in a triangle fan the hub never provokes; in a strip the first of the
+// three vertices in the order of the draw does, or the last.
 Color flat_color(const ScenePrimitive& primitive) {
-  const bool first = primitive.state->provoking_vertex == ProvokingVertex::first;
-  return primitive.vertices[first ? 0 : vertices_per_primitive(primitive.state->primitive) - 1]
-      .color;
+  const std::size_t count = static_cast<std::size_t>(vertices_of(primitive.kind));
+  if (primitive.state->provoking_vertex == ProvokingVertex::last)
+    return primitive.vertices[count - 1]->color;
+  if (primitive.state->primitive == Primitive::triangle_fan) return primitive.vertices[1]->color;
+  if (primitive.state->primitive == Primitive::triangle_strip)
+    return std::min(primitive.vertices[0], primitive.vertices[1])->color;
+  return primitive.vertices[0]->color;
 }
 
 std::uint8_t byte_of(float component) {

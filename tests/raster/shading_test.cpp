@@ -12,9 +12,8 @@ namespace {
 
 Draw draw_of(Primitive primitive, Interpolation interpolation, ProvokingVertex provoking) {
   const Point positions[] = {at(1.25, 1.5), at(14.5, 3.75), at(4.25, 12.5)};
-  Draw draw = make_draw(
-      primitive,
-      std::span(positions).first(static_cast<std::size_t>(vertices_per_primitive(primitive))));
+  Draw draw = make_draw(primitive, std::span(positions).first(
+                                       static_cast<std::size_t>(vertices_of(kind_of(primitive)))));
   draw.interpolation = interpolation;
   draw.provoking_vertex = provoking;
   return draw;

@@ -4,6 +4,8 @@
 // for other tests, so it needs one of its own.
 #include <gmock/gmock.h>
 
+#include <map>
+
 #include "tests/reference/drawings.h"
 
 namespace edgecase {
@@ -102,6 +104,109 @@ TEST(Example, FansRoundACentreHitItOnce) {
   for (std::size_t i = 0; i < 4; ++i)
     scene.draws.push_back(make_draw(Primitive::triangles, {centre, rim[i], rim[(i + 1) % 4]}));
   EXPECT_EQ(coverage(render(example(), scene)), "###\n###\n###\n");
+}
+
+// The primitives of a drawing that is one row high, as letters; '.' where there is none.
+std::string numbers(const Scene& scene) {
+  const Rendering rendering = render(example(), scene);
+  std::string text(static_cast<std::size_t>(rendering.width), '.');
+  for (const Fragment& fragment : rendering.fragments)
+    text[static_cast<std::size_t>(fragment.x)] = static_cast<char>('a' + fragment.primitive);
+  return text;
+}
+
+TEST(Example, StripsLoopsAndFans) {
+  const auto along = [](Primitive primitive) {
+    Scene scene = blank_scene(7, 1);
+    scene.draws = {make_draw(primitive, {{kHalf, kHalf}, {5 * kHalf, kHalf}, {9 * kHalf, kHalf}}),
+                   make_draw(Primitive::points, {{11 * kHalf, kHalf}})};
+    return scene;
+  };
+  EXPECT_EQ(numbers(along(Primitive::line_strip)), "aabb.c.");
+  // Back from the end to the start: over the others, and without the first pixel.
+  EXPECT_EQ(numbers(along(Primitive::line_loop)), "accccd.");
+  // Two squares, each cut in two; the diagonals run off the centres.
+  Scene scene = blank_scene(3, 1);
+  scene.draws = {make_draw(Primitive::triangle_strip,
+                           {{0, 300}, {0, -10}, {512, 300}, {512, -10}, {1024, 300}})};
+  EXPECT_EQ(numbers(scene), "abc");
+  scene.draws = {
+      make_draw(Primitive::triangle_fan, {{0, 2560}, {0, 0}, {300, 0}, {600, 0}, {768, 0}})};
+  EXPECT_EQ(numbers(scene), "abc");
+}
+
+TEST(Example, ProvokingVerticesOfStripsLoopsAndFans) {
+  const auto colours = [](Primitive primitive, ProvokingVertex provoking) {
+    Scene scene = blank_scene(8, 8);
+    scene.draws = {
+        make_draw(primitive, {{40, 1024}, {30, 10}, {1034, 1024}, {1034, 0}, {2048, 2000}})};
+    scene.draws[0].provoking_vertex = provoking;
+    for (std::size_t i = 0; i < 5; ++i)
+      scene.draws[0].vertices[i].color = {static_cast<float>(i) / 8, 0, 0, 1};
+    std::map<int, int> sources;
+    for (const Fragment& fragment : render(example(), scene).fragments)
+      sources[fragment.primitive] = static_cast<int>(fragment.color[0] * 8);
+    std::vector<int> result;
+    for (const auto& [primitive_number, source] : sources) result.push_back(source);
+    return result;
+  };
+  constexpr auto kFirst = ProvokingVertex::first;
+  constexpr auto kLast = ProvokingVertex::last;
+  EXPECT_THAT(colours(Primitive::line_strip, kFirst), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(colours(Primitive::line_strip, kLast), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(colours(Primitive::line_loop, kFirst), ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(colours(Primitive::line_loop, kLast), ElementsAre(1, 2, 3, 4, 0));
+  EXPECT_THAT(colours(Primitive::triangle_strip, kFirst), ElementsAre(0, 1, 2));
+  EXPECT_THAT(colours(Primitive::triangle_strip, kLast), ElementsAre(2, 3, 4));
+  EXPECT_THAT(colours(Primitive::triangle_fan, kFirst), ElementsAre(1, 2, 3));
+  EXPECT_THAT(colours(Primitive::triangle_fan, kLast), ElementsAre(2, 3, 4));
+}
+
+TEST(Example, SizesOfPoints) {
+  const auto point = [](Fixed size, int x, int y) {
+    Draw draw = make_draw(Primitive::points, {{x, y}});
+    draw.point_size = size;
+    return drawing(4, 3, draw);
+  };
+  const Fixed two = Fixed::from_integer(2);
+  EXPECT_EQ(point(two, 512, 256), "....\n.##.\n.##.\n");
+  // Centres on all four sides: those on the right and on top belong to the square.
+  EXPECT_EQ(point(two, 3 * kHalf, 3 * kHalf), ".##.\n.##.\n....\n");
+  EXPECT_EQ(point(Fixed::from_raw(7 * Fixed::kOne / 2), 512, 256), "####\n####\n####\n");
+  EXPECT_EQ(point(Fixed::from_raw(Fixed::kOne / 2), kHalf + 64, kHalf), "....\n....\n....\n");
+  EXPECT_EQ(point(Fixed::from_raw(Fixed::kOne / 2), kHalf - 64, kHalf), "....\n....\n#...\n");
+}
+
+TEST(Example, ScissorsAndViewportsCut) {
+  Scene scene = blank_scene(5, 3);
+  scene.draws = {rectangle(0, 0, 5 * 256, 3 * 256)};
+  scene.draws[0].scissor = Viewport{1, -1, 2, 3};
+  EXPECT_EQ(coverage(render(example(), scene)), ".....\n.##..\n.##..\n");
+  scene.viewport = {2, 0, 8, 8};
+  EXPECT_EQ(coverage(render(example(), scene)), ".....\n..#..\n..#..\n");
+  // A point whose vertex is inside reaches out of the viewport; one outside does not reach in.
+  scene.draws = {make_draw(Primitive::points, {{2 * 256 + 40, 300}, {2 * 256 - 40, 700}})};
+  scene.draws[0].point_size = Fixed::from_integer(2);
+  EXPECT_EQ(coverage(render(example(), scene)), ".....\n.##..\n.##..\n");
+}
+
+TEST(Example, RefusesWideLines) {
+  Scene scene = blank_scene(4, 1);
+  scene.draws = {make_draw(Primitive::line_loop, {{kHalf, kHalf}, {5 * kHalf, kHalf}})};
+  scene.draws[0].line_width = Fixed::from_raw(3 * Fixed::kOne / 2);
+  const Outcome outcome = render_outcome(example(), scene);
+  ASSERT_TRUE(std::holds_alternative<Failure>(outcome));
+  EXPECT_EQ(std::get<Failure>(outcome).reason, "this example draws lines of width 1");
+  scene.draws[0].line_width = Fixed::from_raw(3 * Fixed::kOne / 2 - 1);
+  EXPECT_TRUE(std::holds_alternative<Rendering>(render_outcome(example(), scene)));
+}
+
+TEST(Example, NoperspectiveIsSmooth) {
+  Scene scene = blank_scene(4, 1);
+  scene.draws = {make_draw(Primitive::lines, {{kHalf, kHalf}, {5 * kHalf, kHalf}})};
+  scene.draws[0].vertices[0].color = {0, 0, 0, 1};
+  scene.draws[0].interpolation = Interpolation::noperspective;
+  EXPECT_THAT(render(example(), scene).fragments[1].color, ElementsAre(0.5, 0.5, 0.5, 1));
 }
 
 TEST(Example, ColoursAndDepth) {

@@ -3,10 +3,7 @@
 // The OpenGL side against real OpenGL: what every conforming implementation must draw.
 #include <gmock/gmock.h>
 
-#include <memory>
-
-#include "run/renderer_names.h"
-#include "tests/reference/drawings.h"
+#include "tests/reference/opengl_test.h"
 
 namespace edgecase {
 namespace {
@@ -29,36 +26,10 @@ Draw known_rectangle(Color color = {1, 1, 1, 1}) {
   return rectangle(256 + 64, 256 + 192, 5 * 256 + 64, 4 * 256 + 192, color);
 }
 
-std::unique_ptr<ProcessRenderer> open_renderer(const std::string& name) {
-  auto found = find_renderer(name, EDGECASE_BIN);
-  return std::make_unique<ProcessRenderer>(std::get<ProcessSpec>(found));
-}
-
-// One process for each renderer and the whole program: starting is the expensive part.
-ProcessRenderer& shared_renderer(const std::string& name) {
-  static std::map<std::string, std::unique_ptr<ProcessRenderer>> renderers;
-  auto& renderer = renderers[name];
-  if (renderer == nullptr) renderer = open_renderer(name);
-  return *renderer;
-}
-
-class SceneRendererTest : public ::testing::TestWithParam<std::string> {
- protected:
-  // A system without the library skips; a library that does not work is a failure.
-  void SetUp() override {
-    const Outcome outcome = render_outcome(renderer(), blank_scene(1, 1));
-    const auto* failure = std::get_if<Failure>(&outcome);
-    if (failure == nullptr) return;
-    if (failure->reason.find("cannot be opened") != std::string::npos)
-      GTEST_SKIP() << failure->reason;
-    FAIL() << failure->reason;
-  }
-
-  Renderer& renderer() { return shared_renderer(GetParam()); }
-};
+class SceneRendererTest : public OpenGlTest {};
 
 TEST_P(SceneRendererTest, DrawsAKnownRectangle) {
-  Scene scene = blank_scene(8, 8);
+  Scene scene = blank(8, 8);
   scene.draws = {known_rectangle({1, 0.2f, 0, 1})};
   const Rendering rendering = render(renderer(), scene);
   EXPECT_EQ(coverage(rendering), kRectangle);
@@ -71,7 +42,7 @@ TEST_P(SceneRendererTest, DrawsAKnownRectangle) {
 }
 
 TEST_P(SceneRendererTest, ClearsToTheClearColour) {
-  Scene scene = blank_scene(3, 2);
+  Scene scene = blank(3, 2);
   scene.target.clear = {0.2f, 0.4f, 0.6f, 0.8f};
   const Rendering rendering = render(renderer(), scene);
   for (int x = 0; x < 3; ++x)
@@ -80,7 +51,7 @@ TEST_P(SceneRendererTest, ClearsToTheClearColour) {
 }
 
 TEST_P(SceneRendererTest, TakesAViewportLargerThanTheTarget) {
-  Scene scene = blank_scene(8, 8);
+  Scene scene = blank(8, 8);
   scene.viewport = {0, 0, 64, 32};
   scene.draws = {known_rectangle(), rectangle(7 * 256, 7 * 256, 60 * 256, 30 * 256)};
   std::string expected = kRectangle;
@@ -89,7 +60,7 @@ TEST_P(SceneRendererTest, TakesAViewportLargerThanTheTarget) {
 }
 
 TEST_P(SceneRendererTest, TakesAViewportWithNegativeOrigin) {
-  Scene scene = blank_scene(8, 8);
+  Scene scene = blank(8, 8);
   scene.viewport = {-24, -8, 64, 32};
   scene.draws = {known_rectangle(), rectangle(-20 * 256, -6 * 256, 256, 256)};
   std::string expected = kRectangle;
@@ -98,7 +69,7 @@ TEST_P(SceneRendererTest, TakesAViewportWithNegativeOrigin) {
 }
 
 TEST_P(SceneRendererTest, HitCountsEqualTheCapture) {
-  Scene scene = blank_scene(8, 8);
+  Scene scene = blank(8, 8);
   scene.draws = {known_rectangle(), known_rectangle(), known_rectangle()};
   const Rendering rendering = render(renderer(), scene);
   ASSERT_EQ(rendering.hits.size(), 64u);
@@ -108,7 +79,7 @@ TEST_P(SceneRendererTest, HitCountsEqualTheCapture) {
 }
 
 TEST_P(SceneRendererTest, NumbersPrimitivesOverAllDraws) {
-  Scene scene = blank_scene(8, 2);
+  Scene scene = blank(8, 2);
   const auto point = [](int column) {
     return make_draw(Primitive::points, {{column * 256 + 128, 128}});
   };
@@ -124,7 +95,7 @@ TEST_P(SceneRendererTest, NumbersPrimitivesOverAllDraws) {
 
 TEST_P(SceneRendererTest, ObeysTheProvokingVertex) {
   for (ProvokingVertex which : {ProvokingVertex::first, ProvokingVertex::last}) {
-    Scene scene = blank_scene(8, 8);
+    Scene scene = blank(8, 8);
     scene.draws = {known_rectangle()};
     scene.draws[0].provoking_vertex = which;
     scene.draws[0].vertices[0].color = {1, 0, 0, 1};
@@ -136,7 +107,7 @@ TEST_P(SceneRendererTest, ObeysTheProvokingVertex) {
 }
 
 TEST_P(SceneRendererTest, InterpolatesColoursAndDepth) {
-  Scene scene = blank_scene(8, 1);
+  Scene scene = blank(8, 1);
   scene.draws = {rectangle(0, 0, 8 * 256, 256)};
   scene.draws[0].interpolation = Interpolation::smooth;
   for (Vertex& vertex : scene.draws[0].vertices) {
@@ -154,8 +125,8 @@ TEST_P(SceneRendererTest, InterpolatesColoursAndDepth) {
 }
 
 TEST_P(SceneRendererTest, LeaksNothingIntoTheNextScene) {
-  Scene empty = blank_scene(8, 8);
-  Scene drawn = blank_scene(8, 8);
+  Scene empty = blank(8, 8);
+  Scene drawn = blank(8, 8);
   drawn.draws = {known_rectangle()};
   const Rendering before = render(renderer(), empty);
   render(renderer(), drawn);
@@ -166,7 +137,7 @@ TEST_P(SceneRendererTest, LeaksNothingIntoTheNextScene) {
 }
 
 TEST_P(SceneRendererTest, CapturesMoreFragmentsThanItFirstHasRoomFor) {
-  Scene scene = blank_scene(128, 128);
+  Scene scene = blank(128, 128);
   scene.draws = {rectangle(0, 0, 128 * 256, 128 * 256), rectangle(0, 0, 128 * 256, 128 * 256)};
   const Rendering rendering = render(renderer(), scene);
   EXPECT_EQ(rendering.fragments.size(), 2u * 128 * 128);
@@ -174,7 +145,7 @@ TEST_P(SceneRendererTest, CapturesMoreFragmentsThanItFirstHasRoomFor) {
 
 TEST_P(SceneRendererTest, ManySizesOneAfterTheOther) {
   for (int size = 1; size <= 40; ++size) {
-    Scene scene = blank_scene(size, 41 - size);
+    Scene scene = blank(size, 41 - size);
     scene.viewport = {0, 0, 64, 64};
     scene.draws = {rectangle(0, 0, 50 * 256, 50 * 256)};
     const Rendering rendering = render(renderer(), scene);
@@ -183,7 +154,7 @@ TEST_P(SceneRendererTest, ManySizesOneAfterTheOther) {
 }
 
 TEST_P(SceneRendererTest, RefusesSeveralSamplesWithAReason) {
-  Scene scene = blank_scene(8, 8);
+  Scene scene = blank(8, 8);
   scene.target.samples = 4;
   const Outcome outcome = render_outcome(renderer(), scene);
   ASSERT_TRUE(std::holds_alternative<Failure>(outcome));
@@ -193,22 +164,17 @@ TEST_P(SceneRendererTest, RefusesSeveralSamplesWithAReason) {
 
 TEST_P(SceneRendererTest, SaysWhoItIs) {
   const RendererInfo info = renderer().info();
-  EXPECT_EQ(info.name, GetParam());
+  EXPECT_EQ(info.name, name());
   EXPECT_FALSE(info.vendor.empty());
   EXPECT_FALSE(info.version.empty());
   EXPECT_GE(info.subpixel_bits, 4);
   EXPECT_EQ(info.traits.at("capture"), "ssbo");
-  const std::string driver = GetParam().substr(GetParam().find(':') + 1);
+  const std::string driver = name().substr(name().find(':') + 1);
   EXPECT_TRUE(driver.starts_with("device") || info.device.find(driver) != std::string::npos)
       << info.device;
 }
 
-INSTANTIATE_TEST_SUITE_P(OpenGl, SceneRendererTest, ::testing::ValuesIn(opengl_renderer_names()),
-                         [](const auto& test) {
-                           std::string name = test.param;
-                           name[name.find(':')] = '_';
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(OpenGl, SceneRendererTest, EDGECASE_ALL_PLACES, place_name);
 
 // Two drivers under one name would make a suite compare a driver with itself.
 class DriversTest : public ::testing::TestWithParam<std::string> {};

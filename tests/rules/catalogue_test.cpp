@@ -39,7 +39,8 @@ TEST(Catalogue, EveryRuleSaysWhatItIs) {
 
 TEST(Choices, DefaultsAreThoseOfTheCatalogue) {
   const RuleChoices choices = resolve(Policy{}, Surface::fbo);
-  EXPECT_STREQ(choices.lines.ties.name, "left-bottom");
+  EXPECT_EQ(choices.lines.line.boundary->name, "left-bottom");
+  EXPECT_EQ(choices.lines.line.algorithm, LineAlgorithm::diamond_exit);
   EXPECT_STREQ(choices.triangles.ties.name, "left-top");
   EXPECT_STREQ(choices.points.ties.name, "right-top");
   EXPECT_TRUE(choices.lines.snap.is_none());

@@ -45,7 +45,7 @@ TEST(CoverageExhaustive, PointsOnAnEighthGrid) {
     for (Eighths p : grid(24, 1))
       for (int y = -1; y <= 3; ++y)
         for (int x = -1; x <= 3; ++x, ++decisions)
-          ASSERT_EQ(point_covers(to_point(p), x, y, rule),
+          ASSERT_EQ(point_covers({to_point(p)}, x, y, rule),
                     oracle::point_produces(p, x, y, move_of(rule)))
               << rule.name << " point " << p.x << "/8 " << p.y << "/8 pixel " << x << " " << y;
   EXPECT_EQ(decisions, 8 * 25 * 25 * 25);
@@ -61,11 +61,14 @@ TEST(CoverageExhaustive, LinesOnAQuarterGrid) {
         for (int y = 0; y <= 2; ++y)
           for (int x = 0; x <= 2; ++x, ++decisions) {
             const Segment segment{to_point(a), to_point(b)};
-            const bool produced = diamond_exit_covers(segment, x, y, rule);
+            const bool produced =
+                diamond_exit_covers(segment, x, y, *find_diamond_boundary(rule.name));
             ASSERT_EQ(produced, oracle::line_produces(a, b, x, y, move_of(rule)))
                 << rule.name << " from " << a.x << "/8 " << a.y << "/8 to " << b.x << "/8 " << b.y
                 << "/8 pixel " << x << " " << y;
-            ties += diamond_exit_covers(segment, x, y, *find_tie_rule("open")) != produced ? 1 : 0;
+            ties += diamond_exit_covers(segment, x, y, *find_diamond_boundary("open")) != produced
+                        ? 1
+                        : 0;
           }
   EXPECT_EQ(decisions, 8L * 121 * 121 * 9);
   EXPECT_GT(ties, decisions / 100) << "the grid must hold ties, or it proves nothing about them";
@@ -126,7 +129,7 @@ TEST(CoverageExhaustive, SharedEdgesAreHitOnce) {
 // The walk along the major axis finds what testing every pixel finds.
 TEST(CoverageExhaustive, LineWalkMissesNothing) {
   const PixelBounds bounds{0, 0, 3, 3};
-  for (const TieRule& rule : all_tie_rules())
+  for (const DiamondBoundary& rule : all_diamond_boundaries())
     for (Eighths a : grid(32, 3))
       for (Eighths b : grid(32, 3)) {
         const Segment segment{to_point(a), to_point(b)};

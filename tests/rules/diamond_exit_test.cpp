@@ -10,8 +10,8 @@
 namespace edgecase {
 namespace {
 
-const TieRule& gl() {
-  return *find_tie_rule("left-bottom");
+const DiamondBoundary& gl() {
+  return *find_diamond_boundary("left-bottom");
 }
 
 std::string draw(Point a, Point b, int width, int height) {
@@ -29,9 +29,9 @@ TEST(DiamondExit, IsHalfOpenBetweenPixelCentres) {
   EXPECT_EQ(draw(at(0.5, 0.5), at(0.5, 3.5), 1, 5), "././#/#/#/");
 }
 
-// Moved by -(e, e^2), a horizontal line at integer y runs e^2 below it, from left of x = 0.5 to left
-// of x = 3.5. It enters the diamonds of the row below at their top corners, at x = 0.5, 1.5 and 2.5;
-// the one at 3.5 lies e ahead of its end.
+// Moved by -(e, e^2), a horizontal line at integer y runs e^2 below it, from left of x = 0.5 to
+// left of x = 3.5. It enters the diamonds of the row below at their top corners, at x = 0.5, 1.5
+// and 2.5; the one at 3.5 lies e ahead of its end.
 TEST(DiamondExit, AnIntegerRowGoesToTheRowBelow) {
   EXPECT_EQ(draw(at(0.5, 1), at(3.5, 1), 4, 2), "..../###./");
 }

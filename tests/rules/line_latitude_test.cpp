@@ -15,7 +15,7 @@ const Segment kShallow{at(2.5, 5.5), at(10.5, 8.5)};
 const Segment kSteep{at(5.5, 2.5), at(8.5, 10.5)};
 
 std::vector<PixelPosition> exact(const Segment& segment) {
-  return diamond_exit_pixels(segment, kTarget, *find_tie_rule("left-bottom"));
+  return diamond_exit_pixels(segment, kTarget, *find_diamond_boundary("left-bottom"));
 }
 
 std::vector<PixelPosition> shifted(std::vector<PixelPosition> pixels, int x, int y) {
@@ -24,7 +24,7 @@ std::vector<PixelPosition> shifted(std::vector<PixelPosition> pixels, int x, int
 }
 
 bool legal(const Segment& segment, const std::vector<PixelPosition>& drawn) {
-  return broken_line_clause(segment, drawn, kTarget).empty();
+  return broken_line_clause({segment, 1, kTarget}, drawn).empty();
 }
 
 TEST(LineLatitude, ExactIsLegal) {
@@ -56,17 +56,18 @@ TEST(LineLatitude, OneMoreOrLessIsLegalTwoAreNot) {
 TEST(LineLatitude, TwoInAColumnOrRowAreIllegal) {
   auto shallow = exact(kShallow);
   shallow.back() = {shallow.front().x, shallow.front().y + 1};
-  EXPECT_EQ(broken_line_clause(kShallow, shallow, kTarget),
+  EXPECT_EQ(broken_line_clause({kShallow, 1, kTarget}, shallow),
             "column 2 holds two fragments of one segment");
   auto steep = exact(kSteep);
   steep.back() = {steep.front().x + 1, steep.front().y};
-  EXPECT_EQ(broken_line_clause(kSteep, steep, kTarget), "row 2 holds two fragments of one segment");
+  EXPECT_EQ(broken_line_clause({kSteep, 1, kTarget}, steep),
+            "row 2 holds two fragments of one segment");
 }
 
 TEST(LineLatitude, AFarStrayIsIllegal) {
   auto pixels = exact(kShallow);
   pixels.back() = {14, 14};
-  EXPECT_EQ(broken_line_clause(kShallow, pixels, kTarget),
+  EXPECT_EQ(broken_line_clause({kShallow, 1, kTarget}, pixels),
             "pixel (14, 14) has no diamond-exit fragment within one unit");
 }
 

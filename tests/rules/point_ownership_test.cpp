@@ -14,16 +14,16 @@ TEST(PointOwnership, RightTopIsTheFloorOfTheVertex) {
     for (int j = 0; j <= 24; ++j)
       for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 4; ++x)
-          EXPECT_EQ(point_covers(at(i / 8.0, j / 8.0), x, y, rule), x == i / 8 && y == j / 8);
+          EXPECT_EQ(point_covers({at(i / 8.0, j / 8.0)}, x, y, rule), x == i / 8 && y == j / 8);
 }
 
 TEST(PointOwnership, LatitudeIsOpenWithinOneStep) {
   const double step = 1.0 / 256;
-  EXPECT_TRUE(point_possibly_covered(at(1, 0.5), 0, 0, 8));
-  EXPECT_TRUE(point_possibly_covered(at(1 + step / 2, 0.5), 0, 0, 8));
-  EXPECT_FALSE(point_possibly_covered(at(1 + step, 0.5), 0, 0, 8));
-  EXPECT_TRUE(point_possibly_uncovered(at(1 - step / 2, 0.5), 0, 0, 8));
-  EXPECT_FALSE(point_possibly_uncovered(at(1 - step, 0.5), 0, 0, 8));
+  EXPECT_TRUE(point_possibly_covered({at(1, 0.5)}, 0, 0, 8));
+  EXPECT_TRUE(point_possibly_covered({at(1 + step / 2, 0.5)}, 0, 0, 8));
+  EXPECT_FALSE(point_possibly_covered({at(1 + step, 0.5)}, 0, 0, 8));
+  EXPECT_TRUE(point_possibly_uncovered({at(1 - step / 2, 0.5)}, 0, 0, 8));
+  EXPECT_FALSE(point_possibly_uncovered({at(1 - step, 0.5)}, 0, 0, 8));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace edgecase {
 namespace {
 
-const Interpolant kRamp{Primitive::triangles, {at(0, 0), at(8, 0), at(0, 8)}, {0, 1, 0}};
+const Interpolant kRamp{PrimitiveKind::triangle, {at(0, 0), at(8, 0), at(0, 8)}, {0, 1, 0}};
 
 TEST(SmoothAttribute, ExactIntervalIsNarrowAndHoldsTheValue) {
   const Interval value = interpolate_exact(kRamp, at(2.5, 1.5));
@@ -27,14 +27,15 @@ TEST(SmoothAttribute, PermittedHoldsExactAndTheMovesOfTheVertices) {
 }
 
 TEST(SmoothAttribute, ASliverPermitsMuchAndAnEmptyTriangleEverything) {
-  const Interpolant sliver{Primitive::triangles, {at(0, 0), at(8, 0), at(0, 1.0 / 512)}, {0, 0, 1}};
+  const Interpolant sliver{
+      PrimitiveKind::triangle, {at(0, 0), at(8, 0), at(0, 1.0 / 512)}, {0, 0, 1}};
   EXPECT_TRUE(interpolate_permitted(sliver, at(2.5, 0.5), 8).contains(1e6));
 }
 
 TEST(SmoothAttribute, ConstantsStayConstantToTheBit) {
   const double value = 0.1f;
-  for (Primitive primitive : {Primitive::points, Primitive::lines, Primitive::triangles}) {
-    const Interpolant f{primitive, {at(0.25, 0.5), at(7, 3), at(2, 6)}, {value, value, value}};
+  for (PrimitiveKind kind : {PrimitiveKind::point, PrimitiveKind::line, PrimitiveKind::triangle}) {
+    const Interpolant f{kind, {at(0.25, 0.5), at(7, 3), at(2, 6)}, {value, value, value}};
     const Interval exact = interpolate_exact(f, at(2.5, 2.5));
     EXPECT_EQ(exact.low, value);
     EXPECT_EQ(exact.high, value);
@@ -42,7 +43,7 @@ TEST(SmoothAttribute, ConstantsStayConstantToTheBit) {
 }
 
 TEST(SmoothAttribute, LinesInterpolateByProjection) {
-  const Interpolant f{Primitive::lines, {at(0, 0), at(4, 4), {}}, {0, 1, 0}};
+  const Interpolant f{PrimitiveKind::line, {at(0, 0), at(4, 4), {}}, {0, 1, 0}};
   EXPECT_TRUE(interpolate_exact(f, at(2.5, 1.5)).contains(0.5));
 }
 

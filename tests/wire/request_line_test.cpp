@@ -46,6 +46,15 @@ TEST(RequestLine, ReadsBackEveryFieldOfAScene) {
   EXPECT_EQ(request.scene.draws[0].interpolation, Interpolation::smooth);
   EXPECT_EQ(request.scene.draws[0].provoking_vertex, ProvokingVertex::first);
   EXPECT_EQ(request.scene.draws[1].primitive, Primitive::lines);
+  EXPECT_EQ(request.scene.draws[0].line_width, Fixed::from_integer(1));
+  EXPECT_EQ(request.scene.draws[1].line_width, Fixed::from_raw(5 * Fixed::kOne / 2));
+  EXPECT_EQ(request.scene.draws[1].point_size, Fixed::from_raw(1));
+  EXPECT_FALSE(request.scene.draws[0].scissor.has_value());
+  ASSERT_TRUE(request.scene.draws[1].scissor.has_value());
+  EXPECT_EQ(request.scene.draws[1].scissor->x, -1);
+  EXPECT_EQ(request.scene.draws[1].scissor->y, 0);
+  EXPECT_EQ(request.scene.draws[1].scissor->width, 3);
+  EXPECT_EQ(request.scene.draws[1].scissor->height, 0);
   for (std::size_t d = 0; d < 2; ++d) {
     ASSERT_EQ(request.scene.draws[d].vertices.size(), scene.draws[d].vertices.size());
     for (std::size_t v = 0; v < scene.draws[d].vertices.size(); ++v) {
@@ -54,6 +63,38 @@ TEST(RequestLine, ReadsBackEveryFieldOfAScene) {
       EXPECT_EQ(request.scene.draws[d].vertices[v].color, scene.draws[d].vertices[v].color);
     }
   }
+}
+
+TEST(RequestLine, CarriesEveryName) {
+  Scene scene = small_scene();
+  const auto read_back = [&] {
+    const auto parsed = parse_request(request_of(scene_json(scene)));
+    return std::holds_alternative<Request>(parsed) ? std::get<Request>(parsed).scene : Scene();
+  };
+  scene.target.surface = Surface::window;
+  EXPECT_EQ(read_back().target.surface, Surface::window);
+  Draw& draw = scene.draws[0];
+  draw.interpolation = Interpolation::noperspective;
+  for (Primitive primitive :
+       {Primitive::points, Primitive::line_strip, Primitive::line_loop, Primitive::triangles,
+        Primitive::triangle_strip, Primitive::triangle_fan}) {
+    draw.primitive = primitive;
+    ASSERT_EQ(read_back().draws.size(), 2u) << name_of(primitive);
+    EXPECT_EQ(read_back().draws[0].primitive, primitive);
+    EXPECT_EQ(read_back().draws[0].interpolation, Interpolation::noperspective);
+  }
+}
+
+TEST(RequestLine, TellsSizesApartInTheDigest) {
+  const Scene plain = small_scene();
+  Scene wide = plain;
+  wide.draws[0].line_width = Fixed::from_integer(2);
+  Scene big = plain;
+  big.draws[0].point_size = Fixed::from_integer(2);
+  Scene cut = plain;
+  cut.draws[0].scissor = Viewport{0, 0, 1, 1};
+  const std::string digest = digest_of(scene_json(plain));
+  for (const Scene& other : {wide, big, cut}) EXPECT_NE(digest_of(scene_json(other)), digest);
 }
 
 TEST(RequestLine, CarriesEveryCoordinateExactly) {
@@ -82,7 +123,8 @@ TEST(RequestLine, IsOneLineInTheDocumentedForm) {
   EXPECT_EQ(scene_json(scene),
             R"({"target":{"width":1,"height":1,"samples":1,"color":"rgba8","surface":"fbo",)"
             R"("clear":[0.0,0.0,0.0,1.0]},"viewport":[0,0,1,1],"draws":[{"primitive":"points",)"
-            R"("interpolation":"flat","provoking_vertex":"last","vertices":[{"position":)"
+            R"("interpolation":"flat","provoking_vertex":"last","line_width":1.0,)"
+            R"("point_size":1.0,"vertices":[{"position":)"
             R"([0.5,1.52587890625e-05,0.0],"color":[1.0,1.0,1.0,1.0]}]}]})");
 }
 
@@ -111,13 +153,29 @@ TEST(RequestLine, RefusesWhatIsNoScene) {
     return message_of(request_of(replaced(good, from, to)));
   };
   EXPECT_THAT(refusal("\"width\":3", "\"width\":4097"), HasSubstr("/scene/target/width is 4097"));
-  EXPECT_THAT(refusal("\"fbo\"", "\"window\""), HasSubstr("unknown name \"window\""));
+  EXPECT_THAT(refusal("\"fbo\"", "\"screen\""), HasSubstr("unknown name \"screen\""));
   EXPECT_THAT(refusal("[-1,-2,8,16]", "[-1,-2,8,0]"), HasSubstr("/scene/viewport/3 is 0"));
   EXPECT_THAT(refusal("[-1,-2,8,16]", "[-1,-2,8]"), HasSubstr("must have 4 elements"));
   EXPECT_THAT(refusal("[-0.5,0.5,", "[0.1,0.5,"),
               HasSubstr("/scene/draws/1/vertices/0/position/0 is 0.1"));
   EXPECT_THAT(refusal("[-0.5,0.5,", "[9000,0.5,"), HasSubstr("must be a multiple of 2^-16"));
-  EXPECT_THAT(refusal("\"lines\"", "\"triangles\""), HasSubstr("no multiple of 3"));
+  EXPECT_THAT(refusal("\"lines\"", "\"triangles\""),
+              HasSubstr("has 2 vertices, which make no whole triangles"));
+  EXPECT_THAT(refusal("\"triangles\"", "\"lines\""), HasSubstr("make no whole lines"));
+  EXPECT_THAT(refusal("\"lines\"", "\"triangle_fan\""), HasSubstr("make no whole triangle_fan"));
+  EXPECT_THAT(refusal("\"lines\"", "\"quads\""), HasSubstr("unknown name \"quads\""));
+  EXPECT_THAT(refusal("\"line_width\":2.5,", ""),
+              HasSubstr("/scene/draws/1 has no \"line_width\""));
+  EXPECT_THAT(refusal("\"line_width\":2.5", "\"line_width\":0"),
+              HasSubstr("/scene/draws/1/line_width is 0, but it must be more than 0"));
+  EXPECT_THAT(refusal("\"line_width\":2.5", "\"line_width\":-1"), HasSubstr("line_width is -1"));
+  EXPECT_THAT(refusal("\"line_width\":2.5", "\"line_width\":64.5"), HasSubstr("at most 64"));
+  EXPECT_THAT(refusal("\"line_width\":2.5", "\"line_width\":0.1"), HasSubstr("multiple of 2^-16"));
+  EXPECT_THAT(refusal("\"point_size\":1.0", "\"point_size\":\"1\""),
+              HasSubstr("/scene/draws/0/point_size must be a number"));
+  EXPECT_THAT(refusal("[-1,0,3,0]", "[-1,0,3,-1]"), HasSubstr("/scene/draws/1/scissor/3 is -1"));
+  EXPECT_THAT(refusal("[-1,0,3,0]", "null"), HasSubstr("/scene/draws/1/scissor must be an array"));
+  EXPECT_THAT(refusal("[-1,0,3,0]", "[-0.5,0,3,0]"), HasSubstr("scissor/0 must be an integer"));
   EXPECT_THAT(refusal("[1.0,0.0,0.0,1.0]", "[2,0,0,1]"), HasSubstr("color/0 is 2"));
   EXPECT_THAT(refusal("[1.0,0.0,0.0,1.0]", "[0.1,0,0,1]"), HasSubstr("float32"));
   EXPECT_THAT(refusal("\"viewport\"", "\"window\""), HasSubstr("unknown key \"window\""));

@@ -28,6 +28,9 @@ inline Scene small_scene() {
                        vertex(0, 131072, {0, 0, 1e-7f, 0.5f})};
   Draw line;
   line.primitive = Primitive::lines;
+  line.line_width = Fixed::from_raw(5 * Fixed::kOne / 2);
+  line.point_size = Fixed::from_raw(1);
+  line.scissor = Viewport{-1, 0, 3, 0};
   line.vertices = {vertex(-32768, 32768, {1, 1, 1, 1}), vertex(163840, 98304, {1, 1, 1, 1})};
   scene.draws = {triangle, line};
   return scene;

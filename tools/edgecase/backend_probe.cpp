@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/edgecase/backend_probe.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -31,13 +32,14 @@ Vertex vertex(Fixed x, Fixed y, Color color = {1, 1, 1, 1}) {
   return result;
 }
 
-Scene probe_scene(Primitive primitive) {
+Scene probe_scene(Primitive primitive, Surface surface = Surface::fbo) {
   Scene scene = make_scene(kSize, kSize);
+  scene.target.surface = surface;
   Draw draw;
   draw.primitive = primitive;
   const Color colors[] = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}};
   const int corners[][2] = {{1, 1}, {6, 2}, {2, 6}};
-  for (int i = 0; i < vertices_per_primitive(primitive); ++i)
+  for (int i = 0; i < vertices_of(kind_of(primitive)); ++i)
     draw.vertices.push_back(
         vertex(Fixed::centre_of(corners[i][0]), Fixed::centre_of(corners[i][1]), colors[i]));
   if (primitive == Primitive::triangles) draw.interpolation = Interpolation::smooth;
@@ -54,6 +56,25 @@ Scene edge_scene(int climb) {
   Draw draw;
   draw.vertices = {vertex(Fixed(), centre - below), vertex(Fixed::from_integer(kRowWidth), Fixed()),
                    vertex(Fixed::from_integer(kRowWidth), centre + above)};
+  scene.draws.push_back(draw);
+  return scene;
+}
+
+// A point, or a line through the whole target, in the middle of a target that has room for it. No
+// pixel's centre lies on a boundary.
+Scene thick_scene(Primitive primitive, int thickness) {
+  const int size = thickness + 4;
+  Scene scene = make_scene(size, size);
+  const Fixed quarter = Fixed::from_raw(Fixed::kOne / 4);
+  const Fixed middle = Fixed::from_integer(size / 2) + quarter;
+  Draw draw;
+  draw.primitive = primitive;
+  draw.point_size = draw.line_width = Fixed::from_integer(thickness);
+  if (primitive == Primitive::points) {
+    draw.vertices = {vertex(middle, middle)};
+  } else {
+    draw.vertices = {vertex(quarter, middle), vertex(Fixed::from_integer(size) - quarter, middle)};
+  }
   scene.draws.push_back(draw);
   return scene;
 }
@@ -85,6 +106,24 @@ bool tells_values(const Rendering& rendering) {
   for (const Fragment& fragment : rendering.fragments)
     if (!fragment.has_color || !fragment.has_depth) return false;
   return !rendering.fragments.empty();
+}
+
+// The largest size of 1 to kMostThickness, in pixels, up to which every power of two is drawn that
+// size in the target's middle column; 0: none.
+int measure_thickness(Renderer& renderer, Primitive primitive) {
+  int drawn = 0;
+  for (int thickness = 1; thickness <= kMostThickness; thickness *= 2) {
+    const auto rendering = render_one(renderer, thick_scene(primitive, thickness), nullptr);
+    if (!rendering) break;
+    const auto in_middle = [&](const Fragment& fragment) {
+      return fragment.x == rendering->width / 2;
+    };
+    if (std::count_if(rendering->fragments.begin(), rendering->fragments.end(), in_middle) !=
+        thickness)
+      break;
+    drawn = thickness;
+  }
+  return drawn;
 }
 
 void measure_subpixel_bits(Renderer& renderer, ProbeResult& result) {
@@ -120,6 +159,11 @@ ProbeResult probe(Renderer& renderer) {
     result.lines = line->fragments.size();
   if (const auto point = render_one(renderer, probe_scene(Primitive::points), nullptr))
     result.points = point->fragments.size();
+  const auto window =
+      render_one(renderer, probe_scene(Primitive::triangles, Surface::window), nullptr);
+  result.window = window && !window->fragments.empty();
+  result.line_width = measure_thickness(renderer, Primitive::lines);
+  result.point_size = measure_thickness(renderer, Primitive::points);
   measure_subpixel_bits(renderer, result);
   return result;
 }

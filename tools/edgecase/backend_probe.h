@@ -16,6 +16,10 @@
 
 namespace edgecase {
 
+// Widths of lines and sizes of points are measured at powers of two, up to the largest that scenes
+// may ask for.
+constexpr int kMostThickness = 64;
+
 struct ProbeResult {
   std::string problem;                       // why the renderer is unavailable; empty: it answers
   std::chrono::milliseconds first_answer{};  // from the start to the first rendering
@@ -25,6 +29,9 @@ struct ProbeResult {
   bool smooth = false;           // colours are interpolated
   bool fragment_colors = false;  // fragments come with colours and depth
   bool hits_agree = false;       // hit counts are told, and equal the captured fragments
+  bool window = false;           // draws to window surfaces, too
+  int line_width = 0;            // widest line that was drawn so, pixels; 0: none
+  int point_size = 0;            // largest point, likewise
   int subpixel_bits = 0;         // measured; 0: the probe failed
   bool more_bits = false;        // the probe resolves no finer than that
 };

@@ -9,6 +9,7 @@
 #include "tools/edgecase/backend_probe.h"
 #include "tools/edgecase/backends.h"
 #include "tools/edgecase/commands.h"
+#include "tools/edgecase/interrupt.h"
 
 namespace edgecase {
 
@@ -17,17 +18,26 @@ namespace {
 constexpr int kUsageError = 2;
 constexpr int kRendererMissing = 4;
 
-constexpr std::size_t kColumns = 9;
+constexpr std::size_t kColumns = 12;
 using Row = std::array<std::string, kColumns>;
 
 constexpr const char* kExplanation =
     "\nbits claimed / measured: GL_SUBPIXEL_BITS, and what a probe with a slanted edge resolves.\n"
     "capture: fragments come with depth and colour; + hits: an independent count per pixel "
     "agrees.\n"
-    "fragments: of one point, one line and one triangle.  first: start to first rendering.\n";
+    "fragments: of one point, one line and one triangle.  first: start to first rendering.\n"
+    "surfaces: fbo, and window where the window system's framebuffer can be drawn to.\n"
+    "line widths, point sizes: the range that the driver claims / the largest power of two that "
+    "came\nout that thick (scenes go up to 64).\n";
 
 std::string yes_or_no(bool value) {
   return value ? "yes" : "no";
+}
+
+// A range that the renderer claims, and the largest size that was measured.
+std::string thickness(const RendererInfo& info, const char* trait, int drawn) {
+  const auto claim = info.traits.find(trait);
+  return fmt::format("{} / {}", claim == info.traits.end() ? "?" : claim->second, drawn);
 }
 
 Row describe(const RendererInfo& info, const ProbeResult& result) {
@@ -41,6 +51,9 @@ Row describe(const RendererInfo& info, const ProbeResult& result) {
           yes_or_no(result.fragment_colors) + (result.hits_agree ? " + hits" : ""),
           fmt::format("{} {} {}", result.points, result.lines, result.triangles),
           yes_or_no(result.smooth),
+          result.window ? "fbo window" : "fbo",
+          thickness(info, "line_widths", result.line_width),
+          thickness(info, "point_sizes", result.point_size),
           fmt::format("{} ms", result.first_answer.count()),
           ""};
 }
@@ -78,9 +91,12 @@ int run_backends(const std::vector<std::string>& names, const std::string& progr
     specs.push_back(std::move(std::get<ProcessSpec>(found)));
   }
   std::vector<Row> rows = {{"renderer", "device", "version", "bits claimed / measured", "capture",
-                            "fragments", "smooth", "first", ""}};
+                            "fragments", "smooth", "surfaces", "line widths", "point sizes",
+                            "first", ""}};
   std::size_t working = 0;
-  for (const ProcessSpec& spec : specs) {
+  const InterruptGuard guard;
+  for (ProcessSpec& spec : specs) {
+    spec.stop = &interrupted();
     ProcessRenderer renderer(spec);
     const ProbeResult result = probe(renderer);
     if (result.problem.empty()) ++working;

@@ -9,9 +9,9 @@
 #include <memory>
 
 #include "results/expectations.h"
-#include "results/results_json.h"
 #include "tools/edgecase/commands.h"
 #include "tools/edgecase/options.h"
+#include "tools/edgecase/report_files.h"
 
 namespace edgecase {
 namespace {
@@ -78,18 +78,12 @@ ExitCode bless_renderer(const BlessCommand& command, const Results& results, std
 }
 
 ExitCode bless(const BlessCommand& command) {
-  const auto text = read_file(command.results);
-  if (!text) return ExitCode::usage;
-  const auto read = read_results(*text);
-  if (const auto* error = std::get_if<std::string>(&read)) {
-    print_error(fmt::format("{}: {}", command.results, *error));
-    return ExitCode::usage;
-  }
-  const auto& results = std::get<Results>(read);
+  const auto results = load_results(command.results);
+  if (!results) return ExitCode::usage;
   ExitCode exit = ExitCode::as_expected;
-  for (std::size_t r = 0; r < results.renderers.size(); ++r)
-    if (selected(command.renderers, results.renderers[r].name))
-      exit = worse(exit, bless_renderer(command, results, r));
+  for (std::size_t r = 0; r < results->renderers.size(); ++r)
+    if (selected(command.renderers, results->renderers[r].name))
+      exit = worse(exit, bless_renderer(command, *results, r));
   if (!command.apply) fmt::print("Nothing is written. Run again with --apply to write this.\n");
   return exit;
 }
@@ -104,8 +98,8 @@ void add_bless_command(CLI::App& app, ExitCode& exit) {
       ->capture_default_str();
   command->add_option("--folder", options->folder, "Folder of the expectations files")
       ->capture_default_str();
-  command->add_option("--filter", options->filters, "Only cases whose id matches; repeatable");
-  command->add_option("--against", options->renderers, "Only this renderer; repeatable");
+  add_repeatable(*command, "--filter", options->filters, "Only cases whose id matches; repeatable");
+  add_repeatable(*command, "--against", options->renderers, "Only this renderer; repeatable");
   command->add_option("--reason", options->reason,
                       "Reason for new and changed entries (default: made of the causes found)");
   command->add_flag("--apply", options->apply, "Write the files");

@@ -76,14 +76,17 @@ void print_result(const Result& result, const RendererInfo& info, std::optional<
 }
 
 ExitCode explain(const ExplainCommand& command) {
-  const auto policy = command.policy.load();
-  if (!policy) return ExitCode::usage;
   Selection selection;
   selection.paths = {command.path};
+  const auto policy = command.policy.load(selection);
+  if (!policy) return ExitCode::usage;
   const Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
   if (!suite.diagnostics.empty()) return ExitCode::usage;
-  if (suite.cases.empty()) return ExitCode::nothing_selected;
+  if (suite.cases.empty()) {
+    print_nothing_selected();
+    return ExitCode::nothing_selected;
+  }
   ExitCode exit = ExitCode::as_expected;
   for (const Case& one : suite.cases) {
     std::optional<Pixel> pixel;

@@ -10,6 +10,7 @@
 #include "run/renderers.h"
 #include "run/run.h"
 #include "tools/edgecase/commands.h"
+#include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/options.h"
 #include "wire/rendering_json.h"
 
@@ -25,6 +26,9 @@ struct RenderOptions {
   int scale = 1;
   double timeout = 10;
 };
+
+// Thrown out of the renderer's sink by Ctrl-C.
+struct Stopped {};
 
 // Collects output of the two kinds; what cannot be written is told once per file.
 class Output {
@@ -58,38 +62,53 @@ class Output {
   bool failed_ = false;
 };
 
+// Failures are told as they come; what is finished when the command is interrupted is kept.
+ExitCode render_tasks(Renderer& renderer, const std::vector<Task>& tasks, Output& output) {
+  ExitCode exit = ExitCode::as_expected;
+  const InterruptGuard guard;
+  try {
+    renderer.render(tasks, [&](std::size_t index, Outcome outcome) {
+      if (interrupted()) throw Stopped{};
+      if (const auto* failure = std::get_if<Failure>(&outcome)) {
+        print_error(
+            fmt::format("{}: {}: {}", tasks[index].id, name_of(failure->kind), failure->reason));
+        exit = worse(exit, ExitCode::renderer);
+      } else {
+        output.add(tasks[index].id, std::get<Rendering>(outcome));
+      }
+    });
+  } catch (const Stopped&) {
+    print_error("interrupted; renderings are missing");
+    exit = worse(exit, ExitCode::unexpected);
+  }
+  return exit;
+}
+
 ExitCode render(RenderOptions options) {
   if (options.json.empty() && options.png.empty()) options.json = "-";
-  const auto policy = options.policy.load();
+  const Selection selection = options.selection.selection();
+  const auto policy = options.policy.load(selection);
   if (!policy) return ExitCode::usage;
   auto made =
       make_renderer(options.renderer,
                     {*policy, std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),
-                     executable_directory()});
+                     executable_directory(), &interrupted()});
   if (const auto* error = std::get_if<std::string>(&made)) {
     print_error(*error);
     return ExitCode::usage;
   }
-  const Suite suite = load_suite(options.selection.selection());
+  const Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
   std::vector<Task> tasks;
   for (const Case& one : suite.cases) tasks.push_back({one.id, &one.scene});
 
   ExitCode exit = suite.diagnostics.empty() ? ExitCode::as_expected : ExitCode::usage;
   if (tasks.empty() && suite.diagnostics.empty()) {
-    print_error("no case is selected");
+    print_nothing_selected();
     exit = ExitCode::nothing_selected;
   }
   Output output(options);
-  std::get<std::unique_ptr<Renderer>>(made)->render(tasks, [&](std::size_t index, Outcome outcome) {
-    if (const auto* failure = std::get_if<Failure>(&outcome)) {
-      print_error(
-          fmt::format("{}: {}: {}", tasks[index].id, name_of(failure->kind), failure->reason));
-      exit = worse(exit, ExitCode::renderer);
-    } else {
-      output.add(tasks[index].id, std::get<Rendering>(outcome));
-    }
-  });
+  exit = worse(exit, render_tasks(*std::get<std::unique_ptr<Renderer>>(made), tasks, output));
   return worse(exit, output.finish());
 }
 

@@ -5,7 +5,6 @@
 
 #include <memory>
 
-#include "results/results_json.h"
 #include "tools/edgecase/commands.h"
 #include "tools/edgecase/report_files.h"
 #include "tools/edgecase/suite_run.h"
@@ -23,16 +22,10 @@ void load_sources(Results& results) {
 }
 
 ExitCode report(const std::string& path, const ReportFiles& files) {
-  const auto text = read_file(path);
-  if (!text) return ExitCode::usage;
-  auto read = read_results(*text);
-  if (const auto* error = std::get_if<std::string>(&read)) {
-    print_error(fmt::format("{}: {}", path, *error));
-    return ExitCode::usage;
-  }
-  auto& results = std::get<Results>(read);
-  load_sources(results);
-  return files.write(results) ? ExitCode::as_expected : ExitCode::internal;
+  auto results = load_results(path);
+  if (!results) return ExitCode::usage;
+  load_sources(*results);
+  return files.write(*results) ? ExitCode::as_expected : ExitCode::internal;
 }
 
 }  // namespace

@@ -25,24 +25,25 @@ struct RunCommand {
   bool list = false;
 };
 
-void print_list(const Suite& suite) {
+ExitCode print_list(const Suite& suite) {
   for (const Case& one : suite.cases) fmt::print("{}\n", one.id);
+  if (!suite.diagnostics.empty()) return ExitCode::usage;
+  if (!suite.cases.empty()) return ExitCode::as_expected;
+  print_nothing_selected();
+  return ExitCode::nothing_selected;
 }
 
 ExitCode run(const RunCommand& command) {
-  const auto policy = command.policy.load();
-  if (!policy) return ExitCode::usage;
   const Selection selection = command.selection.selection();
+  const auto policy = command.policy.load(selection);
+  if (!policy) return ExitCode::usage;
   const auto expectations =
       load_expectations(suite_folder(selection) / "expectations", command.expectations);
   if (!expectations) return ExitCode::usage;
 
   const Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
-  if (command.list) {
-    print_list(suite);
-    return suite.diagnostics.empty() ? ExitCode::as_expected : ExitCode::usage;
-  }
+  if (command.list) return print_list(suite);
   auto results = run_against(suite, *policy, command.run);
   if (!results) return ExitCode::usage;
   apply_all_expectations(*expectations, *results);
@@ -52,8 +53,12 @@ ExitCode run(const RunCommand& command) {
   write_summary(*results, use_color(command.color, to_stdout ? STDERR_FILENO : STDOUT_FILENO),
                 to_stdout ? std::cerr : std::cout);
   ExitCode exit = exit_code_of(*results);
-  if (exit == ExitCode::nothing_selected) print_error("no case is selected");
-  if (!command.files.write(*results)) exit = worse(exit, ExitCode::internal);
+  if (exit == ExitCode::nothing_selected) {
+    // Nothing was run: what an earlier run wrote stays.
+    print_nothing_selected();
+    return exit;
+  }
+  if (!command.files.write(*results)) return worse(exit, ExitCode::internal);
   const std::string html = command.files.html_path();
   if (!to_stdout && !html.empty()) fmt::print("Report: {}\n", html);
   return exit;
@@ -69,9 +74,9 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
   options->policy.add_to(*command);
   options->run.add_to(*command);
   options->files.add_to(*command);
-  command->add_option("--expectations", options->expectations,
-                      "Expectations file, repeatable (default: those in the suite's folder "
-                      "expectations)");
+  add_repeatable(*command, "--expectations", options->expectations,
+                 "Expectations file, repeatable (default: those in the suite's folder "
+                 "expectations)");
   command->add_option("--color", options->color, "Colours in the summary")
       ->check(CLI::IsMember({"auto", "always", "never"}));
   command->add_flag("--list", options->list, "Only list the ids of the selected cases");

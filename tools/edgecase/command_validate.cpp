@@ -17,6 +17,7 @@ namespace {
 ExitCode validate(const Selection& selection) {
   const Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
+  for (const Diagnostic& note : suite.notes) fmt::print("{}\n", to_string(note));
   std::size_t unmet = 0;
   for (const Case& one : suite.cases) {
     const Policy policy;
@@ -30,7 +31,9 @@ ExitCode validate(const Selection& selection) {
              suite.diagnostics.size(), unmet);
   if (!suite.diagnostics.empty()) return ExitCode::usage;
   if (unmet > 0) return ExitCode::unexpected;
-  return suite.cases.empty() ? ExitCode::nothing_selected : ExitCode::as_expected;
+  if (!suite.cases.empty()) return ExitCode::as_expected;
+  print_nothing_selected();
+  return ExitCode::nothing_selected;
 }
 
 }  // namespace

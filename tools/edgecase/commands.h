@@ -17,5 +17,6 @@ void add_backends_command(CLI::App& app, ExitCode& exit);
 void add_validate_command(CLI::App& app, ExitCode& exit);
 void add_bless_command(CLI::App& app, ExitCode& exit);
 void add_report_command(CLI::App& app, ExitCode& exit);
+void add_separation_command(CLI::App& app, ExitCode& exit);
 
 }  // namespace edgecase

@@ -2,7 +2,11 @@
 //
 // The `edgecase` command: one file per subcommand, nothing but arguments and output here.
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
 
 #include "tools/edgecase/commands.h"
 #include "tools/edgecase/options.h"
@@ -14,7 +18,8 @@ int main(int argc, char** argv) {
       "disagreement which rule it is about, why, and whether the specification allows it."};
   app.name("edgecase");
   app.set_version_flag("--version", edgecase::kToolName);
-  app.require_subcommand(1);
+  // At most one: were one required, a misspelt one would be reported as none.
+  app.require_subcommand(0, 1);
   app.footer(
       "Exit codes: 0 as expected, 1 something unexpected, 2 usage or case error,\n"
       "3 input, output or internal error, 4 renderer missing or failing, 5 nothing selected.");
@@ -27,14 +32,21 @@ int main(int argc, char** argv) {
   edgecase::add_validate_command(app, exit);
   edgecase::add_bless_command(app, exit);
   edgecase::add_report_command(app, exit);
+  edgecase::add_separation_command(app, exit);
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty())
+      throw CLI::RequiredError("A subcommand, for example: edgecase run");
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? 0 : static_cast<int>(ExitCode::usage);
+    // Help and the version come this way too, with the code 0.
+    if (app.exit(error) != 0) exit = ExitCode::usage;
   } catch (const std::exception& error) {
     edgecase::print_error(std::string("internal error: ") + error.what());
-    return static_cast<int>(ExitCode::internal);
+    exit = ExitCode::internal;
+  }
+  if (!std::cout.flush() || std::fflush(stdout) != 0) {
+    edgecase::print_error(std::string("cannot write standard output: ") + std::strerror(errno));
+    exit = edgecase::worse(exit, ExitCode::internal);
   }
   return static_cast<int>(exit);
 }

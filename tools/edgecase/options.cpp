@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "casefile/policy_reader.h"
@@ -65,14 +66,43 @@ std::vector<KnownRule> known_rules() {
   return result;
 }
 
+// The names of the policies in a folder: "cs184, direct3d-11, ...".
+std::string policy_names(const std::filesystem::path& folder) {
+  std::set<std::string> names = {"opengl"};
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (entry.path().extension() == ".json") names.insert(entry.path().stem().string());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// The file that a policy's name stands for: itself, or one in the folder.
+std::optional<std::filesystem::path> policy_file(const std::string& policy,
+                                                 const std::filesystem::path& folder) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(policy, error)) return policy;
+  const std::filesystem::path named = folder / (policy + ".json");
+  if (policy.find('/') == std::string::npos && std::filesystem::is_regular_file(named, error))
+    return named;
+  print_error(
+      fmt::format("there is no policy \"{}\"; write the path of a policy file, or one of {}",
+                  policy, policy_names(folder)));
+  return std::nullopt;
+}
+
 }  // namespace
+
+void add_repeatable(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                    const std::string& description) {
+  command.add_option(name, values, description)->allow_extra_args(false);
+}
 
 void SelectionOptions::add_to(CLI::App& command, bool with_shard) {
   command.add_option("paths", paths, "Case files and folders of them (default: cases)");
-  command.add_option("--filter", filters,
-                     "Only cases whose id matches this shell glob; repeatable");
-  command.add_option("--exclude", excludes, "Not the cases whose id matches this glob; repeatable");
-  command.add_option("--tag", tags, "Only cases with this tag; repeatable");
+  add_repeatable(command, "--filter", filters,
+                 "Only cases whose id matches this shell glob; repeatable");
+  add_repeatable(command, "--exclude", excludes,
+                 "Not the cases whose id matches this glob; repeatable");
+  add_repeatable(command, "--tag", tags, "Only cases with this tag; repeatable");
   if (with_shard)
     command.add_option(
         "--shard", shard,
@@ -91,21 +121,20 @@ Selection SelectionOptions::selection() const {
 }
 
 void PolicyOptions::add_to(CLI::App& command) {
-  command.add_option("--policy", policy, "Rules of the exact side: opengl, or a policy file")
+  command
+      .add_option(
+          "--policy", policy,
+          "Rules of the exact side: opengl, a name in the suite's folder policies, or a file")
       ->capture_default_str();
   command.add_flag("--strict", strict, "Grant no latitude: every difference is a violation");
 }
 
-std::optional<Policy> PolicyOptions::load() const {
+std::optional<Policy> PolicyOptions::load(const Selection& selection) const {
   Policy result;
   if (policy != "opengl") {
-    std::error_code error;
-    if (!std::filesystem::exists(policy, error)) {
-      print_error(fmt::format(
-          "there is no policy \"{}\"; write opengl, or the path of a policy file", policy));
-      return std::nullopt;
-    }
-    LoadedPolicy loaded = load_policy(policy, known_rules());
+    const auto file = policy_file(policy, suite_folder(selection) / "policies");
+    if (!file) return std::nullopt;
+    LoadedPolicy loaded = load_policy(*file, known_rules());
     print_diagnostics(loaded.diagnostics);
     if (!loaded.value) return std::nullopt;
     result = std::move(*loaded.value);
@@ -130,6 +159,10 @@ void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
 
 void print_error(const std::string& message) {
   fmt::print(stderr, "edgecase: {}\n", message);
+}
+
+void print_nothing_selected() {
+  print_error("no case is selected; `edgecase run --list` prints the ids of all");
 }
 
 std::optional<std::string> read_file(const std::filesystem::path& path) {

@@ -15,6 +15,11 @@ namespace edgecase {
 
 inline constexpr const char* kToolName = "edgecase " EDGECASE_VERSION;
 
+// An option that takes one value each time it is given, so that "--filter GLOB PATH" ends with a
+// path.
+void add_repeatable(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                    const std::string& description);
+
 // Which cases: PATH…, --filter, --exclude, --tag, --shard.
 struct SelectionOptions {
   std::vector<std::string> paths;
@@ -34,8 +39,9 @@ struct PolicyOptions {
   bool strict = false;
 
   void add_to(CLI::App& command);
-  // Prints what is wrong and returns nothing when the policy cannot be had.
-  std::optional<Policy> load() const;
+  // `opengl`, a file, or the name of a file in the suite's folder `policies`. Prints what is wrong
+  // and returns nothing when the policy cannot be had.
+  std::optional<Policy> load(const Selection& selection) const;
 };
 
 // The folder whose expectations and policies belong to these paths: the nearest `cases`, or the
@@ -47,6 +53,9 @@ void print_diagnostics(const std::vector<Diagnostic>& diagnostics);
 
 // Prints "edgecase: message" to standard error.
 void print_error(const std::string& message);
+
+// Says that the selection has no case.
+void print_nothing_selected();
 
 // Reads a whole file; prints an error and returns nothing when it cannot be read.
 std::optional<std::string> read_file(const std::filesystem::path& path);

@@ -5,6 +5,8 @@
 
 #include <functional>
 #include <sstream>
+#include <utility>
+#include <variant>
 
 #include "reports/html.h"
 #include "reports/junit.h"
@@ -34,6 +36,16 @@ bool write_one(const std::string& path, const std::function<void(std::ostream&)>
 }
 
 }  // namespace
+
+std::optional<Results> load_results(const std::string& path) {
+  const auto text = read_file(path);
+  if (!text) return std::nullopt;
+  auto read = read_results(*text);
+  if (auto* results = std::get_if<Results>(&read)) return std::move(*results);
+  print_error(fmt::format("{}: {}; name a file that `edgecase run --json` wrote", path,
+                          std::get<std::string>(read)));
+  return std::nullopt;
+}
 
 void ReportFiles::add_to(CLI::App& command) {
   command.add_option("--json", json, "File for the results as JSON, - for standard output");

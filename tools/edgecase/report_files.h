@@ -4,11 +4,15 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "results/results.h"
 
 namespace edgecase {
+
+// The results in the file at `path`; prints an error and returns nothing when there are none.
+std::optional<Results> load_results(const std::string& path);
 
 // --json, --junit and --html; where none is given, results.json, junit.xml and report.html in out/.
 struct ReportFiles {

@@ -5,24 +5,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <mutex>
 #include <set>
 #include <thread>
 
 #include "run/renderer_names.h"
 #include "run/run.h"
+#include "tools/edgecase/interrupt.h"
 
 namespace edgecase {
 namespace {
-
-std::atomic<bool> interrupted = false;
-
-void on_interrupt(int) {
-  interrupted = true;
-}
 
 // One line on a terminal that is written over: cases done, rate, time left.
 class ProgressLine {
@@ -58,7 +51,7 @@ class ProgressLine {
 };
 
 bool is_known(const std::string& renderer) {
-  auto made = make_renderer(renderer, {{}, std::chrono::seconds(1), executable_directory()});
+  auto made = make_renderer(renderer, {{}, std::chrono::seconds(1), executable_directory(), {}});
   if (const auto* error = std::get_if<std::string>(&made)) {
     print_error(*error);
     return false;
@@ -86,10 +79,9 @@ ExitCode exit_code_of(const Result& result) {
 }  // namespace
 
 void SuiteRunOptions::add_to(CLI::App& command) {
-  command.add_option(
-      "--against", renderers,
-      "Renderer to compare with exact, repeatable: osmesa:llvmpipe, osmesa:softpipe, "
-      "egl:llvmpipe, egl:softpipe, egl:deviceN, exec:PROGRAM, exact");
+  add_repeatable(command, "--against", renderers,
+                 "Renderer to compare with exact, repeatable: osmesa:llvmpipe, osmesa:softpipe, "
+                 "egl:llvmpipe, egl:softpipe, egl:deviceN, exec:PROGRAM, exact");
   command.add_option("--jobs", jobs, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 256));
   command.add_option("--timeout", timeout, "Seconds per case")->check(CLI::Range(0.01, 3600.0));
@@ -118,14 +110,13 @@ std::optional<Results> run_against(const Suite& suite, const Policy& policy,
   run.renderers = options.renderers;
   run.renderer_options = {policy,
                           std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),
-                          executable_directory()};
+                          executable_directory(), &interrupted()};
   run.jobs =
       options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
   run.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
-  run.stop = &interrupted;
-  const auto previous = std::signal(SIGINT, on_interrupt);
+  run.stop = &interrupted();
+  const InterruptGuard guard;
   Results results = run_suite(suite, run);
-  std::signal(SIGINT, previous);
   results.tool = kToolName;
   return results;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace edgecase {
@@ -30,6 +31,81 @@ bool inside_sides(Rotated low, Rotated high, Rotated centre, const TieRule& ties
          ties.positive(centre.v + kHalf - low.v, 1, -1);
 }
 
+const TieRule& open_ties() {
+  static const TieRule& rule = *find_tie_rule("open");
+  return rule;
+}
+
+// Does the segment from a to b meet the diamond whose centre is c, ties decided by a tie rule?
+bool meets_by_ties(Rotated a, Rotated b, Rotated c, const TieRule& ties) {
+  const Rotated low{std::min(a.u, b.u), std::min(a.v, b.v)};
+  const Rotated high{std::max(a.u, b.u), std::max(a.v, b.v)};
+  if (!inside_sides(low, high, c, ties)) return false;
+  const Int128 du = b.u - a.u;
+  const Int128 dv = b.v - a.v;
+  if (du == 0 && dv == 0) return true;
+
+  // The segment's normal (-dv, du): the centre may lie at most half the diamond's width from it.
+  const Int128 offset = du * (c.v - a.v) - dv * (c.u - a.u);
+  const Int128 reach = ((du < 0 ? -du : du) + (dv < 0 ? -dv : dv)) * kHalf;
+  const Int128 gradient_x = du - dv;
+  const Int128 gradient_y = -du - dv;
+  return ties.positive(reach + offset, gradient_x, gradient_y) &&
+         ties.positive(reach - offset, -gradient_x, -gradient_y);
+}
+
+struct RotatedSegment {
+  Rotated a;
+  Rotated b;
+};
+
+// Does the segment contain the point?
+bool contains(const RotatedSegment& s, Rotated p) {
+  const Int128 turn = static_cast<Int128>(s.b.u - s.a.u) * (p.v - s.a.v) -
+                      static_cast<Int128>(s.b.v - s.a.v) * (p.u - s.a.u);
+  return turn == 0 && p.u >= std::min(s.a.u, s.b.u) && p.u <= std::max(s.a.u, s.b.u) &&
+         p.v >= std::min(s.a.v, s.b.v) && p.v <= std::max(s.a.v, s.b.v);
+}
+
+// Does the segment meet the open edge {along == at, across strictly between low and high}, where
+// (along, across) are (u, v) or (v, u)?
+bool meets_edge(std::array<std::int64_t, 2> a, std::array<std::int64_t, 2> b, std::int64_t at,
+                std::array<std::int64_t, 2> low_high) {
+  const auto [low, high] = low_high;
+  if (a[0] == at && b[0] == at) return std::max(a[1], b[1]) > low && std::min(a[1], b[1]) < high;
+  if (std::min(a[0], b[0]) > at || std::max(a[0], b[0]) < at) return false;
+  // It crosses at across = a1 + (at - a0) (b1 - a1) / (b0 - a0): compare times |b0 - a0|.
+  const Int128 run = b[0] - a[0];
+  const Int128 step = static_cast<Int128>(at - a[0]) * (b[1] - a[1]);
+  const Int128 across = (run > 0 ? step : -step) + a[1] * (run > 0 ? run : -run);
+  const Int128 scale = run > 0 ? run : -run;
+  return across > low * scale && across < high * scale;
+}
+
+// Does the segment meet one of these parts of the boundary of the diamond with centre c?
+bool touches_part(const RotatedSegment& s, Rotated c, unsigned parts) {
+  const Rotated low{c.u - kHalf, c.v - kHalf};
+  const Rotated high{c.u + kHalf, c.v + kHalf};
+  const auto has = [&](DiamondPart part) { return (parts & part) != 0; };
+  // u = x + y and v = x - y: right is high u and v, top is high u and low v.
+  if (has(kRightCorner) && contains(s, high)) return true;
+  if (has(kLeftCorner) && contains(s, low)) return true;
+  if (has(kTopCorner) && contains(s, {high.u, low.v})) return true;
+  if (has(kBottomCorner) && contains(s, {low.u, high.v})) return true;
+  const auto u_edge = [&](std::int64_t u) {
+    return meets_edge({s.a.u, s.a.v}, {s.b.u, s.b.v}, u, {low.v, high.v});
+  };
+  const auto v_edge = [&](std::int64_t v) {
+    return meets_edge({s.a.v, s.a.u}, {s.b.v, s.b.u}, v, {low.u, high.u});
+  };
+  return (has(kUpperRightEdge) && u_edge(high.u)) || (has(kLowerLeftEdge) && u_edge(low.u)) ||
+         (has(kLowerRightEdge) && v_edge(high.v)) || (has(kUpperLeftEdge) && v_edge(low.v));
+}
+
+unsigned owned_parts(const Segment& segment, const DiamondBoundary& boundary) {
+  return segment.x_major() ? boundary.x_major_parts : boundary.y_major_parts;
+}
+
 // Smallest |dx| + |dy| between the centre and the segment, pixels; for people only.
 double manhattan_distance(const Segment& s, Point centre) {
   const double ax = s.a.x.to_double() - centre.x.to_double();
@@ -43,32 +119,35 @@ double manhattan_distance(const Segment& s, Point centre) {
   return least;
 }
 
+const DiamondBoundary& boundary_named(const char* name) {
+  return *find_diamond_boundary(name);
+}
+
 // Ties are named exactly: a decision hangs on one where `open` and `closed` differ.
 bool touches_only(const Segment& s, int x, int y) {
-  return meets_diamond(s, x, y, *find_tie_rule("closed")) &&
-         !meets_diamond(s, x, y, *find_tie_rule("open"));
+  return meets_diamond(s, x, y, boundary_named("closed")) &&
+         !meets_diamond(s, x, y, boundary_named("open"));
 }
 
-bool on_boundary(Point p, int x, int y) {
-  return in_diamond(p, x, y, *find_tie_rule("closed")) &&
-         !in_diamond(p, x, y, *find_tie_rule("open"));
+bool ends_on_boundary(const Segment& s, int x, int y) {
+  return ends_in_diamond(s, x, y, boundary_named("closed")) &&
+         !ends_in_diamond(s, x, y, boundary_named("open"));
 }
 
-std::string describe_meeting(const Segment& s, int x, int y, const TieRule& ties) {
-  const bool meets = meets_diamond(s, x, y, ties);
+std::string describe_meeting(const Segment& s, int x, int y, const DiamondBoundary& boundary) {
+  const bool meets = meets_diamond(s, x, y, boundary);
   if (touches_only(s, x, y))
-    return fmt::format(
-        "only touches the boundary of the diamond round {}, and with the ends moved "
-        "as {} says it {} it",
-        format_point(pixel_centre(x, y)), ties.name, meets ? "enters" : "misses");
+    return fmt::format("only touches the boundary of the diamond round {}, and as {} has it {} it",
+                       format_point(pixel_centre(x, y)), boundary.name,
+                       meets ? "enters" : "misses");
   return fmt::format("comes within {:.6g} of the centre {} ({} than 0.5, so it {} the diamond)",
                      manhattan_distance(s, pixel_centre(x, y)), format_point(pixel_centre(x, y)),
                      meets ? "less" : "not less", meets ? "meets" : "misses");
 }
 
-std::string describe_end(const Segment& s, int x, int y, const TieRule& ties) {
-  const bool inside = in_diamond(s.b, x, y, ties);
-  if (on_boundary(s.b, x, y))
+std::string describe_end(const Segment& s, int x, int y, const DiamondBoundary& boundary) {
+  const bool inside = ends_in_diamond(s, x, y, boundary);
+  if (ends_on_boundary(s, x, y))
     return fmt::format("its end {} lies exactly on the diamond's boundary and counts as {}",
                        format_point(s.b), inside ? "inside, so it does not exit" : "outside");
   return fmt::format("its end {} lies {} the diamond{}", format_point(s.b),
@@ -77,41 +156,29 @@ std::string describe_end(const Segment& s, int x, int y, const TieRule& ties) {
 
 }  // namespace
 
-bool Segment::x_major() const {
-  return std::abs(b.x.raw() - a.x.raw()) >= std::abs(b.y.raw() - a.y.raw());
+bool ends_in_diamond(const Segment& segment, int x, int y, const DiamondBoundary& boundary) {
+  const Rotated end = rotate(segment.b);
+  const Rotated centre = rotate(pixel_centre(x, y));
+  if (boundary.ties != nullptr) return inside_sides(end, end, centre, *boundary.ties);
+  return inside_sides(end, end, centre, open_ties()) ||
+         touches_part({end, end}, centre, owned_parts(segment, boundary));
 }
 
-bool in_diamond(Point point, int x, int y, const TieRule& ties) {
-  const Rotated p = rotate(point);
-  return inside_sides(p, p, rotate(pixel_centre(x, y)), ties);
-}
-
-bool meets_diamond(const Segment& segment, int x, int y, const TieRule& ties) {
+bool meets_diamond(const Segment& segment, int x, int y, const DiamondBoundary& boundary) {
   const Rotated a = rotate(segment.a);
   const Rotated b = rotate(segment.b);
   const Rotated c = rotate(pixel_centre(x, y));
-  const Rotated low{std::min(a.u, b.u), std::min(a.v, b.v)};
-  const Rotated high{std::max(a.u, b.u), std::max(a.v, b.v)};
-  if (!inside_sides(low, high, c, ties)) return false;
-  if (segment.a == segment.b) return true;
-
-  // The segment's normal (-dv, du): the centre may lie at most half the diamond's width from it.
-  const Int128 du = b.u - a.u;
-  const Int128 dv = b.v - a.v;
-  const Int128 offset = du * (c.v - a.v) - dv * (c.u - a.u);
-  const Int128 reach = ((du < 0 ? -du : du) + (dv < 0 ? -dv : dv)) * kHalf;
-  const Int128 gradient_x = du - dv;
-  const Int128 gradient_y = -du - dv;
-  return ties.positive(reach + offset, gradient_x, gradient_y) &&
-         ties.positive(reach - offset, -gradient_x, -gradient_y);
+  if (boundary.ties != nullptr) return meets_by_ties(a, b, c, *boundary.ties);
+  return meets_by_ties(a, b, c, open_ties()) ||
+         touches_part({a, b}, c, owned_parts(segment, boundary));
 }
 
-bool diamond_exit_covers(const Segment& segment, int x, int y, const TieRule& ties) {
-  return meets_diamond(segment, x, y, ties) && !in_diamond(segment.b, x, y, ties);
+bool diamond_exit_covers(const Segment& segment, int x, int y, const DiamondBoundary& boundary) {
+  return meets_diamond(segment, x, y, boundary) && !ends_in_diamond(segment, x, y, boundary);
 }
 
 std::vector<PixelPosition> diamond_exit_pixels(const Segment& segment, const PixelBounds& bounds,
-                                               const TieRule& ties) {
+                                               const DiamondBoundary& boundary) {
   // Along the major axis, only rows within one pixel of the segment can meet it: walk the columns
   // (rows for a y-major segment) and test the few candidates of each.
   const bool x_major = segment.x_major();
@@ -140,13 +207,13 @@ std::vector<PixelPosition> diamond_exit_pixels(const Segment& segment, const Pix
     const auto high = std::min<std::int64_t>(at.floor() + 2, minor_high);
     for (std::int64_t n = low; n <= high; ++n) {
       const PixelPosition p{static_cast<int>(x_major ? m : n), static_cast<int>(x_major ? n : m)};
-      if (diamond_exit_covers(segment, p.x, p.y, ties)) result.push_back(p);
+      if (diamond_exit_covers(segment, p.x, p.y, boundary)) result.push_back(p);
     }
   }
   return result;
 }
 
-Explanation explain_line(const Segment& segment, int x, int y, const TieRule& ties) {
+Explanation explain_line(const Segment& segment, int x, int y, const DiamondBoundary& boundary) {
   Explanation result;
   if (segment.a == segment.b) {
     result.text = fmt::format(
@@ -154,9 +221,9 @@ Explanation explain_line(const Segment& segment, int x, int y, const TieRule& ti
         "lies there too, so it exits none",
         format_point(segment.a));
   } else {
-    result.text =
-        fmt::format("the segment {} to {} {}; {}", format_point(segment.a), format_point(segment.b),
-                    describe_meeting(segment, x, y, ties), describe_end(segment, x, y, ties));
+    result.text = fmt::format("the segment {} to {} {}; {}", format_point(segment.a),
+                              format_point(segment.b), describe_meeting(segment, x, y, boundary),
+                              describe_end(segment, x, y, boundary));
   }
   const double cx = x + .5;
   const double cy = y + .5;
@@ -170,13 +237,19 @@ Explanation explain_line(const Segment& segment, int x, int y, const TieRule& ti
 Rule diamond_exit_rule() {
   Rule rule;
   rule.id = "line.diamond-exit";
-  rule.title = "A line produces the fragments whose diamonds it exits";
+  rule.title =
+      "A line produces the fragments whose diamonds it exits; who owns a diamond's boundary";
   rule.spec = "14.5.1 (basic line segment rasterization)";
   rule.latitude =
       "other algorithms, as long as no fragment is more than one unit from one of the diamond-exit "
       "rule, their number differs by at most one, and no column (row, if y-major) holds two";
   rule.standard = "left-bottom";
-  rule.alternatives = tie_alternatives(Openness::open, Openness::open);
+  rule.alternatives = tie_alternatives(all_tie_rules(), Openness::open, Openness::open);
+  rule.alternatives.push_back({"direct3d", Openness::open,
+                               "the diamond owns its two lower edges and its bottom corner, for "
+                               "y-major lines its right corner too"});
+  rule.alternatives.push_back({"scotty3d", Openness::open,
+                               "the diamond owns its four edges and its left and bottom corners"});
   rule.rulings = {
       {1,
        "Lines: every produced fragment has a diamond-exit fragment of the same segment within one "

@@ -18,36 +18,29 @@
 
 #include "exact/fixed.h"
 #include "exact/pixel.h"
+#include "rules/coverage/diamond_boundary.h"
 #include "rules/coverage/explain.h"
-#include "rules/coverage/tie_rule.h"
+#include "rules/coverage/segment.h"
 #include "rules/rule.h"
 
 namespace edgecase {
 
-struct Segment {
-  Point a;
-  Point b;
-
-  // Slope in [-1, 1]: 45 degrees counts as x-major, and so does a segment without length.
-  bool x_major() const;
-};
-
 Rule diamond_exit_rule();
 
 // Does the segment meet the diamond of pixel (x, y)?
-bool meets_diamond(const Segment& segment, int x, int y, const TieRule& ties);
+bool meets_diamond(const Segment& segment, int x, int y, const DiamondBoundary& boundary);
 
-// Does the diamond of pixel (x, y) contain the point?
-bool in_diamond(Point point, int x, int y, const TieRule& ties);
+// Does the diamond of pixel (x, y) contain the end of the segment?
+bool ends_in_diamond(const Segment& segment, int x, int y, const DiamondBoundary& boundary);
 
 // Does the segment produce the fragment of pixel (x, y)?
-bool diamond_exit_covers(const Segment& segment, int x, int y, const TieRule& ties);
+bool diamond_exit_covers(const Segment& segment, int x, int y, const DiamondBoundary& boundary);
 
 // All pixels within `bounds` that the segment produces, along the major axis in ascending order.
 std::vector<PixelPosition> diamond_exit_pixels(const Segment& segment, const PixelBounds& bounds,
-                                               const TieRule& ties);
+                                               const DiamondBoundary& boundary);
 
 // Why, in a sentence with numbers.
-Explanation explain_line(const Segment& segment, int x, int y, const TieRule& ties);
+Explanation explain_line(const Segment& segment, int x, int y, const DiamondBoundary& boundary);
 
 }  // namespace edgecase

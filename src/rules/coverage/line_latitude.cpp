@@ -5,14 +5,17 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <vector>
+
+#include "rules/coverage/line_algorithm.h"
 
 namespace edgecase {
 namespace {
 
-const TieRule& perturbed() {
-  static const TieRule& rule = *find_tie_rule("left-bottom");
-  return rule;
+const DiamondBoundary& perturbed() {
+  static const DiamondBoundary& boundary = *find_diamond_boundary("left-bottom");
+  return boundary;
 }
 
 bool within_one(PixelPosition a, PixelPosition b) {
@@ -66,23 +69,70 @@ std::string stray_of_empty(const Segment& segment, std::span<const PixelPosition
   if (drawn.size() > 1)
     return fmt::format("{} fragments are drawn where the diamond-exit rule has none", drawn.size());
   for (PixelPosition p : drawn)
-    if (!meets_diamond(segment, p.x, p.y, *find_tie_rule("closed")))
+    if (!meets_diamond(segment, p.x, p.y, *find_diamond_boundary("closed")))
       return fmt::format("pixel ({}, {}) is drawn, and the segment does not meet its diamond", p.x,
                          p.y);
   return "";
 }
 
-}  // namespace
+// One unit beyond the border a fragment of the rule still justifies a drawn one inside; two are
+// looked at so that emptiness is judged on more than what one step may hide.
+std::vector<PixelPosition> nearby_pixels(const Segment& segment, const PixelBounds& target) {
+  return diamond_exit_pixels(segment, target.grown(2), perturbed());
+}
 
-std::string broken_line_clause(const Segment& segment, std::span<const PixelPosition> drawn,
+// Rulings 1 and 2, for a line of width 1.
+std::string broken_thin_clause(const Segment& segment, std::span<const PixelPosition> drawn,
                                const PixelBounds& target) {
-  // One unit beyond the border a fragment of the rule still justifies a drawn one inside; two are
-  // looked at so that emptiness is judged on more than what one step may hide.
-  const auto exact = diamond_exit_pixels(segment, target.grown(2), perturbed());
+  const auto exact = nearby_pixels(segment, target);
   if (exact.empty()) return stray_of_empty(segment, drawn);
   if (std::string clause = stray_fragment(exact, drawn); !clause.empty()) return clause;
   if (std::string clause = crowded_line(segment, drawn); !clause.empty()) return clause;
   return wrong_count(exact, drawn.size(), target);
+}
+
+// The fragments of a wide line by their place on the major axis, as places on the minor axis.
+std::map<int, std::vector<int>> columns_of(const SeenLine& line,
+                                           std::span<const PixelPosition> drawn) {
+  const bool x_major = line.segment.x_major();
+  std::map<int, std::vector<int>> columns;
+  for (PixelPosition p : drawn) columns[x_major ? p.x : p.y].push_back(x_major ? p.y : p.x);
+  for (auto& [major, minors] : columns) std::sort(minors.begin(), minors.end());
+  return columns;
+}
+
+// Ruling 12.
+std::string broken_wide_clause(const SeenLine& line, std::span<const PixelPosition> drawn) {
+  const bool x_major = line.segment.x_major();
+  const int low = x_major ? line.bounds.y_min : line.bounds.x_min;
+  const int high = x_major ? line.bounds.y_max : line.bounds.x_max;
+  std::vector<PixelPosition> lowest;
+  for (const auto& [major, minors] : columns_of(line, drawn)) {
+    const int run = static_cast<int>(minors.size());
+    const bool whole = minors.back() - minors.front() == run - 1 &&
+                       std::adjacent_find(minors.begin(), minors.end()) == minors.end();
+    const bool cut = run < line.width && (minors.front() == low || minors.back() == high);
+    if (!whole || (run != line.width && !cut))
+      return fmt::format("{} {} holds {} fragments, not one run of {}", x_major ? "column" : "row",
+                         major, run, line.width);
+    // What the lower border cuts goes on below it.
+    const int base = cut && minors.front() == low ? minors.back() - line.width + 1 : minors.front();
+    lowest.push_back(x_major ? PixelPosition{major, base} : PixelPosition{base, major});
+  }
+  PixelBounds bounds = line.bounds;
+  (x_major ? bounds.y_min : bounds.x_min) -= line.width - 1;
+  return broken_thin_clause(lowest_segment(line.segment, line.width), lowest, bounds);
+}
+
+}  // namespace
+
+std::string broken_line_clause(const SeenLine& line, std::span<const PixelPosition> drawn) {
+  if (line.width == 1) return broken_thin_clause(line.segment, drawn, line.bounds);
+  return broken_wide_clause(line, drawn);
+}
+
+bool is_unseen(const SeenLine& line) {
+  return nearby_pixels(line.segment, line.bounds).empty();
 }
 
 }  // namespace edgecase

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What OpenGL accepts as a line (GL 4.6 core, 14.5.1, the relaxed rules; rulings 1 and 2).
+// What OpenGL accepts as a line (GL 4.6 core, 14.5.1, the relaxed rules; rulings 1, 2 and 12).
 //
 // The predicate of the diamond-exit rule lives in diamond_exit.h; here is how far another algorithm
 // may stray from it, judged from a segment and the pixels that were drawn of it, and nothing else.
@@ -13,9 +13,19 @@
 
 namespace edgecase {
 
-// A broken clause of rulings 1 and 2, in words; empty when every clause holds. `drawn` are the
-// pixels that a renderer produced of the segment inside the target, each as often as it came.
-std::string broken_line_clause(const Segment& segment, std::span<const PixelPosition> drawn,
-                               const PixelBounds& target);
+// A line of which the pixels inside `bounds` are seen.
+struct SeenLine {
+  Segment segment;
+  int width = 1;  // rounded, see line_algorithm.h
+  PixelBounds bounds;
+};
+
+// A broken clause of rulings 1, 2 and 12, in words; empty when every clause holds. `drawn` are the
+// pixels that a renderer produced of the line inside the bounds, each as often as it came.
+std::string broken_line_clause(const SeenLine& line, std::span<const PixelPosition> drawn);
+
+// Has the diamond-exit rule no fragment of the segment in the bounds or near them? Then ruling 2
+// holds in place of ruling 1.
+bool is_unseen(const SeenLine& line);
 
 }  // namespace edgecase

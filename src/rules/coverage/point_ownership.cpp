@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <vector>
 
 #include "exact/numeral.h"
 
 namespace edgecase {
 namespace {
-
-constexpr std::int64_t kHalf = Fixed::kOne / 2;
 
 // How far the centre lies from the vertex along the axis where it lies farther, raw.
 std::int64_t chebyshev_distance(Point vertex, Point centre) {
@@ -21,15 +20,25 @@ std::int64_t chebyshev_distance(Point vertex, Point centre) {
 
 }  // namespace
 
+std::span<const TieRule> point_tie_rules() {
+  static const std::vector<TieRule> rules = [] {
+    std::vector<TieRule> list;
+    for (const TieRule& rule : all_tie_rules())
+      if (rule.kind != TieRule::Kind::perturbed || rule.first_x != 0) list.push_back(rule);
+    return list;
+  }();
+  return rules;
+}
+
 Rule point_ownership_rule() {
   return {
       "point.ownership",
-      "A point of size 1 covers the pixel whose centre lies in its square",
+      "A point covers the pixels whose centres lie in its square",
       "14.4 (points)",
       "a centre exactly on the boundary of the square may count or not; the vertex may be moved to "
       "the sub-pixel grid",
       "right-top",
-      tie_alternatives(Openness::open, Openness::open),
+      tie_alternatives(point_tie_rules(), Openness::open, Openness::open),
       {{6,
         "Points: the specification does not say whether the boundary of a point's square belongs "
         "to "
@@ -37,47 +46,55 @@ Rule point_ownership_rule() {
         "2^-b away (b as in ruling 4), may be covered or not."}}};
 }
 
-bool point_covers(Point vertex, int x, int y, const TieRule& ties) {
+bool point_covers(const SizedPoint& point, int x, int y, const TieRule& ties) {
   const Point centre = pixel_centre(x, y);
-  const std::int64_t dx = centre.x.raw() - vertex.x.raw();
-  const std::int64_t dy = centre.y.raw() - vertex.y.raw();
-  return ties.positive(kHalf + dx, 1, 0) && ties.positive(kHalf - dx, -1, 0) &&
-         ties.positive(kHalf + dy, 0, 1) && ties.positive(kHalf - dy, 0, -1);
+  // Twice the distances, since half a size need not be a whole raw unit.
+  const std::int64_t size = point.size.raw();
+  const std::int64_t dx = 2 * (centre.x.raw() - point.vertex.x.raw());
+  const std::int64_t dy = 2 * (centre.y.raw() - point.vertex.y.raw());
+  return ties.positive(size + dx, 1, 0) && ties.positive(size - dx, -1, 0) &&
+         ties.positive(size + dy, 0, 1) && ties.positive(size - dy, 0, -1);
 }
 
-Explanation explain_point(Point vertex, int x, int y, const TieRule& ties) {
+Explanation explain_point(const SizedPoint& point, int x, int y, const TieRule& ties) {
   const Point centre = pixel_centre(x, y);
-  const std::int64_t distance = chebyshev_distance(vertex, centre);
-  const char* where = distance < kHalf    ? "inside"
-                      : distance == kHalf ? "exactly on the boundary of"
-                                          : "outside";
+  const std::int64_t distance = chebyshev_distance(point.vertex, centre);
+  const std::int64_t size = point.size.raw();
+  const char* where = 2 * distance < size    ? "inside"
+                      : 2 * distance == size ? "exactly on the boundary of"
+                                             : "outside";
+  const double half = point.size.to_double() / 2;
   Explanation result;
   result.text = fmt::format(
-      "the pixel's centre {} lies {} the unit square round the point {} ({} from it along the axis "
-      "where it is farther; 0.5 is the boundary)",
-      format_point(centre), where, format_point(vertex), to_decimal(Fixed::from_raw(distance)));
-  if (distance == kHalf)
+      "the pixel's centre {} lies {} the square of side {} round the point {} ({} from it along "
+      "the "
+      "axis where it is farther; {} is the boundary)",
+      format_point(centre), where, to_decimal(point.size), format_point(point.vertex),
+      to_decimal(Fixed::from_raw(distance)), half);
+  if (2 * distance == size)
     result.text += fmt::format("; the tie is decided by {}, so the centre counts as {}", ties.name,
-                               point_covers(vertex, x, y, ties) ? "inside" : "outside");
-  const double px = vertex.x.to_double();
-  const double py = vertex.y.to_double();
-  result.figure.marks = {
-      {MarkRole::region,
-       true,
-       {{px - .5, py - .5}, {px + .5, py - .5}, {px + .5, py + .5}, {px - .5, py + .5}},
-       ""},
-      sample_mark(centre)};
+                               point_covers(point, x, y, ties) ? "inside" : "outside");
+  const double px = point.vertex.x.to_double();
+  const double py = point.vertex.y.to_double();
+  result.figure.marks = {{MarkRole::region,
+                          true,
+                          {{px - half, py - half},
+                           {px + half, py - half},
+                           {px + half, py + half},
+                           {px - half, py + half}},
+                          ""},
+                         sample_mark(centre)};
   return result;
 }
 
-bool point_possibly_covered(Point vertex, int x, int y, int bits) {
+bool point_possibly_covered(const SizedPoint& point, int x, int y, int bits) {
   const std::int64_t step = Fixed::kOne >> bits;
-  return chebyshev_distance(vertex, pixel_centre(x, y)) < kHalf + step;
+  return 2 * chebyshev_distance(point.vertex, pixel_centre(x, y)) < point.size.raw() + 2 * step;
 }
 
-bool point_possibly_uncovered(Point vertex, int x, int y, int bits) {
+bool point_possibly_uncovered(const SizedPoint& point, int x, int y, int bits) {
   const std::int64_t step = Fixed::kOne >> bits;
-  return chebyshev_distance(vertex, pixel_centre(x, y)) > kHalf - step;
+  return 2 * chebyshev_distance(point.vertex, pixel_centre(x, y)) > point.size.raw() - 2 * step;
 }
 
 }  // namespace edgecase

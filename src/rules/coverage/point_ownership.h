@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Points of size 1 (GL 4.6 core, 14.4).
+// Points (GL 4.6 core, 14.4).
 //
-// A point produces a fragment for each pixel whose centre lies inside a square of side 1 round the
-// vertex, so exactly one, unless a centre lies on the square's boundary: the specification does not
-// say whom a boundary belongs to. The older text of OpenGL does, for points without antialiasing:
-// the pixel at (floor x, floor y). That is `right-top` here: a centre on the right or top side is
-// owned, one on the left or bottom side is not.
+// A point produces a fragment for each pixel whose centre lies inside a square round the vertex, as
+// wide as the point's size; for size 1 exactly one, unless a centre lies on the square's boundary:
+// the specification does not say whom a boundary belongs to. The older text of OpenGL does, for
+// points without antialiasing: the pixel at (floor x, floor y). That is `right-top` here: a centre
+// on the right or top side is owned, one on the left or bottom side is not.
 #pragma once
+
+#include <span>
 
 #include "rules/coverage/explain.h"
 #include "rules/coverage/tie_rule.h"
@@ -17,15 +19,25 @@ namespace edgecase {
 
 Rule point_ownership_rule();
 
-// Does a point of size 1 at `vertex` produce a fragment at pixel (x, y)?
-bool point_covers(Point vertex, int x, int y, const TieRule& ties);
+// The tie rules that differ for points: a square's sides run along the axes, so it makes no
+// difference which of two directions dominates. The four with left or right first, open, closed.
+std::span<const TieRule> point_tie_rules();
+
+// A point of a size above 0 and at most 64 pixels.
+struct SizedPoint {
+  Point vertex;
+  Fixed size = Fixed::from_integer(1);
+};
+
+// Does the point produce a fragment at pixel (x, y)?
+bool point_covers(const SizedPoint& point, int x, int y, const TieRule& ties);
 
 // Why, in a sentence with numbers.
-Explanation explain_point(Point vertex, int x, int y, const TieRule& ties);
+Explanation explain_point(const SizedPoint& point, int x, int y, const TieRule& ties);
 
 // May the specification's latitude hold the pixel covered, may it hold it uncovered? The vertex may
 // move by less than 2^-bits in x and y, and boundaries are open.
-bool point_possibly_covered(Point vertex, int x, int y, int bits);
-bool point_possibly_uncovered(Point vertex, int x, int y, int bits);
+bool point_possibly_covered(const SizedPoint& point, int x, int y, int bits);
+bool point_possibly_uncovered(const SizedPoint& point, int x, int y, int bits);
 
 }  // namespace edgecase

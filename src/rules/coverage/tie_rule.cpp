@@ -47,9 +47,10 @@ const TieRule* find_tie_rule(std::string_view name) {
   return nullptr;
 }
 
-std::vector<Alternative> tie_alternatives(Openness perturbed, Openness open_and_closed) {
+std::vector<Alternative> tie_alternatives(std::span<const TieRule> rules, Openness perturbed,
+                                          Openness open_and_closed) {
   std::vector<Alternative> result;
-  for (const TieRule& rule : kTieRules)
+  for (const TieRule& rule : rules)
     result.push_back(
         {rule.name, rule.kind == Kind::perturbed ? perturbed : open_and_closed, meaning_of(rule)});
   return result;

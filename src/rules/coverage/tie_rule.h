@@ -54,7 +54,8 @@ std::span<const TieRule> all_tie_rules();
 // Null when there is none of that name.
 const TieRule* find_tie_rule(std::string_view name);
 
-// Catalogue entries for a rule whose alternatives are the tie rules.
-std::vector<Alternative> tie_alternatives(Openness perturbed, Openness open_and_closed);
+// Catalogue entries for a rule whose alternatives are these tie rules.
+std::vector<Alternative> tie_alternatives(std::span<const TieRule> rules, Openness perturbed,
+                                          Openness open_and_closed);
 
 }  // namespace edgecase

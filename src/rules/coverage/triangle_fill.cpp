@@ -152,7 +152,7 @@ Rule triangle_fill_rule() {
       "which triangle gets a sample exactly on an edge; vertices may be moved to the sub-pixel "
       "grid",
       "left-top",
-      tie_alternatives(Openness::open, Openness::illegal),
+      tie_alternatives(all_tie_rules(), Openness::open, Openness::illegal),
       {{4,
         "Triangles: each vertex may be moved by less than one step of 2^-b in x and in y, where "
         "b is the larger of 4 and the SUBPIXEL_BITS that the renderer reports, and a sample on "

@@ -3,11 +3,11 @@
 
 namespace edgecase {
 
-std::size_t provoking_index(const Draw& draw, ProvokingChoice choice) {
-  const bool first =
-      choice == ProvokingChoice::first ||
-      (choice == ProvokingChoice::as_set && draw.provoking_vertex == ProvokingVertex::first);
-  return first ? 0 : static_cast<std::size_t>(vertices_per_primitive(draw.primitive)) - 1;
+std::size_t provoking_index(const ScenePrimitive& primitive, ProvokingChoice choice) {
+  const bool first = choice == ProvokingChoice::first ||
+                     (choice == ProvokingChoice::as_set &&
+                      primitive.state->provoking_vertex == ProvokingVertex::first);
+  return static_cast<std::size_t>(first ? primitive.provoking_first : primitive.provoking_last);
 }
 
 Rule flat_attribute_rule() {

@@ -18,7 +18,7 @@ Rule provoking_vertex_rule();
 
 enum class ProvokingChoice { as_set, first, last };
 
-// Which of the primitive's vertices provokes, 0 to vertices_per_primitive - 1.
-std::size_t provoking_index(const Draw& draw, ProvokingChoice choice);
+// Which of the primitive's vertices provokes, 0 to vertices_of(kind) - 1.
+std::size_t provoking_index(const ScenePrimitive& primitive, ProvokingChoice choice);
 
 }  // namespace edgecase

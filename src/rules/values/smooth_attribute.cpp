@@ -129,16 +129,16 @@ Positions grown(const Interpolant& f, double step) {
 
 Interval interpolate_exact(const Interpolant& f, Point sample) {
   // A constant stays constant to the bit, wherever the sample lies.
-  const auto count = static_cast<std::size_t>(vertices_per_primitive(f.primitive));
+  const auto count = static_cast<std::size_t>(vertices_of(f.kind));
   if (std::all_of(f.values.begin(), f.values.begin() + static_cast<std::ptrdiff_t>(count),
                   [&](double value) { return value == f.values[0]; }))
     return f.values[0];
-  switch (f.primitive) {
-    case Primitive::points:
+  switch (f.kind) {
+    case PrimitiveKind::point:
       return f.values[0];
-    case Primitive::lines:
+    case PrimitiveKind::line:
       return exact_on_line(f, sample);
-    case Primitive::triangles:
+    case PrimitiveKind::triangle:
       return exact_on_triangle(f, sample);
   }
   return Interval::everything();
@@ -147,12 +147,12 @@ Interval interpolate_exact(const Interpolant& f, Point sample) {
 Interval interpolate_permitted(const Interpolant& f, Point sample, int bits) {
   const Inexact op{kOperationError};
   const double step = std::ldexp(1.0, -bits);
-  switch (f.primitive) {
-    case Primitive::points:
+  switch (f.kind) {
+    case PrimitiveKind::point:
       return f.values[0];
-    case Primitive::lines:
+    case PrimitiveKind::line:
       return inexact_on_line(op, f, grown(f, step), {sample.x.to_double(), sample.y.to_double()});
-    case Primitive::triangles:
+    case PrimitiveKind::triangle:
       return over_corners(op, f, sample, step);
   }
   return Interval::everything();

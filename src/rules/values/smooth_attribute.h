@@ -31,7 +31,7 @@ enum class LineParameter { projection, major_axis };
 
 // One component of an attribute over one primitive; unused entries are ignored.
 struct Interpolant {
-  Primitive primitive = Primitive::triangles;
+  PrimitiveKind kind = PrimitiveKind::triangle;
   std::array<Point, 3> positions{};
   std::array<double, 3> values{};
   LineParameter line_parameter = LineParameter::projection;

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "reference/draw_state.h"
+
+namespace edgecase {
+
+namespace {
+
+void set_scissor(const GladGLContext& gl, const Draw& draw) {
+  if (!draw.scissor) {
+    gl.Disable(GL_SCISSOR_TEST);
+    return;
+  }
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(draw.scissor->x, draw.scissor->y, draw.scissor->width, draw.scissor->height);
+}
+
+}  // namespace
+
+GLenum mode_of(Primitive primitive) {
+  switch (primitive) {
+    case Primitive::points:
+      return GL_POINTS;
+    case Primitive::lines:
+      return GL_LINES;
+    case Primitive::line_strip:
+      return GL_LINE_STRIP;
+    case Primitive::line_loop:
+      return GL_LINE_LOOP;
+    case Primitive::triangles:
+      return GL_TRIANGLES;
+    case Primitive::triangle_strip:
+      return GL_TRIANGLE_STRIP;
+    case Primitive::triangle_fan:
+      return GL_TRIANGLE_FAN;
+  }
+  return GL_POINTS;
+}
+
+void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw) {
+  constexpr GLenum kSwitchedOff[] = {GL_CULL_FACE,
+                                     GL_DEPTH_TEST,
+                                     GL_STENCIL_TEST,
+                                     GL_DITHER,
+                                     GL_LINE_SMOOTH,
+                                     GL_POLYGON_SMOOTH,
+                                     GL_POLYGON_OFFSET_POINT,
+                                     GL_POLYGON_OFFSET_LINE,
+                                     GL_POLYGON_OFFSET_FILL,
+                                     GL_COLOR_LOGIC_OP,
+                                     GL_FRAMEBUFFER_SRGB,
+                                     GL_DEPTH_CLAMP,
+                                     GL_PRIMITIVE_RESTART,
+                                     GL_RASTERIZER_DISCARD,
+                                     GL_PROGRAM_POINT_SIZE,
+                                     GL_SAMPLE_ALPHA_TO_COVERAGE,
+                                     GL_SAMPLE_COVERAGE,
+                                     GL_SAMPLE_MASK};
+  for (GLenum off : kSwitchedOff) gl.Disable(off);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  gl.PointSize(static_cast<float>(draw.point_size.to_double()));
+  gl.LineWidth(static_cast<float>(draw.line_width.to_double()));
+  gl.DepthRange(0, 1);
+  gl.Viewport(scene.viewport.x, scene.viewport.y, scene.viewport.width, scene.viewport.height);
+  set_scissor(gl, draw);
+  gl.ProvokingVertex(draw.provoking_vertex == ProvokingVertex::first ? GL_FIRST_VERTEX_CONVENTION
+                                                                     : GL_LAST_VERTEX_CONVENTION);
+}
+
+void clear(const GladGLContext& gl, GLuint framebuffer, const Color& color) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.Disable(GL_DITHER);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.ClearBufferfv(GL_COLOR, 0, color.data());
+}
+
+GLenum take_error(const GladGLContext& gl) {
+  const GLenum first = gl.GetError();
+  for (GLenum next = first; next != GL_NO_ERROR && next != GL_CONTEXT_LOST;) next = gl.GetError();
+  return first;
+}
+
+const char* name_of_error(GLenum error) {
+  switch (error) {
+    case GL_INVALID_ENUM:
+      return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE:
+      return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION:
+      return "GL_INVALID_OPERATION";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+      return "GL_INVALID_FRAMEBUFFER_OPERATION";
+    case GL_OUT_OF_MEMORY:
+      return "GL_OUT_OF_MEMORY";
+    case GL_CONTEXT_LOST:
+      return "GL_CONTEXT_LOST";
+    default:
+      return "an unknown GL error";
+  }
+}
+
+}  // namespace edgecase

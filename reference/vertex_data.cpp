@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "reference/vertex_data.h"
+
+namespace edgecase {
+
+namespace {
+
+// The clip coordinate that the viewport transform takes to window coordinate `window`.
+float to_clip(Fixed window, int origin, int size) {
+  const double half = size / 2.0;
+  return static_cast<float>((window.to_double() - (origin + half)) / half);
+}
+
+GpuVertex gpu_vertex(const Vertex& vertex, const Viewport& viewport) {
+  const Color& color = vertex.color;
+  return {{to_clip(vertex.position.x, viewport.x, viewport.width),
+           to_clip(vertex.position.y, viewport.y, viewport.height),
+           static_cast<float>(vertex.z.to_double()), 1.0f},
+          {color[0], color[1], color[2], color[3]},
+          kNoPrimitive};
+}
+
+bool has_own_vertices(Primitive primitive) {
+  return primitive == Primitive::points || primitive == Primitive::lines ||
+         primitive == Primitive::triangles;
+}
+
+}  // namespace
+
+std::vector<GpuVertex> gpu_vertices(const Scene& scene) {
+  std::vector<GpuVertex> result;
+  std::vector<std::size_t> first_of_draw;
+  for (const Draw& draw : scene.draws) {
+    first_of_draw.push_back(result.size());
+    for (const Vertex& vertex : draw.vertices) result.push_back(gpu_vertex(vertex, scene.viewport));
+  }
+  for (const ScenePrimitive& primitive : primitives_of(scene)) {
+    const Draw& draw = *primitive.state;
+    const int provoking = draw.provoking_vertex == ProvokingVertex::first
+                              ? primitive.provoking_first
+                              : primitive.provoking_last;
+    for (int i = 0; i < vertices_of(primitive.kind); ++i) {
+      if (i != provoking && !has_own_vertices(draw.primitive)) continue;
+      const Vertex* vertex = primitive.vertices[static_cast<std::size_t>(i)];
+      const auto place = static_cast<std::size_t>(vertex - draw.vertices.data());
+      result[first_of_draw[static_cast<std::size_t>(primitive.draw)] + place].primitive =
+          primitive.index;
+    }
+  }
+  return result;
+}
+
+}  // namespace edgecase

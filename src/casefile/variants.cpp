@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "casefile/variants.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "casefile/text.h"
+#include "casefile/viewport.h"
+#include "exact/numeral.h"
+
+namespace edgecase {
+namespace {
+
+const Names kVariantNames{{"reverse", "winding", "octants", "translate"}, {}};
+constexpr int kOctants = 8;
+constexpr int kStepX = 3;  // of translate, pixels
+constexpr int kStepY = 2;
+
+using Vertices = std::vector<VertexFields>;
+
+bool is_separate(Primitive primitive) {
+  return primitive == Primitive::points || primitive == Primitive::lines ||
+         primitive == Primitive::triangles;
+}
+
+void reverse(Primitive primitive, Vertices& vertices) {
+  const auto each = static_cast<std::ptrdiff_t>(vertices_of(kind_of(primitive)));
+  if (is_separate(primitive)) {
+    for (auto at = vertices.begin(); at != vertices.end(); at += each) std::reverse(at, at + each);
+    return;
+  }
+  const bool hub = primitive == Primitive::triangle_fan;
+  std::reverse(vertices.begin() + (hub ? 1 : 0), vertices.end());
+}
+
+void turn_winding(Vertices& vertices) {
+  for (std::size_t i = 0; i + 2 < vertices.size(); i += 3)
+    std::swap(vertices[i + 1], vertices[i + 2]);
+}
+
+void mirror(int size, int& origin, int extent) {
+  origin = size - origin - extent;
+}
+
+void exchange(Viewport& rectangle) {
+  std::swap(rectangle.x, rectangle.y);
+  std::swap(rectangle.width, rectangle.height);
+}
+
+Viewport octant_of(Viewport rectangle, int octant, const Target& target) {
+  if (octant & 1) mirror(target.width, rectangle.x, rectangle.width);
+  if (octant & 2) mirror(target.height, rectangle.y, rectangle.height);
+  if (octant & 4) exchange(rectangle);
+  return rectangle;
+}
+
+void turn_vertex(VertexFields& fields, int octant, const Target& target) {
+  Point& at = fields.vertex.position;
+  if (octant & 1) at.x = Fixed::from_integer(target.width) - at.x;
+  if (octant & 2) at.y = Fixed::from_integer(target.height) - at.y;
+  if ((octant & 4) == 0) return;
+  std::swap(at.x, at.y);
+  std::swap(fields.x, fields.y);
+}
+
+void turn(int octant, TargetFields& target, std::vector<DrawFields>& draws) {
+  for (DrawFields& draw : draws) {
+    for (VertexFields& vertex : draw.vertices) turn_vertex(vertex, octant, target.target);
+    if (draw.draw.scissor) draw.draw.scissor = octant_of(*draw.draw.scissor, octant, target.target);
+  }
+  if (target.viewport) target.viewport = octant_of(*target.viewport, octant, target.target);
+  if (octant & 4) std::swap(target.target.width, target.target.height);
+}
+
+void move_rectangle(std::optional<Viewport>& rectangle) {
+  if (!rectangle) return;
+  rectangle->x += kStepX;
+  rectangle->y += kStepY;
+}
+
+void move_all(TargetFields& target, std::vector<DrawFields>& draws) {
+  for (DrawFields& draw : draws) {
+    for (VertexFields& vertex : draw.vertices) {
+      Point& at = vertex.vertex.position;
+      at = {at.x + Fixed::from_integer(kStepX), at.y + Fixed::from_integer(kStepY)};
+    }
+    move_rectangle(draw.draw.scissor);
+  }
+  move_rectangle(target.viewport);
+  target.target.width += kStepX;
+  target.target.height += kStepY;
+}
+
+void check_rectangle(const std::optional<Viewport>& rectangle, const char* what, const Place& place,
+                     Findings& findings) {
+  if (!rectangle) return;
+  if (std::max(std::abs(rectangle->x), std::abs(rectangle->y)) <= kMaxViewportSize) return;
+  findings.add(place,
+               fmt::format("the variant moves {} to ({}, {}), out of range", what, rectangle->x,
+                           rectangle->y),
+               fmt::format("keep corners from -{0} to {0}", kMaxViewportSize));
+}
+
+void check_vertex(const VertexFields& fields, Findings& findings) {
+  const std::pair<const std::optional<Place>&, Fixed> coordinates[] = {
+      {fields.x, fields.vertex.position.x}, {fields.y, fields.vertex.position.y}};
+  for (const auto& [place, value] : coordinates)
+    if (place && !value.in_coordinate_range())
+      findings.add(
+          *place,
+          fmt::format("the variant moves a coordinate to {}, out of range", to_decimal(value)),
+          "move the vertex nearer to the target");
+}
+
+void check_ranges(const TargetFields& target, const std::vector<DrawFields>& draws,
+                  const Place& draws_place, Findings& findings) {
+  if (std::max(target.target.width, target.target.height) > kMaxTargetSize)
+    findings.add(draws_place,
+                 fmt::format("the variant needs a target of {} x {} pixels", target.target.width,
+                             target.target.height),
+                 fmt::format("use a target that leaves room below {} pixels", kMaxTargetSize));
+  check_rectangle(target.viewport, "the viewport", draws_place, findings);
+  for (const DrawFields& draw : draws) {
+    check_rectangle(draw.draw.scissor, "a scissor", draws_place, findings);
+    for (const VertexFields& vertex : draw.vertices) check_vertex(vertex, findings);
+  }
+}
+
+void check_variant(const Place& place, const std::vector<DrawFields>& draws, Findings& findings) {
+  const bool only_points = std::all_of(draws.begin(), draws.end(), [](const DrawFields& fields) {
+    return fields.draw.primitive == Primitive::points;
+  });
+  if (place.node->text == "reverse" && only_points)
+    findings.add(place, "points have no order to reverse", "remove the variant");
+  if (place.node->text != "winding") return;
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    const Primitive primitive = draws[i].draw.primitive;
+    if (primitive == Primitive::triangles) continue;
+    findings.add(place,
+                 fmt::format("\"winding\" is for separate triangles, and draw {} has {}", i,
+                             name_of(primitive)),
+                 "remove the variant, or use \"reverse\"");
+  }
+}
+
+void append_images(const std::string& name, std::vector<Image>& images) {
+  if (name == "reverse") images.push_back({VariantKind::reverse, 0});
+  if (name == "winding") images.push_back({VariantKind::winding, 0});
+  if (name == "translate") images.push_back({VariantKind::translate, 0});
+  if (name != "octants") return;
+  for (int octant = 1; octant < kOctants; ++octant) images.push_back({VariantKind::octant, octant});
+}
+
+}  // namespace
+
+std::string Image::part() const {
+  switch (kind) {
+    case VariantKind::none:
+      return "";
+    case VariantKind::reverse:
+      return "reverse";
+    case VariantKind::winding:
+      return "winding";
+    case VariantKind::octant:
+      return fmt::format("octant={}", octant);
+    case VariantKind::translate:
+      return fmt::format("translate={},{}", kStepX, kStepY);
+  }
+  return "";
+}
+
+Variants read_variants(const Place& place, Findings& findings) {
+  Variants variants;
+  variants.images.push_back({});
+  if (!expect_kind(place, JsonKind::array, "variants", findings)) return variants;
+  if (place.node->children.empty())
+    findings.add(place, "variants are empty",
+                 "name one of " + join_names(kVariantNames.allowed) + ", or remove the key");
+  std::vector<std::string> seen;
+  for (std::size_t i = 0; i < place.node->children.size(); ++i) {
+    const Place item = place.child(i);
+    const auto name = read_choice(item, "a variant", kVariantNames, findings);
+    if (!name) continue;
+    if (std::find(seen.begin(), seen.end(), *name) != seen.end()) {
+      findings.add(item, fmt::format("{} stands twice in variants", quote(*name)), "keep one");
+      continue;
+    }
+    seen.push_back(*name);
+    variants.places.push_back(item);
+    append_images(*name, variants.images);
+  }
+  return variants;
+}
+
+void check_variants(const Variants& variants, const std::vector<DrawFields>& draws,
+                    Findings& findings) {
+  for (const Place& place : variants.places) check_variant(place, draws, findings);
+}
+
+void apply_image(const Image& image, TargetFields& target, std::vector<DrawFields>& draws,
+                 const Place& draws_place, Findings& findings) {
+  switch (image.kind) {
+    case VariantKind::none:
+      return;
+    case VariantKind::reverse:
+      for (DrawFields& draw : draws) reverse(draw.draw.primitive, draw.vertices);
+      return;
+    case VariantKind::winding:
+      for (DrawFields& draw : draws) turn_winding(draw.vertices);
+      return;
+    case VariantKind::octant:
+      turn(image.octant, target, draws);
+      break;
+    case VariantKind::translate:
+      move_all(target, draws);
+      break;
+  }
+  check_ranges(target, draws, draws_place, findings);
+}
+
+}  // namespace edgecase

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "rules/coverage/line_algorithm.h"
+
+#include <algorithm>
+
+#include "rules/coverage/diamond_exit.h"
+#include "rules/coverage/line_areas.h"
+#include "rules/coverage/line_walks.h"
+
+namespace edgecase {
+namespace {
+
+struct Entry {
+  LineAlgorithm algorithm;
+  const char* name;
+  const char* meaning;
+};
+
+constexpr Entry kEntries[] = {
+    {LineAlgorithm::diamond_exit, "diamond-exit", "the fragments whose diamonds the segment exits"},
+    {LineAlgorithm::walk_floor_to_floor, "walk-floor-to-floor",
+     "a pixel in each column from the start's to the end's, both included"},
+    {LineAlgorithm::walk_ends_tested, "walk-ends-tested",
+     "the same, the first and last pixel held to the diamond-exit test"},
+    {LineAlgorithm::walk_half_open_direction, "walk-half-open-direction",
+     "a pixel in each column whose centre lies between start, included, and end, excluded"},
+    {LineAlgorithm::walk_half_open_geometry, "walk-half-open-geometry",
+     "a pixel in each column whose centre lies between the lower end, included, and the other"},
+    {LineAlgorithm::bresenham, "bresenham",
+     "Bresenham's algorithm between the pixels of the ends, the last one left out"},
+    {LineAlgorithm::bresenham_toward_zero, "bresenham-toward-zero",
+     "the same with coordinates truncated toward zero, so that negative ones move right or up"},
+    {LineAlgorithm::midpoint, "midpoint",
+     "the midpoint algorithm between the pixels of the ends, both drawn"},
+    {LineAlgorithm::rectangle, "rectangle",
+     "the centres in a rectangle of width 1 along the segment, as in Vulkan's strict lines"},
+    {LineAlgorithm::parallelogram, "parallelogram",
+     "the centres in a parallelogram whose ends run along the minor axis"},
+};
+
+constexpr WideLine kWideLines[] = {WideLine::replicate, WideLine::rectangle,
+                                   WideLine::parallelogram};
+
+std::vector<PixelPosition> thin_pixels(const Segment& segment, const PixelBounds& bounds,
+                                       const LineChoice& choice, const TieRule& ties) {
+  const DiamondBoundary& boundary = *choice.boundary;
+  const Fixed one = Fixed::from_integer(1);
+  switch (choice.algorithm) {
+    case LineAlgorithm::diamond_exit:
+      return diamond_exit_pixels(segment, bounds, boundary);
+    case LineAlgorithm::walk_floor_to_floor:
+      return walk_pixels(segment, bounds, WalkRange::floor_to_floor, boundary);
+    case LineAlgorithm::walk_ends_tested:
+      return walk_pixels(segment, bounds, WalkRange::ends_tested, boundary);
+    case LineAlgorithm::walk_half_open_direction:
+      return walk_pixels(segment, bounds, WalkRange::half_open_direction, boundary);
+    case LineAlgorithm::walk_half_open_geometry:
+      return walk_pixels(segment, bounds, WalkRange::half_open_geometry, boundary);
+    case LineAlgorithm::bresenham:
+      return bresenham_pixels(segment, bounds, ToInteger::floor);
+    case LineAlgorithm::bresenham_toward_zero:
+      return bresenham_pixels(segment, bounds, ToInteger::toward_zero);
+    case LineAlgorithm::midpoint:
+      return midpoint_pixels(segment, bounds);
+    case LineAlgorithm::rectangle:
+      return line_area_pixels(segment, one, LineArea::rectangle, bounds, ties);
+    case LineAlgorithm::parallelogram:
+      return line_area_pixels(segment, one, LineArea::parallelogram, bounds, ties);
+  }
+  return {};
+}
+
+// Columns (rows, if y-major) of `width` pixels upon the pixels of the lowest segment. Some
+// algorithms put two of these into one column, and their columns then overlap.
+std::vector<PixelPosition> replicated(const Segment& segment, int width, const PixelBounds& bounds,
+                                      const LineChoice& choice, const TieRule& ties) {
+  const bool x_major = segment.x_major();
+  std::vector<PixelPosition> pixels;
+  for (PixelPosition base :
+       thin_pixels(lowest_segment(segment, width), bounds.grown(width), choice, ties))
+    for (int i = 0; i < width; ++i) {
+      const PixelPosition pixel =
+          x_major ? PixelPosition{base.x, base.y + i} : PixelPosition{base.x + i, base.y};
+      if (bounds.contains(pixel)) pixels.push_back(pixel);
+    }
+  std::sort(pixels.begin(), pixels.end());
+  pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
+  return pixels;
+}
+
+}  // namespace
+
+std::span<const LineAlgorithm> all_line_algorithms() {
+  static const auto algorithms = [] {
+    std::vector<LineAlgorithm> list;
+    for (const Entry& entry : kEntries) list.push_back(entry.algorithm);
+    return list;
+  }();
+  return algorithms;
+}
+
+const char* name_of(LineAlgorithm algorithm) {
+  return kEntries[static_cast<std::size_t>(algorithm)].name;
+}
+
+bool parse_name(std::string_view name, LineAlgorithm& algorithm) {
+  for (const Entry& entry : kEntries) {
+    if (name != entry.name) continue;
+    algorithm = entry.algorithm;
+    return true;
+  }
+  return false;
+}
+
+bool tests_diamonds(LineAlgorithm algorithm) {
+  return algorithm == LineAlgorithm::diamond_exit || algorithm == LineAlgorithm::walk_ends_tested;
+}
+
+const char* name_of(WideLine wide) {
+  switch (wide) {
+    case WideLine::replicate:
+      return "replicate";
+    case WideLine::rectangle:
+      return "rectangle";
+    case WideLine::parallelogram:
+      return "parallelogram";
+  }
+  return "?";
+}
+
+bool parse_name(std::string_view name, WideLine& wide) {
+  for (WideLine candidate : kWideLines) {
+    if (name != name_of(candidate)) continue;
+    wide = candidate;
+    return true;
+  }
+  return false;
+}
+
+int rounded_width(Fixed width) {
+  return static_cast<int>(
+      std::max<std::int64_t>(1, (width + Fixed::from_raw(Fixed::kOne / 2)).floor()));
+}
+
+Segment lowest_segment(const Segment& segment, int width) {
+  const Fixed down = Fixed::from_raw((width - 1) * Fixed::kOne / 2);
+  if (segment.x_major())
+    return {{segment.a.x, segment.a.y - down}, {segment.b.x, segment.b.y - down}};
+  return {{segment.a.x - down, segment.a.y}, {segment.b.x - down, segment.b.y}};
+}
+
+std::vector<PixelPosition> line_pixels(const Segment& segment, Fixed width,
+                                       const PixelBounds& bounds, const LineChoice& choice,
+                                       const TieRule& ties) {
+  if (width == Fixed::from_integer(1)) return thin_pixels(segment, bounds, choice, ties);
+  switch (choice.wide) {
+    case WideLine::replicate:
+      return replicated(segment, rounded_width(width), bounds, choice, ties);
+    case WideLine::rectangle:
+      return line_area_pixels(segment, width, LineArea::rectangle, bounds, ties);
+    case WideLine::parallelogram:
+      return line_area_pixels(segment, width, LineArea::parallelogram, bounds, ties);
+  }
+  return {};
+}
+
+Rule line_algorithm_rule() {
+  Rule rule;
+  rule.id = "line.algorithm";
+  rule.title = "A line of width 1 is drawn by the diamond-exit rule, or one that stays close to it";
+  rule.spec = "14.5.1 (basic line segment rasterization)";
+  rule.latitude = "any algorithm that holds rulings 1 and 2";
+  rule.standard = "diamond-exit";
+  for (const Entry& entry : kEntries)
+    rule.alternatives.push_back({entry.name, Openness::open, entry.meaning});
+  return rule;
+}
+
+Rule line_width_rule() {
+  Rule rule;
+  rule.id = "line.width";
+  rule.title = "A wide line is a line of width 1, each fragment replicated along the minor axis";
+  rule.spec = "14.5.2 (other line segment features)";
+  rule.latitude = "as for lines of width 1, for the lowest fragment of each column";
+  rule.standard = "replicate";
+  rule.alternatives = {
+      {"replicate", Openness::mandated,
+       "columns (rows, if y-major) as high as the width rounded to an integer"},
+      {"rectangle", Openness::illegal,
+       "the centres in a rectangle as wide as the line; OpenGL has it under multisampling only"},
+      {"parallelogram", Openness::illegal,
+       "the centres in a parallelogram whose ends run along the minor axis"}};
+  rule.rulings = {
+      {12,
+       "Wide lines: each column (row, if y-major) holds one run of as many fragments as the width "
+       "rounded to an integer, and the lowest fragments of the runs hold rulings 1 and 2 for the "
+       "segment moved by -(w - 1)/2 along the minor axis. A run that the target's border cuts is "
+       "taken to go on beyond it."}};
+  return rule;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+//
+// Which algorithm draws a line, and how a wide one is made of it.
+//
+// The diamond-exit rule is OpenGL's ideal; its relaxed rules admit others, and Direct3D, Vulkan,
+// hardware and textbooks have theirs. Here is the list of those that are known, under one function.
+//
+// A line wider than 1 is the line of width 1 moved down (left, if y-major) by (w - 1)/2, each of
+// its fragments replaced by a column (row) of w fragments, w being the width rounded to an integer
+// (GL 4.6 core, 14.5.2); areas take their width as it is.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "exact/pixel.h"
+#include "rules/coverage/diamond_boundary.h"
+#include "rules/coverage/segment.h"
+#include "rules/coverage/tie_rule.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+enum class LineAlgorithm {
+  diamond_exit,
+  walk_floor_to_floor,
+  walk_ends_tested,
+  walk_half_open_direction,
+  walk_half_open_geometry,
+  bresenham,
+  bresenham_toward_zero,
+  midpoint,
+  rectangle,
+  parallelogram,
+};
+
+std::span<const LineAlgorithm> all_line_algorithms();
+// "diamond-exit", "walk-floor-to-floor", …
+const char* name_of(LineAlgorithm algorithm);
+// False when there is none of that name.
+bool parse_name(std::string_view name, LineAlgorithm& algorithm);
+// Does the algorithm ask whom the boundary of a diamond belongs to?
+bool tests_diamonds(LineAlgorithm algorithm);
+
+// How a line of another width than 1 is drawn.
+enum class WideLine { replicate, rectangle, parallelogram };
+
+const char* name_of(WideLine wide);
+bool parse_name(std::string_view name, WideLine& wide);
+
+struct LineChoice {
+  LineAlgorithm algorithm = LineAlgorithm::diamond_exit;
+  const DiamondBoundary* boundary = nullptr;  // never null in a resolved choice
+  WideLine wide = WideLine::replicate;
+};
+
+Rule line_algorithm_rule();
+Rule line_width_rule();
+
+// A width as columns have it: rounded to the nearest integer, at least 1.
+int rounded_width(Fixed width);
+
+// The segment of width 1 whose fragments are the lowest of a wide line's columns.
+Segment lowest_segment(const Segment& segment, int width);
+
+// The pixels within `bounds` that a line covers, each once, in no particular order. `ties` decides
+// samples on the boundary of rectangles and parallelograms.
+std::vector<PixelPosition> line_pixels(const Segment& segment, Fixed width,
+                                       const PixelBounds& bounds, const LineChoice& choice,
+                                       const TieRule& ties);
+
+}  // namespace edgecase

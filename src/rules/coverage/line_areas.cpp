@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "rules/coverage/line_areas.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+
+namespace edgecase {
+namespace {
+
+// A cross product is below 2^61, so four times its square is below 2^124; a squared length is below
+// 2^62 and the square of a width of 64 pixels 2^44. All of it fits in 128 bits.
+static_assert(2 * Fixed::kMaxCoordinate * Fixed::kOne <= (std::int64_t{1} << 30));
+
+// Is the sample's distance from the line at most half the width? `side` is the cross product of
+// the segment and the sample, positive to its left, in units of 2^-32.
+bool within_half_width(const Segment& s, Fixed width, Point sample, const TieRule& ties) {
+  const Int128 dx = s.b.x.raw() - s.a.x.raw();
+  const Int128 dy = s.b.y.raw() - s.a.y.raw();
+  const Int128 side = cross(s.a, s.b, sample);
+  // |side| / |d| < width / 2, squared and freed of fractions; both in units of 2^-64.
+  const Int128 left = 4 * side * side;
+  const Int128 right = (dx * dx + dy * dy) * width.raw() * width.raw();
+  // The distance is linear on either side of the line: its gradient points away from the line.
+  const Int128 away = side > 0 ? 1 : -1;
+  if (left != right) return left < right;
+  return ties.positive(0, away * dy, -away * dx);
+}
+
+// Is the sample between the two ends, along the segment (rectangle) or its major axis?
+bool between_ends(const Segment& s, LineArea area, Point sample, const TieRule& ties) {
+  Int128 dx = s.b.x.raw() - s.a.x.raw();
+  Int128 dy = s.b.y.raw() - s.a.y.raw();
+  if (area == LineArea::parallelogram) (s.x_major() ? dy : dx) = 0;
+  const auto along = [&](Point from) {
+    return dx * (sample.x.raw() - from.x.raw()) + dy * (sample.y.raw() - from.y.raw());
+  };
+  return ties.positive(along(s.a), dx, dy) && ties.positive(-along(s.b), -dx, -dy);
+}
+
+// Is the sample within half the width of the line along the minor axis?
+bool within_half_height(const Segment& s, Fixed width, Point sample, const TieRule& ties) {
+  const Int128 dx = s.b.x.raw() - s.a.x.raw();
+  const Int128 dy = s.b.y.raw() - s.a.y.raw();
+  const Int128 side = cross(s.a, s.b, sample);
+  // The vertical (horizontal) distance is side / |dx| (side / |dy|).
+  const Int128 run = s.x_major() ? (dx < 0 ? -dx : dx) : (dy < 0 ? -dy : dy);
+  const Int128 reach = run * width.raw();
+  return ties.positive(reach + 2 * side, -dy, dx) && ties.positive(reach - 2 * side, dy, -dx);
+}
+
+}  // namespace
+
+bool line_area_covers(const Segment& segment, Fixed width, LineArea area, PixelPosition pixel,
+                      const TieRule& ties) {
+  if (segment.a == segment.b) return false;
+  const Point sample = pixel_centre(pixel.x, pixel.y);
+  if (!between_ends(segment, area, sample, ties)) return false;
+  return area == LineArea::rectangle ? within_half_width(segment, width, sample, ties)
+                                     : within_half_height(segment, width, sample, ties);
+}
+
+std::vector<PixelPosition> line_area_pixels(const Segment& segment, Fixed width, LineArea area,
+                                            const PixelBounds& bounds, const TieRule& ties) {
+  const auto [x_low, x_high] = std::minmax(segment.a.x, segment.b.x);
+  const auto [y_low, y_high] = std::minmax(segment.a.y, segment.b.y);
+  const std::int64_t margin = width.ceil() / 2 + 2;
+  std::vector<PixelPosition> pixels;
+  for (std::int64_t y = std::max<std::int64_t>(bounds.y_min, y_low.floor() - margin);
+       y <= std::min<std::int64_t>(bounds.y_max, y_high.floor() + margin); ++y)
+    for (std::int64_t x = std::max<std::int64_t>(bounds.x_min, x_low.floor() - margin);
+         x <= std::min<std::int64_t>(bounds.x_max, x_high.floor() + margin); ++x) {
+      const PixelPosition pixel{static_cast<int>(x), static_cast<int>(y)};
+      if (line_area_covers(segment, width, area, pixel, ties)) pixels.push_back(pixel);
+    }
+  return pixels;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// Lines as areas: the pixels whose centres lie in a rectangle or parallelogram round the segment.
+//
+// Vulkan's strict lines, and OpenGL's under multisampling, are rectangles as long as the segment
+// and as wide as the line; Vulkan's other lines are parallelograms whose ends run along the minor
+// axis. The rectangle's corners are irrational, its sides are not: a sample lies within half the
+// width of the line when the square of a cross product is at most a quarter of w^2 times a squared
+// length, which 128-bit integers hold.
+#pragma once
+
+#include <vector>
+
+#include "exact/pixel.h"
+#include "rules/coverage/segment.h"
+#include "rules/coverage/tie_rule.h"
+
+namespace edgecase {
+
+enum class LineArea { rectangle, parallelogram };
+
+// Does the area of a line of some width (pixels, at most 64) hold the centre of pixel (x, y)? A
+// segment without length has no area.
+bool line_area_covers(const Segment& segment, Fixed width, LineArea area, PixelPosition pixel,
+                      const TieRule& ties);
+
+// The pixels within `bounds` whose centres the area holds, row by row.
+std::vector<PixelPosition> line_area_pixels(const Segment& segment, Fixed width, LineArea area,
+                                            const PixelBounds& bounds, const TieRule& ties);
+
+}  // namespace edgecase

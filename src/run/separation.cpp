@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "run/separation.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "model/policy.h"
+#include "raster/rasterizer.h"
+#include "rules/all_rules.h"
+
+namespace edgecase {
+namespace {
+
+constexpr const char* kCoverageRules[] = {"point.ownership", "line.diamond-exit",  "line.algorithm",
+                                          "line.width",      "triangle.fill-rule", "point.snap",
+                                          "line.snap",       "triangle.snap"};
+
+using Fragments = std::vector<std::pair<int, PixelPosition>>;
+
+// The primitives and pixels of all fragments of a scene; colours play no part.
+Fragments fragments_under(const Scene& scene, const Policy& policy) {
+  const RuleChoices choices = resolve(policy, scene.target.surface);
+  Fragments result;
+  for (const ScenePrimitive& primitive : primitives_of(scene))
+    for (PixelPosition pixel : covered_pixels(primitive, scene.target, choices.of(primitive.kind)))
+      result.emplace_back(primitive.index, pixel);
+  return result;
+}
+
+Policy policy_with(const std::string& rule, const std::string& alternative) {
+  Policy policy;
+  policy.rules[rule] = alternative;
+  return policy;
+}
+
+void count_case(const Scene& scene, SeparationMatrix& matrix) {
+  std::vector<Fragments> drawn;
+  for (const std::string& alternative : matrix.alternatives)
+    drawn.push_back(fragments_under(scene, policy_with(matrix.rule, alternative)));
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    for (std::size_t j = 0; j < drawn.size(); ++j)
+      if (drawn[i] != drawn[j]) ++matrix.cases[i][j];
+}
+
+bool has_tie(const Scene& scene) {
+  Policy open;
+  Policy closed;
+  for (const char* rule : {"point.ownership", "line.diamond-exit", "triangle.fill-rule"}) {
+    open.rules[rule] = "open";
+    closed.rules[rule] = "closed";
+  }
+  return fragments_under(scene, open) != fragments_under(scene, closed);
+}
+
+SeparationMatrix empty_matrix(const std::string& id) {
+  SeparationMatrix matrix;
+  matrix.rule = id;
+  for (const Alternative& alternative : find_rule(id)->alternatives)
+    matrix.alternatives.push_back(alternative.name);
+  const std::size_t size = matrix.alternatives.size();
+  matrix.cases.assign(size, std::vector<std::size_t>(size, 0));
+  return matrix;
+}
+
+}  // namespace
+
+std::size_t SeparationMatrix::least() const {
+  std::size_t result = static_cast<std::size_t>(-1);
+  for (std::size_t i = 0; i < alternatives.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) result = std::min(result, cases[i][j]);
+  return result;
+}
+
+Separation measure_separation(const std::vector<Case>& cases) {
+  Separation result;
+  result.cases = cases.size();
+  for (const char* rule : kCoverageRules) result.matrices.push_back(empty_matrix(rule));
+  for (const Case& one : cases) {
+    if (has_tie(one.scene)) ++result.with_ties;
+    for (SeparationMatrix& matrix : result.matrices) count_case(one.scene, matrix);
+  }
+  return result;
+}
+
+}  // namespace edgecase

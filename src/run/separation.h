@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// Separation: does the suite tell the alternatives of every rule from one another?
+//
+// A suite that renders the same under two alternatives cannot say which of them a renderer follows.
+// For every rule of coverage and each pair of its alternatives, the cases are counted whose exact
+// fragments differ. Ties are counted too: the cases in which something lies exactly on a boundary,
+// so that `open` and `closed` boundaries give different fragments.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "model/case.h"
+
+namespace edgecase {
+
+struct SeparationMatrix {
+  std::string rule;
+  std::vector<std::string> alternatives;
+  // cases[i][j]: how many cases tell alternative i from alternative j.
+  std::vector<std::vector<std::size_t>> cases;
+
+  // The least of all pairs.
+  std::size_t least() const;
+};
+
+struct Separation {
+  std::size_t cases = 0;
+  std::size_t with_ties = 0;
+  std::vector<SeparationMatrix> matrices;
+};
+
+// Beside the rule in question, policy `opengl` holds.
+Separation measure_separation(const std::vector<Case>& cases);
+
+}  // namespace edgecase

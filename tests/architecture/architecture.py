@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: MIT
+"""What CONTRIBUTING.md says of the architecture, held against the files.
+
+Modules use one another in one direction only; each library stays with the modules that need it;
+coverage is decided in integers; no file grows too long. Reads the files as text: includes, and
+words outside comments and strings. It does not build anything, and knows no preprocessor.
+
+    python3 architecture.py ROOT      prints each fault as FILE:LINE: sentence; exit code 1 if any
+"""
+
+import re
+import sys
+from pathlib import Path
+
+SRC = {"exact", "model", "rules", "raster", "casefile", "wire", "image", "diff", "results", "run",
+       "profile", "search"}
+
+# module -> modules that it may include, besides itself.
+ALLOWED = {
+    "exact": set(),
+    "model": {"exact"},
+    "rules": {"model", "exact"},
+    "raster": {"rules", "model", "exact"},
+    "casefile": {"model", "exact", "image"},
+    "wire": {"model", "exact"},
+    "image": {"model", "exact"},
+    "diff": {"raster", "rules", "model", "exact"},
+    "results": {"model"},
+    "run": SRC - {"profile", "search"},
+    "profile": SRC,
+    "search": SRC,
+    "reference": {"model", "wire", "exact"},
+    "reports": {"results", "model", "image"},
+    "tools": SRC | {"reference", "reports"},
+}
+
+# A library's headers -> modules that may include them.
+LIBRARIES = [
+    (r"nlohmann/", {"casefile", "wire", "results", "reports", "tools"}),
+    (r"OpenImageIO/", {"image"}),
+    (r"(GL|EGL|KHR|GLES\d?|glad)/", {"reference"}),
+    (r"glm/", {"casefile"}),
+    (r"pugixml", {"reports"}),
+    (r"CLI/", {"tools"}),
+    (r"gtest/|gmock/", set()),
+]
+
+# Functions of otherwise integer files that may compute in floating point, since nothing is decided
+# by what they yield: "people" format a number for a sentence and say "for people only" above, in
+# "figure" positions of a drawing are computed.
+FLOATING = {
+    "src/exact/fixed.h": {"to_double": "figure"},
+    "src/rules/coverage/explain.h": {"position_of": "figure"},
+    "src/rules/coverage/explain.cpp": {"position_of": "figure"},
+    "src/rules/coverage/diamond_exit.cpp": {"manhattan_distance": "people",
+                                            "explain_line": "figure"},
+    "src/rules/coverage/point_ownership.cpp": {"explain_point": "figure"},
+    "src/rules/coverage/triangle_fill.cpp": {"distance_inside": "people"},
+}
+FLOATING_FILES = {"src/exact/interval.h", "src/exact/interval.cpp"}
+
+MAX_LINES = 400
+CODE = {".h", ".cpp", ".js", ".py"}
+# Put together here, so that this file does not hold them itself.
+UNWANTED = re.compile(r"\b((?i:epsi" r"lon)|TO" r"DO|FIX" r"ME)\b")
+FLOATING_WORD = re.compile(
+    r"\b(float|double|to_double)\b|(?<![\w.])(\d+\.\d*|\.\d+)([eE][+-]?\d+)?[fFlL]?(?![\w.])")
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
+NOISE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
+
+
+def module_of(path):
+    """The module that a file of the repository belongs to, by its path from the root."""
+    return path.parts[1] if path.parts[0] == "src" else path.parts[0]
+
+
+def line_of(text, position):
+    return text.count("\n", 0, position) + 1
+
+
+def without_noise(text):
+    """The text with comments and literals of characters blanked out, line for line."""
+    return NOISE.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), text)
+
+
+def include_faults(path, text):
+    """Includes that the direction of the modules, or a library's place, forbids."""
+    module = module_of(path)
+    for match in INCLUDE.finditer(text):
+        own, library = match.groups()
+        line = line_of(text, match.start())
+        if own:
+            used = own.split("/")[0]
+            if used not in ALLOWED:
+                yield line, f'"{own}" does not start with a module\'s folder'
+            elif used != module and used not in ALLOWED[module]:
+                yield line, f'{module} may not use {used}: "{own}"'
+            continue
+        for headers, users in LIBRARIES:
+            if re.match(headers, library) and module not in users:
+                yield line, f"{module} may not use <{library}>"
+        if library == "nlohmann/json.hpp" and path.suffix == ".h":
+            yield line, "<nlohmann/json.hpp> in a header costs every user seconds"
+
+
+def allowed_lines(path, text):
+    """Lines of functions that may compute in floating point, and faults of the list itself."""
+    lines, faults = set(), []
+    for name, reason in FLOATING.get(path.as_posix(), {}).items():
+        found = re.search(rf"^([^\n;]*[\s:])?{name}\([^;{{]*(;|{{)", text, re.MULTILINE)
+        if not found:
+            faults.append((1, f"{name} is on the list of floating functions, but not here"))
+            continue
+        first = line_of(text, found.start())
+        one_line = text[found.end():].split("\n", 1)[0].rstrip().endswith("}")
+        is_body = found.group().endswith("{") and not one_line
+        end = re.compile(r"^}", re.MULTILINE).search(text, found.end()) if is_body else None
+        last = line_of(text, end.start() if end else found.end())
+        lines.update(range(first, last + 1))
+        above = text.splitlines()[max(0, first - 3):first - 1]
+        if reason == "people" and not any("for people only" in line for line in above):
+            faults.append((first, f'{name} needs a comment that says "for people only"'))
+    return lines, faults
+
+
+def floating_faults(path, text):
+    """Floating point where decisions are integers."""
+    place = path.as_posix()
+    if place in FLOATING_FILES or not place.startswith(("src/exact/", "src/rules/coverage/")):
+        return
+    allowed, faults = allowed_lines(path, text)
+    yield from faults
+    code = without_noise(text)
+    for match in FLOATING_WORD.finditer(code):
+        line = line_of(code, match.start())
+        if line not in allowed:
+            yield line, f"{match.group().strip()}: coverage and coordinates are integers"
+
+
+def file_faults(path, text):
+    if path.suffix in {".h", ".cpp"} and path.parts[0] != "tests":
+        yield from include_faults(path, text)
+        yield from floating_faults(path, text)
+    for match in UNWANTED.finditer(text):
+        yield line_of(text, match.start()), f"the word {match.group()}"
+    if path.suffix in CODE:
+        count = text.count("\n")
+        if count > MAX_LINES:
+            yield MAX_LINES, f"{count} lines; a file has {MAX_LINES} at most"
+        if "SPDX-License-Identifier: MIT" not in "".join(text.splitlines(True)[:2]):
+            yield 1, "no licence line"
+
+
+def check(root):
+    """All faults of the repository at `root` as (path, line, sentence), and the files read."""
+    faults, files = [], []
+    for folder in ("src", "reference", "reports", "tools", "tests"):
+        for path in sorted((root / folder).rglob("*")):
+            if path.suffix not in CODE | {".txt", ".css"} or not path.is_file():
+                continue
+            relative = path.relative_to(root)
+            if path.suffix == ".txt" and path.name != "CMakeLists.txt":
+                continue
+            if "__pycache__" in relative.parts or "node_modules" in relative.parts:
+                continue
+            text = path.read_text(encoding="utf-8")
+            files.append(relative)
+            faults += [(relative, line, what) for line, what in file_faults(relative, text)]
+    return faults, files
+
+
+def main():
+    faults, files = check(Path(sys.argv[1]).resolve())
+    for path, line, what in faults:
+        print(f"{path}:{line}: {what}")
+    seen = {module_of(path) for path in files}
+    missing = {"exact", "model", "rules", "raster", "diff", "results", "run", "reference", "reports",
+               "tools"} - seen
+    if missing:
+        print(f"nothing was read of {', '.join(sorted(missing))}")
+    print(f"{len(files)} files, {len(faults)} faults")
+    return 1 if faults or missing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+//
+// What can only be said of a whole run: with which snap its lines are read, and which of several
+// causes is the likeliest.
+#include "diff/judge.h"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+
+#include "diff/compare.h"
+#include "raster/rasterizer.h"
+#include "tests/diff/named_scenes.h"
+#include "tests/raster/random_scenes.h"
+
+namespace edgecase {
+namespace {
+
+std::vector<Result*> pointers(std::deque<Result>& results) {
+  std::vector<Result*> list;
+  for (Result& result : results) list.push_back(&result);
+  return list;
+}
+
+std::string judge_all(std::deque<Result>& results, Latitude latitude = Latitude::opengl) {
+  return judge(pointers(results), latitude);
+}
+
+// A case with one line that is legal under `snaps`, and differs.
+Result line_result(std::vector<std::string> snaps, std::vector<std::string> causes) {
+  Result result;
+  Disagreement d;
+  d.primitive = 0;
+  d.rule = "line.diamond-exit";
+  d.ruling = 1;
+  result.disagreements = {d};
+  result.line_snaps = snaps;
+  result.evidence = {{0, std::move(causes), std::move(snaps), ""}};
+  return result;
+}
+
+Result triangle_result(std::vector<std::string> causes, int x = 0) {
+  Result result;
+  Disagreement d;
+  d.x = x;
+  d.primitive = 0;
+  d.rule = "triangle.fill-rule";
+  d.ruling = 4;
+  d.legal = true;
+  result.disagreements = {d};
+  result.evidence = {{0, std::move(causes), {}, ""}};
+  return result;
+}
+
+TEST(Judge, ReadsLinesWithTheSnapThatMakesMostCasesLegal) {
+  std::deque<Result> results = {line_result({"none", "8-truncate"}, {}),
+                                line_result({"8-truncate"}, {}), line_result({"none"}, {}),
+                                line_result({"8-truncate"}, {})};
+  EXPECT_EQ(judge_all(results), "8-truncate");
+  EXPECT_TRUE(results[0].disagreements[0].legal);
+  EXPECT_TRUE(results[1].disagreements[0].legal);
+  EXPECT_FALSE(results[2].disagreements[0].legal);
+  EXPECT_EQ(results[2].verdict, Verdict::violation);
+  EXPECT_EQ(results[3].verdict, Verdict::permitted);
+}
+
+TEST(Judge, ReadsLinesAsGivenWhereThatIsAsGood) {
+  std::deque<Result> results = {line_result({"none", "8-truncate"}, {}),
+                                line_result({"8-truncate"}, {}), line_result({"none"}, {})};
+  EXPECT_EQ(judge_all(results), "none");
+  std::deque<Result> nothing;
+  EXPECT_EQ(judge_all(nothing), "none");
+}
+
+TEST(Judge, CasesThatDidNotRunHaveNoVote) {
+  std::deque<Result> results = {line_result({"8-truncate"}, {}),
+                                not_run({FailureKind::crashed, "gone"})};
+  results[1].line_snaps = {"none"};
+  EXPECT_EQ(judge_all(results), "8-truncate");
+}
+
+TEST(Judge, TheCauseThatExplainsMostOfTheRunWins) {
+  const std::string a = "triangle.fill-rule=left-bottom", b = "triangle.fill-rule=bottom-left";
+  std::deque<Result> results = {triangle_result({a, b}), triangle_result({b}),
+                                triangle_result({a, b})};
+  judge_all(results);
+  for (const Result& result : results) {
+    EXPECT_EQ(result.disagreements[0].cause, b);
+    EXPECT_EQ(result.verdict, Verdict::convention);
+  }
+  std::deque<Result> tied = {triangle_result({a, b}), triangle_result({a, b})};
+  judge_all(tied);
+  EXPECT_EQ(tied[0].disagreements[0].cause, a) << "of several that tie, the first of the catalogue";
+}
+
+TEST(Judge, OnlyOpenChoicesAreConvention) {
+  std::deque<Result> results = {
+      triangle_result({"triangle.fill-rule=open"}),
+      triangle_result({"triangle.fill-rule=left-bottom + triangle.snap=8-half-up"}),
+      triangle_result({"triangle.fill-rule=no-such"}), triangle_result({})};
+  judge_all(results);
+  EXPECT_EQ(results[0].verdict, Verdict::permitted);
+  EXPECT_EQ(results[1].verdict, Verdict::convention);
+  EXPECT_EQ(results[2].verdict, Verdict::permitted);
+  EXPECT_EQ(results[3].verdict, Verdict::permitted);
+}
+
+TEST(Judge, TheWorstDisagreementDecides) {
+  Result result = triangle_result({"triangle.fill-rule=left-bottom"});
+  Disagreement illegal;
+  illegal.kind = DisagreementKind::value;
+  illegal.rule = "framebuffer.unorm8";
+  result.disagreements.push_back(illegal);
+  std::deque<Result> results = {result};
+  judge_all(results);
+  EXPECT_EQ(results[0].verdict, Verdict::violation);
+}
+
+TEST(Judge, PermittedValuesArePermittedAndNeverAgreement) {
+  Result result;
+  ValueAggregate values;
+  values.attribute = "color";
+  values.rule = "attribute.smooth";
+  values.differing = {{1, 1, 0}};
+  result.values = {values};
+  std::deque<Result> results = {result, triangle_result({"triangle.fill-rule=left-bottom"})};
+  results[1].values = {values};
+  judge_all(results);
+  EXPECT_EQ(results[0].verdict, Verdict::permitted);
+  EXPECT_EQ(results[1].verdict, Verdict::permitted);
+}
+
+TEST(Judge, WithoutLatitudeAnyDifferenceIsAViolation) {
+  Result clean;
+  std::deque<Result> results = {triangle_result({"triangle.fill-rule=left-bottom"}), clean,
+                                not_run({FailureKind::timed_out, "5 s"})};
+  judge_all(results, Latitude::none);
+  EXPECT_EQ(results[0].verdict, Verdict::violation);
+  EXPECT_TRUE(results[0].disagreements[0].legal) << "what OpenGL says of it is still told";
+  EXPECT_EQ(results[1].verdict, Verdict::agree);
+  EXPECT_EQ(results[2].verdict, Verdict::not_run);
+}
+
+TEST(Judge, NotRunStaysNotRun) {
+  std::deque<Result> results = {not_run({FailureKind::crashed, "signal 11"})};
+  judge_all(results);
+  EXPECT_EQ(results[0].verdict, Verdict::not_run);
+  EXPECT_EQ(results[0].fingerprint, "crashed");
+  ASSERT_TRUE(results[0].failure.has_value());
+  EXPECT_EQ(results[0].failure->reason, "signal 11");
+}
+
+std::string fingerprint(Result result) {
+  Result* const list[] = {&result};
+  judge(list, Latitude::opengl);
+  return result.fingerprint;
+}
+
+TEST(Fingerprint, IsOfRuleKindAndPixelsOnly) {
+  const Result base = triangle_result({"triangle.fill-rule=left-bottom"}, 3);
+  const std::string print = fingerprint(base);
+  EXPECT_EQ(print.size(), 16u);
+  for (const auto& change : std::initializer_list<void (*)(Disagreement&)>{
+           [](Disagreement& d) { d.rule = "triangle.shared-edge"; },
+           [](Disagreement& d) { d.kind = DisagreementKind::extra; },
+           [](Disagreement& d) { d.x = 4; }, [](Disagreement& d) { d.y = 4; }}) {
+    Result changed = base;
+    change(changed.disagreements[0]);
+    EXPECT_NE(fingerprint(changed), print);
+  }
+  Result other = base;
+  Disagreement& d = other.disagreements[0];
+  d.explanation = "said otherwise";
+  d.figure.marks = {{MarkRole::sample, false, {{1, 2}}, ""}};
+  d.exact = {1};
+  d.rendered = {0};
+  other.evidence[0].causes = {"triangle.fill-rule=top-left"};
+  EXPECT_EQ(fingerprint(other), print);
+}
+
+TEST(Fingerprint, OfASetDoesNotDependOnOrderOrNumber) {
+  Result result = triangle_result({}, 3);
+  result.disagreements.push_back(triangle_result({}, 5).disagreements[0]);
+  const std::string print = fingerprint(result);
+  std::swap(result.disagreements[0], result.disagreements[1]);
+  EXPECT_EQ(fingerprint(result), print);
+  EXPECT_EQ(fingerprint(Result{}), "");
+}
+
+// A run of many scenes against a renderer that snaps, ties and errs.
+std::deque<Result> faulty_run() {
+  Policy renderer;
+  renderer.rules = {{"triangle.fill-rule", "bottom-left"},
+                    {"subpixel.snap", "8-half-up"},
+                    {"line.diamond-exit", "right-top"}};
+  RandomScenes random(41);
+  std::deque<Result> results;
+  for (int i = 0; i < 120; ++i) {
+    if (i % 20 == 19) {
+      results.push_back(not_run({FailureKind::unsupported, "no"}));
+      continue;
+    }
+    const Scene scene =
+        random.next({10, i % 2 == 0 ? Fixed::kOne / 2 : Fixed::kOne / 2048, 3, true});
+    Rendering rendered = rasterize(scene, renderer);
+    if (i % 7 == 0 && !rendered.fragments.empty()) rendered.fragments.pop_back();
+    results.push_back(compare(scene, {}, rasterize(scene, {}), rendered, 8));
+  }
+  return results;
+}
+
+void expect_same(const std::deque<Result>& a, const std::deque<Result>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].verdict, b[i].verdict) << i;
+    EXPECT_EQ(a[i].fingerprint, b[i].fingerprint) << i;
+    ASSERT_EQ(a[i].disagreements.size(), b[i].disagreements.size());
+    for (std::size_t d = 0; d < a[i].disagreements.size(); ++d) {
+      EXPECT_EQ(a[i].disagreements[d].legal, b[i].disagreements[d].legal) << i;
+      EXPECT_EQ(a[i].disagreements[d].cause, b[i].disagreements[d].cause) << i;
+      EXPECT_EQ(a[i].disagreements[d].ruling, b[i].disagreements[d].ruling) << i;
+    }
+  }
+}
+
+TEST(Judge, TwiceChangesNothing) {
+  std::deque<Result> once = faulty_run();
+  const std::string reading = judge_all(once);
+  std::deque<Result> twice = once;
+  EXPECT_EQ(judge_all(twice), reading);
+  expect_same(once, twice);
+}
+
+TEST(Judge, MergedShardsGiveWhatTheWholeGives) {
+  std::deque<Result> whole = faulty_run();
+  const std::string reading = judge_all(whole);
+  for (std::size_t shards : {2u, 3u, 7u}) {
+    // Each shard is judged by itself first, then all together.
+    std::deque<Result> merged = faulty_run();
+    for (std::size_t shard = 0; shard < shards; ++shard) {
+      std::vector<Result*> part;
+      for (std::size_t i = shard; i < merged.size(); i += shards) part.push_back(&merged[i]);
+      judge(part, Latitude::opengl);
+    }
+    EXPECT_EQ(judge_all(merged), reading);
+    expect_same(whole, merged);
+  }
+}
+
+TEST(Judge, FindsWhatTheRendererOfARunFollows) {
+  std::deque<Result> results = faulty_run();
+  judge_all(results);
+  int convention = 0;
+  for (const Result& result : results)
+    for (const Disagreement& d : result.disagreements)
+      if (d.rule == "triangle.fill-rule" && d.cause.find("fill-rule") != std::string::npos) {
+        EXPECT_NE(d.cause.find("triangle.fill-rule=bottom-left"), std::string::npos) << d.cause;
+        ++convention;
+      }
+  EXPECT_GT(convention, 10);
+}
+
+}  // namespace
+}  // namespace edgecase

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "results/expectations.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/results/sample_results.h"
+
+namespace edgecase {
+namespace {
+
+Expectations some_expectations() {
+  Expectations expectations;
+  expectations.renderer = "fake";
+  expectations.measured = "llvmpipe \"15\", 4.5 é";
+  expectations.cases = {
+      {"b", {Verdict::violation, "print-b", "it draws too much", "https://example.org/1"}},
+      {"a", {Verdict::convention, "0123", "left\nbottom \"tie\"", ""}},
+      {"c", {Verdict::not_run, "crashed", "signal 11", ""}}};
+  return expectations;
+}
+
+std::string refusal(const std::string& text) {
+  const auto outcome = parse_expectations(text);
+  const auto* error = std::get_if<std::string>(&outcome);
+  return error != nullptr ? *error : "";
+}
+
+TEST(Expectations, TextReadsBack) {
+  const Expectations expectations = some_expectations();
+  const std::string text = expectations_text(expectations);
+  const auto outcome = parse_expectations(text);
+  ASSERT_TRUE(std::holds_alternative<Expectations>(outcome)) << std::get<std::string>(outcome);
+  const auto& back = std::get<Expectations>(outcome);
+  EXPECT_EQ(back.renderer, expectations.renderer);
+  EXPECT_EQ(back.measured, expectations.measured);
+  ASSERT_EQ(back.cases.size(), expectations.cases.size());
+  for (const auto& [id, entry] : expectations.cases) {
+    const Expectation& other = back.cases.at(id);
+    EXPECT_EQ(std::tie(entry.verdict, entry.fingerprint, entry.reason, entry.link),
+              std::tie(other.verdict, other.fingerprint, other.reason, other.link));
+  }
+  EXPECT_EQ(expectations_text(back), text);
+}
+
+TEST(Expectations, TextHasOneSortedEntryPerLine) {
+  const std::string text = expectations_text(some_expectations());
+  const std::size_t a = text.find("\n    {\"case\":\"a\""), b = text.find("\n    {\"case\":\"b\"");
+  ASSERT_NE(a, std::string::npos);
+  EXPECT_LT(a, b);
+  EXPECT_EQ(expectations_text({}).find("case"), std::string::npos);
+  EXPECT_EQ(refusal(expectations_text({"r", "m", {}})), "");
+}
+
+TEST(Expectations, TextOfInvalidUtf8IsStillWritten) {
+  Expectations expectations = some_expectations();
+  expectations.renderer = "exec:\xff";
+  expectations.measured = "\xc3";
+  expectations.cases["a"].reason = "\xed\xa0\x80";
+  EXPECT_EQ(refusal(expectations_text(expectations)), "");
+}
+
+TEST(Expectations, FileNamesHoldNoSeparators) {
+  EXPECT_EQ(expectations_file_name("osmesa:llvmpipe"), "osmesa-llvmpipe.json");
+  EXPECT_EQ(expectations_file_name("exec:../a b"), "exec-..-a-b.json");
+}
+
+std::string file_with(const std::string& entries) {
+  return R"({"renderer": "r", "measured": "m", "expectations": [)" + entries + "]}";
+}
+
+TEST(Expectations, BadFilesAreRefusedWithTheirCase) {
+  const std::string good = R"({"case":"a","verdict":"violation","fingerprint":"1","reason":"so"})";
+  ASSERT_EQ(refusal(file_with(good)), "");
+  const std::pair<std::string, std::string> bad[] = {
+      {good + "," + good, "expectation of a: the case has two entries"},
+      {R"({"case":"a","verdict":"violation","fingerprint":"1","reason":""})", "needs a reason"},
+      {R"({"case":"a","verdict":"violation","fingerprint":"1"})", "reason"},
+      {R"({"case":"a","verdict":"fine","fingerprint":"1","reason":"so"})",
+       "\"fine\" is no verdict"},
+      {R"({"case":"a","verdict":"violation","fingerprint":"1","reason":"so","skip":true})",
+       "unknown key \"skip\""},
+      {R"({"case":"a","verdict":"violation","fingerprint":1,"reason":"so"})", "expectation of a"},
+      {R"({"verdict":"violation","fingerprint":"1","reason":"so"})", "expectation 0"},
+      {good + ",7", "expectation 1"},
+  };
+  for (const auto& [entries, said] : bad)
+    EXPECT_NE(refusal(file_with(entries)).find(said), std::string::npos)
+        << refusal(file_with(entries));
+}
+
+TEST(Expectations, FilesOfAnotherShapeAreRefused) {
+  for (const char* text :
+       {"", "[]", "{}", "{\"renderer\":\"r\"}", "nonsense", R"({"renderer":"r","measured":"m"})",
+        R"({"renderer":"r","measured":"m","expectations":{}})",
+        R"({"renderer":"r","measured":"m","expectations":7})",
+        R"({"renderer":"r","measured":"m","expectations":[],"allow":3})"})
+    EXPECT_NE(refusal(text), "") << text;
+}
+
+// For every verdict: without an entry, with the same answer, with another fingerprint, with another
+// verdict.
+TEST(Standing, OfAllCombinations) {
+  const Verdict differing[] = {Verdict::convention, Verdict::permitted, Verdict::violation,
+                               Verdict::not_run};
+  for (Verdict verdict : differing) {
+    Results results = results_with({verdict});
+    const Result& result = results.cases[0].results[0];
+    const auto standing_with = [&](const Expectation& entry) {
+      Expectations expectations;
+      expectations.cases["a"] = entry;
+      apply_expectations(results, 0, &expectations);
+      return result.standing;
+    };
+    apply_expectations(results, 0, nullptr);
+    EXPECT_EQ(result.standing, Standing::unexpected);
+    EXPECT_FALSE(result.expectation.empty());
+    const Expectations none;
+    apply_expectations(results, 0, &none);
+    EXPECT_EQ(result.standing, Standing::unexpected);
+    EXPECT_EQ(standing_with({verdict, "print-a", "known", ""}), Standing::expected);
+    EXPECT_EQ(result.expectation, "known");
+    EXPECT_EQ(standing_with({verdict, "other", "known", ""}), Standing::changed);
+    EXPECT_NE(result.expectation.find("known"), std::string::npos);
+    for (Verdict other : differing) {
+      const Standing expected = other == verdict ? Standing::expected : Standing::changed;
+      EXPECT_EQ(standing_with({other, "print-a", "known", ""}), expected);
+    }
+  }
+}
+
+TEST(Standing, OfAgreement) {
+  Results results = results_with({Verdict::agree});
+  const Result& result = results.cases[0].results[0];
+  apply_expectations(results, 0, nullptr);
+  EXPECT_EQ(result.standing, Standing::expected);
+  EXPECT_TRUE(result.expectation.empty());
+  for (Verdict verdict :
+       {Verdict::convention, Verdict::permitted, Verdict::violation, Verdict::not_run}) {
+    Expectations expectations;
+    expectations.cases["a"] = {verdict, "print-a", "known", ""};
+    apply_expectations(results, 0, &expectations);
+    EXPECT_EQ(result.standing, Standing::unexpected_agreement);
+    EXPECT_NE(result.expectation.find("known"), std::string::npos);
+  }
+}
+
+TEST(Standing, IsSetForTheRendererAskedForOnly) {
+  Results results = results_with({Verdict::violation});
+  results.renderers.push_back({});
+  results.cases[0].results.push_back(results.cases[0].results[0]);
+  apply_expectations(results, 1, nullptr);
+  EXPECT_EQ(results.cases[0].results[0].standing, Standing::expected);
+  EXPECT_EQ(results.cases[0].results[1].standing, Standing::unexpected);
+}
+
+}  // namespace
+}  // namespace edgecase

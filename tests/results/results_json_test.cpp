@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+//
+// What is written reads back equal in every field, and the same results give the same bytes.
+#include "results/results_json.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "tests/results/sample_results.h"
+
+namespace edgecase {
+namespace {
+
+std::string written(const Results& results) {
+  std::ostringstream out;
+  write_results(results, out);
+  return out.str();
+}
+
+Results read(const std::string& text) {
+  auto outcome = read_results(text);
+  if (const auto* error = std::get_if<std::string>(&outcome)) throw std::runtime_error(*error);
+  return std::get<Results>(std::move(outcome));
+}
+
+// Equal to the bit, the sign of zero included; any NaN equals any other.
+void expect_number(double a, double b) {
+  if (std::isnan(a) && std::isnan(b)) return;
+  EXPECT_EQ(a, b);
+  EXPECT_EQ(std::signbit(a), std::signbit(b));
+}
+
+void expect_numbers(const std::vector<double>& a, const std::vector<double>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) expect_number(a[i], b[i]);
+}
+
+void expect_figure(const Figure& a, const Figure& b) {
+  ASSERT_EQ(a.marks.size(), b.marks.size());
+  for (std::size_t i = 0; i < a.marks.size(); ++i) {
+    EXPECT_EQ(a.marks[i].role, b.marks[i].role);
+    EXPECT_EQ(a.marks[i].closed, b.marks[i].closed);
+    EXPECT_EQ(a.marks[i].points, b.marks[i].points);
+    EXPECT_EQ(a.marks[i].label, b.marks[i].label);
+  }
+}
+
+void expect_disagreement(const Disagreement& a, const Disagreement& b) {
+  EXPECT_EQ(std::tie(a.x, a.y, a.sample, a.primitive, a.kind, a.rule, a.legal, a.cause, a.ruling,
+                     a.explanation),
+            std::tie(b.x, b.y, b.sample, b.primitive, b.kind, b.rule, b.legal, b.cause, b.ruling,
+                     b.explanation));
+  expect_numbers(a.exact, b.exact);
+  expect_numbers(a.rendered, b.rendered);
+  expect_figure(a.figure, b.figure);
+}
+
+void expect_values(const ValueAggregate& a, const ValueAggregate& b) {
+  EXPECT_EQ(
+      std::tie(a.attribute, a.rule, a.ruling, a.compared, a.worst_component, a.ulp_histogram),
+      std::tie(b.attribute, b.rule, b.ruling, b.compared, b.worst_component, b.ulp_histogram));
+  const auto place = [](const ValueAggregate::Place& p) {
+    return std::tuple(p.x, p.y, p.primitive);
+  };
+  EXPECT_EQ(place(a.worst), place(b.worst));
+  ASSERT_EQ(a.differing.size(), b.differing.size());
+  for (std::size_t i = 0; i < a.differing.size(); ++i)
+    EXPECT_EQ(place(a.differing[i]), place(b.differing[i]));
+  expect_number(a.worst_exact, b.worst_exact);
+  expect_number(a.worst_rendered, b.worst_rendered);
+  expect_number(a.worst_ulp, b.worst_ulp);
+}
+
+void expect_result(const Result& a, const Result& b) {
+  EXPECT_EQ(std::tie(a.verdict, a.fingerprint, a.line_snaps, a.pixels, a.standing, a.expectation),
+            std::tie(b.verdict, b.fingerprint, b.line_snaps, b.pixels, b.standing, b.expectation));
+  ASSERT_EQ(a.failure.has_value(), b.failure.has_value());
+  if (a.failure) {
+    EXPECT_EQ(a.failure->kind, b.failure->kind);
+    EXPECT_EQ(a.failure->reason, b.failure->reason);
+  }
+  ASSERT_EQ(a.disagreements.size(), b.disagreements.size());
+  for (std::size_t i = 0; i < a.disagreements.size(); ++i)
+    expect_disagreement(a.disagreements[i], b.disagreements[i]);
+  ASSERT_EQ(a.values.size(), b.values.size());
+  for (std::size_t i = 0; i < a.values.size(); ++i) expect_values(a.values[i], b.values[i]);
+  ASSERT_EQ(a.evidence.size(), b.evidence.size());
+  for (std::size_t i = 0; i < a.evidence.size(); ++i) {
+    const auto &e = a.evidence[i], &f = b.evidence[i];
+    EXPECT_EQ(std::tie(e.primitive, e.causes, e.line_snaps, e.broken_clause),
+              std::tie(f.primitive, f.causes, f.line_snaps, f.broken_clause));
+  }
+}
+
+void expect_case(const CaseResults& a, const CaseResults& b) {
+  EXPECT_EQ(std::tie(a.id, a.title, a.why, a.rules, a.spec, a.origin, a.tags, a.file, a.surface),
+            std::tie(b.id, b.title, b.why, b.rules, b.spec, b.origin, b.tags, b.file, b.surface));
+  EXPECT_EQ(std::tie(a.width, a.height, a.pixels, a.fragments, a.expect_failures),
+            std::tie(b.width, b.height, b.pixels, b.fragments, b.expect_failures));
+  expect_figure(a.figure, b.figure);
+  ASSERT_EQ(a.results.size(), b.results.size());
+  for (std::size_t i = 0; i < a.results.size(); ++i) expect_result(a.results[i], b.results[i]);
+}
+
+void expect_results(const Results& a, const Results& b) {
+  EXPECT_EQ(std::tie(a.tool, a.policy, a.interrupted), std::tie(b.tool, b.policy, b.interrupted));
+  ASSERT_EQ(a.renderers.size(), b.renderers.size());
+  for (std::size_t i = 0; i < a.renderers.size(); ++i) {
+    const auto &r = a.renderers[i], &s = b.renderers[i];
+    EXPECT_EQ(std::tie(r.name, r.vendor, r.version, r.device, r.subpixel_bits, r.traits),
+              std::tie(s.name, s.vendor, s.version, s.device, s.subpixel_bits, s.traits));
+  }
+  ASSERT_EQ(a.cases.size(), b.cases.size());
+  for (std::size_t i = 0; i < a.cases.size(); ++i) expect_case(a.cases[i], b.cases[i]);
+  ASSERT_EQ(a.diagnostics.size(), b.diagnostics.size());
+  for (std::size_t i = 0; i < a.diagnostics.size(); ++i)
+    EXPECT_EQ(to_string(a.diagnostics[i]), to_string(b.diagnostics[i]));
+}
+
+TEST(ResultsJson, EveryFieldReadsBack) {
+  const Results results = full_results();
+  expect_results(results, read(written(results)));
+}
+
+TEST(ResultsJson, EveryNameReadsBack) {
+  Results results = results_with({Verdict::agree, Verdict::convention, Verdict::permitted,
+                                  Verdict::violation, Verdict::not_run});
+  const Standing standings[] = {Standing::expected, Standing::unexpected, Standing::changed,
+                                Standing::unexpected_agreement};
+  for (std::size_t i = 0; i < 4; ++i) results.cases[i].results[0].standing = standings[i];
+  expect_results(results, read(written(results)));
+}
+
+TEST(ResultsJson, SameResultsGiveTheSameBytes) {
+  const Results results = full_results();
+  const std::string text = written(results);
+  EXPECT_EQ(written(full_results()), text);
+  EXPECT_EQ(written(read(text)), text) << "what was read is written as it was";
+}
+
+TEST(ResultsJson, EmptyResultsReadBack) {
+  expect_results(Results{}, read(written(Results{})));
+}
+
+TEST(ResultsJson, EachCaseStandsOnALineOfItsOwn) {
+  const std::string text = written(full_results());
+  EXPECT_NE(text.find("\n{\"id\":\"lines/a\""), std::string::npos);
+  EXPECT_NE(text.find(",\n{\"id\":\"lines/b\""), std::string::npos);
+}
+
+// Bytes that are no UTF-8 are replaced; nothing else of the run is lost.
+TEST(ResultsJson, InvalidUtf8IsReplacedAndNeverFatal) {
+  Results results = full_results();
+  for (const char* broken : {"\xff", "a\xc3", "\xed\xa0\x80", "\xf8\x88\x80\x80\x80"}) {
+    results.cases[0].title = broken;
+    results.cases[0].results[0].disagreements[0].explanation = broken;
+    results.cases[0].results[1].failure->reason = broken;
+    results.renderers[1].name = std::string("exec:") + broken;
+    results.renderers[1].traits = {{broken, broken}};
+    results.diagnostics[0].message = broken;
+    const Results back = read(written(results));
+    EXPECT_NE(back.cases[0].title.find("\uFFFD"), std::string::npos);
+    EXPECT_EQ(back.cases[1].title, results.cases[1].title);
+    EXPECT_EQ(written(back), written(read(written(back))));
+  }
+}
+
+TEST(ResultsJson, TheSummaryCountsVerdicts) {
+  const Results results = results_with({Verdict::agree, Verdict::agree, Verdict::violation});
+  const auto counts = count_verdicts(results, 0);
+  EXPECT_EQ(counts, (std::map<Verdict, std::size_t>{{Verdict::agree, 2}, {Verdict::violation, 1}}));
+  EXPECT_NE(written(results).find(R"("summary":{"fake":{"agree":2,"violation":1}})"),
+            std::string::npos);
+  EXPECT_TRUE(count_verdicts(results, 1).empty());
+}
+
+}  // namespace
+}  // namespace edgecase

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "tests/results/sample_results.h"
+
+#include <limits>
+
+namespace edgecase {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Quotes, controls, markup, separators and letters beyond ASCII.
+const char* const kHostile = "\"\\/\b\f\n\r\t\x01 </script> \u2028 ]]> é 漢 \U0001F600";
+
+Figure figure() {
+  return {{{MarkRole::primitive, true, {{0.5, -3}, {1.0 / 3, 1e-300}}, "0"},
+           {MarkRole::edge, false, {}, kHostile},
+           {MarkRole::snapped_vertex, false, {{8192, -8192}}, ""}}};
+}
+
+Disagreement disagreement() {
+  Disagreement d;
+  d.x = 3;
+  d.y = 1;
+  d.sample = 2;
+  d.primitive = 4;
+  d.kind = DisagreementKind::value;
+  d.rule = "attribute.smooth";
+  d.legal = true;
+  d.cause = "triangle.fill-rule=left-bottom + triangle.snap=8-half-up";
+  d.ruling = 9;
+  d.exact = {0.1, 1.0 / 3, -0.0, 5e-324};
+  d.rendered = {kNaN, kInfinity, -kInfinity, 1.7976931348623157e308};
+  d.explanation = kHostile;
+  d.figure = figure();
+  return d;
+}
+
+ValueAggregate aggregate() {
+  ValueAggregate values;
+  values.attribute = "color";
+  values.rule = "attribute.smooth";
+  values.ruling = 9;
+  values.compared = 123456789012345;
+  values.differing = {{1, 2, 0}, {3, 1, -1}};
+  values.worst = {3, 1, -1};
+  values.worst_component = 2;
+  values.worst_exact = 0.1;
+  values.worst_rendered = kNaN;
+  values.worst_ulp = kInfinity;
+  values.ulp_histogram = {{-1074, 1}, {-1, 7}, {0, 9000000000}, {12, 3}};
+  return values;
+}
+
+Result full_result() {
+  Result result;
+  result.verdict = Verdict::permitted;
+  result.fingerprint = "0123456789abcdef";
+  result.disagreements = {disagreement(), Disagreement{}};
+  result.values = {aggregate()};
+  result.evidence = {{4, {"a=b", "c=d + e=f"}, {"none", "8-half-even"}, "column 3 holds two"}, {}};
+  result.line_snaps = {"none", "8-truncate"};
+  result.pixels = {9, 8, 7, 6, 5, 4, 3, 255};
+  result.standing = Standing::changed;
+  result.expectation = kHostile;
+  return result;
+}
+
+Result failed() {
+  Result result;
+  result.failure = Failure{FailureKind::timed_out, kHostile};
+  result.fingerprint = "timed-out";
+  result.standing = Standing::unexpected;
+  result.expectation = "none";
+  return result;
+}
+
+CaseResults full_case(const std::string& id) {
+  CaseResults one;
+  one.id = id;
+  one.title = kHostile;
+  one.why = "why";
+  one.rules = {"line.diamond-exit", "attribute.flat"};
+  one.spec = "GL 4.6 core, 14.5.1";
+  one.origin = "https://example.org/?a=1&b=<2>";
+  one.tags = {"smoke", "long"};
+  one.file = "cases/a b.json";
+  one.surface = "fbo";
+  one.width = 2;
+  one.height = 1;
+  one.pixels = {0, 1, 2, 255, 16, 32, 64, 128};
+  one.fragments = 17;
+  one.figure = figure();
+  one.expect_failures = {"a:7: /expect/0", kHostile};
+  return one;
+}
+
+}  // namespace
+
+Results full_results() {
+  Results results;
+  results.tool = "edgecase 0.1.0";
+  results.policy = "opengl";
+  results.interrupted = true;
+  results.renderers = {
+      {"osmesa:llvmpipe", "Mesa", "4.5", "llvmpipe", 8, {{"a", "b"}, {"c d", kHostile}}},
+      {"exec:./a \"b\"", "", "", "", 4, {}}};
+  results.cases = {full_case("lines/a"), full_case("lines/b")};
+  results.cases[0].results = {full_result(), failed()};
+  results.cases[1].results = {failed(), full_result()};
+  results.cases[1].results[1].pixels = results.cases[1].pixels;
+  results.cases[1].results[1].verdict = Verdict::violation;
+  results.diagnostics = {{"cases/bad.json", 7, "/target/width", "too wide", "use 4096 or less"},
+                         {"cases/gone.json", 0, "", kHostile, ""}};
+  return results;
+}
+
+Results results_with(const std::vector<Verdict>& verdicts) {
+  Results results;
+  results.renderers.resize(1);
+  results.renderers[0].name = "fake";
+  for (Verdict verdict : verdicts) {
+    CaseResults one;
+    one.id = std::string(1, static_cast<char>('a' + results.cases.size()));
+    Result result;
+    result.verdict = verdict;
+    if (verdict != Verdict::agree) result.fingerprint = "print-" + one.id;
+    if (verdict == Verdict::not_run)
+      result.failure = Failure{FailureKind::crashed, "signal 11"};
+    else if (verdict != Verdict::agree)
+      result.disagreements.resize(2);
+    for (Disagreement& d : result.disagreements) d.rule = "triangle.fill-rule";
+    one.results = {result};
+    results.cases.push_back(one);
+  }
+  return results;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: MIT
+"""The subcommands beside `run`: explain, rules, validate, render, report; what `run` selects."""
+import json
+import struct
+import unittest
+import zlib
+
+from support import MESA, SUITE, UNEXPECTED, CommandTest, only_result, rendered_suite, triangle_case
+
+TIE = f"{SUITE}/triangles/ties/flat-bottom.json"
+
+
+class Texts(CommandTest):
+    def test_version_and_help(self):
+        self.assertRegex(self.command("--version").stdout, r"^edgecase \d+\.\d+\.\d+\n$")
+        told = self.command("--help").stdout
+        for subcommand in ("run", "render", "explain", "rules", "backends", "validate", "bless",
+                           "report"):
+            self.assertIn(f"\n  {subcommand} ", told)
+            self.assertIn("Exit codes: 0", self.command(subcommand, "--help").stdout)
+
+    def test_explain_a_pixel(self):
+        results = self.results(TIE, "--against", "osmesa:softpipe", expect=None)
+        told = only_result(results["cases"][0])["disagreements"][0]
+        x, y = told["pixel"]
+        out = self.command("explain", TIE, "--pixel", f"{x},{y}", "--against",
+                           "osmesa:softpipe").stdout
+        self.assertIn("triangles/ties/flat-bottom: A thin triangle", out)
+        self.assertIn(f"Pixel ({x}, {y}), centre ({x + .5}, {y + .5}), by policy opengl:", out)
+        self.assertIn("primitive 0 does not draw it (triangle.fill-rule): the sample", out)
+        self.assertIn("osmesa:softpipe (softpipe): convention", out)
+        self.assertIn(told["explanation"], out)
+        self.assertIn(f"Ruling {told['ruling']}.", out)
+        # Another pixel is not spoken of.
+        self.assertNotIn(told["explanation"],
+                         self.command("explain", TIE, "--pixel", "0,0", "--against",
+                                      "osmesa:softpipe").stdout)
+
+    def test_explain_draws_what_exact_draws(self):
+        path = self.write("one.json", triangle_case(draws=[
+            {"primitive": "points", "vertices": [[1.5, 0.5], [1.5, 0.5], [7.5, 7.5]]}]))
+        lines = self.command("explain", path).stdout.splitlines()
+        self.assertIn(".......#", lines)
+        self.assertEqual(lines[-1], ".2......")
+
+    def test_rules(self):
+        text = self.command("rules").stdout
+        rules = json.loads(self.command("rules", "--json").stdout)
+        ids = [rule["id"] for rule in rules]
+        self.assertEqual(len(ids), len(set(ids)))
+        self.assertLessEqual({"point.ownership", "line.diamond-exit", "triangle.fill-rule",
+                              "triangle.shared-edge"}, set(ids))
+        numbers = []
+        for rule in rules:
+            self.assertIn(rule["id"], text)
+            self.assertTrue(rule["title"] and rule["spec"] and rule["latitude"], rule["id"])
+            names = [alternative["name"] for alternative in rule["alternatives"]]
+            self.assertTrue(not names or rule["standard"] in names, rule["id"])
+            numbers += [ruling["number"] for ruling in rule["rulings"]]
+        self.assertEqual(sorted(numbers), sorted(set(numbers)))
+
+    def test_every_ruling_and_rule_that_results_cite_exists(self):
+        rules = json.loads(self.command("rules", "--json").stdout)
+        ids = {rule["id"] for rule in rules}
+        numbers = {ruling["number"] for rule in rules for ruling in rule["rulings"]}
+        results = self.results(SUITE, "--against", "osmesa:softpipe", expect=None)
+        for case in results["cases"]:
+            self.assertLessEqual(set(case["rules"]), ids)
+            for told in only_result(case)["disagreements"]:
+                self.assertIn(told["rule"], ids)
+                self.assertIn(told["ruling"], numbers)
+                self.assertRegex(told["explanation"], r"\d")
+                for cause in filter(None, told["cause"].split(" + ")):
+                    rule, _, name = cause.partition("=")
+                    self.assertIn(rule, ids)
+                    self.assertTrue(name)
+
+    def test_validate(self):
+        run = self.command("validate", SUITE)
+        self.assertRegex(run.stdout,
+                         r"(?m)^\d+ cases are well formed, 0 faults, 0 drawings not met$")
+        self.assertEqual(run.stderr, "")
+
+
+def png_pixels(data):
+    """Width, height, and RGBA rows from the top, of a PNG of 8-bit RGB or RGBA."""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    chunks, position = [], 8
+    while position < len(data):
+        (length,) = struct.unpack(">I", data[position:position + 4])
+        chunks.append((data[position + 4:position + 8], data[position + 8:position + 8 + length]))
+        position += length + 12
+    width, height, depth, kind = struct.unpack(">IIBB", chunks[0][1][:10])
+    assert depth == 8 and kind in (2, 6)
+    size = 3 if kind == 2 else 4
+    packed = zlib.decompress(b"".join(content for name, content in chunks if name == b"IDAT"))
+    rows, above = [], bytes(width * size)
+    for y in range(height):
+        start = y * (width * size + 1)
+        above = unfilter(packed[start], packed[start + 1:start + 1 + width * size], above, size)
+        rows.append([list(above[x * size:x * size + size]) + [255] * (4 - size)
+                     for x in range(width)])
+    return width, height, rows
+
+
+def unfilter(kind, line, above, size):
+    """A row of a PNG without its filter (PNG specification, 9.2)."""
+    row = bytearray(line)
+    for i in range(len(row)):
+        left = row[i - size] if i >= size else 0
+        corner = above[i - size] if i >= size else 0
+        if kind == 4:
+            estimate = left + above[i] - corner
+            guess = min((left, above[i], corner), key=lambda value: abs(estimate - value))
+        else:
+            guess = [0, left, above[i], (left + above[i]) // 2][kind]
+        row[i] = (row[i] + guess) % 256
+    return bytes(row)
+
+
+class Render(CommandTest):
+    def test_png_files_show_the_pixels_top_row_first(self):
+        for renderer, scale in (("exact", 1), ("osmesa:llvmpipe", 3)):
+            self.command("render", SUITE, "--filter", "colors/*", "--with", renderer, "--png",
+                         "pictures", "--scale", scale)
+            names = [name for name in rendered_suite() if name.startswith("colors/")]
+            files = [path for path in (self.folder / "pictures").rglob("*") if path.is_file()]
+            self.assertEqual(len(files), len(names))
+            for name in names:
+                rendering = rendered_suite(renderer)[name]
+                width, height, rows = png_pixels(
+                    (self.folder / "pictures" / f"{name}.png").read_bytes())
+                self.assertEqual((width, height),
+                                 (scale * rendering["width"], scale * rendering["height"]))
+                for y in range(0, height):
+                    for x in range(0, width):
+                        index = ((rendering["height"] - 1 - y // scale) * rendering["width"]
+                                 + x // scale)
+                        self.assertEqual(rows[y][x], rendering["pixels"][4 * index:4 * index + 4])
+
+    def test_json_is_one_line_per_case_in_order(self):
+        out = self.command("render", SUITE).stdout
+        lines = [json.loads(line) for line in out.splitlines()]
+        self.assertEqual([line["id"] for line in lines], sorted(line["id"] for line in lines))
+        for line in lines:
+            self.assertEqual(len(line["pixels"]), 4 * line["width"] * line["height"])
+            order = [(f["y"], f["x"], f["primitive"]) for f in line["fragments"]]
+            self.assertEqual(order, sorted(order))
+        self.command("render", SUITE, "--json", "all.jsonl")
+        self.assertEqual((self.folder / "all.jsonl").read_text(encoding="utf-8"), out)
+
+
+class Report(CommandTest):
+    def test_reports_from_a_results_file_are_those_of_the_run(self):
+        against = [word for renderer in MESA for word in ("--against", renderer)]
+        kinds = ("json", "junit", "html")
+        self.command("run", SUITE, *against,
+                     *[word for kind in kinds for word in (f"--{kind}", f"run.{kind}")],
+                     expect=None)
+        self.command("report", "run.json",
+                     *[word for kind in kinds for word in (f"--{kind}", f"report.{kind}")])
+        for kind in kinds:
+            self.assertTrue((self.folder / f"run.{kind}").read_bytes()
+                            == (self.folder / f"report.{kind}").read_bytes(), kind)
+
+    def test_json_on_standard_output_is_nothing_but_json(self):
+        run = self.command("run", SUITE, "--against", "exact", "--json", "-")
+        self.assertGreater(len(json.loads(run.stdout)["cases"]), 50)
+        self.assertIn("agree", run.stderr)
+
+    def test_colours_only_where_asked(self):
+        plain = self.command("run", TIE, "--against", "exact").stdout
+        self.assertNotIn("\x1b", plain)
+        self.assertIn("\x1b", self.command("run", TIE, "--against", "exact", "--color",
+                                           "always").stdout)
+
+
+class Selection(CommandTest):
+    def listed(self, *arguments, **variables):
+        return self.command("run", *arguments, "--list", **variables).stdout.split()
+
+    def test_shards_partition_the_suite(self):
+        everything = self.listed(SUITE)
+        by_option = [self.listed(SUITE, "--shard", f"{i}/3") for i in (1, 2, 3)]
+        self.assertEqual(sorted(sum(by_option, [])), everything)
+        sizes = [len(part) for part in by_option]
+        self.assertLessEqual(max(sizes) - min(sizes), 1)
+        for i in range(3):
+            by_bazel = self.listed(SUITE, TEST_TOTAL_SHARDS="3", TEST_SHARD_INDEX=str(i))
+            by_gitlab = self.listed(SUITE, CI_NODE_TOTAL="3", CI_NODE_INDEX=str(i + 1))
+            self.assertEqual(by_bazel, by_option[i])
+            self.assertEqual(by_gitlab, by_option[i])
+        # The option has the last word.
+        self.assertEqual(self.listed(SUITE, "--shard", "1/3", TEST_TOTAL_SHARDS="7",
+                                     TEST_SHARD_INDEX="2"), by_option[0])
+
+    def test_a_shard_is_judged_as_the_whole_is(self):
+        against = ["--against", "osmesa:softpipe"]
+        whole = {c["id"]: c for c in self.results(SUITE, *against, expect=None)["cases"]}
+        for i in (1, 2):
+            part = self.results(SUITE, *against, "--shard", f"{i}/2", expect=None)
+            for case in part["cases"]:
+                self.assertEqual(only_result(case)["fingerprint"],
+                                 only_result(whole[case["id"]])["fingerprint"])
+
+    def test_filters_excludes_and_tags(self):
+        everything = set(self.listed(SUITE))
+        # An option takes one value: what follows is a path.
+        points = set(self.listed("--filter", "points/*", SUITE))
+        self.assertEqual(points, {name for name in everything if name.startswith("points/")})
+        both = set(self.listed("--filter", "points/*", "--filter", "lines/*", SUITE))
+        self.assertEqual(both, {n for n in everything if n.startswith(("points/", "lines/"))})
+        self.assertEqual(set(self.listed(SUITE, "--exclude", "points/*")), everything - points)
+        self.assertEqual(set(self.listed(SUITE, "--filter", "*", "--exclude", "lines/*",
+                                         "--exclude", "points/*")), everything - both)
+        slivers = set(self.listed("--tag", "sliver", SUITE))
+        fans = set(self.listed("--tag", "fan", SUITE))
+        self.assertTrue(slivers and fans)
+        self.assertEqual(set(self.listed("--tag", "fan", "--tag", "sliver", SUITE)),
+                         slivers | fans)
+
+    def test_single_files_and_folders_keep_their_ids(self):
+        self.assertEqual(self.listed(TIE), ["triangles/ties/flat-bottom"])
+        self.assertEqual(self.listed(f"{SUITE}/points"),
+                         [name for name in self.listed(SUITE) if name.startswith("points/")])
+        # A case that is named twice runs once.
+        self.assertEqual(self.listed(TIE, TIE, f"{SUITE}/triangles/ties").count(
+            "triangles/ties/flat-bottom"), 1)
+
+    def test_against_takes_one_renderer(self):
+        results = self.results("--against", "exact", f"{SUITE}/points")
+        self.assertEqual([info["name"] for info in results["renderers"]], ["exact"])
+
+
+class Strict(CommandTest):
+    def test_strict_grants_no_latitude(self):
+        against = ["--against", "osmesa:llvmpipe", "--against", "osmesa:softpipe"]
+        lenient = self.results(SUITE, *against, expect=None)
+        strict = self.results(SUITE, *against, "--strict", expect=UNEXPECTED)
+        for before, after in zip(lenient["cases"], strict["cases"]):
+            for renderer, result in after["results"].items():
+                agreed = before["results"][renderer]["verdict"] == "agree"
+                self.assertEqual(result["verdict"], "agree" if agreed else "violation",
+                                 after["id"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""The right driver is really used: llvmpipe and softpipe are different programs at work, and a
+worker that gets another driver than it was promised refuses."""
+import json
+import subprocess
+import unittest
+
+from support import (BIN, MESA, PATIENCE, RENDERER, SUITE, CommandTest, environment, places,
+                     rendered_suite)
+
+WORKER = str(BIN / "edgecase-gl")
+# A row of centres on the bottom edge of a triangle, where each driver has a rule of its own.
+TIE = "triangles/ties/flat-bottom"
+# How a user would choose a driver by hand.
+BY_HAND = {
+    "llvmpipe": {"GALLIUM_DRIVER": "llvmpipe", "LP_NUM_THREADS": "0"},
+    "softpipe": {"GALLIUM_DRIVER": "softpipe", "MESA_GL_VERSION_OVERRIDE": "4.5",
+                 "MESA_GLSL_VERSION_OVERRIDE": "450"},
+}
+LIBRARY = {"osmesa": "libOSMesa.so", "egl-surfaceless": "libEGL"}
+
+
+def executable_mappings(pid):
+    """Names of what a process can execute, "" for memory that it filled itself."""
+    with open(f"/proc/{pid}/maps", encoding="utf-8") as maps:
+        lines = [line.split(maxsplit=5) for line in maps]
+    return [line[5].strip() if len(line) > 5 else "" for line in lines if "x" in line[1]]
+
+
+class Drivers(CommandTest):
+    def a_request(self):
+        """A line as the command sends it, caught by a renderer that keeps it."""
+        catcher = self.write("catch.sh", "#!/bin/sh\nhead -n 1 > request\nexit 3\n")
+        catcher.chmod(0o755)
+        self.command("run", f"{SUITE}/{TIE}.json", "--against", f"exec:{catcher}", expect=RENDERER)
+        return (self.folder / "request").read_text(encoding="utf-8")
+
+    def work(self, context, driver, request):
+        """Has a worker draw one scene; what it says of itself, and what it can execute."""
+        worker = subprocess.Popen([WORKER, context, "--expect-driver", driver], text=True,
+                                  env=environment(LIBGL_ALWAYS_SOFTWARE="1", **BY_HAND[driver]),
+                                  stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        with worker:
+            worker.stdin.write(request)
+            worker.stdin.flush()
+            answer = json.loads(worker.stdout.readline())
+            mappings = executable_mappings(worker.pid)
+            worker.stdin.close()
+            self.assertEqual(worker.wait(timeout=PATIENCE), 0)
+        return answer, mappings
+
+    def test_processes_execute_different_code(self):
+        request = self.a_request()
+        for context, library in LIBRARY.items():
+            compiled, fragments = {}, {}
+            for driver in BY_HAND:
+                answer, mappings = self.work(context, driver, request)
+                self.assertTrue(answer["renderer"]["device"].startswith(driver))
+                self.assertTrue(any(library in name for name in mappings), mappings)
+                compiled[driver] = mappings.count("")
+                fragments[driver] = places(answer["fragments"])
+            # llvmpipe compiles shaders into memory of its own; softpipe interprets them.
+            self.assertGreater(compiled["llvmpipe"], compiled["softpipe"])
+            self.assertNotEqual(fragments["llvmpipe"], fragments["softpipe"])
+
+    def test_devices_and_renderings_differ(self):
+        against = [word for renderer in MESA for word in ("--against", renderer)]
+        results = self.results(SUITE, *against, expect=None)
+        devices = {info["name"]: info["device"] for info in results["renderers"]}
+        contexts = {info["name"]: info["traits"]["context"] for info in results["renderers"]}
+        for renderer in MESA:
+            front_end, driver = renderer.split(":")
+            self.assertTrue(devices[renderer].startswith(driver), devices)
+            self.assertIn(front_end.upper(), contexts[renderer].upper())
+        for front_end in ("osmesa", "egl"):
+            one, other = (rendered_suite(f"{front_end}:{driver}")[TIE]
+                          for driver in BY_HAND)
+            self.assertNotEqual(places(one["fragments"]), places(other["fragments"]))
+            self.assertNotEqual(one["pixels"], other["pixels"])
+
+    def test_a_worker_refuses_another_driver(self):
+        for context in LIBRARY:
+            for promised, given in (("softpipe", "llvmpipe"), ("llvmpipe", "softpipe")):
+                run = subprocess.run([WORKER, context, "--expect-driver", promised], input="",
+                                     env=environment(LIBGL_ALWAYS_SOFTWARE="1", **BY_HAND[given]),
+                                     capture_output=True, text=True, timeout=PATIENCE)
+                self.assertEqual(run.returncode, 3)
+                self.assertIn(f"the driver is '{given}", run.stderr)
+                self.assertIn(f"not {promised}", run.stderr)
+
+    def test_the_users_environment_changes_no_driver(self):
+        case = f"{SUITE}/{TIE}.json"
+        for renderer in MESA:
+            driver = renderer.split(":")[1]
+            (other,) = set(BY_HAND) - {driver}
+            plain = self.command("render", case, "--with", renderer).stdout
+            for variable in ("GALLIUM_DRIVER", "MESA_LOADER_DRIVER_OVERRIDE"):
+                run = self.command("render", case, "--with", renderer, **{variable: other})
+                self.assertEqual(run.stdout, plain, f"{variable}={other}")
+
+    def test_backends_tell_the_five(self):
+        table = self.command("backends").stdout.splitlines()
+        rows = {line.split()[0]: line for line in table if ":" in line.split(" ")[0]}
+        for renderer in MESA:
+            self.assertIn(renderer.split(":")[1], rows[renderer])
+            self.assertIn("yes + hits", rows[renderer])
+        self.assertIn("egl:device0", rows)
+        self.assertEqual(table[0].split()[0], "renderer")
+
+    def test_backends_of_a_renderer_that_is_missing(self):
+        run = self.command("backends", "exact-ish", expect=2)
+        self.assertIn("no renderer 'exact-ish'", run.stderr)
+        run = self.command("backends", "exec:/no/such/program", expect=RENDERER)
+        self.assertIn("cannot be started", run.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

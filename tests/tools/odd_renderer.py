@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: MIT
+"""A renderer that lies or fails: odd_renderer.py BEHAVIOUR TRUTH [VICTIM]
+
+TRUTH is what `edgecase render --json` wrote of the exact side; any answer starts from there. VICTIM
+is the id of the case at which a failing renderer fails.
+"""
+import json
+import os
+import pathlib
+import sys
+import time
+
+GREY = [70, 80, 90, 255]
+
+
+def image(truth, color):
+    return color * (truth["width"] * truth["height"])
+
+
+def honest(truth):
+    return {"pixels": truth["pixels"], "fragments": truth["fragments"]}
+
+
+# Liars: the truth of the case and the previous answer (None at first) to an answer.
+
+def constant(color):
+    return lambda truth, _: {"pixels": image(truth, color), "fragments": []}
+
+
+def painted(truth, _):
+    """A constant image, with fragments that are just right."""
+    return {"pixels": image(truth, GREY), "fragments": truth["fragments"]}
+
+
+def first_fragments(truth, previous):
+    """A constant image, with the fragments of the first case."""
+    fragments = truth["fragments"] if previous is None else previous["fragments"]
+    return {"pixels": image(truth, GREY), "fragments": fragments}
+
+
+def echo(truth, previous):
+    """The previous case's answer. At first, nothing drawn on grey."""
+    current = honest(truth)
+    answer = echo.before or {"pixels": image(truth, GREY), "fragments": []}
+    echo.before = current
+    return answer
+
+
+echo.before = None
+
+
+def mirror(truth, _):
+    """Upside down."""
+    width, height, pixels = truth["width"], truth["height"], truth["pixels"]
+    rows = [pixels[4 * width * y:4 * width * (y + 1)] for y in range(height)]
+    fragments = [dict(f, y=height - 1 - f["y"]) for f in truth["fragments"]]
+    return {"pixels": sum(reversed(rows), []), "fragments": fragments}
+
+
+LIARS = {
+    "black": constant([0, 0, 0, 255]),
+    "white": constant([255, 255, 255, 255]),
+    "grey": constant(GREY),
+    "transparent": constant([0, 0, 0, 0]),
+    "painted": painted,
+    "first-fragments": first_fragments,
+    "echo": echo,
+    "mirror": mirror,
+}
+
+
+# Failures: the request and the honest answer to an answer, or to an end.
+
+def leave_mark():
+    """A byte in the file TRUTH.marks: a test waits for it."""
+    with open(sys.argv[2] + ".marks", "ab") as marks:
+        marks.write(b".")
+
+
+def hang(*_):
+    leave_mark()
+    time.sleep(3600)
+
+
+def die(*_):
+    os._exit(7)
+
+
+def crash(*_):
+    os.abort()
+
+
+def garbage(*_):
+    print("this is no JSON", flush=True)
+    return None
+
+
+def close_output(*_):
+    os.close(1)
+    time.sleep(3600)
+
+
+def refuse(request, _):
+    return {"not_run": "not today"}
+
+
+def another_digest(_, answer):
+    return dict(answer, digest="0123456789abcdef")
+
+
+def wrong_size(_, answer):
+    return dict(answer, pixels=answer["pixels"][4:])
+
+
+def far_fragment(_, answer):
+    return dict(answer, fragments=[{"x": 1000, "y": 0, "primitive": 0}])
+
+
+def wrong_hits(_, answer):
+    return dict(answer, hits=[9] * (len(answer["pixels"]) // 4))
+
+
+def nan_colors(_, answer):
+    fragments = [dict(f, color=["nan"] * 4) for f in answer["fragments"]]
+    return dict(answer, fragments=fragments)
+
+
+def nap(_, answer):
+    leave_mark()
+    time.sleep(.2)
+    return answer
+
+
+FAILURES = {function.__name__.replace("_", "-"): function for function in (
+    hang, die, crash, garbage, close_output, refuse, another_digest, wrong_size, far_fragment,
+    wrong_hits, nan_colors, nap)}
+
+
+def answers(behaviour, truths, victim):
+    previous = None
+    for count, line in enumerate(sys.stdin, 1):
+        request = json.loads(line)
+        truth = truths.get(request["id"])
+        if behaviour == "third" and count == 3:
+            die()
+        if behaviour in LIARS:
+            answer = previous = LIARS[behaviour](truth, previous)
+        else:
+            answer = honest(truth) if truth else {"not_run": "a case without a truth"}
+            if behaviour in FAILURES and victim in ("", request["id"]):
+                answer = FAILURES[behaviour](request, answer)
+        if answer is not None:
+            yield {"digest": request["digest"], **answer}
+
+
+def main():
+    behaviour, path, *victim = sys.argv[1:]
+    lines = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
+    truths = {truth["id"]: truth for truth in map(json.loads, lines)}
+    for answer in answers(behaviour, truths, victim[0] if victim else ""):
+        answer.setdefault("renderer", {"device": behaviour, "subpixel_bits": 8})
+        print(json.dumps(answer), flush=True)
+
+
+main()

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: MIT
+"""The whole suite: as expected on the four Mesa renderers, the same bytes each time; exact agrees
+with itself; the Python example agrees; a new case needs no build; no disagreement is lost."""
+import collections
+import json
+import unittest
+import xml.etree.ElementTree
+
+from support import (MESA, ROOT, SUITE, CommandTest, component_bits, only_result, places,
+                     rendered_suite, triangle_case, verdicts)
+
+AGAINST_MESA = [word for renderer in MESA for word in ("--against", renderer)]
+FORMATS = ("json", "junit", "html")
+
+
+class WholeSuite(CommandTest):
+    def reports(self, name, *arguments):
+        """Runs the suite against all Mesa renderers; the bytes of the three reports."""
+        files = {kind: self.folder / f"{name}.{kind}" for kind in FORMATS}
+        options = [word for kind, path in files.items() for word in (f"--{kind}", path)]
+        self.command("run", SUITE, *AGAINST_MESA, *options, *arguments)
+        return {kind: path.read_bytes() for kind, path in files.items()}
+
+    def test_mesa_is_as_expected_and_the_same_bytes_each_time(self):
+        first = self.reports("first")
+        results = json.loads(first["json"])
+        self.assertGreaterEqual(len(results["cases"]), 50)
+        self.assertEqual(results["diagnostics"], [])
+        for case in results["cases"]:
+            self.assertEqual(list(case["results"]), MESA)
+            for result in case["results"].values():
+                self.assertEqual(result["standing"], "expected", case["id"])
+                self.assertNotEqual(result["verdict"], "not-run", case["id"])
+        for name, arguments in {"second": [], "one": ["--jobs", 1], "four": ["--jobs", 4]}.items():
+            again = self.reports(name, *arguments)
+            for kind in FORMATS:
+                self.assertTrue(again[kind] == first[kind], f"{kind} of {name} differs")
+
+    def test_exact_agrees_with_itself_without_expectations(self):
+        nothing = self.write("none.json", {"renderer": "exact", "measured": "", "expectations": []})
+        results = self.results(SUITE, "--against", "exact", "--expectations", nothing)
+        self.assertEqual(set(verdicts(results).values()), {"agree"})
+        for case in results["cases"]:
+            self.assertEqual(case["expect_failures"], [])
+            self.assertEqual(only_result(case)["values"], [])
+
+    def test_the_python_example_agrees(self):
+        program = f"exec:/usr/bin/env python3 {ROOT / 'reference/examples/rasterizer.py'}"
+        results = self.results(SUITE, "--against", program, expect=None)
+        for case in results["cases"]:
+            result = only_result(case)
+            self.assertIn(result["verdict"], ("agree", "permitted"), case["id"])
+            self.assertEqual(result["disagreements"], [], case["id"])
+
+    def test_each_renderer_is_judged_alone(self):
+        together = self.results(SUITE, *AGAINST_MESA, expect=None)
+        alone = self.results(SUITE, "--against", "osmesa:softpipe", expect=None)
+        for one, many in zip(alone["cases"], together["cases"]):
+            self.assertEqual(one["results"]["osmesa:softpipe"], many["results"]["osmesa:softpipe"])
+
+    def test_a_run_without_arguments(self):
+        self.copy_suite()
+        run = self.command("run", expect=None)
+        self.assertIn("Report: out/report.html", run.stdout)
+        results = json.loads((self.folder / "out/results.json").read_text(encoding="utf-8"))
+        self.assertEqual(results["renderers"][0]["name"], "osmesa:llvmpipe")
+        self.assertTrue((self.folder / "out/junit.xml").read_bytes().startswith(b"<?xml"))
+        self.assertTrue((self.folder / "out/report.html").read_bytes().startswith(b"<!"))
+
+
+class NewCase(CommandTest):
+    def test_one_file_more_is_judged_by_the_next_run(self):
+        self.copy_suite()
+        before = self.results("cases", expect=None)
+        self.write("cases/mine/common-edge.json", triangle_case(
+            title="My own shared edge", draws=[
+                {"primitive": "triangles", "vertices": [["2+1/2", 1], [6, 1], ["2+1/2", 6]]},
+                {"primitive": "triangles", "vertices": [["2+1/2", 1], ["2+1/2", 6], [0, 1]]}],
+            expect=[{"policy": "opengl", "coverage": ["........", "........", "..##....",
+                                                      "..###...", ".####...", "######..",
+                                                      "#####...", "........"]}]))
+        arguments = [word for kind in FORMATS for word in (f"--{kind}", f"out.{kind}")]
+        run = self.command("run", "cases", *arguments, expect=None)
+        results = json.loads((self.folder / "out.json").read_text(encoding="utf-8"))
+        ids = [case["id"] for case in results["cases"]]
+        self.assertEqual(set(ids) - {c["id"] for c in before["cases"]}, {"mine/common-edge"})
+        mine = results["cases"][ids.index("mine/common-edge")]
+        self.assertEqual(only_result(mine)["verdict"], "agree")
+        # The drawing is wrong on purpose in one pixel: the author is told where.
+        self.assertEqual(run.returncode, 1)
+        self.assertEqual(len(mine["expect_failures"]), 1)
+        self.assertIn("/expect/0", mine["expect_failures"][0])
+        junit = xml.etree.ElementTree.parse(self.folder / "out.junit")
+        names = [test.get("name") for test in junit.iter("testcase")]
+        self.assertIn("mine/common-edge", names)
+        self.assertIn("My own shared edge", (self.folder / "out.html").read_text(encoding="utf-8"))
+
+
+class NothingIsLost(CommandTest):
+    """Results against a comparison of two `render` outputs that is written here."""
+
+    def independent_coverage(self, exact, rendered):
+        """(x, y, primitive, kind) of every fragment that one has and the other has not."""
+        wanted = collections.Counter(places(exact["fragments"]))
+        drawn = collections.Counter(places(rendered["fragments"]))
+        found = [(*place, "missing") for place in wanted if drawn[place] == 0]
+        found += [(*place, "extra") for place in drawn if wanted[place] == 0]
+        found += [(*place, "duplicate") for place, n in drawn.items() if n > 1]
+        return sorted(found)
+
+    def check_coverage(self, exact, rendered, result):
+        told = sorted((*d["pixel"], d["primitive"], d["kind"]) for d in result["disagreements"]
+                      if d["kind"] != "value")
+        self.assertEqual(told, self.independent_coverage(exact, rendered))
+
+    def check_values(self, exact, rendered, result):
+        """Every fragment with another float32 colour or depth than exact's is told; returns how
+        many there are."""
+        told = {"color": set(), "depth": set(), "pixel": set()}
+        for values in result["values"]:
+            told[values["attribute"]] |= {tuple(place) for place in values["differing"]}
+        beyond = {(*d["pixel"], d["primitive"]) for d in result["disagreements"]
+                  if d["kind"] == "value"}
+        truth = {(f["x"], f["y"], f["primitive"]): component_bits(f) for f in exact["fragments"]}
+        count = 0
+        for fragment in rendered["fragments"]:
+            place = (fragment["x"], fragment["y"], fragment["primitive"])
+            if place not in truth:
+                continue
+            for attribute, wanted, drawn in zip(("color", "depth"), truth[place],
+                                                component_bits(fragment)):
+                if wanted != drawn:
+                    count += 1
+                    self.assertIn(place, told[attribute] | beyond, attribute)
+        return count
+
+    def check_pixels(self, exact, rendered, result):
+        """Every pixel of another colour has something that is told of it."""
+        told = {tuple(d["pixel"]) for d in result["disagreements"]}
+        told |= {tuple(place[:2]) for values in result["values"] for place in values["differing"]}
+        for index in range(exact["width"] * exact["height"]):
+            part = slice(4 * index, 4 * index + 4)
+            if exact["pixels"][part] != rendered["pixels"][part]:
+                self.assertIn((index % exact["width"], index // exact["width"]), told)
+
+    def test_of_all_renderers(self):
+        results = self.results(SUITE, *AGAINST_MESA, expect=None)
+        exact = rendered_suite()
+        self.assertEqual([case["id"] for case in results["cases"]], sorted(exact))
+        coverage = values = 0
+        for renderer in MESA:
+            for case in results["cases"]:
+                result = case["results"][renderer]
+                pair = exact[case["id"]], rendered_suite(renderer)[case["id"]]
+                with self.subTest(case=case["id"], renderer=renderer):
+                    self.check_coverage(*pair, result)
+                    values += self.check_values(*pair, result)
+                    self.check_pixels(*pair, result)
+                    coverage += len(self.independent_coverage(*pair))
+                    if result["verdict"] == "agree":
+                        self.assertEqual(places(pair[0]["fragments"]), places(pair[1]["fragments"]))
+        # The comparison has found something to compare.
+        self.assertGreater(coverage, 100)
+        self.assertGreater(values, 20)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""What the tests of the whole command share: starting it, and cases, results and truths.
+
+A test owns a temporary folder and runs the command there; it never touches the checkout. The
+program is the built one (EDGECASE_BIN), the suite that of the checkout (EDGECASE_ROOT), both set by
+tests/tools/CMakeLists.txt.
+"""
+import functools
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = pathlib.Path(os.environ.get("EDGECASE_ROOT", HERE.parent.parent))
+BIN = pathlib.Path(os.environ.get("EDGECASE_BIN", ROOT / "build" / "release" / "bin"))
+EDGECASE = str(BIN / "edgecase")
+SUITE = str(ROOT / "cases")
+MESA = ["osmesa:llvmpipe", "osmesa:softpipe", "egl:llvmpipe", "egl:softpipe"]
+# What CI systems set for their own shards must not reach the command under test.
+SHARD_VARIABLES = ("TEST_TOTAL_SHARDS", "TEST_SHARD_INDEX", "CI_NODE_TOTAL", "CI_NODE_INDEX")
+PATIENCE = 120  # seconds; for a command that should take one or two
+
+# Exit codes.
+AS_EXPECTED, UNEXPECTED, USAGE, INTERNAL, RENDERER, NOTHING_SELECTED = range(6)
+
+
+def environment(**more):
+    result = {k: v for k, v in os.environ.items() if k not in SHARD_VARIABLES}
+    result.update(more)
+    return result
+
+
+def triangle_case(**changes):
+    """A well-formed case: a triangle with no sample on an edge. Keys can be replaced or added."""
+    case = {
+        "title": "A plain triangle",
+        "rules": ["triangle.fill-rule"],
+        "target": {"width": 8, "height": 8},
+        "draws": [{"primitive": "triangles", "vertices": [[1, 1], [6.25, 1], [1, 6]]}],
+    }
+    case.update(changes)
+    return case
+
+
+def float32(value):
+    """The bits of the float32 nearest to a number; NaN and infinities come as strings."""
+    return struct.pack("<f", float(value))
+
+
+def component_bits(fragment):
+    """Colour and depth of a fragment, as float32."""
+    return [float32(c) for c in fragment["color"]], float32(fragment["depth"])
+
+
+def places(fragments):
+    return sorted((f["x"], f["y"], f["primitive"]) for f in fragments)
+
+
+@functools.lru_cache(maxsize=None)
+def rendered_suite(renderer="exact"):
+    """What `edgecase render` makes of the whole suite: id -> rendering."""
+    run = subprocess.run([EDGECASE, "render", SUITE, "--with", renderer, "--json", "-"],
+                         env=environment(), capture_output=True, text=True, timeout=PATIENCE,
+                         check=True)
+    renderings = [json.loads(line) for line in run.stdout.splitlines()]
+    return {rendering["id"]: rendering for rendering in renderings}
+
+
+class CommandTest(unittest.TestCase):
+    """A test with a folder of its own, `self.folder`, in which the command runs."""
+
+    maxDiff = 4000
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="edgecase-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def command(self, *arguments, expect=AS_EXPECTED, **variables):
+        """Runs the command; its exit code must be the expected one, or any if that is None."""
+        run = subprocess.run([EDGECASE, *map(str, arguments)], cwd=self.folder,
+                             env=environment(**variables), stdin=subprocess.DEVNULL,
+                             capture_output=True, text=True, timeout=PATIENCE)
+        if expect is not None:
+            self.assertEqual(run.returncode, expect, f"{arguments}\n{run.stdout}\n{run.stderr}")
+        return run
+
+    def results(self, *arguments, expect=AS_EXPECTED, **variables):
+        """`edgecase run`, and the results that it wrote."""
+        path = self.folder / "results.json"
+        path.unlink(missing_ok=True)
+        self.command("run", *arguments, "--json", path, expect=expect, **variables)
+        return json.loads(path.read_text(encoding="utf-8"))
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        text = content if isinstance(content, str) else json.dumps(content, indent=1)
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def write_cases(self, *names):
+        """Well-formed cases in the folder `cases`."""
+        for name in names:
+            self.write(f"cases/{name}.json", triangle_case(title=f"Triangle {name}"))
+
+    def copy_suite(self):
+        shutil.copytree(SUITE, self.folder / "cases")
+
+    def odd_renderer(self, behaviour, victim="", cases=SUITE):
+        """exec: name of a program that answers as exact does, save for an odd behaviour."""
+        truth = self.folder / "truth.jsonl"
+        if not truth.exists():
+            self.command("render", cases, "--json", truth, expect=None)
+        words = [sys.executable, str(HERE / "odd_renderer.py"), behaviour, str(truth)]
+        return "exec:" + " ".join(map(shlex.quote, words + ([victim] if victim else [])))
+
+
+def only_result(case):
+    """The result of a case that one renderer ran."""
+    (result,) = case["results"].values()
+    return result
+
+
+def verdicts(results):
+    """id -> verdict, of results with one renderer."""
+    return {case["id"]: only_result(case)["verdict"] for case in results["cases"]}
