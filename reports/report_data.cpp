@@ -103,10 +103,10 @@ Json answer_json(const CaseResults& one, const Result& result) {
   for (const Result::Evidence& e : result.evidence)
     evidence.push_back({{"primitive", e.primitive},
                         {"causes", e.causes},
-                        {"line_snaps", e.line_snaps},
+                        {"illegal_line_snaps", e.illegal_line_snaps},
                         {"broken_clause", e.broken_clause}});
   json["evidence"] = std::move(evidence);
-  json["line_snaps"] = result.line_snaps;
+  json["illegal_line_snaps"] = result.illegal_line_snaps;
   return json;
 }
 
@@ -135,19 +135,10 @@ void add_results(Json& json, const CaseResults& one) {
 }
 
 Json case_json(const CaseResults& one) {
-  Json json = {{"id", one.id},
-               {"title", one.title},
-               {"why", one.why},
-               {"rules", one.rules},
-               {"spec", one.spec},
-               {"origin", one.origin},
-               {"tags", one.tags},
-               {"file", one.file},
-               {"source", one.source},
-               {"surface", one.surface},
-               {"width", one.width},
-               {"height", one.height},
-               {"fragments", one.fragments}};
+  Json json = {{"id", one.id},       {"title", one.title},   {"why", one.why},
+               {"rules", one.rules}, {"spec", one.spec},     {"origin", one.origin},
+               {"tags", one.tags},   {"file", one.file},     {"surface", one.surface},
+               {"width", one.width}, {"height", one.height}, {"fragments", one.fragments}};
   json["pixels"] = to_base64(pack_pixels(one.pixels));
   json["figure"] = figure_json(one.figure);
   json["expect_failures"] = one.expect_failures;
@@ -201,7 +192,12 @@ std::string report_data(const Results& results, const ReportTexts& texts) {
                                    {"message", d.message},
                                    {"remedy", d.remedy}});
   json["cases"] = Json::array();
-  for (const CaseResults& one : results.cases) json["cases"].push_back(case_json(one));
+  json["sources"] = Json::object();
+  for (const CaseResults& one : results.cases) {
+    json["cases"].push_back(case_json(one));
+    // The cases of a sweep share their file.
+    json["sources"][one.file] = one.source;
+  }
   return escape_markup(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

@@ -52,7 +52,7 @@ const CaseView = {
       h("section.card", {}, h("h2", {}, "Reproduce"), CaseView.parts.commands),
       h("section.card", {}, verticesOf(one.figure), h("details", {},
         h("summary", {}, "Case file ", h("code.faint", {}, one.file)),
-        h("pre", {tabindex: "0"}, prettySource(one.source)))));
+        h("pre", {tabindex: "0"}, prettySource(Report.sources[one.file] || "")))));
   },
 
   // Chooses a disagreement by its number; `at` of the route is 1 for the first.

@@ -46,20 +46,20 @@ function valuesSection(answer, pick) {
 }
 
 function evidenceSection(answer) {
-  if (!answer.evidence.length && !answer.line_snaps.length) return null;
+  if (!answer.evidence.length && !answer.illegal_line_snaps.length) return null;
   const rows = answer.evidence.map((e) => h("tr", {},
     h("th", {scope: "row"}, "primitive " + e.primitive),
     h("td", {}, e.causes.length ? e.causes.map((c) => h("div", {}, causeChips(c)))
       : h("i.faint", {}, "no catalogued alternative reproduces it")),
-    h("td.mono", {}, e.line_snaps.join(", ")), h("td", {}, e.broken_clause)));
+    h("td.mono", {}, e.illegal_line_snaps.join(", ")), h("td", {}, e.broken_clause)));
   return h("section.card", {}, h("h2", {}, "Evidence"),
     h("p.faint", {}, "Alternatives that reproduce what the renderer drew, smallest sets first."),
     rows.length > 0 && h("div.scroll", {}, h("table.evidence", {},
       h("thead", {}, h("tr", {}, h("td", {}), h("th", {}, "candidate causes"),
-        h("th", {}, "snaps under which the line is legal"), h("th", {}, "as given it breaks"))),
+        h("th", {}, "snaps under which it is not legal"), h("th", {}, "as given it breaks"))),
       h("tbody", {}, rows))),
-    answer.line_snaps.length > 0 && h("p", {}, "Every line of the case is legal under: ",
-      h("span.mono", {}, answer.line_snaps.join(", "))));
+    answer.illegal_line_snaps.length > 0 && h("p", {}, "Some line of the case is not legal with vertices snapped by: ",
+      h("span.mono", {}, answer.illegal_line_snaps.join(", "))));
 }
 
 function verticesOf(figure) {

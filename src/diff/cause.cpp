@@ -17,6 +17,7 @@ namespace {
 
 // Does one fragment lack inside the run of those that were drawn, and nothing else differ?
 bool is_interior_gap(const ScenePrimitive& line, const PrimitiveCoverage& coverage) {
+  if (line.state->line_width != Fixed::from_integer(1)) return false;
   const auto differing = differences(coverage);
   if (differing.size() != 1 || differing[0].drawn != 0) return false;
   const Segment segment{line.vertices[0]->position, line.vertices[1]->position};
@@ -91,14 +92,23 @@ RuleAlternatives wide_lines_beside(WideLine chosen) {
   return result;
 }
 
+RuleAlternatives row_orders_beside(RowOrder chosen) {
+  RuleAlternatives result;
+  for (RowOrder rows : {RowOrder::bottom_up, RowOrder::top_down})
+    if (rows != chosen)
+      result.push_back({fmt::format("line.row-order={}", name_of(rows)),
+                        [rows](CoverageChoice& choice) { choice.line.rows = rows; }});
+  return result;
+}
+
 // The alternatives of every rule that has a say in the primitive's coverage.
 std::vector<RuleAlternatives> alternatives_beside(const ScenePrimitive& primitive,
                                                   const CoverageChoice& chosen) {
   if (primitive.kind != PrimitiveKind::line)
     return {ties_beside(primitive.kind, chosen.ties), snaps_beside(primitive.kind, chosen.snap)};
-  std::vector<RuleAlternatives> rules = {algorithms_beside(chosen.line.algorithm),
-                                         boundaries_beside(*chosen.line.boundary),
-                                         snaps_beside(primitive.kind, chosen.snap)};
+  std::vector<RuleAlternatives> rules = {
+      algorithms_beside(chosen.line.algorithm), boundaries_beside(*chosen.line.boundary),
+      snaps_beside(primitive.kind, chosen.snap), row_orders_beside(chosen.line.rows)};
   if (primitive.state->line_width != Fixed::from_integer(1))
     rules.push_back(wide_lines_beside(chosen.line.wide));
   return rules;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -104,7 +105,7 @@ Disagreement duplicate(const ScenePrimitive& primitive, const CoverageDifference
 // What the rulings on lines say of the segment, for all of its disagreements.
 void judge_line(const ScenePrimitive& line, const PrimitiveCoverage& coverage, const Target& target,
                 Result::Evidence& evidence, Result& result) {
-  evidence.line_snaps = legal_line_snaps(line, coverage.drawn, target);
+  evidence.illegal_line_snaps = illegal_line_snaps(line, coverage.drawn, target);
   evidence.broken_clause = broken_clause_unsnapped(line, coverage.drawn, target);
   const int ruling = ruling_on_line(line, target);
   for (Disagreement& d : result.disagreements) {
@@ -135,21 +136,24 @@ void compare_primitive(const ScenePrimitive& primitive, const PrimitiveCoverage&
   result.evidence.push_back(std::move(evidence));
 }
 
-// Snaps under which every line of the scene is legal, whether it differs from exact or not.
-std::vector<std::string> common_line_snaps(std::span<const ScenePrimitive> primitives,
-                                           std::span<const PrimitiveCoverage> coverage,
-                                           const Target& target) {
-  std::vector<std::string> common;
-  for (Snap snap : all_snaps()) common.push_back(name_of(snap));
+// Snaps under which some line of the scene is not legal, whether it differs from exact or not, in
+// catalogue order.
+std::vector<std::string> all_illegal_line_snaps(std::span<const ScenePrimitive> primitives,
+                                                std::span<const PrimitiveCoverage> coverage,
+                                                const Target& target) {
+  std::set<std::string> illegal;
   for (const ScenePrimitive& primitive : primitives) {
     if (primitive.kind != PrimitiveKind::line) continue;
-    const auto legal = legal_line_snaps(
-        primitive, coverage[static_cast<std::size_t>(primitive.index)].drawn, target);
-    std::erase_if(common, [&](const std::string& name) {
-      return std::find(legal.begin(), legal.end(), name) == legal.end();
-    });
+    illegal.merge([&] {
+      const auto names = illegal_line_snaps(
+          primitive, coverage[static_cast<std::size_t>(primitive.index)].drawn, target);
+      return std::set<std::string>(names.begin(), names.end());
+    }());
   }
-  return common;
+  std::vector<std::string> ordered;
+  for (Snap snap : all_snaps())
+    if (illegal.contains(name_of(snap))) ordered.push_back(name_of(snap));
+  return ordered;
 }
 
 // A hole or a double hit on a shared edge turns the disagreements behind it into violations.
@@ -190,7 +194,7 @@ Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
                       {scene, choices, bits}, result);
   for (const SharedEdgeFault& fault : shared_edge_faults(primitives, coverage, scene.target, bits))
     apply_shared_edge_fault(fault, result);
-  result.line_snaps = common_line_snaps(primitives, coverage, scene.target);
+  result.illegal_line_snaps = all_illegal_line_snaps(primitives, coverage, scene.target);
   const ValueContext values{scene, primitives, choices.values, bits};
   compare_fragment_values(values, rendered, result);
   compare_pixels(values, rendered, result);

@@ -9,6 +9,7 @@
 
 #include "diff/value_diff.h"
 #include "raster/rasterizer.h"
+#include "rules/coverage/line_algorithm.h"
 #include "rules/values/flat_attribute.h"
 #include "rules/values/smooth_attribute.h"
 
@@ -30,6 +31,12 @@ Interval rounded_to_float(Interval value) {
   return {to_float(value.low), to_float(value.high)};
 }
 
+// Where a value is told: the pixel, and for lines the width that the fragment is part of.
+struct Place {
+  PixelPosition pixel;
+  int width = 1;
+};
+
 // One component of a told value, with what is exact and what is permitted for it.
 struct Component {
   double exact = 0;            // the double nearest to the exact value
@@ -42,8 +49,23 @@ struct Component {
   bool is_permitted() const { return is_correct() || permitted.contains(to_float(rendered)); }
 };
 
-Component make_component(Interpolant interpolant, PixelPosition pixel, int bits, double rendered) {
-  const Point sample = pixel_centre(pixel.x, pixel.y);
+// What is permitted at a sample of a line as wide as `width`, rounded: each fragment of a column
+// may have the value of its own centre or of any other of the column (ruling 13).
+Interval permitted_across(const Interpolant& interpolant, Point sample, int width, int bits) {
+  Interval result = interpolate_permitted(interpolant, sample, bits);
+  if (interpolant.kind != PrimitiveKind::line || width == 1) return result;
+  const bool x_major = Segment{interpolant.positions[0], interpolant.positions[1]}.x_major();
+  const Fixed reach = Fixed::from_integer(width - 1);
+  for (const Fixed offset : {reach, -reach}) {
+    Point moved = sample;
+    (x_major ? moved.y : moved.x) = (x_major ? moved.y : moved.x) + offset;
+    result = hull(result, interpolate_permitted(interpolant, moved, bits));
+  }
+  return result;
+}
+
+Component make_component(Interpolant interpolant, const Place& place, int bits, double rendered) {
+  const Point sample = pixel_centre(place.pixel.x, place.pixel.y);
   const Interval exact = interpolate_exact(interpolant, sample);
   Component result;
   result.exact = exact.low / 2 + exact.high / 2;
@@ -52,7 +74,7 @@ Component make_component(Interpolant interpolant, PixelPosition pixel, int bits,
   if (result.is_correct()) return result;
   // The specification's formula, whatever the policy's is.
   interpolant.line_parameter = LineParameter::projection;
-  result.permitted = rounded_to_float(interpolate_permitted(interpolant, sample, bits));
+  result.permitted = rounded_to_float(permitted_across(interpolant, sample, place.width, bits));
   interpolant.line_parameter = LineParameter::major_axis;
   result.by_major_axis = interpolant.kind == PrimitiveKind::line &&
                          rounded_to_float(interpolate_permitted(interpolant, sample, bits))
@@ -147,19 +169,22 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
   ValueAggregator depths("depth", "fragment.depth", 9);
   for (const Fragment& f : rendered.fragments) {
     const ScenePrimitive& primitive = context.primitives[static_cast<std::size_t>(f.primitive)];
-    const PixelPosition pixel{f.x, f.y};
+    const Place place{{f.x, f.y},
+                      primitive.state->line_width == Fixed::from_integer(1)
+                          ? 1
+                          : rounded_width(primitive.state->line_width)};
     if (f.has_color && primitive.state->interpolation == Interpolation::flat) {
       compare_flat_color(context, primitive, f, result);
     } else if (f.has_color) {
       std::array<Component, 4> components;
       for (std::size_t c = 0; c < 4; ++c)
-        components[c] = make_component(color_interpolant(primitive, c, parameter), pixel,
+        components[c] = make_component(color_interpolant(primitive, c, parameter), place,
                                        context.bits, f.color[c]);
       compare_components(components, f, "attribute.smooth", colors, result);
     }
     if (f.has_depth) {
       const Component depth =
-          make_component(depth_interpolant(primitive, parameter), pixel, context.bits, f.depth);
+          make_component(depth_interpolant(primitive, parameter), place, context.bits, f.depth);
       compare_components({&depth, 1}, f, "fragment.depth", depths, result);
     }
   }

@@ -26,7 +26,7 @@ std::string choose_line_reading(std::span<Result* const> results) {
   for (Snap snap : all_snaps()) {
     const std::string name = name_of(snap);
     const auto legal = std::count_if(results.begin(), results.end(), [&](const Result* result) {
-      return !result->failure && contains(result->line_snaps, name);
+      return !result->failure && !contains(result->illegal_line_snaps, name);
     });
     if (legal <= most) continue;
     most = legal;
@@ -87,8 +87,8 @@ void judge_primitive(const Result::Evidence& evidence, const std::string& readin
     if (d.primitive != evidence.primitive || d.kind == DisagreementKind::value) continue;
     d.cause = cause;
     if (!is_line(d)) continue;
-    d.legal = contains(evidence.line_snaps, reading);
-    if (cause == kInteriorGap) d.ruling = 3;
+    d.legal = !contains(evidence.illegal_line_snaps, reading);
+    if (cause == kInteriorGap && d.legal) d.ruling = 3;
   }
 }
 
@@ -105,7 +105,8 @@ Verdict verdict_of(const Result& result, Latitude latitude) {
 }
 
 // FNV-1a, 64 bits, of rule, kind and pixel set. Values inside the permitted interval count by rule
-// only: which of them are off by an ULP may change with the processor. Without a rendering, the
+// only, and beside a violation not at all: which of them are off by an ULP may change with the
+// processor. Without a rendering, the
 // kind of failure stands in its place.
 std::string fingerprint_of(const Result& result) {
   if (result.failure) return name_of(result.failure->kind);
@@ -113,7 +114,8 @@ std::string fingerprint_of(const Result& result) {
   for (const Disagreement& d : result.disagreements)
     lines.insert(fmt::format("{} {} {} {}\n", d.rule, name_of(d.kind), d.x, d.y));
   for (const ValueAggregate& values : result.values)
-    lines.insert(fmt::format("{} {} permitted\n", values.rule, values.attribute));
+    if (result.verdict != Verdict::violation)
+      lines.insert(fmt::format("{} {} permitted\n", values.rule, values.attribute));
   if (lines.empty()) return "";
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const std::string& line : lines)

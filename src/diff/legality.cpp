@@ -89,12 +89,12 @@ Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference&
   return result;
 }
 
-std::vector<std::string> legal_line_snaps(const ScenePrimitive& line,
-                                          std::span<const PixelPosition> drawn,
-                                          const Target& target) {
+std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,
+                                            std::span<const PixelPosition> drawn,
+                                            const Target& target) {
   std::vector<std::string> result;
   for (Snap snap : all_snaps())
-    if (broken_line_clause(seen_line(line, snap, target), drawn).empty())
+    if (!broken_line_clause(seen_line(line, snap, target), drawn).empty())
       result.push_back(name_of(snap));
   return result;
 }

@@ -28,10 +28,10 @@ struct Legality {
 Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
                       int bits);
 
-// Lines: names of the catalogued snaps under which the segment's drawn pixels hold rulings 1 and 2.
-std::vector<std::string> legal_line_snaps(const ScenePrimitive& line,
-                                          std::span<const PixelPosition> drawn,
-                                          const Target& target);
+// Lines: names of the catalogued snaps under which the segment's drawn pixels break a ruling.
+std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,
+                                            std::span<const PixelPosition> drawn,
+                                            const Target& target);
 
 // The clause of rulings 1 and 2 that the segment as given breaks, or empty.
 std::string broken_clause_unsnapped(const ScenePrimitive& line,

@@ -34,8 +34,8 @@ struct Result {
   struct Evidence {
     int primitive = 0;
     std::vector<std::string> causes;
-    std::vector<std::string> line_snaps;  // lines: snaps under which rulings 1 and 2 hold
-    std::string broken_clause;            // lines: what the segment as given breaks, or empty
+    std::vector<std::string> illegal_line_snaps;  // lines: snaps under which rulings 1 and 2 fail
+    std::string broken_clause;  // lines: what the segment as given breaks, or empty
   };
 
   Verdict verdict = Verdict::not_run;
@@ -43,9 +43,9 @@ struct Result {
   std::string fingerprint;         // of rule, kind and pixel set; empty when nothing differs
   std::vector<Disagreement> disagreements;  // complete, sorted by pixel, primitive, kind
   std::vector<ValueAggregate> values;
-  std::vector<Evidence> evidence;       // of the primitives that have a disagreement
-  std::vector<std::string> line_snaps;  // snaps under which every line of the case is legal
-  std::vector<std::uint8_t> pixels;     // RGBA8, bottom row first; empty when not run
+  std::vector<Evidence> evidence;               // of the primitives that have a disagreement
+  std::vector<std::string> illegal_line_snaps;  // snaps under which some line is not legal
+  std::vector<std::uint8_t> pixels;             // RGBA8, bottom row first; empty when not run
   Standing standing = Standing::expected;
   std::string expectation;  // the reason that the matching expectation gives, or why none matches
 };

@@ -46,6 +46,18 @@ bool row_first(PixelPosition a, PixelPosition b) {
   return std::tie(a.y, a.x) < std::tie(b.y, b.x);
 }
 
+// A line with the rows of the target in the order that the choice says.
+std::vector<PixelPosition> line_in_rows(const Segment& segment, Fixed width,
+                                        const PixelBounds& bounds, int height,
+                                        const CoverageChoice& choice) {
+  if (choice.line.rows == RowOrder::bottom_up)
+    return line_pixels(segment, width, bounds, choice.line, choice.ties);
+  auto pixels = line_pixels(turned_over(segment, height), width, turned_over(bounds, height),
+                            choice.line, choice.ties);
+  for (PixelPosition& pixel : pixels) pixel.y = height - 1 - pixel.y;
+  return pixels;
+}
+
 // The double nearest to the middle: the interval is narrower than what any format can hold.
 double middle(Interval value) {
   return value.low / 2 + value.high / 2;
@@ -98,7 +110,7 @@ std::vector<PixelPosition> covered_pixels(const ScenePrimitive& primitive, const
     }
     case PrimitiveKind::line: {
       auto pixels =
-          line_pixels({p[0], p[1]}, primitive.state->line_width, all, choice.line, choice.ties);
+          line_in_rows({p[0], p[1]}, primitive.state->line_width, all, target.height, choice);
       std::sort(pixels.begin(), pixels.end(), row_first);
       return pixels;
     }

@@ -130,7 +130,7 @@ Result::Evidence to_evidence(const Json& json) {
   Result::Evidence evidence;
   evidence.primitive = json.at("primitive");
   evidence.causes = json.at("causes").get<std::vector<std::string>>();
-  evidence.line_snaps = json.value("line_snaps", std::vector<std::string>{});
+  evidence.illegal_line_snaps = json.value("illegal_line_snaps", std::vector<std::string>{});
   evidence.broken_clause = json.value("broken_clause", "");
   return evidence;
 }
@@ -151,7 +151,7 @@ Result to_result(const Json& json, const CaseResults& exact) {
   result.disagreements = to_list<Disagreement>(json.at("disagreements"), to_disagreement);
   result.values = to_list<ValueAggregate>(json.at("values"), to_values);
   result.evidence = to_list<Result::Evidence>(json.at("evidence"), to_evidence);
-  result.line_snaps = json.at("line_snaps").get<std::vector<std::string>>();
+  result.illegal_line_snaps = json.at("illegal_line_snaps").get<std::vector<std::string>>();
   if (json.contains("pixels")) {
     const std::string pixels = json.at("pixels");
     result.pixels = pixels == "exact" ? exact.pixels : to_pixels(pixels, exact.width, exact.height);

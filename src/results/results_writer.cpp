@@ -89,7 +89,7 @@ Json values_json(const ValueAggregate& values) {
 
 Json evidence_json(const Result::Evidence& evidence) {
   Json object = {{"primitive", evidence.primitive}, {"causes", evidence.causes}};
-  if (!evidence.line_snaps.empty()) object["line_snaps"] = evidence.line_snaps;
+  if (!evidence.illegal_line_snaps.empty()) object["illegal_line_snaps"] = evidence.illegal_line_snaps;
   if (!evidence.broken_clause.empty()) object["broken_clause"] = evidence.broken_clause;
   return object;
 }
@@ -112,7 +112,7 @@ Json result_json(const Result& result, const CaseResults& exact) {
   object["disagreements"] = list(result.disagreements, disagreement_json);
   object["values"] = list(result.values, values_json);
   object["evidence"] = list(result.evidence, evidence_json);
-  object["line_snaps"] = result.line_snaps;
+  object["illegal_line_snaps"] = result.illegal_line_snaps;
   // Equal pictures are said to be so, not stored twice.
   if (!result.failure)
     object["pixels"] = result.pixels == exact.pixels ? "exact" : hex(result.pixels);

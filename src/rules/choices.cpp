@@ -25,6 +25,7 @@ LineChoice resolve_line(const Policy& policy, Surface surface) {
   LineChoice result;
   parse_name(chosen_or_standard(policy, surface, "line.algorithm"), result.algorithm);
   parse_name(chosen_or_standard(policy, surface, "line.width"), result.wide);
+  parse_name(chosen_or_standard(policy, surface, "line.row-order"), result.rows);
   result.boundary = find_diamond_boundary(chosen_or_standard(policy, surface, "line.diamond-exit"));
   return result;
 }

@@ -11,9 +11,9 @@
 namespace edgecase {
 namespace {
 
-constexpr const char* kCoverageRules[] = {"point.ownership", "line.diamond-exit",  "line.algorithm",
-                                          "line.width",      "triangle.fill-rule", "point.snap",
-                                          "line.snap",       "triangle.snap"};
+constexpr const char* kCoverageRules[] = {
+    "point.ownership",    "line.diamond-exit", "line.algorithm", "line.width",   "line.row-order",
+    "triangle.fill-rule", "point.snap",        "line.snap",      "triangle.snap"};
 
 using Fragments = std::vector<std::pair<int, PixelPosition>>;
 

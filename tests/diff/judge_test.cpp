@@ -3,6 +3,7 @@
 // What can only be said of a whole run: with which snap its lines are read, and which of several
 // causes is the likeliest.
 #include "diff/judge.h"
+#include "rules/coverage/snap.h"
 
 #include <gtest/gtest.h>
 
@@ -26,6 +27,15 @@ std::string judge_all(std::deque<Result>& results, Latitude latitude = Latitude:
   return judge(pointers(results), latitude);
 }
 
+// All catalogued snaps but these.
+std::vector<std::string> all_but(const std::vector<std::string>& snaps) {
+  std::vector<std::string> result;
+  for (Snap snap : all_snaps())
+    if (std::find(snaps.begin(), snaps.end(), name_of(snap)) == snaps.end())
+      result.push_back(name_of(snap));
+  return result;
+}
+
 // A case with one line that is legal under `snaps`, and differs.
 Result line_result(std::vector<std::string> snaps, std::vector<std::string> causes) {
   Result result;
@@ -34,8 +44,8 @@ Result line_result(std::vector<std::string> snaps, std::vector<std::string> caus
   d.rule = "line.diamond-exit";
   d.ruling = 1;
   result.disagreements = {d};
-  result.line_snaps = snaps;
-  result.evidence = {{0, std::move(causes), std::move(snaps), ""}};
+  result.illegal_line_snaps = all_but(snaps);
+  result.evidence = {{0, std::move(causes), all_but(snaps), ""}};
   return result;
 }
 
@@ -75,7 +85,7 @@ TEST(Judge, ReadsLinesAsGivenWhereThatIsAsGood) {
 TEST(Judge, CasesThatDidNotRunHaveNoVote) {
   std::deque<Result> results = {line_result({"8-truncate"}, {}),
                                 not_run({FailureKind::crashed, "gone"})};
-  results[1].line_snaps = {"none"};
+  results[1].illegal_line_snaps = all_but({"none"});
   EXPECT_EQ(judge_all(results), "8-truncate");
 }
 

@@ -112,6 +112,15 @@ bool coverable(const Corners& triangle, const Spot& sample, const Rational& step
   return where_by_half_planes(triangle, moved(sample, {0, 0})) >= 0;
 }
 
+bool leavable(const Corners& triangle, const Spot& sample, const Rational& step) {
+  auto [a, b, c] = triangle;
+  const int way_round = turn(a, b, c).sign();
+  if (way_round == 0) return true;
+  if (way_round < 0) std::swap(b, c);
+  return !left_however_moved(a, b, sample, step) || !left_however_moved(b, c, sample, step) ||
+         !left_however_moved(c, a, sample, step);
+}
+
 Rational snapped(const Rational& value, int bits, std::string_view rounding) {
   const Rational step(1, Int128{1} << bits);
   const std::int64_t near = (value / step).floor();

@@ -34,6 +34,10 @@ bool left_however_moved(const Spot& a, const Spot& b, const Spot& p, const Ratio
 // sides does, or it lies in it whole.
 bool coverable(const Corners& triangle, const Spot& sample, const Rational& step);
 
+// Can such moves put the sample outside the triangle or on its boundary? Not if it stays strictly
+// inside of all three sides.
+bool leavable(const Corners& triangle, const Spot& sample, const Rational& step);
+
 // The nearest grid value with this many fraction bits, by search; rounding is "half-even",
 // "half-up" or "truncate" (the largest that is not above).
 Rational snapped(const Rational& value, int bits, std::string_view rounding);

@@ -70,8 +70,8 @@ IntegerLine integer_line(PixelPosition a, PixelPosition b, bool x_major, PixelPo
   }
   const int x_step = b.x < a.x ? -1 : 1;
   const int y_step = b.y < a.y ? -1 : 1;
-  return {a.x,    a.y,    x_step * (b.x - a.x), y_step * (b.y - a.y), x_step,
-          y_step, x_step * (p.x - a.x), y_step * (p.y - a.y)};
+  return {a.x,    a.y,    x_step * (b.x - a.x), y_step * (b.y - a.y),
+          x_step, y_step, x_step * (p.x - a.x), y_step * (p.y - a.y)};
 }
 
 IntegerLine bresenham_line(const LineQuestion& q, PixelPosition p) {
@@ -190,8 +190,8 @@ int where_in_parallelogram(const Line& line, const Rational& width, const Place&
   if (a.x == b.x) return -1;
   const Nearby<2> t = (p.x - a.x) * (Rational(1) / (b.x - a.x));
   const Nearby<2> height = p.y - (Nearby<2>(a.y) + t * (b.y - a.y));
-  return std::min({t.sign(), (Nearby<2>(1) - t).sign(),
-                   (Nearby<2>(width * kHalf) - magnitude(height)).sign()});
+  return std::min(
+      {t.sign(), (Nearby<2>(1) - t).sign(), (Nearby<2>(width * kHalf) - magnitude(height)).sign()});
 }
 
 std::vector<PixelPosition> line_pixels(const LineQuestion& question, const PixelBounds& window) {

@@ -12,6 +12,31 @@
 namespace edgecase {
 namespace {
 
+// The two ways to move by a small e, 2^-16 and an e below every number, say the same.
+TEST(SmallGrids, TwoWaysToMoveAgree) {
+  const auto eighths = [](int count) { return oracle::Rational(count, 8); };
+  long produced = 0;
+  for (const TieRule& rule : all_tie_rules()) {
+    if (rule.kind != TieRule::Kind::perturbed) continue;
+    const oracle::Ties ties = oracle::ties_named(rule.name);
+    for (int i = 0; i < 9 * 9 * 9 * 9; ++i) {
+      const oracle::Eighths a{2 * (i % 9), 2 * (i / 9 % 9)};
+      const oracle::Eighths b{2 * (i / 81 % 9), 2 * (i / 729)};
+      const oracle::Line line{{eighths(a.x), eighths(a.y)}, {eighths(b.x), eighths(b.y)}};
+      const bool exits = oracle::exits_diamond(line, oracle::boundary_named(rule.name), 0, 0);
+      ASSERT_EQ(exits, oracle::line_produces(a, b, 0, 0, ties.move)) << rule.name << " " << i;
+      const std::array<oracle::Eighths, 3> triangle{a, b, {12, 4}};
+      const oracle::Corners spots{line.a, line.b, {eighths(12), eighths(4)}};
+      const auto sample = oracle::moved(oracle::centre_of_pixel(0, 0), ties.move);
+      ASSERT_EQ(oracle::where_by_half_planes(spots, sample) > 0,
+                oracle::triangle_produces(triangle, 0, 0, ties.move))
+          << rule.name << " " << i;
+      produced += exits ? 1 : 0;
+    }
+  }
+  EXPECT_GT(produced, 10000);
+}
+
 TEST(SmallGrids, PointsOfEverySize) {
   Tally tally;
   for (const TieRule& rule : all_tie_rules()) {
@@ -90,6 +115,9 @@ TEST(SmallGrids, LatitudeOfTriangles) {
             ASSERT_EQ(robustly_left(a, b, sample, bits),
                       oracle::left_however_moved(spots[0], spots[1], p, step))
                 << describe(Segment{a, b}) << " bits " << bits << " sample " << quarters << "/4";
+            ASSERT_EQ(triangle_possibly_uncovered({a, b, c}, sample, bits),
+                      oracle::leavable(spots, p, step))
+                << describe(Segment{a, b}) << ", " << describe(Segment{b, c}) << " bits " << bits;
             open += coverable && triangle_possibly_uncovered({a, b, c}, sample, bits) ? 1 : 0;
           }
         }

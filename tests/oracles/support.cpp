@@ -56,8 +56,8 @@ oracle::Line oracle_line(const Segment& segment) {
 }
 
 std::vector<PixelPosition> our_pixels(const LineScene& scene, const PixelBounds& window) {
-  auto pixels = line_pixels(scene.segment, scene.width, window, choice_of(scene),
-                            *find_tie_rule(scene.ties));
+  auto pixels =
+      line_pixels(scene.segment, scene.width, window, choice_of(scene), *find_tie_rule(scene.ties));
   std::sort(pixels.begin(), pixels.end());
   return pixels;
 }

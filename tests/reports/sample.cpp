@@ -167,7 +167,7 @@ CaseResults line_case(const std::string& id, const std::string& title, int width
   llvmpipe.fingerprint = "1f0c77ab";
   llvmpipe.evidence = {
       {0, {"line.end=closed", "line.snap=4 + line.end=half"}, {"8-half-even"}, ""}};
-  llvmpipe.line_snaps = {"8-half-even", "none"};
+  llvmpipe.illegal_line_snaps = {"8-half-even", "none"};
 
   Result softpipe = plain(one, bend > 2 ? Verdict::permitted : Verdict::violation,
                           bend > 2 ? Standing::expected : Standing::unexpected);

@@ -74,8 +74,8 @@ void expect_values(const ValueAggregate& a, const ValueAggregate& b) {
 }
 
 void expect_result(const Result& a, const Result& b) {
-  EXPECT_EQ(std::tie(a.verdict, a.fingerprint, a.line_snaps, a.pixels, a.standing, a.expectation),
-            std::tie(b.verdict, b.fingerprint, b.line_snaps, b.pixels, b.standing, b.expectation));
+  EXPECT_EQ(std::tie(a.verdict, a.fingerprint, a.illegal_line_snaps, a.pixels, a.standing, a.expectation),
+            std::tie(b.verdict, b.fingerprint, b.illegal_line_snaps, b.pixels, b.standing, b.expectation));
   ASSERT_EQ(a.failure.has_value(), b.failure.has_value());
   if (a.failure) {
     EXPECT_EQ(a.failure->kind, b.failure->kind);
@@ -89,8 +89,8 @@ void expect_result(const Result& a, const Result& b) {
   ASSERT_EQ(a.evidence.size(), b.evidence.size());
   for (std::size_t i = 0; i < a.evidence.size(); ++i) {
     const auto &e = a.evidence[i], &f = b.evidence[i];
-    EXPECT_EQ(std::tie(e.primitive, e.causes, e.line_snaps, e.broken_clause),
-              std::tie(f.primitive, f.causes, f.line_snaps, f.broken_clause));
+    EXPECT_EQ(std::tie(e.primitive, e.causes, e.illegal_line_snaps, e.broken_clause),
+              std::tie(f.primitive, f.causes, f.illegal_line_snaps, f.broken_clause));
   }
 }
 

@@ -63,12 +63,20 @@ def places(fragments):
     return sorted((f["x"], f["y"], f["primitive"]) for f in fragments)
 
 
+# What a renderer is known not to render, and why: llvmpipe's passes contradict each other there.
+KNOWN_NOT_RUN = {
+    ("egl:llvmpipe", "surfaces/snapping:surface=window:d=0.001953125"): "contradict each other",
+}
+
+
 @functools.lru_cache(maxsize=None)
 def rendered_suite(renderer="exact"):
     """What `edgecase render` makes of the whole suite: id -> rendering."""
     run = subprocess.run([EDGECASE, "render", SUITE, "--with", renderer, "--json", "-"],
-                         env=environment(), capture_output=True, text=True, timeout=PATIENCE,
-                         check=True)
+                         env=environment(), capture_output=True, text=True, timeout=PATIENCE)
+    known = [key for key in KNOWN_NOT_RUN if key[0] == renderer]
+    if run.returncode != (4 if known else 0) or len(run.stderr.splitlines()) != len(known):
+        raise AssertionError(f"exit {run.returncode}: {run.stderr}")
     renderings = [json.loads(line) for line in run.stdout.splitlines()]
     return {rendering["id"]: rendering for rendering in renderings}
 

@@ -18,5 +18,6 @@ void add_validate_command(CLI::App& app, ExitCode& exit);
 void add_bless_command(CLI::App& app, ExitCode& exit);
 void add_report_command(CLI::App& app, ExitCode& exit);
 void add_separation_command(CLI::App& app, ExitCode& exit);
+void add_draw_command(CLI::App& app, ExitCode& exit);
 
 }  // namespace edgecase

@@ -260,7 +260,17 @@ Rule diamond_exit_rule() {
        "count as seen or unseen, whichever is kinder."},
       {2,
        "Lines whose set of diamond-exit fragments is empty: at most one fragment, and the segment "
-       "meets its closed diamond."},
+       "meets its closed diamond."}};
+  return rule;
+}
+
+Rule interior_gap_rule() {
+  Rule rule;
+  rule.id = "line.interior-gap";
+  rule.title = "A line has no gap between its fragments";
+  rule.spec = "14.5.1 (basic line segment rasterization)";
+  rule.latitude = "one missing fragment passes the letter of the relaxed rules";
+  rule.rulings = {
       {3,
        "Lines: a gap inside a segment, one fragment missing with others on both sides, passes the "
        "letter of the relaxed rules. It is permitted, and its cause is line.interior-gap."}};

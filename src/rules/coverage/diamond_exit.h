@@ -26,6 +26,7 @@
 namespace edgecase {
 
 Rule diamond_exit_rule();
+Rule interior_gap_rule();
 
 // Does the segment meet the diamond of pixel (x, y)?
 bool meets_diamond(const Segment& segment, int x, int y, const DiamondBoundary& boundary);

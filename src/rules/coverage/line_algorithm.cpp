@@ -137,6 +137,28 @@ bool parse_name(std::string_view name, WideLine& wide) {
   return false;
 }
 
+const char* name_of(RowOrder order) {
+  return order == RowOrder::bottom_up ? "bottom-up" : "top-down";
+}
+
+bool parse_name(std::string_view name, RowOrder& order) {
+  for (RowOrder candidate : {RowOrder::bottom_up, RowOrder::top_down}) {
+    if (name != name_of(candidate)) continue;
+    order = candidate;
+    return true;
+  }
+  return false;
+}
+
+Segment turned_over(const Segment& segment, int height) {
+  const auto over = [&](Point p) { return Point{p.x, Fixed::from_integer(height) - p.y}; };
+  return {over(segment.a), over(segment.b)};
+}
+
+PixelBounds turned_over(const PixelBounds& bounds, int height) {
+  return {bounds.x_min, height - 1 - bounds.y_max, bounds.x_max, height - 1 - bounds.y_min};
+}
+
 int rounded_width(Fixed width) {
   return static_cast<int>(
       std::max<std::int64_t>(1, (width + Fixed::from_raw(Fixed::kOne / 2)).floor()));
@@ -173,6 +195,19 @@ Rule line_algorithm_rule() {
   rule.standard = "diamond-exit";
   for (const Entry& entry : kEntries)
     rule.alternatives.push_back({entry.name, Openness::open, entry.meaning});
+  return rule;
+}
+
+Rule line_row_order_rule() {
+  Rule rule;
+  rule.id = "line.row-order";
+  rule.title = "Lines are decided with y up, as window coordinates have it";
+  rule.spec = "14.5.1 (basic line segment rasterization)";
+  rule.latitude = "any, as long as rulings 1, 2 and 12 hold";
+  rule.standard = "bottom-up";
+  rule.alternatives = {
+      {"bottom-up", Openness::open, "ties and rounding see y up"},
+      {"top-down", Openness::open, "the target is seen upside down: ties and rounding see y down"}};
   return rule;
 }
 

@@ -101,27 +101,43 @@ std::map<int, std::vector<int>> columns_of(const SeenLine& line,
   return columns;
 }
 
+// The place on the minor axis of the fragment that the diamond-exit rule has nearest to a column.
+int exact_minor_near(std::span<const PixelPosition> exact, int major, bool x_major) {
+  const auto distance = [&](PixelPosition p) { return std::abs((x_major ? p.x : p.y) - major); };
+  const auto nearest =
+      std::min_element(exact.begin(), exact.end(),
+                       [&](PixelPosition a, PixelPosition b) { return distance(a) < distance(b); });
+  return x_major ? nearest->y : nearest->x;
+}
+
 // Ruling 12.
 std::string broken_wide_clause(const SeenLine& line, std::span<const PixelPosition> drawn) {
   const bool x_major = line.segment.x_major();
   const int low = x_major ? line.bounds.y_min : line.bounds.x_min;
   const int high = x_major ? line.bounds.y_max : line.bounds.x_max;
+  const Segment thin = lowest_segment(line.segment, line.width);
+  PixelBounds bounds = line.bounds;
+  (x_major ? bounds.y_min : bounds.x_min) -= line.width - 1;
+  const auto exact = nearby_pixels(thin, bounds);
+
   std::vector<PixelPosition> lowest;
   for (const auto& [major, minors] : columns_of(line, drawn)) {
     const int run = static_cast<int>(minors.size());
     const bool whole = minors.back() - minors.front() == run - 1 &&
                        std::adjacent_find(minors.begin(), minors.end()) == minors.end();
-    const bool cut = run < line.width && (minors.front() == low || minors.back() == high);
-    if (!whole || (run != line.width && !cut))
+    const bool cut_below = run < line.width && minors.front() == low;
+    const bool cut_above = run < line.width && minors.back() == high;
+    if (!whole || (run != line.width && !cut_below && !cut_above))
       return fmt::format("{} {} holds {} fragments, not one run of {}", x_major ? "column" : "row",
                          major, run, line.width);
-    // What the lower border cuts goes on below it.
-    const int base = cut && minors.front() == low ? minors.back() - line.width + 1 : minors.front();
+    // What the lower border cuts goes on below it; a run that both borders cut is taken to lie as
+    // near to where the rule has it as it can.
+    int base = cut_below ? minors.back() - line.width + 1 : minors.front();
+    if (cut_below && cut_above && !exact.empty())
+      base = std::clamp(exact_minor_near(exact, major, x_major), base, low);
     lowest.push_back(x_major ? PixelPosition{major, base} : PixelPosition{base, major});
   }
-  PixelBounds bounds = line.bounds;
-  (x_major ? bounds.y_min : bounds.x_min) -= line.width - 1;
-  return broken_thin_clause(lowest_segment(line.segment, line.width), lowest, bounds);
+  return broken_thin_clause(thin, lowest, bounds);
 }
 
 }  // namespace

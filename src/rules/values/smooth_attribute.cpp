@@ -177,7 +177,13 @@ Rule smooth_attribute_rule() {
        "Smooth attributes and depth: permitted is what the interpolation formula yields when every "
        "operation may err by 1 part in 10^5 and every vertex may have moved by less than 2^-b (b "
        "as "
-       "in ruling 4). Equal to the correctly rounded exact value is agreement."}};
+       "in ruling 4). Equal to the correctly rounded exact value is agreement."},
+      {13,
+       "Attributes across a wide line: the text does not say whether the fragments of a column "
+       "share "
+       "the value of the fragment that they replicate or have that of their own centres. Exact "
+       "takes "
+       "their own; permitted is what any fragment of such a column may have."}};
   return rule;
 }
 
