@@ -18,6 +18,7 @@ namespace {
 
 struct ExplainCommand {
   std::string path;
+  std::vector<std::string> filters;
   std::string pixel;
   PolicyOptions policy;
   SuiteRunOptions run;
@@ -78,6 +79,7 @@ void print_result(const Result& result, const RendererInfo& info, std::optional<
 ExitCode explain(const ExplainCommand& command) {
   Selection selection;
   selection.paths = {command.path};
+  selection.filters = command.filters;
   const auto policy = command.policy.load(selection);
   if (!policy) return ExitCode::usage;
   const Suite suite = load_suite(selection);
@@ -120,6 +122,8 @@ void add_explain_command(CLI::App& app, ExitCode& exit) {
       "explain", "Say why pixels of a case are drawn, and why a renderer differs");
   auto options = std::make_shared<ExplainCommand>();
   command->add_option("case", options->path, "Case file")->required();
+  add_repeatable(*command, "--filter", options->filters,
+                 "Only the cases of the file whose id matches this glob; repeatable");
   command->add_option("--pixel", options->pixel, "X,Y: only this pixel, y up");
   options->policy.add_to(*command);
   options->run.add_to(*command);
