@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <string_view>
 
 #include "raster/rasterizer.h"
@@ -139,6 +140,36 @@ std::vector<std::string> find_causes(const ScenePrimitive& primitive, const Targ
       is_interior_gap(primitive, coverage))
     causes.push_back(kInteriorGap);
   return causes;
+}
+
+std::span<const std::string> alternative_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const char* id :
+         {"point.ownership", "point.snap", "line.algorithm", "line.diamond-exit", "line.width",
+          "line.row-order", "line.snap", "triangle.fill-rule", "triangle.snap"})
+      for (const Alternative& alternative : find_rule(id)->alternatives)
+        list.push_back(fmt::format("{}={}", id, alternative.name));
+    return list;
+  }();
+  return names;
+}
+
+void mark_refuted(const ScenePrimitive& primitive, const Target& target,
+                  const CoverageChoice& chosen, const PrimitiveCoverage& coverage,
+                  std::string& refuted) {
+  static const auto places = [] {
+    std::map<std::string, std::size_t> map;
+    for (const std::string& name : alternative_names()) map.emplace(name, map.size());
+    return map;
+  }();
+  for (const RuleAlternatives& rule : alternatives_beside(primitive, chosen))
+    for (const Change& change : rule) {
+      char& mark = refuted[places.at(change.cause)];
+      if (mark == '1') continue;
+      if (covered_pixels(primitive, target, change.applied_to(chosen)) != coverage.drawn)
+        mark = '1';
+    }
 }
 
 bool is_open_choice(const std::string& cause) {

@@ -24,6 +24,16 @@ std::vector<std::string> find_causes(const ScenePrimitive& primitive, const Targ
                                      const CoverageChoice& chosen,
                                      const PrimitiveCoverage& coverage);
 
+// Every single alternative of the coverage rules as a cause, in one fixed order.
+std::span<const std::string> alternative_names();
+
+// Evidence against alternatives: the renderer draws this primitive as exact does, so what would
+// draw it otherwise is not what the renderer follows. Marks those in `refuted` (see
+// Result::refuted).
+void mark_refuted(const ScenePrimitive& primitive, const Target& target,
+                  const CoverageChoice& chosen, const PrimitiveCoverage& coverage,
+                  std::string& refuted);
+
 // Does the specification leave open every alternative that a cause names?
 bool is_open_choice(const std::string& cause);
 

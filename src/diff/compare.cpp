@@ -121,7 +121,11 @@ void judge_line(const ScenePrimitive& line, const PrimitiveCoverage& coverage, c
 void compare_primitive(const ScenePrimitive& primitive, const PrimitiveCoverage& coverage,
                        const Context& context, Result& result) {
   const auto found = differences(coverage);
-  if (found.empty()) return;
+  const CoverageChoice& chosen = context.choices.of(primitive.kind);
+  if (found.empty()) {
+    mark_refuted(primitive, context.scene.target, chosen, coverage, result.refuted);
+    return;
+  }
   for (const CoverageDifference& difference : found) {
     if ((difference.drawn > 0) != (difference.exact > 0))
       result.disagreements.push_back(coverage_disagreement(primitive, difference, context));
@@ -129,8 +133,7 @@ void compare_primitive(const ScenePrimitive& primitive, const PrimitiveCoverage&
   }
   Result::Evidence evidence;
   evidence.primitive = primitive.index;
-  evidence.causes =
-      find_causes(primitive, context.scene.target, context.choices.of(primitive.kind), coverage);
+  evidence.causes = find_causes(primitive, context.scene.target, chosen, coverage);
   if (primitive.kind == PrimitiveKind::line)
     judge_line(primitive, coverage, context.scene.target, evidence, result);
   result.evidence.push_back(std::move(evidence));
@@ -189,6 +192,7 @@ Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
 
   Result result;
   result.pixels = rendered.pixels;
+  result.refuted.assign(alternative_names().size(), '0');
   for (const ScenePrimitive& primitive : primitives)
     compare_primitive(primitive, coverage[static_cast<std::size_t>(primitive.index)],
                       {scene, choices, bits}, result);

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "diff/cause.h"
@@ -46,9 +49,10 @@ std::vector<std::string> parts_of(const std::string& cause) {
   return parts;
 }
 
-using Counts = std::map<std::string, std::size_t>;
+using Counts = std::map<std::string, std::ptrdiff_t>;
 
-// How many primitives of the run each alternative helps to reproduce, alone or with another.
+// How many primitives of the run each alternative helps to reproduce, alone or with another, less
+// the cases that refute it.
 Counts count_alternatives(std::span<Result* const> results) {
   Counts counts;
   for (const Result* result : results) {
@@ -58,18 +62,20 @@ Counts count_alternatives(std::span<Result* const> results) {
         for (const std::string& part : parts_of(cause)) helpful.insert(part);
       for (const std::string& part : helpful) ++counts[part];
     }
+    for (std::size_t i = 0; i < result->refuted.size(); ++i)
+      if (result->refuted[i] == '1') --counts[alternative_names()[i]];
   }
   return counts;
 }
 
-// The candidate whose alternatives explain most of the run; the first in catalogue order of those
-// that tie.
+// The candidate whose alternatives explain most of the run, one that the specification leaves open
+// before one that it does not; the first in catalogue order of those that tie.
 std::string choose_cause(const Result::Evidence& evidence, const Counts& counts) {
   std::string best;
-  std::size_t most = 0;
+  std::pair most{false, std::numeric_limits<std::ptrdiff_t>::min()};
   for (const std::string& cause : evidence.causes) {
-    std::size_t score = 0;
-    for (const std::string& part : parts_of(cause)) score += counts.at(part);
+    std::pair<bool, std::ptrdiff_t> score{is_open_choice(cause), 0};
+    for (const std::string& part : parts_of(cause)) score.second += counts.at(part);
     if (score <= most) continue;
     most = score;
     best = cause;

@@ -45,7 +45,10 @@ struct Result {
   std::vector<ValueAggregate> values;
   std::vector<Evidence> evidence;               // of the primitives that have a disagreement
   std::vector<std::string> illegal_line_snaps;  // snaps under which some line is not legal
-  std::vector<std::uint8_t> pixels;             // RGBA8, bottom row first; empty when not run
+  // A character per alternative of the catalogue (alternative_names in diff/cause.h): '1' where
+  // some primitive that agrees with exact would not do so under that alternative, else '0'.
+  std::string refuted;
+  std::vector<std::uint8_t> pixels;  // RGBA8, bottom row first; empty when not run
   Standing standing = Standing::expected;
   std::string expectation;  // the reason that the matching expectation gives, or why none matches
 };

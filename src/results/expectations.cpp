@@ -36,26 +36,25 @@ std::string reason_from(const Result& result) {
     return fmt::format("{}: {}", name_of(result.failure->kind), result.failure->reason);
   std::set<std::string> rules;
   std::set<std::string> causes;
-  bool unexplained = false;
+  std::set<int> broken;
   for (const Disagreement& d : result.disagreements) {
     rules.insert(d.rule);
-    if (d.cause.empty())
-      unexplained = true;
-    else
-      causes.insert(d.cause);
+    causes.insert(d.cause);
+    if (!d.legal) broken.insert(d.ruling);
   }
+  const bool unexplained = causes.erase("") > 0;
   std::string text;
-  if (!rules.empty()) {
+  if (!rules.empty())
     text = fmt::format("{} by {}",
                        result.disagreements.size() == 1
                            ? "one difference"
                            : fmt::format("{} differences", result.disagreements.size()),
                        fmt::join(rules, ", "));
-    if (!causes.empty()) text += fmt::format("; it follows {}", fmt::join(causes, " and "));
-    if (unexplained)
-      text += causes.empty() ? "; no catalogued alternative draws this"
-                             : "; some follow no catalogued alternative";
-  }
+  if (!broken.empty()) text += fmt::format(", against ruling {}", fmt::join(broken, ", "));
+  if (!causes.empty()) text += fmt::format("; it follows {}", fmt::join(causes, " and "));
+  if (unexplained)
+    text += causes.empty() ? "; no catalogued alternative draws this"
+                           : "; some follow no catalogued alternative";
   for (const ValueAggregate& values : result.values)
     text += fmt::format("{}{} rounded otherwise than exactly, within what is permitted",
                         text.empty() ? "" : "; ", values.attribute);

@@ -152,6 +152,7 @@ Result to_result(const Json& json, const CaseResults& exact) {
   result.values = to_list<ValueAggregate>(json.at("values"), to_values);
   result.evidence = to_list<Result::Evidence>(json.at("evidence"), to_evidence);
   result.illegal_line_snaps = json.at("illegal_line_snaps").get<std::vector<std::string>>();
+  result.refuted = json.at("refuted");
   if (json.contains("pixels")) {
     const std::string pixels = json.at("pixels");
     result.pixels = pixels == "exact" ? exact.pixels : to_pixels(pixels, exact.width, exact.height);

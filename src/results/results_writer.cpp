@@ -113,6 +113,7 @@ Json result_json(const Result& result, const CaseResults& exact) {
   object["values"] = list(result.values, values_json);
   object["evidence"] = list(result.evidence, evidence_json);
   object["illegal_line_snaps"] = result.illegal_line_snaps;
+  object["refuted"] = result.refuted;
   // Equal pictures are said to be so, not stored twice.
   if (!result.failure)
     object["pixels"] = result.pixels == exact.pixels ? "exact" : hex(result.pixels);

@@ -9,6 +9,7 @@
 
 #include <deque>
 
+#include "diff/cause.h"
 #include "diff/compare.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
@@ -101,6 +102,30 @@ TEST(Judge, TheCauseThatExplainsMostOfTheRunWins) {
   std::deque<Result> tied = {triangle_result({a, b}), triangle_result({a, b})};
   judge_all(tied);
   EXPECT_EQ(tied[0].disagreements[0].cause, a) << "of several that tie, the first of the catalogue";
+}
+
+// An agreeing case that an alternative would have drawn otherwise speaks against it.
+TEST(Judge, WhatAgreeingCasesRefuteIsNotTheCause) {
+  const std::string a = "triangle.snap=8-half-even", b = "triangle.snap=4-half-even";
+  Result agreeing;
+  agreeing.refuted.assign(alternative_names().size(), '0');
+  const auto names = alternative_names();
+  agreeing
+      .refuted[static_cast<std::size_t>(std::find(names.begin(), names.end(), a) - names.begin())] =
+      '1';
+  std::deque<Result> results = {triangle_result({a, b}), triangle_result({a, b}), agreeing};
+  judge_all(results);
+  EXPECT_EQ(results[0].disagreements[0].cause, b);
+  EXPECT_EQ(results[2].verdict, Verdict::agree);
+}
+
+TEST(Judge, AnOpenChoiceComesBeforeAnIllegalOne) {
+  const std::string illegal = "triangle.fill-rule=closed", open = "triangle.fill-rule=left-bottom";
+  std::deque<Result> results = {triangle_result({illegal, open}), triangle_result({illegal}),
+                                triangle_result({illegal})};
+  judge_all(results);
+  EXPECT_EQ(results[0].disagreements[0].cause, open);
+  EXPECT_EQ(results[1].disagreements[0].cause, illegal);
 }
 
 TEST(Judge, OnlyOpenChoicesAreConvention) {

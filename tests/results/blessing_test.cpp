@@ -48,9 +48,13 @@ TEST(PlanBlessing, NamesNewChangedAndGoneEntriesOnly) {
 TEST(PlanBlessing, MakesAReasonOfWhatWasFound) {
   Results results =
       results_with({Verdict::convention, Verdict::permitted, Verdict::not_run, Verdict::permitted});
-  for (Disagreement& d : results.cases[0].results[0].disagreements)
+  for (Disagreement& d : results.cases[0].results[0].disagreements) {
     d.cause = "triangle.fill-rule=left-bottom";
+    d.legal = true;
+  }
   results.cases[1].results[0].disagreements.resize(1);
+  results.cases[1].results[0].disagreements[0].legal = false;
+  results.cases[1].results[0].disagreements[0].ruling = 4;
   results.cases[3].results[0].disagreements.clear();
   results.cases[3].results[0].values.resize(1);
   results.cases[3].results[0].values[0].attribute = "color";
@@ -59,7 +63,8 @@ TEST(PlanBlessing, MakesAReasonOfWhatWasFound) {
   EXPECT_EQ(changes[0].after->reason,
             "2 differences by triangle.fill-rule; it follows triangle.fill-rule=left-bottom");
   EXPECT_EQ(changes[1].after->reason,
-            "one difference by triangle.fill-rule; no catalogued alternative draws this");
+            "one difference by triangle.fill-rule, against ruling 4; no catalogued alternative "
+            "draws this");
   EXPECT_EQ(changes[2].after->reason, "crashed: signal 11");
   EXPECT_EQ(changes[3].after->reason,
             "color rounded otherwise than exactly, within what is permitted");

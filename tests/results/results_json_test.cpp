@@ -74,8 +74,11 @@ void expect_values(const ValueAggregate& a, const ValueAggregate& b) {
 }
 
 void expect_result(const Result& a, const Result& b) {
-  EXPECT_EQ(std::tie(a.verdict, a.fingerprint, a.illegal_line_snaps, a.pixels, a.standing, a.expectation),
-            std::tie(b.verdict, b.fingerprint, b.illegal_line_snaps, b.pixels, b.standing, b.expectation));
+  EXPECT_EQ(a.refuted, b.refuted);
+  EXPECT_EQ(
+      std::tie(a.verdict, a.fingerprint, a.illegal_line_snaps, a.pixels, a.standing, a.expectation),
+      std::tie(b.verdict, b.fingerprint, b.illegal_line_snaps, b.pixels, b.standing,
+               b.expectation));
   ASSERT_EQ(a.failure.has_value(), b.failure.has_value());
   if (a.failure) {
     EXPECT_EQ(a.failure->kind, b.failure->kind);

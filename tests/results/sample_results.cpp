@@ -60,6 +60,7 @@ Result full_result() {
   result.values = {aggregate()};
   result.evidence = {{4, {"a=b", "c=d + e=f"}, {"none", "8-half-even"}, "column 3 holds two"}, {}};
   result.illegal_line_snaps = {"none", "8-truncate"};
+  result.refuted = "0110";
   result.pixels = {9, 8, 7, 6, 5, 4, 3, 255};
   result.standing = Standing::changed;
   result.expectation = kHostile;
