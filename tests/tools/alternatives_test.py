@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""Policies, and whether the suite tells alternatives apart: --policy, separation, draw."""
+import re
+import unittest
+
+from support import ROOT, SUITE, UNEXPECTED, USAGE, CommandTest, verdicts
+
+POLICIES = sorted(path.stem for path in (ROOT / "cases/policies").glob("*.json"))
+ALL_DIFFER = f"{SUITE}/lines/algorithms/all-differ.json"
+
+
+class Policies(CommandTest):
+    def test_there_are_those_of_the_design(self):
+        self.assertEqual(POLICIES, ["cs184", "direct3d-11", "mit-6837", "scotty3d",
+                                    "vulkan-strict"])
+
+    def test_exact_under_each_agrees_with_itself(self):
+        for policy in POLICIES:
+            with self.subTest(policy=policy):
+                results = self.results(SUITE, "--policy", policy, "--against", "exact")
+                self.assertEqual(results["policy"], policy)
+                self.assertEqual(set(verdicts(results).values()), {"agree"})
+
+    def test_each_draws_its_own_picture(self):
+        pictures = {self.command("render", SUITE, "--policy", policy, "--json", "-").stdout
+                    for policy in ["opengl", *POLICIES]}
+        self.assertEqual(len(pictures), 1 + len(POLICIES))
+
+    def test_none_grants_latitude(self):
+        for policy in POLICIES:
+            results = self.results(SUITE, "--policy", policy, "--against", "osmesa:softpipe",
+                                   "--filter", "triangles/ties/*", expect=UNEXPECTED)
+            self.assertLessEqual(set(verdicts(results).values()), {"agree", "violation"})
+
+    def test_an_unknown_one_is_told_the_names(self):
+        told = self.command("run", SUITE, "--policy", "direct3d", expect=USAGE).stderr
+        for policy in ["opengl", *POLICIES]:
+            self.assertIn(policy, told)
+
+
+class Alternatives(CommandTest):
+    def test_every_pair_is_told_apart_by_ten_cases_and_ties_abound(self):
+        out = self.command("separation", SUITE, "--least", 10).stdout
+        cases, share = re.match(r"(\d+) cases, \d+ of them \(([\d.]+) %\) with a tie", out).groups()
+        self.assertGreaterEqual(int(cases), 5000)
+        self.assertGreaterEqual(float(share), 30)
+        rules = re.findall(r"^(\S+): \d+ alternatives, every pair told apart by at least (\d+)",
+                           out, re.MULTILINE)
+        self.assertGreaterEqual(len(rules), 9)
+        for rule, least in rules:
+            self.assertGreaterEqual(int(least), 10, rule)
+
+    def test_too_few_cases_are_said_to_be(self):
+        out = self.command("separation", ALL_DIFFER, "--least", 1, expect=UNEXPECTED).stdout
+        self.assertIn("bresenham and bresenham-toward-zero: 0 cases", out)
+
+    def test_the_picture_in_the_documents_is_what_the_program_draws(self):
+        drawn = self.folder / "drawn.svg"
+        self.command("draw", ALL_DIFFER, "--svg", drawn)
+        self.assertEqual(drawn.read_bytes(),
+                         (ROOT / "reports/images/line-algorithms.svg").read_bytes())
+
+    def test_as_text(self):
+        out = self.command("draw", ALL_DIFFER).stdout
+        self.assertIn("diamond-exit\n..........\n..........\n...####...\n..........\n", out)
+        self.command("draw", ALL_DIFFER, "--rule", "no.rule", expect=USAGE)
+
+
+if __name__ == "__main__":
+    unittest.main()
