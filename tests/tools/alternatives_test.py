@@ -32,6 +32,16 @@ class Policies(CommandTest):
                                    "--filter", "triangles/ties/*", expect=UNEXPECTED)
             self.assertLessEqual(set(verdicts(results).values()), {"agree", "violation"})
 
+    def test_one_that_opengl_does_not_allow_cannot_grant_its_latitude(self):
+        policy = {"name": "mine", "latitude": "opengl", "rules": {"triangle.fill-rule": "closed"}}
+        path = self.write("mine.json", policy)
+        told = self.command("run", SUITE, "--policy", path, "--against", "exact",
+                            expect=USAGE).stderr
+        self.assertIn("mine.json: triangle.fill-rule=closed is not what OpenGL allows", told)
+        self.results(SUITE, "--policy", path, "--strict", "--against", "exact")
+        self.results(SUITE, "--policy", self.write("mine.json", policy | {"latitude": "none"}),
+                     "--against", "exact")
+
     def test_an_unknown_one_is_told_the_names(self):
         told = self.command("run", SUITE, "--policy", "direct3d", expect=USAGE).stderr
         for policy in ["opengl", *POLICIES]:

@@ -89,6 +89,28 @@ std::optional<std::filesystem::path> policy_file(const std::string& policy,
   return std::nullopt;
 }
 
+// The first choice of a policy that OpenGL does not allow, as "rule=alternative"; empty: none.
+std::string illegal_choice(const Policy& policy) {
+  std::vector<const Choices*> all = {&policy.rules};
+  for (const auto& [surface, choices] : policy.surfaces) all.push_back(&choices);
+  for (const Choices* choices : all)
+    for (const auto& [id, name] : *choices)
+      if (find_alternative(*find_rule(id), name)->openness == Openness::illegal)
+        return id + "=" + name;
+  return "";
+}
+
+// What agrees with such a policy need not agree with OpenGL, and must not be called so.
+bool may_grant_latitude(const Policy& policy, const std::filesystem::path& file) {
+  const std::string choice = illegal_choice(policy);
+  if (policy.latitude == Latitude::none || choice.empty()) return true;
+  print_error(
+      fmt::format("{}: {} is not what OpenGL allows, so the policy cannot grant OpenGL's "
+                  "latitude; write \"latitude\": \"none\", or run with --strict",
+                  file.string(), choice));
+  return false;
+}
+
 }  // namespace
 
 void add_repeatable(CLI::App& command, const std::string& name, std::vector<std::string>& values,
@@ -138,6 +160,7 @@ std::optional<Policy> PolicyOptions::load(const Selection& selection) const {
     print_diagnostics(loaded.diagnostics);
     if (!loaded.value) return std::nullopt;
     result = std::move(*loaded.value);
+    if (!strict && !may_grant_latitude(result, *file)) return std::nullopt;
   }
   if (strict) result.latitude = Latitude::none;
   return result;
