@@ -172,17 +172,24 @@ void mark_refuted(const ScenePrimitive& primitive, const Target& target,
     }
 }
 
-bool is_open_choice(const std::string& cause) {
+std::vector<std::string> parts_of(const std::string& cause) {
+  std::vector<std::string> parts;
   for (std::size_t at = 0; at < cause.size();) {
     const std::size_t end = std::min(cause.find(" + ", at), cause.size());
-    const std::string part = cause.substr(at, end - at);
+    parts.push_back(cause.substr(at, end - at));
+    at = end + 3;
+  }
+  return parts;
+}
+
+bool is_open_choice(const std::string& cause) {
+  for (const std::string& part : parts_of(cause)) {
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos) return false;
     const Rule* rule = find_rule(part.substr(0, equals));
     const Alternative* alternative =
         rule != nullptr ? find_alternative(*rule, part.substr(equals + 1)) : nullptr;
     if (alternative == nullptr || alternative->openness == Openness::illegal) return false;
-    at = end + 3;
   }
   return !cause.empty();
 }

@@ -34,6 +34,9 @@ void mark_refuted(const ScenePrimitive& primitive, const Target& target,
                   const CoverageChoice& chosen, const PrimitiveCoverage& coverage,
                   std::string& refuted);
 
+// The alternatives of a cause: what stands between " + ".
+std::vector<std::string> parts_of(const std::string& cause);
+
 // Does the specification leave open every alternative that a cause names?
 bool is_open_choice(const std::string& cause);
 

@@ -82,21 +82,19 @@ Component make_component(Interpolant interpolant, const Place& place, int bits, 
   return result;
 }
 
+bool shows(const Fragment& fragment, const Color& color) {
+  return std::equal(color.begin(), color.end(), fragment.color.begin(),
+                    [](float a, double b) { return a == static_cast<float>(b); });
+}
+
 // The vertex whose colour a flat fragment shows against the scene's convention, as a cause.
 std::string wrong_provoking_vertex(const ScenePrimitive& primitive, const Fragment& fragment) {
   for (const auto& [choice, name] :
        {std::pair{ProvokingChoice::first, "first"}, std::pair{ProvokingChoice::last, "last"}}) {
-    const Color& color = primitive.vertices[provoking_index(primitive, choice)]->color;
-    if (std::equal(color.begin(), color.end(), fragment.color.begin(),
-                   [](float a, double b) { return static_cast<double>(a) == b; }))
+    if (shows(fragment, primitive.vertices[provoking_index(primitive, choice)]->color))
       return fmt::format("attribute.provoking-vertex={}", name);
   }
   return "";
-}
-
-bool shows(const Fragment& fragment, const Color& color) {
-  return std::equal(color.begin(), color.end(), fragment.color.begin(),
-                    [](float a, double b) { return a == static_cast<float>(b); });
 }
 
 void compare_flat_color(const ValueContext& context, const ScenePrimitive& primitive,
@@ -169,10 +167,7 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
   ValueAggregator depths("depth", "fragment.depth", 9);
   for (const Fragment& f : rendered.fragments) {
     const ScenePrimitive& primitive = context.primitives[static_cast<std::size_t>(f.primitive)];
-    const Place place{{f.x, f.y},
-                      primitive.state->line_width == Fixed::from_integer(1)
-                          ? 1
-                          : rounded_width(primitive.state->line_width)};
+    const Place place{{f.x, f.y}, rounded_width(primitive.state->line_width)};
     if (f.has_color && primitive.state->interpolation == Interpolation::flat) {
       compare_flat_color(context, primitive, f, result);
     } else if (f.has_color) {

@@ -38,17 +38,6 @@ std::string choose_line_reading(std::span<Result* const> results) {
   return best;
 }
 
-// The alternatives of a cause: what stands between " + ".
-std::vector<std::string> parts_of(const std::string& cause) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at < cause.size();) {
-    const std::size_t end = std::min(cause.find(" + ", at), cause.size());
-    parts.push_back(cause.substr(at, end - at));
-    at = end + 3;
-  }
-  return parts;
-}
-
 using Counts = std::map<std::string, std::ptrdiff_t>;
 
 // How many primitives of the run each alternative helps to reproduce, alone or with another, less

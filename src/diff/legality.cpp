@@ -24,10 +24,9 @@ Triangle triangle_of(const ScenePrimitive& primitive) {
 }
 
 SeenLine seen_line(const ScenePrimitive& line, Snap snap, const Target& target) {
-  return {
-      {snap(line.vertices[0]->position), snap(line.vertices[1]->position)},
-      line.state->line_width == Fixed::from_integer(1) ? 1 : rounded_width(line.state->line_width),
-      drawable_bounds(*line.state, target)};
+  return {{snap(line.vertices[0]->position), snap(line.vertices[1]->position)},
+          rounded_width(line.state->line_width),
+          drawable_bounds(*line.state, target)};
 }
 
 SizedPoint point_of(const ScenePrimitive& primitive) {
