@@ -37,6 +37,8 @@ GLenum mode_of(Primitive primitive) {
 }
 
 void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw) {
+  // GL_RASTERIZER_DISCARD is missing: nothing here turns it on, and a driver without transform
+  // feedback raises an error (zink over SwiftShader).
   constexpr GLenum kSwitchedOff[] = {GL_CULL_FACE,
                                      GL_DEPTH_TEST,
                                      GL_STENCIL_TEST,
@@ -50,7 +52,6 @@ void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw) {
                                      GL_FRAMEBUFFER_SRGB,
                                      GL_DEPTH_CLAMP,
                                      GL_PRIMITIVE_RESTART,
-                                     GL_RASTERIZER_DISCARD,
                                      GL_PROGRAM_POINT_SIZE,
                                      GL_SAMPLE_ALPHA_TO_COVERAGE,
                                      GL_SAMPLE_COVERAGE,

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "reference/draw_state.h"
+#include "reference/provoking_probe.h"
 #include "reference/vertex_data.h"
 
 namespace edgecase {
@@ -86,6 +87,24 @@ SceneRenderer::SceneRenderer(GlContext& context) {
   info_.traits["capture"] = "ssbo";
   if (const GLenum error = take_error(gl_); error != GL_NO_ERROR)
     problem_ = fmt::format("preparing the context raised {}", name_of_error(error));
+  else
+    probe_provoking_vertices();
+}
+
+void SceneRenderer::probe_provoking_vertices() {
+  std::string names;
+  for (ProvokingVertex which : {ProvokingVertex::first, ProvokingVertex::last}) {
+    bool& works = provoking_[static_cast<std::size_t>(which)];
+    for (Primitive primitive : {Primitive::lines, Primitive::triangles}) {
+      const Scene scene = provoking_scene(primitive, which);
+      const Outcome outcome = render(scene);
+      // What cannot be drawn at all says so to every scene.
+      const auto* rendering = std::get_if<Rendering>(&outcome);
+      if (rendering != nullptr && !obeys(*rendering, scene)) works = false;
+    }
+    if (works) names += (names.empty() ? "" : " ") + std::string(name_of(which));
+  }
+  info_.traits["provoking_vertices"] = names.empty() ? "none" : names;
 }
 
 void SceneRenderer::describe(const GlContext& context) {
@@ -146,6 +165,10 @@ std::string SceneRenderer::limit_exceeded_by(const Draw& draw) const {
       std::floor(width + 0.5) > std::max(1.0, static_cast<double>(line_widths_[1])))
     return fmt::format("lines of width {} are not drawn by this driver: it has {}", width,
                        text_of(line_widths_));
+  // A point has one vertex.
+  if (kind != PrimitiveKind::point && !provoking_[static_cast<std::size_t>(draw.provoking_vertex)])
+    return fmt::format("setting the {} vertex to provoke has no effect on this driver",
+                       name_of(draw.provoking_vertex));
   return "";
 }
 
@@ -236,7 +259,7 @@ std::string SceneRenderer::doubt_of(const Rendering& rendering, const Surfaces& 
   return "";
 }
 
-Outcome SceneRenderer::render(const Scene& scene) {
+Outcome SceneRenderer::render(const Scene& scene, bool coverage_only) {
   std::string problem = problem_.empty() ? limit_exceeded_by(scene) : problem_;
   if (!problem.empty()) return Failure{FailureKind::unsupported, problem};
   const auto found = objects_->targets.find(scene.target);
@@ -249,7 +272,7 @@ Outcome SceneRenderer::render(const Scene& scene) {
   rendering.width = scene.target.width;
   rendering.height = scene.target.height;
   upload(scene);
-  draw_pixels(scene, surfaces, rendering);
+  if (!coverage_only) draw_pixels(scene, surfaces, rendering);
   count_hits(scene, surfaces, rendering);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, surfaces.color);
   const auto overflow = capture_fragments(scene, rendering);

@@ -37,8 +37,9 @@ class SceneRenderer {
   const RendererInfo& info() const { return info_; }
 
   // A Rendering with hit counts, or a Failure: `unsupported` with the reason, or `crashed` when the
-  // context is lost and the process must start again.
-  Outcome render(const Scene& scene);
+  // context is lost and the process must start again. With `coverage_only` the pass for pixels is
+  // left out, and the rendering has none; fragments are captured, and hits counted, as ever.
+  Outcome render(const Scene& scene, bool coverage_only = false);
 
  private:
   // GL objects, in the order in which they may be made. Only there where `problem_` is empty.
@@ -52,6 +53,8 @@ class SceneRenderer {
   };
 
   void describe(const GlContext& context);
+  // Draws to find out which conventions for provoking vertices have an effect.
+  void probe_provoking_vertices();
   // What this driver cannot draw, as a sentence; empty: it can.
   std::string limit_exceeded_by(const Scene& scene) const;
   std::string limit_exceeded_by(const Draw& draw) const;
@@ -69,7 +72,8 @@ class SceneRenderer {
   std::string problem_;  // why nothing can be drawn; empty: all is there
   int max_size_ = 0;
   int max_viewport_[2] = {0, 0};
-  std::array<float, 2> line_widths_{1, 1};  // smallest and largest, pixels
+  std::array<bool, 2> provoking_{true, true};  // by ProvokingVertex: it has its effect
+  std::array<float, 2> line_widths_{1, 1};     // smallest and largest, pixels
   std::array<float, 2> point_sizes_{1, 1};
   std::optional<Objects> objects_;
 };

@@ -6,8 +6,9 @@
 //
 // It speaks the protocol of reference/PROTOCOL.md: one scene per line on standard input, one answer
 // per line on standard output, until its input ends. Which driver draws is decided by environment
-// variables that its parent sets; --expect-driver makes sure of it. A context that cannot be had,
-// or another driver than the expected one, is a sentence on standard error and exit status 3.
+// variables that its parent sets; --expect-driver makes sure of it, see driver_proof.h. A context
+// that cannot be had, or another driver than the expected one, is a sentence on standard error and
+// exit status 3.
 #include <unistd.h>
 
 #include <cstdio>
@@ -15,6 +16,7 @@
 #include <memory>
 #include <string>
 
+#include "reference/driver_proof.h"
 #include "reference/gl_context.h"
 #include "reference/scene_renderer.h"
 #include "wire/answer_line.h"
@@ -45,22 +47,28 @@ bool write_line(std::FILE* output, const std::string& line) {
          std::fputc('\n', output) != EOF && std::fflush(output) == 0;
 }
 
-int serve(SceneRenderer& renderer, std::FILE* output) {
+std::string line_of(const Request& request, const Outcome& outcome, const RendererInfo* claims) {
+  if (const auto* failure = std::get_if<Failure>(&outcome))
+    return refusal_line(request.digest, failure->reason, claims);
+  const Rendering& rendering = std::get<Rendering>(outcome);
+  return request.coverage_only ? coverage_line(request.digest, rendering, claims)
+                               : answer_line(request.digest, rendering, claims);
+}
+
+int serve(SceneRenderer& renderer, const RendererInfo& info, std::FILE* output) {
   // The parent needs to hear only once who answers.
-  const RendererInfo* claims = &renderer.info();
+  const RendererInfo* claims = &info;
   for (std::string line; std::getline(std::cin, line);) {
     const auto parsed = parse_request(line);
     if (const auto* error = std::get_if<WireError>(&parsed))
       return complain(kUsageError, "bad request: " + error->message);
     const Request& request = std::get<Request>(parsed);
-    const Outcome outcome = renderer.render(request.scene);
+    const Outcome outcome = renderer.render(request.scene, request.coverage_only);
     const auto* failure = std::get_if<Failure>(&outcome);
     if (failure != nullptr && failure->kind == FailureKind::crashed)
       return complain(kContextLost, failure->reason);
-    const std::string answer =
-        failure != nullptr ? refusal_line(request.digest, failure->reason, claims)
-                           : answer_line(request.digest, std::get<Rendering>(outcome), claims);
-    if (!write_line(output, answer)) return complain(kUsageError, "the parent reads no more");
+    if (!write_line(output, line_of(request, outcome, claims)))
+      return complain(kUsageError, "the parent reads no more");
     claims = nullptr;
   }
   return 0;
@@ -72,6 +80,9 @@ int run(int argc, char** argv) {
     return complain(kUsageError,
                     "usage: edgecase-gl osmesa|egl-surfaceless|egl-device:N "
                     "[--expect-driver NAME]");
+  const std::string driver = expects ? argv[3] : "";
+  if (std::string missing = missing_for_driver(driver); !missing.empty())
+    return complain(kUnavailable, missing);
   std::FILE* output = take_standard_output();
   if (output == nullptr) return complain(kUsageError, "there is no standard output");
   ContextResult opened = open_context(argv[1]);
@@ -79,11 +90,12 @@ int run(int argc, char** argv) {
     return complain(kUnavailable, error->message);
   GlContext& context = *std::get<std::unique_ptr<GlContext>>(opened);
   SceneRenderer renderer(context);
-  const std::string& device = renderer.info().device;
-  if (expects && device.find(argv[3]) == std::string::npos)
-    return complain(kUnavailable, std::string("the driver is '") + device + "', not " + argv[3]);
+  RendererInfo info = renderer.info();
+  if (std::string doubt = doubt_of_driver(driver, info.device); !doubt.empty())
+    return complain(kUnavailable, doubt);
+  if (std::string stack = stack_of_driver(driver); !stack.empty()) info.traits["stack"] = stack;
   std::ios::sync_with_stdio(false);
-  return serve(renderer, output);
+  return serve(renderer, info, output);
 }
 
 }  // namespace

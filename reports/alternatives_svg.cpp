@@ -7,6 +7,8 @@
 #include <ostream>
 #include <pugixml.hpp>
 
+#include "reports/svg_nodes.h"
+
 namespace edgecase {
 namespace {
 
@@ -21,25 +23,6 @@ constexpr const char* kStyle =
     ".paper{fill:#fff}.pixel{fill:#fff;stroke:#c8ccd2;stroke-width:1}"
     ".drawn{fill:#7aa7e9;stroke:#c8ccd2;stroke-width:1}"
     ".line{fill:none;stroke:#b3541e;stroke-width:2}.end{fill:#b3541e}";
-
-void set(pugi::xml_node node, const char* name, const std::string& value) {
-  node.append_attribute(name).set_value(value.c_str());
-}
-
-void set(pugi::xml_node node, const char* name, double value) {
-  set(node, name, fmt::format("{}", value));
-}
-
-pugi::xml_node add_rectangle(pugi::xml_node parent, const char* kind, double x, double y,
-                             double width, double height) {
-  pugi::xml_node node = parent.append_child("rect");
-  set(node, "class", std::string(kind));
-  set(node, "x", x);
-  set(node, "y", y);
-  set(node, "width", width);
-  set(node, "height", height);
-  return node;
-}
 
 void add_pixels(pugi::xml_node panel, const AlternativesPicture& picture,
                 const DrawnAlternative& alternative) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/pixels.h"
+#include "results/clusters.h"
 
 namespace edgecase {
 namespace {
@@ -47,6 +48,7 @@ Json disagreement_json(const Disagreement& d) {
   if (d.primitive >= 0) json["primitive"] = d.primitive;
   json["legal"] = d.legal;
   if (!d.cause.empty()) json["cause"] = d.cause;
+  if (!d.situation.empty()) json["situation"] = d.situation;
   if (d.ruling != 0) json["ruling"] = d.ruling;
   json["exact"] = numbers(d.exact);
   json["rendered"] = numbers(d.rendered);
@@ -146,9 +148,34 @@ Json case_json(const CaseResults& one) {
   return json;
 }
 
-Json renderer_json(const RendererInfo& info) {
-  return {{"name", info.name},     {"vendor", info.vendor}, {"version", info.version},
-          {"device", info.device}, {"traits", info.traits}, {"subpixel_bits", info.subpixel_bits}};
+Json cluster_json(const Cluster& cluster) {
+  return {{"cause", cluster.cause},
+          {"rule", cluster.rule},
+          {"kind", cluster.kind},
+          {"situation", cluster.situation},
+          {"attribute", cluster.attribute},
+          {"surface", cluster.surface},
+          {"legal", cluster.legal},
+          {"disagreements", cluster.disagreements},
+          {"cases", cluster.cases},
+          {"smallest", cluster.smallest_case},
+          {"x", cluster.x},
+          {"y", cluster.y},
+          {"primitive", cluster.primitive}};
+}
+
+Json renderer_json(const Results& results, std::size_t index) {
+  const RendererInfo& info = results.renderers[index];
+  Json clusters = Json::array();
+  for (const Cluster& cluster : clusters_of(results, index))
+    clusters.push_back(cluster_json(cluster));
+  return {{"name", info.name},
+          {"vendor", info.vendor},
+          {"version", info.version},
+          {"device", info.device},
+          {"traits", info.traits},
+          {"subpixel_bits", info.subpixel_bits},
+          {"clusters", std::move(clusters)}};
 }
 
 Json texts_json(const ReportTexts& texts) {
@@ -181,8 +208,8 @@ std::string report_data(const Results& results, const ReportTexts& texts) {
                {"policy", results.policy},
                {"interrupted", results.interrupted},
                {"renderers", Json::array()}};
-  for (const RendererInfo& info : results.renderers)
-    json["renderers"].push_back(renderer_json(info));
+  for (std::size_t i = 0; i < results.renderers.size(); ++i)
+    json["renderers"].push_back(renderer_json(results, i));
   json.update(texts_json(texts));
   json["diagnostics"] = Json::array();
   for (const Diagnostic& d : results.diagnostics)

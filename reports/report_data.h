@@ -8,6 +8,7 @@
 // result adds what is each renderer's own (verdict, standing, failure, expectation). Pixels are
 // packed as pixels.h says; an answer's are the difference from exact and absent when there is none;
 // an answer without an image of exact's size is "blank".
+// A renderer holds its "clusters" (results/clusters.h) in their order.
 // A figure is a list of [role, closed, label, [x, y, x, y, ...]]. Numbers that JSON lacks are the
 // strings "NaN", "Infinity", "-Infinity".
 #pragma once

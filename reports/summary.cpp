@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "reports/summary.h"
 
-#include <fmt/color.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "reports/cluster_summary.h"
+#include "reports/painter.h"
 #include "reports/text.h"
 
 namespace edgecase {
@@ -20,35 +21,6 @@ constexpr std::size_t kMaxListed = 20;
 constexpr std::size_t kLabelWidth = 12;
 constexpr Verdict kWorstFirst[] = {Verdict::violation, Verdict::permitted, Verdict::convention,
                                    Verdict::agree, Verdict::not_run};
-
-fmt::text_style style_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::agree:
-      return fmt::fg(fmt::terminal_color::green);
-    case Verdict::convention:
-      return fmt::fg(fmt::terminal_color::cyan);
-    case Verdict::permitted:
-      return fmt::fg(fmt::terminal_color::yellow);
-    case Verdict::violation:
-      return fmt::fg(fmt::terminal_color::red) | fmt::emphasis::bold;
-    case Verdict::not_run:
-      return fmt::emphasis::faint;
-  }
-  return {};
-}
-
-// Text with or without colour; padding goes inside, so that columns line up either way.
-class Painter {
- public:
-  explicit Painter(bool color) : color_(color) {}
-  std::string operator()(fmt::text_style style, const std::string& text) const {
-    return color_ ? fmt::format(style, "{}", text) : text;
-  }
-  std::string bold(const std::string& text) const { return (*this)(fmt::emphasis::bold, text); }
-
- private:
-  bool color_;
-};
 
 std::size_t count_unexpected(const Results& results, std::size_t renderer) {
   const auto stands_out = [renderer](const CaseResults& one) {
@@ -142,6 +114,7 @@ std::vector<std::string> drawn_lines(const Results& results, const Painter& pain
 void write_summary(const Results& results, bool color, std::ostream& out) {
   const Painter paint(color);
   Table(results, paint).write(out);
+  write_clusters(results, paint, out);
 
   std::vector<std::string> files;
   for (const Diagnostic& diagnostic : results.diagnostics)

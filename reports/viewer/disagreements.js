@@ -20,6 +20,7 @@ function findingOf(d) {
       d.ruling && h("span", {}, "by ", rulingChip(d.ruling)),
       h("span", {}, "cause ", d.cause ? causeChips(d.cause) : h("i", {}, "none found")),
       h("span.faint.mono", {}, exact + ", " + rendered)),
+    d.situation && h("p.faint", {}, d.situation),
     h("p.sentence", {dir: "auto"}, d.explanation),
   ];
 }

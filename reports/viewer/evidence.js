@@ -93,7 +93,7 @@ function commandsFor(one, result, pixel) {
   const filter = one.id.includes(":") ? ["--filter", one.id] : [];
   const lines = [["edgecase", "run", one.file, ...filter, ...against, ...policy]];
   if (pixel)
-    lines.push(["edgecase", "explain", one.id, "--pixel", pixel.x + "," + pixel.y, ...against,
+    lines.push(["edgecase", "explain", one.file, ...filter, "--pixel", pixel.x + "," + pixel.y, ...against,
       ...policy]);
   return lines.map((line) => line.map(shellWord).join(" "));
 }

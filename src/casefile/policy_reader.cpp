@@ -15,7 +15,7 @@ namespace edgecase {
 namespace {
 
 const Keys kPolicyKeys{{"name"}, {"$schema", "why", "latitude", "rules", "surfaces"}, {}};
-const Keys kSurfaceKeys{{}, {"fbo"}, {"window"}};
+const Keys kSurfaceKeys{{}, {"fbo", "window"}, {}};
 
 void check_choice(const Place& place, const std::string& alternative,
                   std::span<const KnownRule> known, Findings& findings) {
@@ -69,8 +69,9 @@ void read_policy(const JsonNode& root, std::span<const KnownRule> known, Finding
   if (const auto place = object.find("rules")) policy.rules = read_choices(*place, known, findings);
   if (const auto place = object.find("surfaces")) {
     const ObjectReader surfaces(*place, "surfaces", kSurfaceKeys, findings);
-    if (const auto fbo = surfaces.find("fbo"))
-      policy.surfaces[Surface::fbo] = read_choices(*fbo, known, findings);
+    for (const Surface surface : {Surface::fbo, Surface::window})
+      if (const auto choices = surfaces.find(name_of(surface)))
+        policy.surfaces[surface] = read_choices(*choices, known, findings);
   }
 }
 

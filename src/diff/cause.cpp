@@ -2,16 +2,15 @@
 #include "diff/cause.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
-#include <string_view>
+#include <utility>
 
+#include "diff/alternatives.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
-#include "rules/coverage/diamond_exit.h"
-#include "rules/coverage/point_ownership.h"
 
 namespace edgecase {
 namespace {
@@ -32,142 +31,128 @@ bool is_interior_gap(const ScenePrimitive& line, const PrimitiveCoverage& covera
          drawn_where([&](int at) { return at > gap; });
 }
 
-// One alternative of a rule, as a change of a choice.
-struct Change {
-  std::string cause;  // "rule=alternative"
-  std::function<void(CoverageChoice&)> apply;
+// A set of changes that reproduces what was drawn.
+using Changes = std::vector<Change>;
 
-  CoverageChoice applied_to(CoverageChoice choice) const {
-    apply(choice);
-    return choice;
+std::string text_of(const Changes& changes) {
+  std::vector<std::string> parts;
+  for (const Change& change : changes) parts.push_back(change.cause);
+  return fmt::format("{}", fmt::join(parts, " + "));
+}
+
+CoverageChoice applied(const Changes& changes, CoverageChoice choice) {
+  for (const Change& change : changes) change.apply(choice);
+  return choice;
+}
+
+// Looks for sets of alternatives that draw a primitive as it was drawn.
+class Search {
+ public:
+  Search(const CauseQuestion& question, const PrimitiveCoverage& coverage)
+      : question_(question), coverage_(coverage) {
+    if (question.profile != nullptr)
+      profile_ = changes_between(question.primitive, question.chosen, *question.profile);
   }
+
+  std::vector<Changes> operator()() const {
+    auto found = one_or_two_beside({});
+    if (found.empty() && !profile_.empty()) {
+      if (reproduces(profile_)) return {needed(profile_)};
+      found = one_or_two_beside(profile_);
+      for (Changes& changes : found) changes = needed(std::move(changes));
+    }
+    return preferred(std::move(found));
+  }
+
+ private:
+  bool reproduces(const Changes& changes) const {
+    return covered_pixels(question_.primitive, question_.target,
+                          applied(changes, question_.chosen)) == coverage_.drawn;
+  }
+
+  // `base` with one more alternative, in the place of its own of that rule if it has one.
+  static Changes with(Changes base, const Change& change) {
+    const auto rule_of = [](const Change& c) { return c.cause.substr(0, c.cause.find('=')); };
+    std::erase_if(base, [&](const Change& c) { return rule_of(c) == rule_of(change); });
+    base.push_back(change);
+    return base;
+  }
+
+  std::vector<Changes> one_or_two_beside(const Changes& base) const {
+    const auto rules = alternatives_beside(question_.primitive, applied(base, question_.chosen));
+    std::vector<Changes> found;
+    for (const RuleAlternatives& rule : rules)
+      for (const Change& change : rule) keep_if_it_reproduces(with(base, change), found);
+    if (!found.empty()) return found;
+    for (std::size_t i = 0; i < rules.size(); ++i)
+      for (std::size_t j = i + 1; j < rules.size(); ++j)
+        for (const Change& first : rules[i])
+          for (const Change& second : rules[j])
+            keep_if_it_reproduces(with(with(base, first), second), found);
+    return found;
+  }
+
+  void keep_if_it_reproduces(Changes changes, std::vector<Changes>& found) const {
+    if (reproduces(changes)) found.push_back(std::move(changes));
+  }
+
+  // Without those changes that can be left out.
+  Changes needed(Changes changes) const {
+    for (std::size_t i = 0; i < changes.size();) {
+      Changes without = changes;
+      without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+      if (reproduces(without))
+        changes = std::move(without);
+      else
+        ++i;
+    }
+    return changes;
+  }
+
+  bool in_profile(const Changes& changes) const {
+    return std::all_of(changes.begin(), changes.end(), [&](const Change& change) {
+      return std::any_of(profile_.begin(), profile_.end(),
+                         [&](const Change& own) { return own.cause == change.cause; });
+    });
+  }
+
+  std::vector<Changes> preferred(std::vector<Changes> found) const {
+    const auto own = [&](const Changes& changes) { return in_profile(changes); };
+    if (std::any_of(found.begin(), found.end(), own))
+      std::erase_if(found, [&](const Changes& changes) { return !own(changes); });
+    return found;
+  }
+
+  const CauseQuestion& question_;
+  const PrimitiveCoverage& coverage_;
+  Changes profile_;
 };
-
-// The alternatives of one rule, but for the one that is chosen.
-using RuleAlternatives = std::vector<Change>;
-
-RuleAlternatives snaps_beside(PrimitiveKind kind, Snap chosen) {
-  RuleAlternatives result;
-  for (Snap snap : all_snaps())
-    if (snap != chosen)
-      result.push_back({fmt::format("{}={}", snap_rule_of(kind), name_of(snap)),
-                        [snap](CoverageChoice& choice) { choice.snap = snap; }});
-  return result;
-}
-
-RuleAlternatives ties_beside(PrimitiveKind kind, const TieRule& chosen) {
-  RuleAlternatives result;
-  const auto rules = kind == PrimitiveKind::point ? point_tie_rules() : all_tie_rules();
-  for (const TieRule& ties : rules)
-    if (std::string_view(ties.name) != chosen.name)
-      result.push_back({fmt::format("{}={}", coverage_rule_of(kind), ties.name),
-                        [&ties](CoverageChoice& choice) { choice.ties = ties; }});
-  return result;
-}
-
-RuleAlternatives algorithms_beside(LineAlgorithm chosen) {
-  RuleAlternatives result;
-  for (LineAlgorithm algorithm : all_line_algorithms())
-    if (algorithm != chosen)
-      result.push_back(
-          {fmt::format("line.algorithm={}", name_of(algorithm)),
-           [algorithm](CoverageChoice& choice) { choice.line.algorithm = algorithm; }});
-  return result;
-}
-
-RuleAlternatives boundaries_beside(const DiamondBoundary& chosen) {
-  RuleAlternatives result;
-  for (const DiamondBoundary& boundary : all_diamond_boundaries())
-    if (boundary.name != chosen.name)
-      result.push_back({fmt::format("line.diamond-exit={}", boundary.name),
-                        [&boundary](CoverageChoice& choice) { choice.line.boundary = &boundary; }});
-  return result;
-}
-
-RuleAlternatives wide_lines_beside(WideLine chosen) {
-  RuleAlternatives result;
-  for (WideLine wide : {WideLine::replicate, WideLine::rectangle, WideLine::parallelogram})
-    if (wide != chosen)
-      result.push_back({fmt::format("line.width={}", name_of(wide)),
-                        [wide](CoverageChoice& choice) { choice.line.wide = wide; }});
-  return result;
-}
-
-RuleAlternatives row_orders_beside(RowOrder chosen) {
-  RuleAlternatives result;
-  for (RowOrder rows : {RowOrder::bottom_up, RowOrder::top_down})
-    if (rows != chosen)
-      result.push_back({fmt::format("line.row-order={}", name_of(rows)),
-                        [rows](CoverageChoice& choice) { choice.line.rows = rows; }});
-  return result;
-}
-
-// The alternatives of every rule that has a say in the primitive's coverage.
-std::vector<RuleAlternatives> alternatives_beside(const ScenePrimitive& primitive,
-                                                  const CoverageChoice& chosen) {
-  if (primitive.kind != PrimitiveKind::line)
-    return {ties_beside(primitive.kind, chosen.ties), snaps_beside(primitive.kind, chosen.snap)};
-  std::vector<RuleAlternatives> rules = {
-      algorithms_beside(chosen.line.algorithm), boundaries_beside(*chosen.line.boundary),
-      snaps_beside(primitive.kind, chosen.snap), row_orders_beside(chosen.line.rows)};
-  if (primitive.state->line_width != Fixed::from_integer(1))
-    rules.push_back(wide_lines_beside(chosen.line.wide));
-  return rules;
-}
 
 }  // namespace
 
-std::vector<std::string> find_causes(const ScenePrimitive& primitive, const Target& target,
-                                     const CoverageChoice& chosen,
+std::vector<std::string> find_causes(const CauseQuestion& question,
                                      const PrimitiveCoverage& coverage) {
-  const auto reproduces = [&](const CoverageChoice& choice) {
-    return covered_pixels(primitive, target, choice) == coverage.drawn;
-  };
-  const std::vector<RuleAlternatives> rules = alternatives_beside(primitive, chosen);
   std::vector<std::string> causes;
-  for (const RuleAlternatives& rule : rules)
-    for (const Change& change : rule)
-      if (reproduces(change.applied_to(chosen))) causes.push_back(change.cause);
-  if (!causes.empty()) return causes;
-
-  for (std::size_t i = 0; i < rules.size(); ++i)
-    for (std::size_t j = i + 1; j < rules.size(); ++j)
-      for (const Change& first : rules[i])
-        for (const Change& second : rules[j])
-          if (reproduces(second.applied_to(first.applied_to(chosen))))
-            causes.push_back(first.cause + " + " + second.cause);
-  if (causes.empty() && primitive.kind == PrimitiveKind::line &&
-      is_interior_gap(primitive, coverage))
+  for (const Changes& changes : Search(question, coverage)()) causes.push_back(text_of(changes));
+  if (causes.empty() && question.primitive.kind == PrimitiveKind::line &&
+      is_interior_gap(question.primitive, coverage))
     causes.push_back(kInteriorGap);
   return causes;
 }
 
-std::span<const std::string> alternative_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> list;
-    for (const char* id :
-         {"point.ownership", "point.snap", "line.algorithm", "line.diamond-exit", "line.width",
-          "line.row-order", "line.snap", "triangle.fill-rule", "triangle.snap"})
-      for (const Alternative& alternative : find_rule(id)->alternatives)
-        list.push_back(fmt::format("{}={}", id, alternative.name));
-    return list;
-  }();
-  return names;
-}
-
-void mark_refuted(const ScenePrimitive& primitive, const Target& target,
-                  const CoverageChoice& chosen, const PrimitiveCoverage& coverage,
+void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
                   std::string& refuted) {
   static const auto places = [] {
     std::map<std::string, std::size_t> map;
     for (const std::string& name : alternative_names()) map.emplace(name, map.size());
     return map;
   }();
-  for (const RuleAlternatives& rule : alternatives_beside(primitive, chosen))
+  for (const RuleAlternatives& rule : alternatives_beside(question.primitive, question.chosen))
     for (const Change& change : rule) {
       char& mark = refuted[places.at(change.cause)];
       if (mark == '1') continue;
-      if (covered_pixels(primitive, target, change.applied_to(chosen)) != coverage.drawn)
+      if (covered_pixels(question.primitive, question.target, change.applied_to(question.chosen)) !=
+          coverage.drawn)
         mark = '1';
     }
 }

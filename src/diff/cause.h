@@ -3,7 +3,6 @@
 // Cause: which catalogued alternatives would have drawn what the renderer drew.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -16,22 +15,29 @@ namespace edgecase {
 // The cause of a line that lacks one fragment between others (ruling 3); no alternative draws so.
 inline constexpr const char* kInteriorGap = "line.interior-gap";
 
-// The smallest sets of at most two alternatives, beside what the policy chooses, under which the
-// primitive covers exactly `drawn`: all sets of the smallest size, each as "rule=alternative" or
-// two joined by " + ", in catalogue order. A line without any, whose only fault is one fragment
-// missing between others, gets kInteriorGap. Empty: nothing catalogued explains it.
-std::vector<std::string> find_causes(const ScenePrimitive& primitive, const Target& target,
-                                     const CoverageChoice& chosen,
-                                     const PrimitiveCoverage& coverage);
+// One primitive, with what the policy chooses for its kind and, where it is known, what the
+// renderer is measured to follow.
+struct CauseQuestion {
+  const ScenePrimitive& primitive;
+  const Target& target;
+  const CoverageChoice& chosen;
+  const CoverageChoice* profile = nullptr;
+};
 
-// Every single alternative of the coverage rules as a cause, in one fixed order.
-std::span<const std::string> alternative_names();
+// The smallest sets of alternatives under which the primitive covers exactly `coverage.drawn`, each
+// as "rule=alternative", several joined by " + ", in catalogue order: all sets of one alternative
+// beside what the policy chooses; without any, of two; without any, what the profile differs in
+// from the policy, with nothing, one or two more alternatives on top of it. Sets that the profile
+// holds wholly come alone, since it is what the renderer does elsewhere. A line without any set,
+// whose only fault is one fragment missing between others, gets kInteriorGap. Empty: nothing
+// catalogued explains it.
+std::vector<std::string> find_causes(const CauseQuestion& question,
+                                     const PrimitiveCoverage& coverage);
 
 // Evidence against alternatives: the renderer draws this primitive as exact does, so what would
 // draw it otherwise is not what the renderer follows. Marks those in `refuted` (see
 // Result::refuted).
-void mark_refuted(const ScenePrimitive& primitive, const Target& target,
-                  const CoverageChoice& chosen, const PrimitiveCoverage& coverage,
+void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
                   std::string& refuted);
 
 // The alternatives of a cause: what stands between " + ".

@@ -13,10 +13,16 @@
 
 namespace edgecase {
 
+// What is known of the renderer beside the rendering.
+struct RendererFacts {
+  int reported_subpixel_bits = 4;
+  const Policy* profile = nullptr;  // what it is measured to follow; null: not known
+};
+
 // Compares a rendering of `scene` with the exact one under `policy`. Both must have the scene's
 // size and only primitives of the scene. The verdict stays open until judge().
 Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
-               const Rendering& rendered, int reported_subpixel_bits);
+               const Rendering& rendered, const RendererFacts& facts);
 
 // The result of a scene that has no rendering.
 Result not_run(Failure failure);

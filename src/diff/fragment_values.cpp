@@ -46,7 +46,7 @@ struct Component {
   double rendered = 0;
 
   bool is_correct() const { return correct.contains(to_float(rendered)); }
-  bool is_permitted() const { return is_correct() || permitted.contains(to_float(rendered)); }
+  bool is_permitted() const { return permitted.contains(to_float(rendered)); }
 };
 
 // What is permitted at a sample of a line as wide as `width`, rounded: each fragment of a column
@@ -64,14 +64,18 @@ Interval permitted_across(const Interpolant& interpolant, Point sample, int widt
   return result;
 }
 
-Component make_component(Interpolant interpolant, const Place& place, int bits, double rendered) {
+// `forgiving`: what is correct under the policy is permitted, whatever its formula.
+Component make_component(Interpolant interpolant, const Place& place, int bits, double rendered,
+                         bool forgiving) {
   const Point sample = pixel_centre(place.pixel.x, place.pixel.y);
   const Interval exact = interpolate_exact(interpolant, sample);
   Component result;
   result.exact = exact.low / 2 + exact.high / 2;
   result.correct = rounded_to_float(exact);
   result.rendered = rendered;
-  if (result.is_correct()) return result;
+  result.permitted = result.correct;
+  const bool lawful = forgiving || interpolant.line_parameter == LineParameter::projection;
+  if (result.is_correct() && lawful) return result;
   // The specification's formula, whatever the policy's is.
   interpolant.line_parameter = LineParameter::projection;
   result.permitted = rounded_to_float(permitted_across(interpolant, sample, place.width, bits));
@@ -102,11 +106,14 @@ void compare_flat_color(const ValueContext& context, const ScenePrimitive& primi
   const Draw& draw = *primitive.state;
   const Color& color =
       primitive.vertices[provoking_index(primitive, context.choice.provoking)]->color;
-  if (shows(fragment, color)) return;
+  const bool legal = shows(
+      fragment, primitive.vertices[provoking_index(primitive, ProvokingChoice::as_set)]->color);
+  const bool agrees = shows(fragment, color);
+  if (agrees && (legal || context.latitude == Latitude::none)) return;
   Disagreement d =
       value_disagreement({fragment.x, fragment.y}, fragment.primitive, "attribute.flat", 8);
-  d.legal = shows(fragment,
-                  primitive.vertices[provoking_index(primitive, ProvokingChoice::as_set)]->color);
+  d.legal = legal;
+  d.policy_agrees = agrees;
   d.exact.assign(color.begin(), color.end());
   d.rendered.assign(fragment.color.begin(), fragment.color.end());
   d.cause = wrong_provoking_vertex(primitive, fragment);
@@ -128,6 +135,8 @@ Disagreement beyond_disagreement(std::span<const Component> components, const Co
   if (std::all_of(components.begin(), components.end(),
                   [](const Component& c) { return c.is_correct() || c.by_major_axis; }))
     d.cause = "attribute.smooth=major-axis";
+  d.policy_agrees = std::all_of(components.begin(), components.end(),
+                                [](const Component& c) { return c.is_correct(); });
   d.explanation = fmt::format(
       "component {} of primitive {} is exactly {:.9g} at the pixel's centre ({}, {}); the "
       "specification permits {:.9g} to {:.9g}, the renderer has {:.9g}",
@@ -163,6 +172,7 @@ void compare_components(std::span<const Component> components, const Fragment& f
 void compare_fragment_values(const ValueContext& context, const Rendering& rendered,
                              Result& result) {
   const LineParameter parameter = context.choice.line_parameter;
+  const bool forgiving = context.latitude == Latitude::none;
   ValueAggregator colors("color", "attribute.smooth", 9);
   ValueAggregator depths("depth", "fragment.depth", 9);
   for (const Fragment& f : rendered.fragments) {
@@ -174,12 +184,12 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
       std::array<Component, 4> components;
       for (std::size_t c = 0; c < 4; ++c)
         components[c] = make_component(color_interpolant(primitive, c, parameter), place,
-                                       context.bits, f.color[c]);
+                                       context.bits, f.color[c], forgiving);
       compare_components(components, f, "attribute.smooth", colors, result);
     }
     if (f.has_depth) {
-      const Component depth =
-          make_component(depth_interpolant(primitive, parameter), place, context.bits, f.depth);
+      const Component depth = make_component(depth_interpolant(primitive, parameter), place,
+                                             context.bits, f.depth, forgiving);
       compare_components({&depth, 1}, f, "fragment.depth", depths, result);
     }
   }

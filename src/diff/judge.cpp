@@ -12,7 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "diff/alternatives.h"
 #include "diff/cause.h"
+#include "diff/legality.h"
 #include "rules/coverage/snap.h"
 
 namespace edgecase {
@@ -57,13 +59,24 @@ Counts count_alternatives(std::span<Result* const> results) {
   return counts;
 }
 
-// The candidate whose alternatives explain most of the run, one that the specification leaves open
-// before one that it does not; the first in catalogue order of those that tie.
-std::string choose_cause(const Result::Evidence& evidence, const Counts& counts) {
+// Is what was drawn of a primitive inside the specification, lines read as they are?
+bool is_legal(const Result& result, const Result::Evidence& evidence, const std::string& reading) {
+  return std::all_of(
+      result.disagreements.begin(), result.disagreements.end(), [&](const Disagreement& d) {
+        if (d.primitive != evidence.primitive || d.policy_agrees) return true;
+        if (d.kind == DisagreementKind::value) return true;
+        return is_about_a_line(d) ? !contains(evidence.illegal_line_snaps, reading) : d.legal;
+      });
+}
+
+// The candidate whose alternatives explain most of the run; the first in catalogue order of those
+// that tie. Of what is legal, one that the specification leaves open comes before one that it does
+// not. What is illegal, a hole in a shared edge say, speaks for neither.
+std::string choose_cause(const Result::Evidence& evidence, bool legal, const Counts& counts) {
   std::string best;
   std::pair most{false, std::numeric_limits<std::ptrdiff_t>::min()};
   for (const std::string& cause : evidence.causes) {
-    std::pair<bool, std::ptrdiff_t> score{is_open_choice(cause), 0};
+    std::pair<bool, std::ptrdiff_t> score{legal && is_open_choice(cause), 0};
     for (const std::string& part : parts_of(cause)) score.second += counts.at(part);
     if (score <= most) continue;
     most = score;
@@ -72,16 +85,13 @@ std::string choose_cause(const Result::Evidence& evidence, const Counts& counts)
   return best;
 }
 
-bool is_line(const Disagreement& d) {
-  return d.rule == "line.diamond-exit";
-}
-
 void judge_primitive(const Result::Evidence& evidence, const std::string& reading,
                      const std::string& cause, Result& result) {
   for (Disagreement& d : result.disagreements) {
     if (d.primitive != evidence.primitive || d.kind == DisagreementKind::value) continue;
+    if (d.policy_agrees) continue;
     d.cause = cause;
-    if (!is_line(d)) continue;
+    if (!is_about_a_line(d)) continue;
     d.legal = !contains(evidence.illegal_line_snaps, reading);
     if (cause == kInteriorGap && d.legal) d.ruling = 3;
   }
@@ -126,7 +136,9 @@ std::string judge(std::span<Result* const> results, Latitude latitude) {
   for (Result* result : results) {
     if (!result->failure)
       for (const Result::Evidence& evidence : result->evidence)
-        judge_primitive(evidence, reading, choose_cause(evidence, counts), *result);
+        judge_primitive(evidence, reading,
+                        choose_cause(evidence, is_legal(*result, evidence, reading), counts),
+                        *result);
     result->verdict = verdict_of(*result, latitude);
     result->fingerprint = fingerprint_of(*result);
   }

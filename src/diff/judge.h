@@ -6,9 +6,9 @@
 // all of them: the first of those under which most cases are legal (ruling 1). And of several
 // causes that reproduce a primitive equally well, the one whose alternatives explain most
 // primitives of the run, and are refuted by fewest cases, is the likeliest: it is what the renderer
-// does everywhere. One that the specification leaves open comes before one that it does not.
-// Judging is a function of the results alone, so judging merged shards gives what judging the whole
-// run gives.
+// does everywhere. Where what was drawn is legal, one that the specification leaves open comes
+// before one that it does not. Judging is a function of the results alone, so judging merged shards
+// gives what judging the whole run gives.
 #pragma once
 
 #include <span>

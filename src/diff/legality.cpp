@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
@@ -45,8 +46,13 @@ bool possibly_uncovered(const ScenePrimitive& primitive, PixelPosition p, int bi
   return triangle_possibly_uncovered(triangle_of(primitive), pixel_centre(p.x, p.y), bits);
 }
 
+// How often a pixel is among pixels that are sorted row first.
 long count(std::span<const PixelPosition> pixels, PixelPosition p) {
-  return std::count(pixels.begin(), pixels.end(), p);
+  const auto [first, last] =
+      std::equal_range(pixels.begin(), pixels.end(), p, [](PixelPosition a, PixelPosition b) {
+        return std::tie(a.y, a.x) < std::tie(b.y, b.x);
+      });
+  return last - first;
 }
 
 PixelBounds common(const PixelBounds& a, const PixelBounds& b) {
@@ -107,6 +113,10 @@ int ruling_on_line(const ScenePrimitive& line, const Target& target) {
   const SeenLine seen = seen_line(line, Snap{}, target);
   if (seen.width != 1) return 12;
   return is_unseen(seen) ? 2 : 1;
+}
+
+bool is_about_a_line(const Disagreement& disagreement) {
+  return disagreement.rule == "line.diamond-exit" || disagreement.rule == "line.joint";
 }
 
 std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> primitives,

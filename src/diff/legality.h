@@ -10,6 +10,7 @@
 
 #include "diff/coverage_diff.h"
 #include "model/scene.h"
+#include "model/verdict.h"
 
 namespace edgecase {
 
@@ -40,6 +41,9 @@ std::string broken_clause_unsnapped(const ScenePrimitive& line,
 // The ruling that speaks of the line as given: 12 for a wide one, 2 where the diamond-exit rule
 // draws nothing of it, else 1.
 int ruling_on_line(const ScenePrimitive& line, const Target& target);
+
+// Is a disagreement judged by the rulings on lines, which speak of whole segments?
+bool is_about_a_line(const Disagreement& disagreement);
 
 // Samples that two triangles with a common edge must hit exactly once but hit otherwise.
 struct SharedEdgeFault {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "exact/pixel.h"
+#include "model/policy.h"
 #include "model/rendering.h"
 #include "model/result.h"
 #include "model/scene.h"
@@ -24,6 +25,7 @@ struct ValueContext {
   std::span<const ScenePrimitive> primitives;
   ValueChoice choice;  // of the policy
   int bits = 4;        // as in ruling 4
+  Latitude latitude = Latitude::opengl;
 };
 
 // Both append disagreements (beyond what is permitted) and aggregates (inside it) to `result`.

@@ -12,6 +12,7 @@
 #include "exact/numeral.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -275,6 +276,24 @@ std::string to_decimal(Fixed value) {
     fraction %= kOne;
   }
   return text;
+}
+
+std::string to_fraction(Fixed value) {
+  const bool negative = value.raw() < 0;
+  const auto raw = static_cast<std::uint64_t>(value.raw());
+  const std::uint64_t magnitude = negative ? 0 - raw : raw;
+  // Lowest terms: both divided by the powers of two that they share.
+  const int shared = magnitude == 0 ? Fixed::kFractionBits
+                                    : std::min(Fixed::kFractionBits, std::countr_zero(magnitude));
+  const std::uint64_t numerator = magnitude >> shared;
+  const std::uint64_t denominator = static_cast<std::uint64_t>(Fixed::kOne) >> shared;
+  const std::string sign = negative ? "-" : "";
+  if (denominator == 1) return sign + std::to_string(numerator);
+  constexpr std::uint64_t kCoarsest = 4;  // people read 15/4 at once, and 163/16 not
+  const std::uint64_t whole = denominator > kCoarsest ? numerator / denominator : 0;
+  std::string text = sign;
+  if (whole != 0) text += std::to_string(whole) + (negative ? "-" : "+");
+  return text + std::to_string(numerator - whole * denominator) + "/" + std::to_string(denominator);
 }
 
 }  // namespace edgecase

@@ -30,4 +30,8 @@ std::variant<Fixed, NumeralError> parse_numeral(std::string_view text);
 // The canonical decimal of a number: exact, shortest, no exponent ("10.5", "-0.00390625", "3").
 std::string to_decimal(Fixed value);
 
+// The same as a fraction in lowest terms: "3", "7/2" with a denominator of 2 or 4, and a whole
+// number and the rest for finer ones ("10+3/256", "-1-1/16", "3/256"); parse_numeral reads it back.
+std::string to_fraction(Fixed value);
+
 }  // namespace edgecase

@@ -31,6 +31,9 @@ struct RendererInfo {
 struct Task {
   std::string id;
   const Scene* scene = nullptr;
+  // The caller looks at coverage alone: a renderer may leave pixels, depths and colours out. Then
+  // `pixels` is empty, and fragments have neither depth nor colour. It may also tell everything.
+  bool coverage_only = false;
 };
 
 enum class FailureKind {

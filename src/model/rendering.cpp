@@ -12,6 +12,8 @@ bool precedes(const Fragment& a, const Fragment& b) {
 }
 
 void sort_fragments(Rendering& rendering) {
+  // Most come sorted, and looking is much cheaper than sorting.
+  if (std::is_sorted(rendering.fragments.begin(), rendering.fragments.end(), precedes)) return;
   std::stable_sort(rendering.fragments.begin(), rendering.fragments.end(), precedes);
 }
 

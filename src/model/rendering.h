@@ -30,9 +30,11 @@ struct Rendering {
   int width = 0;
   int height = 0;
   int samples = 1;
-  std::vector<std::uint8_t> pixels;  // RGBA8, row by row from the bottom, 4 * width * height
-  std::vector<std::uint32_t> hits;   // fragments per pixel from a pass of its own; empty: none
-  std::vector<Fragment> fragments;   // sorted by `precedes`, equal ones in drawing order
+  // RGBA8, row by row from the bottom, 4 * width * height; empty where coverage alone was asked
+  // for.
+  std::vector<std::uint8_t> pixels;
+  std::vector<std::uint32_t> hits;  // fragments per pixel from a pass of its own; empty: none
+  std::vector<Fragment> fragments;  // sorted by `precedes`, equal ones in drawing order
 
   std::size_t pixel_index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

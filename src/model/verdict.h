@@ -31,8 +31,10 @@ struct Disagreement {
   DisagreementKind kind = DisagreementKind::missing;
   std::string rule;           // id, "line.diamond-exit"
   bool legal = false;         // the specification allows it, whatever explains it
-  std::string cause;          // "rule=alternative", two joined by " + "; empty: none found
+  std::string cause;          // "rule=alternative", several joined by " + "; empty: none found
+  std::string situation;      // where it lies on the primitive, in words (diff/situation.h)
   int ruling = 0;             // number of the ruling by which `legal` was decided
+  bool policy_agrees = false;  // the policy draws it too: held against the specification alone
   std::vector<double> exact;  // hits (missing, extra, duplicate) or components (value)
   std::vector<double> rendered;
   std::string explanation;  // a sentence with numbers

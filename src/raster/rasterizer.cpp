@@ -14,48 +14,21 @@
 namespace edgecase {
 namespace {
 
-// Pixels whose centres can lie within the hull of the positions grown by half a size and one pixel.
-PixelBounds bounds_near(std::span<const Point> positions, Fixed size, const PixelBounds& all) {
-  Point low = positions[0];
-  Point high = positions[0];
-  for (Point p : positions) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const std::int64_t margin = size.ceil() / 2 + 1;
-  const auto clip = [](std::int64_t value) {
-    return static_cast<int>(
-        std::clamp<std::int64_t>(value, -Fixed::kMaxCoordinate * 2, Fixed::kMaxCoordinate * 2));
+// Pixels whose centres can lie in a point's square, and some around it.
+PixelBounds bounds_near(const SizedPoint& point, const PixelBounds& all) {
+  const std::int64_t margin = point.size.ceil() / 2 + 1;
+  const auto low = [&](int bound, Fixed at) {
+    return static_cast<int>(std::max<std::int64_t>(bound, at.floor() - margin));
   };
-  return {std::max(all.x_min, clip(low.x.floor() - margin)),
-          std::max(all.y_min, clip(low.y.floor() - margin)),
-          std::min(all.x_max, clip(high.x.floor() + margin)),
-          std::min(all.y_max, clip(high.y.floor() + margin))};
-}
-
-template <class Covers>
-std::vector<PixelPosition> collect(const PixelBounds& bounds, Covers covers) {
-  std::vector<PixelPosition> result;
-  for (int y = bounds.y_min; y <= bounds.y_max; ++y)
-    for (int x = bounds.x_min; x <= bounds.x_max; ++x)
-      if (covers(x, y)) result.push_back({x, y});
-  return result;
+  const auto high = [&](int bound, Fixed at) {
+    return static_cast<int>(std::min<std::int64_t>(bound, at.floor() + margin));
+  };
+  return {low(all.x_min, point.vertex.x), low(all.y_min, point.vertex.y),
+          high(all.x_max, point.vertex.x), high(all.y_max, point.vertex.y)};
 }
 
 bool row_first(PixelPosition a, PixelPosition b) {
   return std::tie(a.y, a.x) < std::tie(b.y, b.x);
-}
-
-// A line with the rows of the target in the order that the choice says.
-std::vector<PixelPosition> line_in_rows(const Segment& segment, Fixed width,
-                                        const PixelBounds& bounds, int height,
-                                        const CoverageChoice& choice) {
-  if (choice.line.rows == RowOrder::bottom_up)
-    return line_pixels(segment, width, bounds, choice.line, choice.ties);
-  auto pixels = line_pixels(turned_over(segment, height), width, turned_over(bounds, height),
-                            choice.line, choice.ties);
-  for (PixelPosition& pixel : pixels) pixel.y = height - 1 - pixel.y;
-  return pixels;
 }
 
 // The double nearest to the middle: the interval is narrower than what any format can hold.
@@ -82,6 +55,32 @@ void write_pixel(Rendering& rendering, int x, int y, const std::array<double, 4>
   for (std::size_t i = 0; i < 4; ++i) pixel[i] = to_unorm8(color[i]);
 }
 
+std::vector<PixelPosition> point_pixels(const SizedPoint& point, const PixelBounds& bounds,
+                                        const TieRule& ties) {
+  const PixelBounds near = bounds_near(point, bounds);
+  std::vector<PixelPosition> pixels;
+  for (int y = near.y_min; y <= near.y_max; ++y)
+    for (int x = near.x_min; x <= near.x_max; ++x)
+      if (point_covers(point, x, y, ties)) pixels.push_back({x, y});
+  return pixels;
+}
+
+// The pixels of a primitive whose vertices are where the choice has them, in no particular order.
+std::vector<PixelPosition> pixels_of(const Draw& state, PrimitiveKind kind,
+                                     const std::array<Point, 3>& p, const PixelBounds& bounds,
+                                     const CoverageChoice& choice) {
+  switch (kind) {
+    case PrimitiveKind::point:
+      return point_pixels({moved(p[0], choice.point_offset), state.point_size}, bounds,
+                          choice.ties);
+    case PrimitiveKind::line:
+      return line_pixels({p[0], p[1]}, state.line_width, bounds, choice.line, choice.ties);
+    case PrimitiveKind::triangle:
+      return triangle_pixels(p, bounds, choice.triangle_algorithm, choice.ties);
+  }
+  return {};
+}
+
 }  // namespace
 
 PixelBounds drawable_bounds(const Draw& draw, const Target& target) {
@@ -97,28 +96,20 @@ PixelBounds drawable_bounds(const Draw& draw, const Target& target) {
 
 std::vector<PixelPosition> covered_pixels(const ScenePrimitive& primitive, const Target& target,
                                           const CoverageChoice& choice) {
-  const PixelBounds all = drawable_bounds(*primitive.state, target);
+  const bool turned = choice.rows == RowOrder::top_down;
+  PixelBounds bounds = drawable_bounds(*primitive.state, target);
+  if (turned) bounds = turned_over(bounds, target.height);
   std::array<Point, 3> p{};
   const auto count = static_cast<std::size_t>(vertices_of(primitive.kind));
-  for (std::size_t i = 0; i < count; ++i) p[i] = choice.snap(primitive.vertices[i]->position);
-
-  switch (primitive.kind) {
-    case PrimitiveKind::point: {
-      const SizedPoint point{p[0], primitive.state->point_size};
-      return collect(bounds_near({p.data(), count}, point.size, all),
-                     [&](int x, int y) { return point_covers(point, x, y, choice.ties); });
-    }
-    case PrimitiveKind::line: {
-      auto pixels =
-          line_in_rows({p[0], p[1]}, primitive.state->line_width, all, target.height, choice);
-      std::sort(pixels.begin(), pixels.end(), row_first);
-      return pixels;
-    }
-    case PrimitiveKind::triangle:
-      return collect(bounds_near({p.data(), count}, Fixed(), all),
-                     [&](int x, int y) { return triangle_covers(p, x, y, choice.ties); });
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point given = primitive.vertices[i]->position;
+    p[i] = choice.snap(turned ? turned_over(given, target.height) : given);
   }
-  return {};
+  auto pixels = pixels_of(*primitive.state, primitive.kind, p, bounds, choice);
+  if (turned)
+    for (PixelPosition& pixel : pixels) pixel.y = target.height - 1 - pixel.y;
+  std::sort(pixels.begin(), pixels.end(), row_first);
+  return pixels;
 }
 
 Interpolant color_interpolant(const ScenePrimitive& primitive, std::size_t component,

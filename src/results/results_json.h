@@ -8,7 +8,10 @@
 //
 //   {"tool", "policy", "renderers": [{"name", "vendor", "version", "device", "subpixel_bits",
 //    "traits"}], "cases": [{"id", "title", …, "results": {RENDERER: {"verdict", "fingerprint",
-//    "disagreements": […], "values": […], …}}}], "diagnostics": […], "summary"}
+//    "disagreements": […], "values": […], …}}}], "diagnostics": […], "summary",
+//    "clusters": {RENDERER: […]}}
+//
+// Clusters (results/clusters.h) and the summary are counted from the cases, and not read back.
 #pragma once
 
 #include <iosfwd>

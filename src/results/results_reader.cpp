@@ -97,6 +97,8 @@ Disagreement to_disagreement(const Json& json) {
   d.rule = json.at("rule");
   d.legal = json.at("legal");
   d.cause = json.at("cause");
+  d.situation = json.value("situation", "");
+  d.policy_agrees = json.value("policy_agrees", false);
   d.ruling = json.at("ruling");
   d.exact = to_list<double>(json.at("exact"), to_number);
   d.rendered = to_list<double>(json.at("rendered"), to_number);

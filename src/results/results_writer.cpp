@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "results/clusters.h"
 #include "results/results_json.h"
 
 namespace edgecase {
@@ -50,18 +51,21 @@ Json figure_json(const Figure& figure) {
 }
 
 Json disagreement_json(const Disagreement& d) {
-  return {{"pixel", {d.x, d.y}},
-          {"sample", d.sample},
-          {"primitive", d.primitive},
-          {"kind", name_of(d.kind)},
-          {"rule", d.rule},
-          {"legal", d.legal},
-          {"cause", d.cause},
-          {"ruling", d.ruling},
-          {"exact", numbers(d.exact)},
-          {"rendered", numbers(d.rendered)},
-          {"explanation", d.explanation},
-          {"figure", figure_json(d.figure)}};
+  Json object = {{"pixel", {d.x, d.y}},
+                 {"sample", d.sample},
+                 {"primitive", d.primitive},
+                 {"kind", name_of(d.kind)},
+                 {"rule", d.rule},
+                 {"legal", d.legal},
+                 {"cause", d.cause}};
+  if (!d.situation.empty()) object["situation"] = d.situation;
+  if (d.policy_agrees) object["policy_agrees"] = true;
+  object["ruling"] = d.ruling;
+  object["exact"] = numbers(d.exact);
+  object["rendered"] = numbers(d.rendered);
+  object["explanation"] = d.explanation;
+  object["figure"] = figure_json(d.figure);
+  return object;
 }
 
 Json place_json(const ValueAggregate::Place& place) {
@@ -171,6 +175,35 @@ Json summary_json(const Results& results) {
   return summary;
 }
 
+// What a cluster does not have is left out.
+Json cluster_json(const Cluster& cluster) {
+  Json object = Json::object();
+  const auto add = [&object](const char* name, const std::string& text) {
+    if (!text.empty()) object[name] = text;
+  };
+  add("cause", cluster.cause);
+  add("rule", cluster.rule);
+  add("kind", cluster.kind);
+  add("situation", cluster.situation);
+  add("attribute", cluster.attribute);
+  add("surface", cluster.surface);
+  object["legal"] = cluster.legal;
+  object["disagreements"] = cluster.disagreements;
+  object["cases"] = cluster.cases;
+  object["smallest"] = {{"case", cluster.smallest_case},
+                        {"pixel", {cluster.x, cluster.y}},
+                        {"primitive", cluster.primitive}};
+  return object;
+}
+
+// renderer -> its clusters in their order.
+Json clusters_json(const Results& results) {
+  Json clusters = Json::object();
+  for (std::size_t i = 0; i < results.renderers.size(); ++i)
+    clusters[results.renderers[i].name] = list(clusters_of(results, i), cluster_json);
+  return clusters;
+}
+
 // Names and messages may hold bytes that are no UTF-8; they are replaced, never fatal.
 std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -183,7 +216,8 @@ void write_results(const Results& results, std::ostream& out) {
       << ",\n\"interrupted\":" << (results.interrupted ? "true" : "false")
       << ",\n\"renderers\":" << dump(list(results.renderers, renderer_json))
       << ",\n\"diagnostics\":" << dump(list(results.diagnostics, diagnostic_json))
-      << ",\n\"summary\":" << dump(summary_json(results)) << ",\n\"cases\":[";
+      << ",\n\"summary\":" << dump(summary_json(results))
+      << ",\n\"clusters\":" << dump(clusters_json(results)) << ",\n\"cases\":[";
   const char* separator = "\n";
   for (const CaseResults& one : results.cases) {
     out << separator << dump(case_json(one, results.renderers));

@@ -6,9 +6,12 @@
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/fragment_once.h"
 #include "rules/coverage/line_algorithm.h"
+#include "rules/coverage/line_joints.h"
 #include "rules/coverage/point_ownership.h"
+#include "rules/coverage/row_order.h"
 #include "rules/coverage/shared_edge.h"
 #include "rules/coverage/snap.h"
+#include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
 #include "rules/values/flat_attribute.h"
 #include "rules/values/framebuffer.h"
@@ -33,17 +36,22 @@ std::span<const Rule> all_rules() {
   static const std::vector<Rule> rules = {
       fragment_once_rule(),
       point_ownership_rule(),
+      point_offset_rule(),
       diamond_exit_rule(),
       interior_gap_rule(),
+      line_joint_rule(),
       line_algorithm_rule(),
       line_width_rule(),
-      line_row_order_rule(),
+      triangle_algorithm_rule(),
       triangle_fill_rule(),
       shared_edge_rule(),
       snap_rule("subpixel.snap"),
       snap_rule("point.snap"),
       snap_rule("line.snap"),
       snap_rule("triangle.snap"),
+      row_order_rule("point.row-order"),
+      row_order_rule("line.row-order"),
+      row_order_rule("triangle.row-order"),
       flat_attribute_rule(),
       provoking_vertex_rule(),
       smooth_attribute_rule(),

@@ -25,7 +25,6 @@ LineChoice resolve_line(const Policy& policy, Surface surface) {
   LineChoice result;
   parse_name(chosen_or_standard(policy, surface, "line.algorithm"), result.algorithm);
   parse_name(chosen_or_standard(policy, surface, "line.width"), result.wide);
-  parse_name(chosen_or_standard(policy, surface, "line.row-order"), result.rows);
   result.boundary = find_diamond_boundary(chosen_or_standard(policy, surface, "line.diamond-exit"));
   return result;
 }
@@ -40,6 +39,9 @@ CoverageChoice resolve_primitive(const Policy& policy, Surface surface, Primitiv
   result.ties = *find_tie_rule(
       chosen_or_standard(policy, surface, point ? "point.ownership" : "triangle.fill-rule"));
   result.line = resolve_line(policy, surface);
+  parse_name(chosen_or_standard(policy, surface, row_order_rule_of(kind)), result.rows);
+  parse_name(chosen_or_standard(policy, surface, "point.offset"), result.point_offset);
+  parse_name(chosen_or_standard(policy, surface, "triangle.algorithm"), result.triangle_algorithm);
   return result;
 }
 
@@ -87,6 +89,18 @@ const char* snap_rule_of(PrimitiveKind kind) {
       return "line.snap";
     case PrimitiveKind::triangle:
       return "triangle.snap";
+  }
+  return "?";
+}
+
+const char* row_order_rule_of(PrimitiveKind kind) {
+  switch (kind) {
+    case PrimitiveKind::point:
+      return "point.row-order";
+    case PrimitiveKind::line:
+      return "line.row-order";
+    case PrimitiveKind::triangle:
+      return "triangle.row-order";
   }
   return "?";
 }

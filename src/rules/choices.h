@@ -9,8 +9,11 @@
 
 #include "model/policy.h"
 #include "rules/coverage/line_algorithm.h"
+#include "rules/coverage/point_ownership.h"
+#include "rules/coverage/row_order.h"
 #include "rules/coverage/snap.h"
 #include "rules/coverage/tie_rule.h"
+#include "rules/coverage/triangle_algorithm.h"
 #include "rules/values/flat_attribute.h"
 #include "rules/values/smooth_attribute.h"
 
@@ -19,8 +22,11 @@ namespace edgecase {
 // What a policy says for one kind of primitive.
 struct CoverageChoice {
   Snap snap;
+  RowOrder rows = RowOrder::bottom_up;  // snapping, ties and all else see the target so
   TieRule ties;     // of a point's square, a triangle's edges, a line drawn as an area
   LineChoice line;  // of lines alone
+  PointOffset point_offset = PointOffset::none;                              // of points alone
+  TriangleAlgorithm triangle_algorithm = TriangleAlgorithm::edge_functions;  // of triangles alone
 };
 
 // What a policy says of attributes.
@@ -42,8 +48,9 @@ struct RuleChoices {
 // Rules and alternatives that the policy names must be of the catalogue.
 RuleChoices resolve(const Policy& policy, Surface surface);
 
-// The rule by which ties of a kind of primitive are decided, and the rule of its snapping.
+// The rules by which ties of a kind of primitive are decided, of its snapping and its row order.
 const char* coverage_rule_of(PrimitiveKind kind);
 const char* snap_rule_of(PrimitiveKind kind);
+const char* row_order_rule_of(PrimitiveKind kind);
 
 }  // namespace edgecase

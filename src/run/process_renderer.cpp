@@ -89,22 +89,22 @@ Outcome ProcessRenderer::attempt(const Task& task) {
   if (child_ == nullptr && !start()) return Failure{FailureKind::unavailable, unavailable_};
   const Scene& scene = *task.scene;
   const std::string scene_text = scene_json(scene);
-  const std::string request = request_line(task.id, scene_text);
+  const std::string request = request_line(task.id, scene_text, task.coverage_only);
   std::string answer;
   const auto status = child_->exchange(request, answer, longest_answer(scene),
                                        ChildProcess::Clock::now() + patience(), spec_.stop);
-  if (status == ChildProcess::Status::answered) return read(answer, digest_of(scene_text), scene);
+  if (status == ChildProcess::Status::answered) return read(answer, digest_of(scene_text), task);
   Failure failure = failure_of(status);
   child_.reset();
   return failure;
 }
 
 Outcome ProcessRenderer::read(const std::string& line, const std::string& digest,
-                              const Scene& scene) {
+                              const Task& task) {
   child_answered_ = true;
   ever_answered_ = true;
   silent_deaths_ = 0;
-  auto parsed = parse_answer(line, digest, scene);
+  auto parsed = parse_answer(line, digest, *task.scene, task.coverage_only);
   if (const auto* error = std::get_if<WireError>(&parsed)) {
     // Nobody knows what else is on its way: only a new process is sure to be in step.
     child_->kill();

@@ -41,7 +41,7 @@ class ProcessRenderer final : public Renderer {
   Outcome render_one(const Task& task);
   bool start();
   Outcome attempt(const Task& task);
-  Outcome read(const std::string& line, const std::string& digest, const Scene& scene);
+  Outcome read(const std::string& line, const std::string& digest, const Task& task);
   std::chrono::milliseconds patience() const;
   Failure failure_of(ChildProcess::Status status);
   bool answers_an_empty_scene();

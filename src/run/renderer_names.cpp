@@ -40,6 +40,48 @@ Command mesa_command(const std::string& worker, bool egl, const std::string& dri
           kDriverVariables};
 }
 
+// Where Debian's packages describe Vulkan drivers to the loader.
+constexpr const char* kSwiftShader = "/usr/lib/chromium/vk_swiftshader_icd.json";
+constexpr const char* kVulkanDrivers = "/usr/share/vulkan/icd.d";
+
+// Variables with which a user chooses a Vulkan driver, puts layers before it, or tunes zink.
+const std::vector<std::string> kVulkanVariables = {
+    "VK_ADD_DRIVER_FILES", "VK_LOADER_DRIVERS_SELECT", "VK_LOADER_DRIVERS_DISABLE",
+    "VK_INSTANCE_LAYERS",  "VK_LOADER_LAYERS_ENABLE",  "MESA_VK_DEVICE_SELECT",
+    "ZINK_DEBUG",          "ZINK_DESCRIPTORS"};
+
+// lavapipe's description, whose name has the machine's architecture in it. Where it is not
+// installed, a name for the message that says so.
+std::string lavapipe_description() {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(kVulkanDrivers, ignored))
+    if (entry.path().filename().string().starts_with("lvp_icd.")) return entry.path().string();
+  return std::string(kVulkanDrivers) + "/lvp_icd.json";
+}
+
+// OpenGL by zink, upon the Vulkan driver of this description.
+Command zink_command(const std::string& worker, const std::string& driver,
+                     const std::string& description) {
+  Command command{{worker, "egl-surfaceless", "--expect-driver", driver},
+                  {{"MESA_LOADER_DRIVER_OVERRIDE", "zink"},
+                   // Without it Mesa looks for a graphics card, and finds none.
+                   {"LIBGL_ALWAYS_SOFTWARE", "1"},
+                   // Mesa's device selection layer would ask for a display.
+                   {"NODEVICE_SELECT", "1"},
+                   // The second is the newer name of the first; loaders know one or both.
+                   {"VK_ICD_FILENAMES", description},
+                   {"VK_DRIVER_FILES", description},
+                   {"LP_NUM_THREADS", "0"}},
+                  kDriverVariables};
+  command.unset.insert(command.unset.end(), kVulkanVariables.begin(), kVulkanVariables.end());
+  if (driver == "zink-swiftshader") {
+    // It lacks features that zink wants for OpenGL 4.3, but has all that capturing needs.
+    command.environment.emplace("MESA_GL_VERSION_OVERRIDE", "4.3");
+    command.environment.emplace("MESA_GLSL_VERSION_OVERRIDE", "430");
+  }
+  return command;
+}
+
 // A device shows what the system offers: the environment is the user's.
 Command device_command(const std::string& worker, const std::string& number) {
   return {{worker, "egl-device:" + number}, {{"LP_NUM_THREADS", "0"}}, {}};
@@ -96,14 +138,15 @@ bool is_number(std::string_view text) {
 }  // namespace
 
 const std::vector<std::string>& opengl_renderer_names() {
-  static const std::vector<std::string> names = {"osmesa:llvmpipe", "osmesa:softpipe",
-                                                 "egl:llvmpipe", "egl:softpipe", "egl:device0"};
+  static const std::vector<std::string> names = {
+      "osmesa:llvmpipe", "osmesa:softpipe",      "egl:llvmpipe", "egl:softpipe",
+      "egl:zink",        "egl:zink-swiftshader", "egl:device0"};
   return names;
 }
 
 std::string known_renderer_names() {
-  return "exact, osmesa:llvmpipe, osmesa:softpipe, egl:llvmpipe, egl:softpipe, egl:deviceN, "
-         "exec:PROGRAM";
+  return "exact, osmesa:llvmpipe, osmesa:softpipe, egl:llvmpipe, egl:softpipe, egl:zink, "
+         "egl:zink-swiftshader, egl:deviceN, exec:PROGRAM";
 }
 
 std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& name,
@@ -114,6 +157,14 @@ std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& name
   spec.name = name;
   if (name.starts_with(kDevicePrefix) && is_number(name.substr(kDevicePrefix.size()))) {
     spec.command = device_command(worker, name.substr(kDevicePrefix.size()));
+    return spec;
+  }
+  if (name == "egl:zink") {
+    spec.command = zink_command(worker, "zink", lavapipe_description());
+    return spec;
+  }
+  if (name == "egl:zink-swiftshader") {
+    spec.command = zink_command(worker, "zink-swiftshader", kSwiftShader);
     return spec;
   }
   for (const char* driver : {"llvmpipe", "softpipe"}) {

@@ -2,7 +2,8 @@
 //
 // The renderers that live in processes, by the names that the command line gives them.
 //
-//   osmesa:llvmpipe osmesa:softpipe egl:llvmpipe egl:softpipe egl:deviceN exec:PROGRAM
+//   osmesa:llvmpipe osmesa:softpipe egl:llvmpipe egl:softpipe egl:zink egl:zink-swiftshader
+//   egl:deviceN exec:PROGRAM
 //
 // The OpenGL ones are all the same program, edgecase-gl; what differs is its argument and the
 // environment it is started in, since Mesa chooses its driver by environment variables that it

@@ -120,8 +120,11 @@ class Run {
 
   Result compare_outcome(std::size_t index, Outcome outcome, const Renderer& renderer) {
     if (auto* failure = std::get_if<Failure>(&outcome)) return not_run(std::move(*failure));
-    return compare(suite_.cases[index].scene, options_.policy, exact_[index],
-                   std::get<Rendering>(outcome), renderer.info().subpixel_bits);
+    const RendererInfo info = renderer.info();
+    const auto profile = options_.profiles.find(info.name);
+    return compare(
+        suite_.cases[index].scene, options_.policy, exact_[index], std::get<Rendering>(outcome),
+        {info.subpixel_bits, profile != options_.profiles.end() ? &profile->second : nullptr});
   }
 
   void report_progress() {

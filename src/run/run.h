@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ namespace edgecase {
 
 struct RunOptions {
   Policy policy;
-  std::vector<std::string> renderers;  // names that make_renderer knows
+  std::vector<std::string> renderers;      // names that make_renderer knows
+  std::map<std::string, Policy> profiles;  // what some of them are measured to follow
   RendererOptions renderer_options;
   int jobs = 1;                                            // threads, at least 1
   std::function<void(std::size_t, std::size_t)> progress;  // done, total; from any thread; or empty

@@ -12,8 +12,10 @@ namespace edgecase {
 namespace {
 
 constexpr const char* kCoverageRules[] = {
-    "point.ownership",    "line.diamond-exit", "line.algorithm", "line.width",   "line.row-order",
-    "triangle.fill-rule", "point.snap",        "line.snap",      "triangle.snap"};
+    "point.ownership",   "point.offset",       "point.snap",         "point.row-order",
+    "line.algorithm",    "line.diamond-exit",  "line.width",         "line.snap",
+    "line.row-order",    "triangle.algorithm", "triangle.fill-rule", "triangle.snap",
+    "triangle.row-order"};
 
 using Fragments = std::vector<std::pair<int, PixelPosition>>;
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "wire/coverage_runs.h"
 #include "wire/reading.h"
 #include "wire/rendering_json.h"
 
@@ -34,6 +35,11 @@ std::string claims_json(const RendererInfo& claims) {
 
 std::string claims_member(const RendererInfo* claims) {
   return claims == nullptr ? "" : ",\"renderer\":" + claims_json(*claims);
+}
+
+std::string hits_member(const Rendering& rendering) {
+  if (rendering.hits.empty()) return "";
+  return fmt::format(",\"hits\":[{}]", fmt::join(rendering.hits, ","));
 }
 
 RendererInfo read_claims(const json& value, const Path& path) {
@@ -110,6 +116,31 @@ int count_primitives(const Scene& scene) {
   return static_cast<int>(primitives_of(scene).size());
 }
 
+std::vector<Fragment> read_fragments(const json& value, const Path& path, const Bounds& bounds) {
+  wire::require_array(value, path, value.size());
+  std::vector<Fragment> fragments;
+  fragments.reserve(value.size());
+  for (std::size_t i = 0; i < value.size(); ++i)
+    fragments.push_back(read_fragment(value[i], {path, i}, bounds));
+  return fragments;
+}
+
+// Either the key "coverage", or "pixels" and "fragments".
+void read_drawn(const json& document, const Path& root, const Scene& scene, Rendering& rendering) {
+  const int primitives = count_primitives(scene);
+  const json* coverage = wire::optional_member(document, "coverage");
+  const char* key = coverage != nullptr ? "coverage" : "fragments";
+  const json& list = coverage != nullptr ? *coverage : wire::member(document, root, key);
+  if (!list.empty() && primitives == 0)
+    throw Refusal(fmt::format("/{} has elements, but the scene draws nothing", key));
+  rendering.fragments =
+      coverage != nullptr
+          ? wire::read_coverage_runs(list, {root, key},
+                                     {rendering.width, rendering.height, primitives})
+          : read_fragments(list, {root, key},
+                           {rendering.width, rendering.height, rendering.samples, primitives});
+}
+
 Rendering read_rendering(const json& document, const Path& root, const Scene& scene) {
   Rendering rendering;
   rendering.width = scene.target.width;
@@ -117,47 +148,53 @@ Rendering read_rendering(const json& document, const Path& root, const Scene& sc
   rendering.samples = scene.target.samples;
   const std::size_t area =
       static_cast<std::size_t>(rendering.width) * static_cast<std::size_t>(rendering.height);
-  rendering.pixels = read_integers<std::uint8_t>(wire::member(document, root, "pixels"),
-                                                 {root, "pixels"}, 4 * area);
+  if (!document.contains("coverage"))
+    rendering.pixels = read_integers<std::uint8_t>(wire::member(document, root, "pixels"),
+                                                   {root, "pixels"}, 4 * area);
   if (const json* hits = wire::optional_member(document, "hits"))
     rendering.hits = read_integers<std::uint32_t>(*hits, {root, "hits"}, area);
-
-  const json& fragments = wire::member(document, root, "fragments");
-  const Path at(root, "fragments");
-  wire::require_array(fragments, at, fragments.size());
-  const Bounds bounds{rendering.width, rendering.height, rendering.samples,
-                      count_primitives(scene)};
-  if (!fragments.empty() && bounds.primitives == 0)
-    throw Refusal("/fragments has elements, but the scene draws nothing");
-  rendering.fragments.reserve(fragments.size());
-  for (std::size_t i = 0; i < fragments.size(); ++i)
-    rendering.fragments.push_back(read_fragment(fragments[i], {at, i}, bounds));
+  read_drawn(document, root, scene, rendering);
   sort_fragments(rendering);
   if (auto contradiction = contradiction_of_hits(rendering)) throw Refusal(*contradiction);
   return rendering;
 }
 
-Answer read_answer(const json& document, const std::string& digest, const Scene& scene) {
+// Keys that exclude each other, and an answer in a form that was not asked for.
+void check_form(const json& document, const Scene& scene, bool coverage_only) {
+  const auto refuse_beside = [&](const char* first, std::initializer_list<const char*> others) {
+    if (!document.contains(first)) return;
+    for (const char* key : others)
+      if (document.contains(key))
+        throw Refusal(fmt::format("the line has both \"{}\" and \"{}\"", first, key));
+  };
+  refuse_beside("not_run", {"pixels", "fragments", "coverage", "hits"});
+  refuse_beside("coverage", {"pixels", "fragments"});
+  if (!document.contains("coverage")) return;
+  if (!coverage_only)
+    throw Refusal("the line has \"coverage\", but the request asked for a whole answer");
+  if (scene.target.samples != 1)
+    throw Refusal("the line has \"coverage\", which cannot tell which samples are covered");
+}
+
+Answer read_answer(const json& document, const std::string& digest, const Scene& scene,
+                   bool coverage_only) {
   const Path root;
-  wire::require_object(document, root,
-                       {"digest", "pixels", "fragments", "hits", "renderer", "not_run"});
+  wire::require_object(
+      document, root, {"digest", "pixels", "fragments", "coverage", "hits", "renderer", "not_run"});
   const std::string& given =
       wire::read_string(wire::member(document, root, "digest"), {root, "digest"});
   if (given != digest)
     throw Refusal(fmt::format("/digest is \"{}\", an answer to another scene than \"{}\"",
                               wire::excerpt(given, 40), digest));
+  check_form(document, scene, coverage_only);
   Answer answer;
   if (const json* claims = wire::optional_member(document, "renderer"))
     answer.claims = read_claims(*claims, {root, "renderer"});
-  const json* reason = wire::optional_member(document, "not_run");
-  if (reason == nullptr) {
+  if (const json* reason = wire::optional_member(document, "not_run"))
+    answer.outcome =
+        Failure{FailureKind::unsupported, wire::read_string(*reason, {root, "not_run"})};
+  else
     answer.outcome = read_rendering(document, root, scene);
-    return answer;
-  }
-  for (const char* key : {"pixels", "fragments", "hits"})
-    if (document.contains(key))
-      throw Refusal(fmt::format("the line has both \"not_run\" and \"{}\"", key));
-  answer.outcome = Failure{FailureKind::unsupported, wire::read_string(*reason, {root, "not_run"})};
   return answer;
 }
 
@@ -165,11 +202,16 @@ Answer read_answer(const json& document, const std::string& digest, const Scene&
 
 std::string answer_line(const std::string& digest, const Rendering& rendering,
                         const RendererInfo* claims) {
-  std::string hits;
-  if (!rendering.hits.empty()) hits = fmt::format(",\"hits\":[{}]", fmt::join(rendering.hits, ","));
   return fmt::format(R"({{"digest":{},"pixels":{},"fragments":{}{}{}}})", text_of(digest),
-                     pixels_json(rendering), fragments_json(rendering), hits,
+                     pixels_json(rendering), fragments_json(rendering), hits_member(rendering),
                      claims_member(claims));
+}
+
+std::string coverage_line(const std::string& digest, const Rendering& rendering,
+                          const RendererInfo* claims) {
+  const std::string hits = contradiction_of_hits(rendering) ? hits_member(rendering) : "";
+  return fmt::format(R"({{"digest":{},"coverage":{}{}{}}})", text_of(digest),
+                     wire::coverage_runs_json(rendering), hits, claims_member(claims));
 }
 
 std::string refusal_line(const std::string& digest, const std::string& reason,
@@ -179,9 +221,9 @@ std::string refusal_line(const std::string& digest, const std::string& reason,
 }
 
 std::variant<Answer, WireError> parse_answer(std::string_view line, const std::string& digest,
-                                             const Scene& scene) {
+                                             const Scene& scene, bool coverage_only) {
   try {
-    return read_answer(wire::parse_text(line), digest, scene);
+    return read_answer(wire::parse_text(line), digest, scene, coverage_only);
   } catch (const Refusal& refusal) {
     return WireError{refusal.what()};
   }

@@ -27,13 +27,20 @@ struct Answer {
 std::string answer_line(const std::string& digest, const Rendering& rendering,
                         const RendererInfo* claims);
 
+// The line that answers with coverage alone, for a request that asked for no more: pixels, depths
+// and colours are left out, and so are hit counts that agree with the fragments. Those that
+// contradict them are told, so that the reader refuses the answer as it would refuse a whole one.
+std::string coverage_line(const std::string& digest, const Rendering& rendering,
+                          const RendererInfo* claims);
+
 // The line that refuses a scene, for a reason that is one sentence for people.
 std::string refusal_line(const std::string& digest, const std::string& reason,
                          const RendererInfo* claims);
 
-// Reads the answer to the scene that has this digest. Fragments come back sorted.
+// Reads the answer to the scene that has this digest. Fragments come back sorted. Coverage alone is
+// an answer only where `coverage_only` was asked for; a whole answer always is.
 std::variant<Answer, WireError> parse_answer(std::string_view line, const std::string& digest,
-                                             const Scene& scene);
+                                             const Scene& scene, bool coverage_only = false);
 
 // How the hit counts of a rendering contradict its fragments, naming the first pixel (bottom row
 // first) where they do; nothing when they agree, or when the rendering has no hit counts.

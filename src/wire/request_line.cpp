@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
+//
+// A scene is written twice on its way, by who asks and by who checks the digest, and hundreds of
+// thousands of times by whoever measures a driver: it is formatted straight into the text.
 #include "wire/request_line.h"
 
 #include <fmt/format.h>
 
+#include <array>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "wire/reading.h"
 
 namespace edgecase {
 
 using nlohmann::json;
-using nlohmann::ordered_json;
 using wire::Path;
 using wire::Refusal;
 
@@ -20,33 +25,82 @@ constexpr int kMaxSize = 4096;
 constexpr int kMaxViewport = 32768;
 // Of a line's width and a point's size, in pixels.
 constexpr int kMaxThickness = 64;
+// The value of "answer" in a request for coverage alone.
+constexpr std::string_view kCoverageAnswer = "coverage";
 
-ordered_json to_json(const Color& color) {
-  ordered_json result = ordered_json::array();
-  for (float component : color) result.push_back(static_cast<double>(component));
-  return result;
+using Output = std::back_insert_iterator<fmt::memory_buffer>;
+
+// A finite number as the shortest decimal that reads back as the same double: 1.0, not 1, so that
+// coordinates and colours look like what they are.
+void write_number(Output out, double value) {
+  std::array<char, 32> text;
+  const char* end = fmt::format_to_n(text.data(), text.size(), "{}", value).out;
+  const std::string_view digits(text.data(), static_cast<std::size_t>(end - text.data()));
+  const bool whole = digits.find_first_of(".e") == digits.npos;
+  fmt::format_to(out, "{}{}", digits, whole ? ".0" : "");
 }
 
-ordered_json to_json(const Viewport& box) {
-  return {box.x, box.y, box.width, box.height};
-}
-
-ordered_json to_json(const Draw& draw) {
-  ordered_json vertices = ordered_json::array();
-  for (const Vertex& vertex : draw.vertices) {
-    vertices.push_back(
-        {{"position",
-          {vertex.position.x.to_double(), vertex.position.y.to_double(), vertex.z.to_double()}},
-         {"color", to_json(vertex.color)}});
+void write(Output out, const Color& color) {
+  for (std::size_t i = 0; i < color.size(); ++i) {
+    *out++ = i == 0 ? '[' : ',';
+    write_number(out, static_cast<double>(color[i]));
   }
-  ordered_json result = {{"primitive", name_of(draw.primitive)},
-                         {"interpolation", name_of(draw.interpolation)},
-                         {"provoking_vertex", name_of(draw.provoking_vertex)},
-                         {"line_width", draw.line_width.to_double()},
-                         {"point_size", draw.point_size.to_double()}};
-  if (draw.scissor) result["scissor"] = to_json(*draw.scissor);
-  result["vertices"] = std::move(vertices);
-  return result;
+  *out++ = ']';
+}
+
+void write(Output out, const Viewport& box) {
+  fmt::format_to(out, "[{},{},{},{}]", box.x, box.y, box.width, box.height);
+}
+
+void write(Output out, const Vertex& vertex);
+void write(Output out, const Draw& draw);
+
+template <class Item>
+void write_all(Output out, const std::vector<Item>& items) {
+  *out++ = '[';
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) *out++ = ',';
+    write(out, items[i]);
+  }
+  *out++ = ']';
+}
+
+void write(Output out, const Vertex& vertex) {
+  fmt::format_to(out, R"({{"position":[)");
+  write_number(out, vertex.position.x.to_double());
+  *out++ = ',';
+  write_number(out, vertex.position.y.to_double());
+  *out++ = ',';
+  write_number(out, vertex.z.to_double());
+  fmt::format_to(out, R"(],"color":)");
+  write(out, vertex.color);
+  *out++ = '}';
+}
+
+void write(Output out, const Draw& draw) {
+  fmt::format_to(out, R"({{"primitive":"{}","interpolation":"{}","provoking_vertex":"{}")",
+                 name_of(draw.primitive), name_of(draw.interpolation),
+                 name_of(draw.provoking_vertex));
+  fmt::format_to(out, R"(,"line_width":)");
+  write_number(out, draw.line_width.to_double());
+  fmt::format_to(out, R"(,"point_size":)");
+  write_number(out, draw.point_size.to_double());
+  if (draw.scissor) {
+    fmt::format_to(out, R"(,"scissor":)");
+    write(out, *draw.scissor);
+  }
+  fmt::format_to(out, R"(,"vertices":)");
+  write_all(out, draw.vertices);
+  *out++ = '}';
+}
+
+void write(Output out, const Target& target) {
+  fmt::format_to(out, R"({{"width":{},"height":{},"samples":{},"color":"{}","surface":"{}")",
+                 target.width, target.height, target.samples, name_of(target.color),
+                 name_of(target.surface));
+  fmt::format_to(out, R"(,"clear":)");
+  write(out, target.clear);
+  *out++ = '}';
 }
 
 Color read_color(const json& value, const Path& path) {
@@ -170,12 +224,19 @@ Scene read_scene(const json& value, const Path& path) {
 
 Request read_request(const json& document) {
   const Path root;
-  wire::require_object(document, root, {"edgecase", "id", "digest", "scene"});
+  wire::require_object(document, root, {"edgecase", "id", "digest", "answer", "scene"});
   wire::read_integer(wire::member(document, root, "edgecase"), {root, "edgecase"}, kProtocolVersion,
                      kProtocolVersion);
   Request request;
   request.id = wire::read_string(wire::member(document, root, "id"), {root, "id"});
   request.digest = wire::read_string(wire::member(document, root, "digest"), {root, "digest"});
+  if (const json* answer = wire::optional_member(document, "answer")) {
+    const std::string& name = wire::read_string(*answer, {root, "answer"});
+    if (name != kCoverageAnswer)
+      throw Refusal(fmt::format("/answer is \"{}\", but it must be \"{}\"", wire::excerpt(name, 40),
+                                kCoverageAnswer));
+    request.coverage_only = true;
+  }
   request.scene = read_scene(wire::member(document, root, "scene"), {root, "scene"});
   const std::string digest = digest_of(scene_json(request.scene));
   if (digest != request.digest)
@@ -187,19 +248,16 @@ Request read_request(const json& document) {
 }  // namespace
 
 std::string scene_json(const Scene& scene) {
-  ordered_json draws = ordered_json::array();
-  for (const Draw& draw : scene.draws) draws.push_back(to_json(draw));
-  const Target& target = scene.target;
-  const ordered_json document = {{"target",
-                                  {{"width", target.width},
-                                   {"height", target.height},
-                                   {"samples", target.samples},
-                                   {"color", name_of(target.color)},
-                                   {"surface", name_of(target.surface)},
-                                   {"clear", to_json(target.clear)}}},
-                                 {"viewport", to_json(scene.viewport)},
-                                 {"draws", std::move(draws)}};
-  return document.dump();
+  fmt::memory_buffer text;
+  const Output out(text);
+  fmt::format_to(out, R"({{"target":)");
+  write(out, scene.target);
+  fmt::format_to(out, R"(,"viewport":)");
+  write(out, scene.viewport);
+  fmt::format_to(out, R"(,"draws":)");
+  write_all(out, scene.draws);
+  text.push_back('}');
+  return fmt::to_string(text);
 }
 
 std::string digest_of(std::string_view scene_json) {
@@ -208,10 +266,12 @@ std::string digest_of(std::string_view scene_json) {
   return fmt::format("{:016x}", hash);
 }
 
-std::string request_line(const std::string& id, std::string_view scene_json) {
+std::string request_line(const std::string& id, std::string_view scene_json, bool coverage_only) {
   const std::string quoted = json(id).dump(-1, ' ', true, json::error_handler_t::replace);
-  return fmt::format(R"({{"edgecase":{},"id":{},"digest":"{}","scene":{}}})", kProtocolVersion,
-                     quoted, digest_of(scene_json), scene_json);
+  const std::string answer =
+      coverage_only ? fmt::format(R"("answer":"{}",)", kCoverageAnswer) : std::string();
+  return fmt::format(R"({{"edgecase":{},"id":{},"digest":"{}",{}"scene":{}}})", kProtocolVersion,
+                     quoted, digest_of(scene_json), answer, scene_json);
 }
 
 std::variant<Request, WireError> parse_request(std::string_view line) {

@@ -27,6 +27,7 @@ struct Request {
   std::string id;      // of the case, for messages
   std::string digest;  // of the scene, to be repeated in the answer
   Scene scene;
+  bool coverage_only = false;  // pixels, depths and colours may be left out of the answer
 };
 
 // A scene as one JSON object without line breaks: the value of "scene" in a request.
@@ -37,7 +38,8 @@ std::string scene_json(const Scene& scene);
 std::string digest_of(std::string_view scene_json);
 
 // The whole request, without the line break at its end.
-std::string request_line(const std::string& id, std::string_view scene_json);
+std::string request_line(const std::string& id, std::string_view scene_json,
+                         bool coverage_only = false);
 
 // The inverse. Refuses what is no request of this version, what lies outside the limits that
 // model/scene.h states, and a scene that does not have the digest that the line gives it.

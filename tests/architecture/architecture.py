@@ -36,7 +36,7 @@ ALLOWED = {
 
 # A library's headers -> modules that may include them.
 LIBRARIES = [
-    (r"nlohmann/", {"casefile", "wire", "results", "reports", "tools"}),
+    (r"nlohmann/", {"casefile", "wire", "results", "profile", "reports", "tools"}),
     (r"OpenImageIO/", {"image"}),
     (r"(GL|EGL|KHR|GLES\d?|glad)/", {"reference"}),
     (r"glm/", {"casefile"}),

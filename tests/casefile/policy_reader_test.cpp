@@ -27,12 +27,13 @@ struct Fault {
 TEST(PolicyReader, ReadsEveryField) {
   const LoadedPolicy loaded = load(R"({"$schema": "x", "why": "because", "name": "mine",
     "latitude": "none", "rules": {"triangle.fill-rule": "left-bottom"},
-    "surfaces": {"fbo": {"line.snap": "none"}}})");
+    "surfaces": {"fbo": {"line.snap": "none"}, "window": {"line.snap": "8-half-even"}}})");
   ASSERT_TRUE(loaded.value.has_value());
   EXPECT_EQ(loaded.value->name, "mine");
   EXPECT_EQ(loaded.value->latitude, Latitude::none);
   EXPECT_EQ(loaded.value->rules, (Choices{{"triangle.fill-rule", "left-bottom"}}));
   EXPECT_EQ(loaded.value->surfaces.at(Surface::fbo), (Choices{{"line.snap", "none"}}));
+  EXPECT_EQ(loaded.value->surfaces.at(Surface::window), (Choices{{"line.snap", "8-half-even"}}));
 }
 
 TEST(PolicyReader, LeavesDefaults) {
@@ -63,8 +64,10 @@ TEST(PolicyReader, NamesEachFault) {
        "must be a string", "quotes"},
       {"{\"name\": \"a\", \"rules\": {\"line.snap\": \"nope\"}}", 1, "/rules/line.snap",
        "no alternative \"nope\"", "none"},
-      {"{\"name\": \"a\", \"surfaces\": {\"window\": {}}}", 1, "/surfaces/window",
-       "not supported yet", "remove"},
+      {"{\"name\": \"a\", \"surfaces\": {\"windows\": {}}}", 1, "/surfaces/windows", "no key",
+       "did you mean \"window\"?"},
+      {"{\"name\": \"a\", \"surfaces\": {\"window\": {\"line.snap\": \"no\"}}}", 1,
+       "/surfaces/window/line.snap", "no alternative \"no\"", "none"},
       {"{\"name\": \"a\", \"surfaces\": {\"fbo\": {\"line.snap\": \"non\"}}}", 1,
        "/surfaces/fbo/line.snap", "no alternative", "did you mean \"none\"?"},
       {"{\"name\": \"a\", \"name\": \"b\"}", 1, "/name", "stands twice", "keep one"},

@@ -54,7 +54,8 @@ def faults(file):
 
 def is_case(file):
     folders = {part.name for part in file.relative_to(CASES).parents}
-    return not file.name.endswith(".schema.json") and not folders & {"expectations", "policies"}
+    other = {"expectations", "policies", "profiles"}
+    return not file.name.endswith(".schema.json") and not folders & other
 
 
 def properties_of(schema):

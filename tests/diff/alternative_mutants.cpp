@@ -34,6 +34,7 @@ std::vector<Mutant> alternative_mutants() {
   constexpr const char* kFill = "triangle.fill-rule";
   constexpr const char* kShared = "triangle.shared-edge";
   constexpr const char* kLine = "line.diamond-exit";
+  constexpr const char* kJoint = "line.joint";
   constexpr const char* kPoint = "point.ownership";
   std::vector<Mutant> mutants = {
       // On a free edge a tie may go either way, but no conforming implementation is open or closed.
@@ -41,17 +42,24 @@ std::vector<Mutant> alternative_mutants() {
       alternative(kPermitted, "triangles with ties", kFill, "closed", kFill),
       alternative(kViolation, "shared edge", kFill, "open", kShared),
       alternative(kViolation, "shared edge", kFill, "closed", kShared),
+      alternative(kConvention, "shared edge", kFill, "right-bottom", kFill),
       // Of a renderer that reports 8 bits.
       alternative(kConvention, "triangles off the grid", "triangle.snap", "8-half-even", kFill),
       alternative(kViolation, "triangles off the grid", "triangle.snap", "4-half-even", kFill),
       alternative(kConvention, "lines off the grid", "line.snap", "8-truncate", kLine),
       alternative(kConvention, "lines off the grid", "line.snap", "4-truncate", kLine),
       alternative(kConvention, "line on a row's border", kLine, "right-bottom", kLine),
+      alternative(kConvention, "points off the grid", "point.snap", "8-half-even", kPoint),
+      alternative(kViolation, "points off the grid", "point.snap", "4-half-even", kPoint),
+      // Both lines draw their first pixel, as exact does.
+      alternative(kConvention, "lines from one point", "line.algorithm", "midpoint", kLine),
+      // Two strips draw the joint twice.
+      alternative(kViolation, "strip x-major", "line.algorithm", "walk-floor-to-floor", kJoint),
+      alternative(kViolation, "strip y-major", "line.algorithm", "midpoint", kJoint),
+      alternative(kViolation, "line smooth", "attribute.smooth", "major-axis", "attribute.smooth"),
+      alternative(kViolation, "triangle", "attribute.provoking-vertex", "first", "attribute.flat"),
       alternative(kConvention, "points on borders", kPoint, "left-bottom", kPoint),
   };
-  // Of two triangles in the quad only one differs, and what it draws has a conforming cause too.
-  for (Mutant& mutant : mutants)
-    if (mutant.scenes[0] == "shared edge") mutant.cause = kAnyCause;
   for (const char* order : {"left-bottom", "right-bottom", "right-top", "bottom-left",
                             "bottom-right", "top-left", "top-right"})
     mutants.push_back(alternative(kConvention, "triangles with ties", kFill, order, kFill));

@@ -91,7 +91,7 @@ TEST(Completeness, DisagreementsAreThePlainDifferenceOfFragments) {
     const Rendering exact = rasterize(scene, {});
     Rendering rendered = rasterize(scene, random_policy(random));
     damage(rendered, random, static_cast<int>(primitives_of(scene).size()));
-    const Result result = compare(scene, {}, exact, rendered, 8);
+    const Result result = compare(scene, {}, exact, rendered, {8});
     const auto expected = plain_difference(exact, rendered);
     ASSERT_EQ(reported(result), expected) << "pair " << i;
     if (!expected.empty()) ++differing;
@@ -107,7 +107,7 @@ TEST(Completeness, DisagreementsAreSorted) {
   for (int i = 0; i < 500; ++i) {
     const Scene scene = random.next({10, Fixed::kOne / 2, 4, false});
     Rendering rendered = rasterize(scene, random_policy(random));
-    const Result result = compare(scene, {}, rasterize(scene, {}), rendered, 8);
+    const Result result = compare(scene, {}, rasterize(scene, {}), rendered, {8});
     const auto key = [](const Disagreement& d) {
       return std::tuple(d.y, d.x, d.primitive, d.kind);
     };
@@ -132,7 +132,7 @@ TEST(Legality, DoesNotDependOnThePolicy) {
         seen;
     for (int p = 0; p < 4; ++p) {
       const Policy policy = p == 0 ? Policy{} : random_policy(random);
-      Result result = compare(scene, policy, rasterize(scene, policy), rendered, 8);
+      Result result = compare(scene, policy, rasterize(scene, policy), rendered, {8});
       Result* const results[] = {&result};
       judge(results, Latitude::opengl);
       for (const Disagreement& d : result.disagreements) {

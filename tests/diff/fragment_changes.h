@@ -37,4 +37,10 @@ inline void draw(const Scene& scene, Fragments& fragments, int x, int y) {
   fragments.push_back(fragment_at(scene, 0, x, y));
 }
 
+// The fragment of a line that lies first, or last, along the way from its first vertex.
+Fragments::iterator end_of(const Scene& scene, Fragments& fragments, int primitive, bool last);
+
+// The scene with every vertex moved, in pixels that are multiples of 2^-16.
+Scene moved(Scene scene, double dx, double dy);
+
 }  // namespace edgecase

@@ -9,7 +9,7 @@
 
 #include <deque>
 
-#include "diff/cause.h"
+#include "diff/alternatives.h"
 #include "diff/compare.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
@@ -128,6 +128,27 @@ TEST(Judge, AnOpenChoiceComesBeforeAnIllegalOne) {
   EXPECT_EQ(results[1].disagreements[0].cause, illegal);
 }
 
+// No conforming choice makes a hole in a shared edge: what explains more of the run is the cause.
+TEST(Judge, WhatIsIllegalSpeaksForNoOpenChoice) {
+  const std::string illegal = "triangle.fill-rule=closed", open = "triangle.fill-rule=left-bottom";
+  std::deque<Result> results = {triangle_result({open, illegal}), triangle_result({illegal})};
+  results[0].disagreements[0].legal = false;
+  results[0].disagreements[0].rule = "triangle.shared-edge";
+  judge_all(results);
+  EXPECT_EQ(results[0].disagreements[0].cause, illegal);
+  // A fault of another kind, or of another primitive, is no evidence here.
+  for (const bool value : {true, false}) {
+    std::deque<Result> others = {triangle_result({open, illegal}), triangle_result({illegal})};
+    Disagreement fault;
+    fault.primitive = value ? 0 : 1;
+    fault.kind = value ? DisagreementKind::value : DisagreementKind::extra;
+    fault.rule = value ? "attribute.flat" : "triangle.fill-rule";
+    others[0].disagreements.push_back(fault);
+    judge_all(others);
+    EXPECT_EQ(others[0].disagreements[0].cause, open);
+  }
+}
+
 TEST(Judge, OnlyOpenChoicesAreConvention) {
   std::deque<Result> results = {
       triangle_result({"triangle.fill-rule=open"}),
@@ -239,7 +260,7 @@ std::deque<Result> faulty_run() {
         random.next({10, i % 2 == 0 ? Fixed::kOne / 2 : Fixed::kOne / 2048, 3, true});
     Rendering rendered = rasterize(scene, renderer);
     if (i % 7 == 0 && !rendered.fragments.empty()) rendered.fragments.pop_back();
-    results.push_back(compare(scene, {}, rasterize(scene, {}), rendered, 8));
+    results.push_back(compare(scene, {}, rasterize(scene, {}), rendered, {8}));
   }
   return results;
 }

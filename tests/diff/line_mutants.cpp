@@ -2,9 +2,7 @@
 //
 // Rulings 1 to 3 clause by clause: what one unit, one fragment more or less and one gap allow, and
 // what they do not.
-#include <algorithm>
-#include <cmath>
-
+#include "rules/coverage/segment.h"
 #include "tests/diff/fragment_changes.h"
 
 namespace edgecase {
@@ -13,6 +11,25 @@ namespace {
 const std::vector<std::string> kLines = {"line x-major", "line y-major", "line 45 degrees",
                                          "line short",   "two lines",    "line smooth"};
 const std::vector<std::string> kLong = {"line x-major", "line y-major", "line 45 degrees"};
+// Moved as a whole, joints stay whole.
+const std::vector<std::string> kMoved = {"line x-major",
+                                         "line y-major",
+                                         "line 45 degrees",
+                                         "line short",
+                                         "two lines",
+                                         "line smooth",
+                                         "strip x-major",
+                                         "strip y-major",
+                                         "strip leftward",
+                                         "strip downward",
+                                         "joined lines x-major",
+                                         "joined lines y-major",
+                                         "joined draws",
+                                         "strip with an empty middle",
+                                         "lines with an empty middle",
+                                         "strip that turns back",
+                                         "strip that turns upward",
+                                         "lines from one point"};
 const std::vector<std::string> kEmpty = {"line within a diamond"};
 
 // Walks that draw both ends are in use, and the catalogue has them.
@@ -38,27 +55,12 @@ Mutant violation(Rest... rest) {
   return line_mutant(Verdict::violation, rest...);
 }
 
-// The fragment of primitive 0 that lies first, or last, along the way from its first vertex.
-Fragments::iterator end_of(const Scene& scene, Fragments& fragments, bool last) {
-  const Point from = scene.draws[0].vertices[0].position;
-  const auto distance = [&](const Fragment& f) {
-    const Point centre = pixel_centre(f.x, f.y);
-    if (f.primitive != 0) return last ? -1e9 : 1e9;
-    return std::abs((centre.x - from.x).to_double()) + std::abs((centre.y - from.y).to_double());
-  };
-  const auto nearer = [&](const Fragment& a, const Fragment& b) {
-    return distance(a) < distance(b);
-  };
-  return last ? std::max_element(fragments.begin(), fragments.end(), nearer)
-              : std::min_element(fragments.begin(), fragments.end(), nearer);
-}
-
 void erase_first(const Scene& scene, Fragments& fragments) {
-  fragments.erase(end_of(scene, fragments, false));
+  fragments.erase(end_of(scene, fragments, 0, false));
 }
 
 void erase_last(const Scene& scene, Fragments& fragments) {
-  fragments.erase(end_of(scene, fragments, true));
+  fragments.erase(end_of(scene, fragments, 0, true));
 }
 
 // The pixel that holds the second vertex.
@@ -69,7 +71,7 @@ void draw_end_vertex(const Scene& scene, Fragments& fragments) {
 
 // One more before the first fragment, along x or y as the line runs.
 void draw_before_first(const Scene& scene, Fragments& fragments) {
-  const Fragment first = *end_of(scene, fragments, false);
+  const Fragment first = *end_of(scene, fragments, 0, false);
   const auto& v = scene.draws[0].vertices;
   const bool x_major = v[1].position.x - v[0].position.x >= v[1].position.y - v[0].position.y;
   draw(scene, fragments, first.x - (x_major ? 1 : 0), first.y - (x_major ? 0 : 1));
@@ -92,6 +94,18 @@ Mutation one_doubled(int dx, int dy) {
   });
 }
 
+// Every other fragment moved across the line's direction, the others as far the other way.
+Mutation zigzag(int there, int back) {
+  return changed([=](const Scene& scene, Fragments& fragments) {
+    const auto& v = scene.draws[0].vertices;
+    const bool x_major = Segment{v[0].position, v[1].position}.x_major();
+    for (Fragment& f : fragments) {
+      const int across = (x_major ? f.x : f.y) % 2 == 0 ? there : -back;
+      f = fragment_at(scene, 0, f.x + (x_major ? 0 : across), f.y + (x_major ? across : 0));
+    }
+  });
+}
+
 Mutation gap(std::ptrdiff_t length) {
   return changed(
       [=](const Scene&, Fragments& f) { f.erase(f.begin() + 4, f.begin() + 4 + length); });
@@ -110,6 +124,20 @@ Mutation both(void (*first)(const Scene&, Fragments&), void (*second)(const Scen
   });
 }
 
+void erase_two_inside(const Scene&, Fragments& f) {
+  f.erase(f.begin() + 3, f.begin() + 5);
+}
+
+void draw_beyond_both_ends(const Scene& scene, Fragments& fragments) {
+  draw_before_first(scene, fragments);
+  draw_end_vertex(scene, fragments);
+}
+
+void draw_beside_the_fifth(const Scene& scene, Fragments& f) {
+  const bool x_major = f[0].x != f[1].x;
+  draw(scene, f, f[4].x + (x_major ? 0 : 1), f[4].y + (x_major ? 1 : 0));
+}
+
 void draw_far_away(const Scene& scene, Fragments& fragments) {
   draw(scene, fragments, 0, 15);
 }
@@ -119,9 +147,9 @@ void draw_far_away(const Scene& scene, Fragments& fragments) {
 std::vector<Mutant> line_mutants() {
   const Mutation nothing = changed([](const Scene&, Fragments& f) { f.clear(); });
   return {
-      permitted("moved by 1 in x", kLines, shifted(1, 0)),
-      permitted("moved by 1 in y", kLines, shifted(0, 1)),
-      permitted("moved by 1 in x and y", kLines, shifted(1, 1)),
+      permitted("moved by 1 in x", kMoved, shifted(1, 0)),
+      permitted("moved by 1 in y", kMoved, shifted(0, 1)),
+      permitted("moved by 1 in x and y", kMoved, shifted(1, 1)),
       convention("last pixel drawn", kLines, changed(draw_end_vertex), kWholeWalk),
       permitted("first fragment missing", kLines, changed(erase_first)),
       permitted("last fragment missing", kLines, changed(erase_last)),
@@ -133,6 +161,14 @@ std::vector<Mutant> line_mutants() {
       violation("two strays within one unit", kLong, both(draw_before_first, draw_end_vertex)),
       permitted("one missing, a stray within one unit", kLong, both(erase_last, draw_before_first)),
       violation("one missing, a stray far away", kLines, both(erase_last, draw_far_away)),
+      permitted("two missing inside, a stray at each end", kLong,
+                both(erase_two_inside, draw_beyond_both_ends)),
+      permitted("zigzag by 1", kLong, zigzag(1, 0)),
+      permitted("zigzag by 1 to both sides", kLong, zigzag(1, 1)),
+      // On a slope, the next fragment is near enough.
+      violation("zigzag by 2", std::vector<std::string>{"line on a row's border"}, zigzag(2, 0)),
+      violation("zigzag by 3", kLong, zigzag(3, 0)),
+      violation("a stray beside the line", kLong, changed(draw_beside_the_fifth)),
       permitted("an interior gap", kLong, gap(1), "line.interior-gap"),
       violation("an interior gap of two", kLong, gap(2)),
       violation("double width for three columns",

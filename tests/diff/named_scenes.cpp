@@ -56,6 +56,42 @@ std::vector<NamedScene> line_scenes() {
   };
 }
 
+std::vector<Point> beside_centres(double distance) {
+  const double left = 4.5 + distance;
+  const double top = 12.5 - distance;
+  return {at(left, 3.25), at(12.25, top), at(left, top)};
+}
+
+// Lines that go on where others end. The joints lie at pixel centres, but for the middles, which
+// lie within one diamond.
+std::vector<NamedScene> joint_scenes() {
+  constexpr Primitive kStrip = Primitive::line_strip;
+  return {
+      {"strip x-major", Builder(50).add(kStrip, {at(3.5, 4.5), at(8.5, 6.5), at(12.5, 7.5)})},
+      {"strip y-major", Builder(51).add(kStrip, {at(5.5, 3.5), at(7.5, 8.5), at(8.5, 12.5)})},
+      {"strip leftward", Builder(52).add(kStrip, {at(12.5, 5.5), at(7.5, 7.5), at(3.5, 8.5)})},
+      {"strip downward", Builder(53).add(kStrip, {at(10.5, 12.5), at(8.5, 7.5), at(7.5, 3.5)})},
+      {"joined lines x-major",
+       Builder(54).add(kLines, {at(3.5, 9.5), at(8.5, 8.5), at(8.5, 8.5), at(13.5, 6.5)})},
+      {"joined lines y-major",
+       Builder(55).add(kLines, {at(9.5, 3.5), at(8.5, 8.5), at(8.5, 8.5), at(6.5, 13.5)})},
+      {"joined draws", Builder(56)
+                           .add(kLines, {at(3.5, 10.5), at(7.5, 10.5)})
+                           .add(kStrip, {at(7.5, 10.5), at(12.5, 11.5)})},
+      {"strip with an empty middle",
+       Builder(57).add(kStrip, {at(3.5, 4.5), at(7.375, 5.5), at(7.625, 5.5), at(12.5, 7.5)})},
+      {"lines with an empty middle",
+       Builder(58).add(kLines, {at(5.5, 12.5), at(6.5, 8.625), at(6.5, 8.625), at(6.5, 8.375),
+                                at(6.5, 8.375), at(8.5, 3.5)})},
+      {"strip that turns back",
+       Builder(59).add(kStrip, {at(3.5, 4.5), at(9.25, 5.25), at(3.5, 8.5)})},
+      {"strip that turns upward",
+       Builder(60).add(kStrip, {at(3.5, 4.5), at(9.5, 5.5), at(11.5, 12.5)})},
+      {"lines from one point",
+       Builder(61).add(kLines, {at(4.5, 8.5), at(12.5, 11.5), at(4.5, 8.5), at(12.5, 5.5)})},
+  };
+}
+
 std::vector<NamedScene> triangle_scenes() {
   const std::vector<Point> fan = {at(8, 8), at(3.25, 8.5), at(8.5, 3.25),  //
                                   at(8, 8), at(8.5, 3.25), at(13, 7.5),    //
@@ -78,6 +114,9 @@ std::vector<NamedScene> triangle_scenes() {
        Builder(25).add(kTriangles,
                        {at(3.25, 7.5 - 3.0 / 2048), at(3.25, 3.25), at(7.25, 7.5 - 3.0 / 2048),
                         at(8.25, 12.5 - 3.0 / 128), at(8.25, 8.25), at(12.25, 12.5 - 3.0 / 128)})},
+      // A vertical left and a horizontal top edge beside pixel centres.
+      {"triangle a 256th off", Builder(28).add(kTriangles, beside_centres(1.0 / 256))},
+      {"triangle a 512th off", Builder(29).add(kTriangles, beside_centres(1.0 / 512))},
       {"triangle smooth",
        Builder(26).add(kTriangles, {at(2.25, 2.5), at(13.75, 4.25), at(4.5, 13.5)}, kSmooth)},
       {"overdraw", Builder(27)
@@ -89,10 +128,17 @@ std::vector<NamedScene> triangle_scenes() {
 
 std::vector<NamedScene> all_scenes() {
   std::vector<NamedScene> scenes = line_scenes();
+  for (NamedScene& scene : joint_scenes()) scenes.push_back(std::move(scene));
   for (NamedScene& scene : triangle_scenes()) scenes.push_back(std::move(scene));
   scenes.push_back({"points", Builder(40).add(kPoints, {at(4.25, 4.75), at(8.5, 9.5),
                                                         at(11.75, 6.25), at(5.5, 11.25)})});
   scenes.push_back({"points on borders", Builder(41).add(kPoints, {at(5, 4.5), at(9, 9)})});
+  // Rounding to 8 bits moves the first onto the border of two pixels, rounding to 4 bits the second
+  // too; no finer grid does.
+  scenes.push_back({"points off the grid",
+                    Builder(43).add(kPoints, {at(6 - 3.0 / 2048, 4.5), at(10 - 3.0 / 128, 8.5)})});
+  scenes.push_back({"points a 256th off",
+                    Builder(44).add(kPoints, {at(7 - 1.0 / 256, 5.5), at(9.5, 11 - 1.0 / 256)})});
   // Primitives alternate, and colours of all components lie on whole steps: 0 and 1.
   Scene mixed = Builder(42)
                     .add(kPoints, {at(4.5, 12.5)})
@@ -141,7 +187,7 @@ Fragment fragment_at(const Scene& scene, int primitive, int x, int y) {
 }
 
 Result compare_and_judge(const Scene& scene, const Rendering& rendered, int subpixel_bits) {
-  Result result = compare(scene, {}, rasterize(scene, {}), rendered, subpixel_bits);
+  Result result = compare(scene, {}, rasterize(scene, {}), rendered, {subpixel_bits});
   Result* const results[] = {&result};
   judge(results, Latitude::opengl);
   return result;

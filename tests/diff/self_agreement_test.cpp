@@ -15,7 +15,7 @@ namespace {
 
 void expect_agreement(const Scene& scene, const Policy& policy, const Rendering& rendered,
                       int bits) {
-  Result result = compare(scene, policy, rasterize(scene, policy), rendered, bits);
+  Result result = compare(scene, policy, rasterize(scene, policy), rendered, {bits});
   Result* const results[] = {&result};
   judge(results, Latitude::opengl);
   ASSERT_EQ(result.verdict, Verdict::agree);

@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "raster/rasterizer.h"
-#include "tests/diff/mutants.h"
-#include "tests/diff/named_scenes.h"
+#include "tests/diff/fragment_changes.h"
 
 namespace edgecase {
 namespace {
@@ -54,6 +53,31 @@ std::uint8_t other_neighbour(double component, int beyond) {
   return static_cast<std::uint8_t>(nearest + direction * (1 + beyond));
 }
 
+// Fragments where exact has them, with the values that another scene has there.
+Rendering shaded_as(const Scene& scene, const Rendering& exact, const Scene& other) {
+  std::vector<Fragment> fragments = exact.fragments;
+  for (Fragment& f : fragments) f = fragment_at(other, f.primitive, f.x, f.y);
+  return compose(scene, std::move(fragments));
+}
+
+Rendering sampled_at_corners(const Scene& scene, const Rendering& exact) {
+  return shaded_as(scene, exact, moved(scene, .5, .5));
+}
+
+Rendering swapped_colours(const Scene& scene, const Rendering& exact) {
+  Scene other = scene;
+  for (Draw& draw : other.draws) std::swap(draw.vertices[0].color, draw.vertices[1].color);
+  return shaded_as(scene, exact, other);
+}
+
+Rendering other_interpolation(const Scene& scene, const Rendering& exact) {
+  Scene other = scene;
+  for (Draw& draw : other.draws)
+    draw.interpolation =
+        draw.interpolation == Interpolation::flat ? Interpolation::smooth : Interpolation::flat;
+  return shaded_as(scene, exact, other);
+}
+
 Rendering wrong_provoking_vertex(const Scene& scene, const Rendering& exact) {
   std::vector<Fragment> fragments = exact.fragments;
   const auto primitives = primitives_of(scene);
@@ -96,8 +120,9 @@ std::vector<Mutant> value_mutants() {
        kViolation,
        "attribute.flat",
        "attribute.provoking-vertex=first"},
-      {"smooth colour 1 ULP off", kSmooth, every_fragment(ulp), kPermitted, "", ""},
-      {"one smooth colour 1 ULP off", kSmooth, one_fragment(ulp), kPermitted, "", ""},
+      {"smooth colour 1 ULP off", kSmooth, every_fragment(ulp), kPermitted, "attribute.smooth", ""},
+      {"one smooth colour 1 ULP off", kSmooth, one_fragment(ulp), kPermitted, "attribute.smooth",
+       ""},
       {"flat colour 1 ULP off", kFlat, one_fragment(ulp), kViolation, "attribute.flat", ""},
       {"smooth colour 1e-3 off", kSmooth, one_fragment([](Fragment& f) { f.color[0] += 1e-3; }),
        kViolation, "attribute.smooth", ""},
@@ -107,6 +132,22 @@ std::vector<Mutant> value_mutants() {
          f.color = {0.3, 0.3, 0.3, 1};
        }),
        kViolation, "attribute.smooth", ""},
+      {"smooth colour of the pixel's corner",
+       {"triangle smooth"},
+       sampled_at_corners,
+       kViolation,
+       "attribute.smooth",
+       ""},
+      {"smooth colours of swapped vertices", kSmooth, swapped_colours, kViolation,
+       "attribute.smooth", ""},
+      {"flat colour where smooth is asked for", kSmooth, other_interpolation, kViolation,
+       "attribute.smooth", ""},
+      {"smooth colour where flat is asked for",
+       {"triangle", "fan", "line short"},
+       other_interpolation,
+       kViolation,
+       "attribute.flat",
+       ""},
       {"smooth colour NaN", kSmooth, one_fragment([](Fragment& f) { f.color[1] = kNaN; }),
        kViolation, "attribute.smooth", ""},
       {"flat colour NaN", kFlat, one_fragment([](Fragment& f) { f.color[1] = kNaN; }), kViolation,
@@ -117,7 +158,7 @@ std::vector<Mutant> value_mutants() {
        {"triangle", "triangle smooth", "line x-major"},
        every_fragment([](Fragment& f) { f.depth = next_float(f.depth); }),
        kPermitted,
-       "",
+       "fragment.depth",
        ""},
       {"depth 1e-2 off",
        {"triangle", "triangle smooth", "line x-major", "points"},
@@ -156,7 +197,8 @@ std::vector<Mutant> pixel_mutants() {
   const std::vector<std::string> touched = {"triangle", "line x-major", "points",
                                             "triangle smooth"};
   return {
-      {"pixel at the other neighbour of its colour", kSmooth, beside(0), kPermitted, "", ""},
+      {"pixel at the other neighbour of its colour", kSmooth, beside(0), kPermitted,
+       "framebuffer.unorm8", ""},
       {"pixel one beyond both neighbours", kSmooth, beside(1), kViolation, "framebuffer.unorm8",
        ""},
       {"pixel one off a whole step", touched, step, kViolation, "framebuffer.unorm8", ""},

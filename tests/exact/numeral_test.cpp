@@ -172,9 +172,21 @@ TEST(Numeral, PrintsCanonicalDecimals) {
   EXPECT_EQ(to_decimal(Fixed::from_raw(-8192 * kOne + 1)), "-8191.9999847412109375");
 }
 
+TEST(Numeral, PrintsFractions) {
+  EXPECT_EQ(to_fraction(Fixed()), "0");
+  EXPECT_EQ(to_fraction(Fixed::from_integer(-3)), "-3");
+  EXPECT_EQ(to_fraction(Fixed::from_raw(7 * kOne / 2)), "7/2");
+  EXPECT_EQ(to_fraction(Fixed::from_raw(-15 * kOne / 4)), "-15/4");
+  EXPECT_EQ(to_fraction(Fixed::from_raw(10 * kOne + 3 * kOne / 256)), "10+3/256");
+  EXPECT_EQ(to_fraction(Fixed::from_raw(-kOne - kOne / 16)), "-1-1/16");
+  EXPECT_EQ(to_fraction(Fixed::from_raw(-1)), "-1/65536");
+}
+
 TEST(Numeral, EveryFractionPartComesBack) {
-  for (std::int64_t raw = -2 * kOne; raw <= 2 * kOne; ++raw)
+  for (std::int64_t raw = -2 * kOne; raw <= 2 * kOne; ++raw) {
     ASSERT_EQ(raw_of(to_decimal(Fixed::from_raw(raw))), raw);
+    ASSERT_EQ(raw_of(to_fraction(Fixed::from_raw(raw))), raw);
+  }
 }
 
 TEST(Numeral, RandomValuesComeBackFromEveryForm) {
@@ -184,6 +196,7 @@ TEST(Numeral, RandomValuesComeBackFromEveryForm) {
     const std::int64_t raw = raws(random) >> (random() % 40);
     const std::string decimal = to_decimal(Fixed::from_raw(raw));
     ASSERT_EQ(raw_of(decimal), raw);
+    ASSERT_EQ(raw_of(to_fraction(Fixed::from_raw(raw))), raw);
     ASSERT_EQ(raw_of("~" + decimal), raw);
     ASSERT_EQ(raw_of(decimal + "e0"), raw);
     ASSERT_EQ(raw_of(std::to_string(raw) + "/65536"), raw);

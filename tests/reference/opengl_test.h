@@ -51,7 +51,8 @@ class OpenGlTest : public ::testing::TestWithParam<std::tuple<std::string, Surfa
 
 inline std::string place_name(const ::testing::TestParamInfo<OpenGlTest::ParamType>& test) {
   std::string name = std::get<0>(test.param);
-  name[name.find(':')] = '_';
+  for (char& c : name)
+    if (c == ':' || c == '-') c = '_';
   return name + "_" + name_of(std::get<1>(test.param));
 }
 

@@ -3,6 +3,9 @@
 // The OpenGL side against real OpenGL: what every conforming implementation must draw.
 #include <gmock/gmock.h>
 
+#include <map>
+#include <optional>
+
 #include "tests/reference/opengl_test.h"
 
 namespace edgecase {
@@ -10,6 +13,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 constexpr const char* kRectangle =
     "........\n"
@@ -76,6 +80,29 @@ TEST_P(SceneRendererTest, HitCountsEqualTheCapture) {
   EXPECT_EQ(rendering.hits[rendering.pixel_index(2, 3)], 3u);
   EXPECT_EQ(rendering.hits[rendering.pixel_index(0, 0)], 0u);
   EXPECT_EQ(rendering.fragments.size(), 36u);
+}
+
+TEST_P(SceneRendererTest, CoverageAloneIsTheSameCoverage) {
+  Scene scene = blank(8, 8);
+  scene.draws = {known_rectangle(),
+                 make_draw(Primitive::triangles, {{100, 50}, {1900, 400}, {700, 1800}}),
+                 make_draw(Primitive::line_strip, {{30, 30}, {1500, 700}, {900, 1700}}),
+                 make_draw(Primitive::points, {{640, 640}})};
+  const Rendering whole = render(renderer(), scene);
+  const Task task{"test", &scene, true};
+  std::optional<Outcome> outcome;
+  renderer().render({&task, 1}, [&](std::size_t, Outcome got) { outcome = std::move(got); });
+  ASSERT_TRUE(outcome && std::holds_alternative<Rendering>(*outcome));
+  const Rendering& coverage_alone = std::get<Rendering>(*outcome);
+  EXPECT_TRUE(coverage_alone.pixels.empty());
+  ASSERT_EQ(coverage_alone.fragments.size(), whole.fragments.size());
+  for (std::size_t i = 0; i < whole.fragments.size(); ++i) {
+    const Fragment& fragment = coverage_alone.fragments[i];
+    EXPECT_FALSE(precedes(fragment, whole.fragments[i]) || precedes(whole.fragments[i], fragment));
+    EXPECT_FALSE(fragment.has_depth || fragment.has_color);
+  }
+  // Nor does the pass that was left out leave anything to the next scene.
+  EXPECT_EQ(render(renderer(), scene).pixels, whole.pixels);
 }
 
 TEST_P(SceneRendererTest, NumbersPrimitivesOverAllDraws) {
@@ -170,8 +197,14 @@ TEST_P(SceneRendererTest, SaysWhoItIs) {
   EXPECT_GE(info.subpixel_bits, 4);
   EXPECT_EQ(info.traits.at("capture"), "ssbo");
   const std::string driver = name().substr(name().find(':') + 1);
-  EXPECT_TRUE(driver.starts_with("device") || info.device.find(driver) != std::string::npos)
-      << info.device;
+  const std::map<std::string, std::string> over = {{"zink", "zink (llvmpipe"},
+                                                   {"zink-swiftshader", "zink (SwiftShader"}};
+  const auto found = over.find(driver);
+  if (!driver.starts_with("device")) {
+    EXPECT_THAT(info.device, StartsWith(found == over.end() ? driver : found->second));
+  }
+  EXPECT_EQ(info.traits.contains("stack"), found != over.end());
+  EXPECT_EQ(info.traits.at("provoking_vertices"), "first last");
 }
 
 INSTANTIATE_TEST_SUITE_P(OpenGl, SceneRendererTest, EDGECASE_ALL_PLACES, place_name);
@@ -194,6 +227,22 @@ TEST_P(DriversTest, LlvmpipeAndSoftpipeAreDifferentProgramsAtWork) {
   ASSERT_TRUE(std::holds_alternative<Rendering>(second));
   EXPECT_THAT(llvmpipe.info().device, HasSubstr("llvmpipe"));
   EXPECT_THAT(softpipe.info().device, HasSubstr("softpipe"));
+  EXPECT_NE(coverage(std::get<Rendering>(first)), coverage(std::get<Rendering>(second)));
+}
+
+// 16 steps to a pixel against 256: what snapping makes of a corner tells the two apart.
+TEST(ZinkTest, LavapipeAndSwiftShaderAreDifferentProgramsAtWork) {
+  Scene scene = blank_scene(8, 8);
+  // A sliver above a row of centres, thinner than half a step of the coarser grid.
+  scene.draws = {make_draw(Primitive::triangles, {{128, 640}, {1920, 640 + 6}, {128, 640 - 6}})};
+  const Outcome first = render_outcome(shared_renderer("egl:zink"), scene);
+  const Outcome second = render_outcome(shared_renderer("egl:zink-swiftshader"), scene);
+  for (const Outcome* outcome : {&first, &second})
+    if (const auto* failure = std::get_if<Failure>(outcome);
+        failure != nullptr && failure->reason.find("cannot be opened") != std::string::npos)
+      GTEST_SKIP() << failure->reason;
+  ASSERT_TRUE(std::holds_alternative<Rendering>(first));
+  ASSERT_TRUE(std::holds_alternative<Rendering>(second));
   EXPECT_NE(coverage(std::get<Rendering>(first)), coverage(std::get<Rendering>(second)));
 }
 

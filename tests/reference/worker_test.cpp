@@ -33,6 +33,36 @@ TEST(Worker, AnotherDriverThanPromisedIsUnavailable) {
   }
 }
 
+TEST(Worker, AVulkanDriverThatIsNotInstalledIsUnavailable) {
+  for (const auto& [name, package] : {std::pair("egl:zink", "package mesa-vulkan-drivers"),
+                                      std::pair("egl:zink-swiftshader", "package chromium")}) {
+    ProcessSpec spec = spec_of(name);
+    spec.command.environment["VK_ICD_FILENAMES"] = "/no/such/driver.json";
+    const Failure failure = failure_of(spec);
+    EXPECT_EQ(failure.kind, FailureKind::unavailable) << name;
+    EXPECT_THAT(failure.reason, HasSubstr("/no/such/driver.json cannot be opened"));
+    EXPECT_THAT(failure.reason, HasSubstr(package));
+  }
+}
+
+TEST(Worker, ZinkUponAnotherVulkanDriverIsUnavailable) {
+  ProcessSpec spec = spec_of("egl:zink-swiftshader");
+  const ProcessSpec lavapipe = spec_of("egl:zink");
+  for (const char* variable : {"VK_ICD_FILENAMES", "VK_DRIVER_FILES"})
+    spec.command.environment[variable] = lavapipe.command.environment.at(variable);
+  const Failure failure = failure_of(spec);
+  EXPECT_EQ(failure.kind, FailureKind::unavailable);
+  EXPECT_THAT(failure.reason, testing::AnyOf(HasSubstr("the driver is 'zink (llvmpipe"),
+                                             HasSubstr("cannot be opened")));
+  // lavapipe calls itself llvmpipe, and is another driver than the one of that name.
+  ProcessSpec llvmpipe = spec_of("egl:llvmpipe");
+  llvmpipe.command.environment = lavapipe.command.environment;
+  llvmpipe.command.unset.clear();
+  EXPECT_THAT(failure_of(llvmpipe).reason,
+              testing::AnyOf(HasSubstr("LLVM"), HasSubstr("cannot be")));
+  EXPECT_EQ(failure_of(llvmpipe).kind, FailureKind::unavailable);
+}
+
 TEST(Worker, ADeviceThatIsNotThereIsUnavailable) {
   const Failure failure = failure_of(spec_of("egl:device99"));
   EXPECT_EQ(failure.kind, FailureKind::unavailable);

@@ -12,6 +12,7 @@
 
 #include "reports/pixels.h"
 #include "reports/report_data.h"
+#include "results/clusters.h"
 #include "tests/reports/sample.h"
 
 namespace edgecase {
@@ -59,6 +60,25 @@ TEST(Html, DataParsesBackAndIsWhatWasGiven) {
         EXPECT_EQ(answer["disagreements"][d]["x"], one.results[r].disagreements[d].x);
     }
   }
+}
+
+TEST(Html, RenderersHoldTheirClusters) {
+  const Results results = sample::results();
+  const json data = json::parse(report_data(results, {}));
+  std::size_t all = 0;
+  for (std::size_t r = 0; r < results.renderers.size(); ++r) {
+    const std::vector<Cluster> clusters = clusters_of(results, r);
+    const json& shown = data["renderers"][r]["clusters"];
+    ASSERT_EQ(shown.size(), clusters.size());
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+      EXPECT_EQ(shown[i]["cause"], clusters[i].cause);
+      EXPECT_EQ(shown[i]["legal"], clusters[i].legal);
+      EXPECT_EQ(shown[i]["disagreements"], clusters[i].disagreements);
+      EXPECT_EQ(shown[i]["smallest"], clusters[i].smallest_case);
+    }
+    all += clusters.size();
+  }
+  EXPECT_GT(all, 3U);
 }
 
 TEST(Html, NoTextLeavesTheDataElement) {

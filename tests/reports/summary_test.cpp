@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "reports/cluster_summary.h"
 #include "tests/reports/sample.h"
 
 namespace edgecase {
@@ -54,12 +55,83 @@ TEST(Summary, ListsUnexpectedResultsWithTheirFirstExplanation) {
   EXPECT_THAT(text, HasSubstr("and 3 more"));
 }
 
+// `count` unexplained clusters, each in a case of its own, and as many causes.
+Results clustered(int count) {
+  Results results;
+  results.renderers.resize(1);
+  results.renderers[0].name = "exec:python3 mine.py";
+  results.policy = "opengl";
+  for (int i = 0; i < count; ++i) {
+    CaseResults one;
+    one.id = "lines/a:dx=" + std::to_string(i);
+    one.file = "cases/lines/a.json";
+    one.surface = "fbo";
+    one.results.resize(1);
+    Disagreement d = sample::disagreement(i, 1, DisagreementKind::extra, false);
+    d.cause = "line.algorithm=a" + std::to_string(i);
+    one.results[0].disagreements.assign(2, d);
+    d.cause.clear();
+    d.situation = "line, place " + std::to_string(i);
+    one.results[0].disagreements.push_back(d);
+    results.cases.push_back(one);
+  }
+  return results;
+}
+
+TEST(Summary, ShowsWhatNoAlternativeAccountsForBeforeTheCauses) {
+  const std::string text = summary_of(clustered(1), false);
+  EXPECT_THAT(text, HasSubstr(R"(
+No alternative accounts for these differences of exec:python3 mine.py:
+  not legal  line.diamond-exit extra, line, place 0, fbo
+             1 in 1 case: edgecase explain cases/lines/a.json --filter lines/a:dx=0 --against 'exec:python3 mine.py' --pixel 0,1
+
+Alternatives account for these differences of exec:python3 mine.py:
+  not legal  line.algorithm=a0, fbo: 2 in 1 case
+)"));
+}
+
+TEST(Summary, ShowsFiveClustersWithoutCauseAndFiveCauses) {
+  const std::string five = summary_of(clustered(5), false);
+  EXPECT_THAT(five, HasSubstr("place 4,"));
+  EXPECT_THAT(five, HasSubstr("algorithm=a4,"));
+  EXPECT_THAT(five, Not(HasSubstr(" more\n")));
+  const std::string seven = summary_of(clustered(7), false);
+  EXPECT_THAT(seven, Not(HasSubstr("place 5,")));
+  EXPECT_THAT(seven, Not(HasSubstr("algorithm=a5,")));
+  const std::size_t first = seven.find("  and 2 more\n");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_NE(seven.find("  and 2 more\n", first + 1), std::string::npos);
+}
+
+TEST(Summary, CommandsNameAPolicyOfTheirOwnAndNoFilterWithoutNeed) {
+  Results results = clustered(1);
+  results.policy = "vulkan-strict";
+  results.cases[0].id = "lines/a";
+  EXPECT_THAT(summary_of(results, false),
+              HasSubstr("edgecase explain cases/lines/a.json --against 'exec:python3 mine.py' "
+                        "--pixel 0,1 --policy vulkan-strict\n"));
+  EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_word(""), "''");
+}
+
+TEST(Summary, WithoutDifferencesThereAreNoClusters) {
+  Results results = clustered(1);
+  results.cases[0].results[0].disagreements.clear();
+  EXPECT_THAT(summary_of(results, false), Not(HasSubstr("account")));
+}
+
 TEST(Summary, NoTextSteersTheTerminal) {
   Results results;
   results.diagnostics = {{"a\x1b[2J.json", 1, "", "broken\r", ""}};
   const std::string text = summary_of(results, false);
   EXPECT_THAT(text, Not(HasSubstr("\x1b")));
   EXPECT_THAT(text, Not(HasSubstr("\r")));
+  Results hostile = clustered(1);
+  hostile.renderers[0].name = "exec:\x1b[2J";
+  hostile.cases[0].file = "a\nb\x1b[2J.json";
+  hostile.cases[0].results[0].disagreements[0].cause = "\x1b[2J";
+  hostile.cases[0].results[0].disagreements[2].situation = "\x1b[2J";
+  EXPECT_THAT(summary_of(hostile, false), Not(HasSubstr("\x1b")));
 }
 
 }  // namespace

@@ -48,10 +48,10 @@ void expect_figure(const Figure& a, const Figure& b) {
 }
 
 void expect_disagreement(const Disagreement& a, const Disagreement& b) {
-  EXPECT_EQ(std::tie(a.x, a.y, a.sample, a.primitive, a.kind, a.rule, a.legal, a.cause, a.ruling,
-                     a.explanation),
-            std::tie(b.x, b.y, b.sample, b.primitive, b.kind, b.rule, b.legal, b.cause, b.ruling,
-                     b.explanation));
+  EXPECT_EQ(std::tie(a.x, a.y, a.sample, a.primitive, a.kind, a.rule, a.legal, a.cause, a.situation,
+                     a.ruling, a.explanation),
+            std::tie(b.x, b.y, b.sample, b.primitive, b.kind, b.rule, b.legal, b.cause, b.situation,
+                     b.ruling, b.explanation));
   expect_numbers(a.exact, b.exact);
   expect_numbers(a.rendered, b.rendered);
   expect_figure(a.figure, b.figure);

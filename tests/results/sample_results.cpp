@@ -28,6 +28,7 @@ Disagreement disagreement() {
   d.rule = "attribute.smooth";
   d.legal = true;
   d.cause = "triangle.fill-rule=left-bottom + triangle.snap=8-half-up";
+  d.situation = kHostile;
   d.ruling = 9;
   d.exact = {0.1, 1.0 / 3, -0.0, 5e-324};
   d.rendered = {kNaN, kInfinity, -kInfinity, 1.7976931348623157e308};

@@ -47,6 +47,38 @@ TEST_F(ProcessRendererTest, SetsAndUnsetsTheEnvironment) {
   EXPECT_EQ(renderer.info().device, "changed - new");
 }
 
+TEST_F(ProcessRendererTest, AsksForCoverageAloneWhereThatIsEnough) {
+  // Answers in the form that was asked for; a whole answer says that nothing was.
+  ProcessRenderer renderer(python(R"(
+for r in requests():
+    if r.get("answer") == "coverage":
+        print(json.dumps({"digest": r["digest"], "coverage": [0, 1, 2, 3]}), flush=True)
+    else:
+        answer(r)
+)"));
+  Scene scene = scene_of(4, 2);
+  scene.draws.emplace_back().vertices.resize(3);
+  const Task tasks[] = {{"a", &scene, true}, {"b", &scene}};
+  std::vector<Outcome> outcomes;
+  renderer.render(tasks, [&](std::size_t, Outcome got) { outcomes.push_back(std::move(got)); });
+  ASSERT_EQ(outcomes.size(), 2u);
+  for (const Outcome& outcome : outcomes) ASSERT_TRUE(is_rendering(outcome)) << reason_of(outcome);
+  const Rendering& coverage = std::get<Rendering>(outcomes[0]);
+  EXPECT_TRUE(coverage.pixels.empty());
+  ASSERT_EQ(coverage.fragments.size(), 2u);
+  EXPECT_EQ(coverage.fragments[1].x, 3);
+  EXPECT_EQ(coverage.fragments[1].y, 1);
+  EXPECT_EQ(std::get<Rendering>(outcomes[1]).pixels.size(), 32u);
+}
+
+TEST_F(ProcessRendererTest, CoverageThatNobodyAskedForIsGarbage) {
+  ProcessRenderer renderer(
+      python("for r in requests(): print(json.dumps({'digest': r['digest'], 'coverage': []}), "
+             "flush=True)"));
+  const auto outcomes = render(renderer, {scene_of(1, 1)});
+  EXPECT_EQ(kind_of(outcomes[0]), "garbage");
+}
+
 TEST_F(ProcessRendererTest, PassesARefusalOn) {
   ProcessRenderer renderer(
       python("for r in requests(): print(json.dumps({'digest': r['digest'], 'not_run': 'tired'}), "

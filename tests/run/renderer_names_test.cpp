@@ -10,6 +10,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
 
 Command command_of(const std::string& name) {
   const auto found = find_renderer(name, "/opt/bin");
@@ -40,6 +41,25 @@ TEST(RendererNames, MesaDriversComeFromTheWorkerProgram) {
   EXPECT_THAT(command_of("egl:device12").argv,
               ElementsAre("/opt/bin/edgecase-gl", "egl-device:12"));
   for (const std::string& name : opengl_renderer_names()) command_of(name);
+}
+
+TEST(RendererNames, ZinkComesWithItsVulkanDriver) {
+  const Command lavapipe = command_of("egl:zink");
+  EXPECT_THAT(lavapipe.argv,
+              ElementsAre("/opt/bin/edgecase-gl", "egl-surfaceless", "--expect-driver", "zink"));
+  EXPECT_EQ(lavapipe.environment.at("MESA_LOADER_DRIVER_OVERRIDE"), "zink");
+  EXPECT_THAT(lavapipe.environment.at("VK_ICD_FILENAMES"), HasSubstr("/lvp_icd."));
+  EXPECT_EQ(lavapipe.environment.count("MESA_GL_VERSION_OVERRIDE"), 0u);
+  const Command swiftshader = command_of("egl:zink-swiftshader");
+  EXPECT_EQ(swiftshader.argv.back(), "zink-swiftshader");
+  EXPECT_THAT(swiftshader.environment.at("VK_ICD_FILENAMES"), HasSubstr("vk_swiftshader_icd.json"));
+  EXPECT_EQ(swiftshader.environment.at("MESA_GL_VERSION_OVERRIDE"), "4.3");
+  for (const Command* command : {&lavapipe, &swiftshader}) {
+    EXPECT_EQ(command->environment.at("VK_DRIVER_FILES"),
+              command->environment.at("VK_ICD_FILENAMES"));
+    EXPECT_THAT(command->unset, IsSupersetOf({"GALLIUM_DRIVER", "ZINK_DEBUG", "VK_INSTANCE_LAYERS",
+                                              "VK_ADD_DRIVER_FILES"}));
+  }
 }
 
 TEST(RendererNames, ExecTakesACommandLine) {

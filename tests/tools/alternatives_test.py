@@ -3,7 +3,8 @@
 import re
 import unittest
 
-from support import ROOT, SUITE, UNEXPECTED, USAGE, CommandTest, verdicts
+from support import (ROOT, SUITE, UNEXPECTED, USAGE, CommandTest, only_result, triangle_case,
+                     verdicts)
 
 POLICIES = sorted(path.stem for path in (ROOT / "cases/policies").glob("*.json"))
 ALL_DIFFER = f"{SUITE}/lines/algorithms/all-differ.json"
@@ -32,15 +33,30 @@ class Policies(CommandTest):
                                    "--filter", "triangles/ties/*", expect=UNEXPECTED)
             self.assertLessEqual(set(verdicts(results).values()), {"agree", "violation"})
 
-    def test_one_that_opengl_does_not_allow_cannot_grant_its_latitude(self):
+    def test_one_that_opengl_judges_does_not_excuse_what_opengl_forbids(self):
+        """Two triangles that share an edge through pixel centres, drawn with closed edges by exact
+        itself, to a policy that has them closed."""
+        case = self.write("quad.json", triangle_case(draws=[
+            {"primitive": "triangles",
+             "vertices": [[1, 1], [7, 1], [7, 7], [1, 1], [7, 7], [1, 7]]}]))
         policy = {"name": "mine", "latitude": "opengl", "rules": {"triangle.fill-rule": "closed"}}
         path = self.write("mine.json", policy)
-        told = self.command("run", SUITE, "--policy", path, "--against", "exact",
-                            expect=USAGE).stderr
-        self.assertIn("mine.json: triangle.fill-rule=closed is not what OpenGL allows", told)
-        self.results(SUITE, "--policy", path, "--strict", "--against", "exact")
-        self.results(SUITE, "--policy", self.write("mine.json", policy | {"latitude": "none"}),
+        results = self.results(case, "--policy", path, "--against", "exact", expect=UNEXPECTED)
+        result = only_result(results["cases"][0])
+        self.assertEqual(result["verdict"], "violation")
+        told = result["disagreements"]
+        self.assertEqual([d["pixel"] for d in told], [[i, i] for i in range(1, 7)])
+        for d in told:
+            self.assertEqual((d["rule"], d["ruling"], d["cause"]),
+                             ("triangle.shared-edge", 5, "triangle.fill-rule=closed"))
+            self.assertIn("The policy has it as the renderer does.", d["explanation"])
+        # Judged by itself, the policy is kept.
+        self.results(case, "--policy", path, "--strict", "--against", "exact")
+        self.results(case, "--policy", self.write("mine.json", policy | {"latitude": "none"}),
                      "--against", "exact")
+        # For the other surface it says nothing of this case.
+        elsewhere = {"name": "mine", "surfaces": {"window": policy["rules"]}}
+        self.results(case, "--policy", self.write("window.json", elsewhere), "--against", "exact")
 
     def test_an_unknown_one_is_told_the_names(self):
         told = self.command("run", SUITE, "--policy", "direct3d", expect=USAGE).stderr

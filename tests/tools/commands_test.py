@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
 """The subcommands beside `run`: explain, rules, validate, render, report; what `run` selects."""
 import json
+import shlex
 import struct
 import unittest
 import zlib
 
-from support import MESA, SUITE, UNEXPECTED, CommandTest, only_result, rendered_suite, triangle_case
+from support import (MESA, ROOT, SUITE, UNEXPECTED, USAGE, CommandTest, only_result, rendered_suite,
+                     triangle_case)
 
 TIE = f"{SUITE}/triangles/ties/flat-bottom.json"
 
@@ -58,6 +60,36 @@ class Texts(CommandTest):
             self.assertTrue(not names or rule["standard"] in names, rule["id"])
             numbers += [ruling["number"] for ruling in rule["rulings"]]
         self.assertEqual(sorted(numbers), sorted(set(numbers)))
+
+    def test_rules_as_the_committed_document(self):
+        document = (ROOT / "src" / "rules" / "RULINGS.md").read_text(encoding="utf-8")
+        self.assertEqual(self.command("rules", "--markdown").stdout, document)
+        self.command("rules", "--markdown", "--json", expect=USAGE)
+
+    def test_commands_for_the_smallest_cases_of_clusters_work(self):
+        """The summary's commands, run as they are printed, tell of the pixel that they name."""
+        summary = self.command("run", f"{SUITE}/lines/strips", "--against",
+                               self.odd_renderer("mirror"), "--json", "results.json",
+                               expect=UNEXPECTED).stdout
+        commands = [line.partition(": edgecase ")[2] for line in summary.splitlines()
+                    if ": edgecase explain " in line]
+        self.assertEqual(len(commands), 5)
+        for line in commands:
+            words = shlex.split(line)
+            x, y = words[words.index("--pixel") + 1].split(",")
+            self.assertIn(f"  ({x}, {y}) ", self.command(*words).stdout)
+
+    def test_clusters_count_every_disagreement_once(self):
+        results = self.results(SUITE, "--against", "osmesa:softpipe", expect=None)
+        clusters = results["clusters"]["osmesa:softpipe"]
+        told = [d for case in results["cases"] for d in only_result(case)["disagreements"]]
+        values = sum(len(v["differing"]) for case in results["cases"]
+                     for v in only_result(case)["values"])
+        self.assertEqual(sum(c["disagreements"] for c in clusters), len(told) + values)
+        self.assertEqual(sum(c["disagreements"] for c in clusters if "cause" in c),
+                         sum(1 for d in told if d["cause"]))
+        causes = ["cause" in cluster for cluster in clusters]
+        self.assertEqual(causes, sorted(causes), "those without cause come first")
 
     def test_every_ruling_and_rule_that_results_cite_exists(self):
         rules = json.loads(self.command("rules", "--json").stdout)

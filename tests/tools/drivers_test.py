@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The right driver is really used: llvmpipe and softpipe are different programs at work, and a
 worker that gets another driver than it was promised refuses."""
+import glob
 import json
 import subprocess
 import unittest
@@ -17,6 +18,16 @@ BY_HAND = {
     "softpipe": {"GALLIUM_DRIVER": "softpipe", "MESA_GL_VERSION_OVERRIDE": "4.5",
                  "MESA_GLSL_VERSION_OVERRIDE": "450"},
 }
+# How a user would put zink upon a Vulkan driver by hand: its description, what is executed, and the
+# Debian package that has both.
+VULKAN = {
+    "zink": ("/usr/share/vulkan/icd.d/lvp_icd.*.json", "libvulkan_lvp.so", "mesa-vulkan-drivers"),
+    "zink-swiftshader": ("/usr/lib/chromium/vk_swiftshader_icd.json", "libvk_swiftshader.so",
+                         "chromium"),
+}
+ZINK = {"MESA_LOADER_DRIVER_OVERRIDE": "zink", "LIBGL_ALWAYS_SOFTWARE": "1",
+        "NODEVICE_SELECT": "1", "MESA_GL_VERSION_OVERRIDE": "4.3",
+        "MESA_GLSL_VERSION_OVERRIDE": "430", "LP_NUM_THREADS": "0"}
 LIBRARY = {"osmesa": "libOSMesa.so", "egl-surfaceless": "libEGL"}
 
 
@@ -35,11 +46,11 @@ class Drivers(CommandTest):
         self.command("run", f"{SUITE}/{TIE}.json", "--against", f"exec:{catcher}", expect=RENDERER)
         return (self.folder / "request").read_text(encoding="utf-8")
 
-    def work(self, context, driver, request):
+    def work(self, context, driver, request, **variables):
         """Has a worker draw one scene; what it says of itself, and what it can execute."""
         worker = subprocess.Popen([WORKER, context, "--expect-driver", driver], text=True,
-                                  env=environment(LIBGL_ALWAYS_SOFTWARE="1", **BY_HAND[driver]),
-                                  stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+                                  env=environment(**variables), stdin=subprocess.PIPE,
+                                  stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         with worker:
             worker.stdin.write(request)
             worker.stdin.flush()
@@ -54,7 +65,8 @@ class Drivers(CommandTest):
         for context, library in LIBRARY.items():
             compiled, fragments = {}, {}
             for driver in BY_HAND:
-                answer, mappings = self.work(context, driver, request)
+                answer, mappings = self.work(context, driver, request,
+                                             LIBGL_ALWAYS_SOFTWARE="1", **BY_HAND[driver])
                 self.assertTrue(answer["renderer"]["device"].startswith(driver))
                 self.assertTrue(any(library in name for name in mappings), mappings)
                 compiled[driver] = mappings.count("")
@@ -62,6 +74,42 @@ class Drivers(CommandTest):
             # llvmpipe compiles shaders into memory of its own; softpipe interprets them.
             self.assertGreater(compiled["llvmpipe"], compiled["softpipe"])
             self.assertNotEqual(fragments["llvmpipe"], fragments["softpipe"])
+
+    def test_zink_executes_the_vulkan_driver_that_it_was_given(self):
+        request = self.a_request()
+        libraries = {library for _, library, _ in VULKAN.values()}
+        for driver, (pattern, library, package) in VULKAN.items():
+            found = glob.glob(pattern)
+            if not found:
+                run = self.command("backends", f"egl:{driver}", expect=RENDERER)
+                self.assertIn(f"Debian has it in the package {package}", run.stdout)
+                continue
+            variables = {**ZINK, "VK_ICD_FILENAMES": found[0], "VK_DRIVER_FILES": found[0]}
+            answer, mappings = self.work("egl-surfaceless", driver, request, **variables)
+            self.assertTrue(answer["renderer"]["device"].startswith("zink ("))
+            executed = {name for name in libraries if any(name in path for path in mappings)}
+            self.assertEqual(executed, {library})
+            self.assertEqual("unofficial" in answer["renderer"]["traits"]["stack"],
+                             driver == "zink-swiftshader")
+            # Neither the other driver's name nor that of plain llvmpipe is believed.
+            for promised in ({"llvmpipe", "softpipe"} | set(VULKAN)) - {driver}:
+                run = subprocess.run([WORKER, "egl-surfaceless", "--expect-driver", promised],
+                                     input="", capture_output=True, text=True, timeout=PATIENCE,
+                                     env=environment(**variables))
+                self.assertEqual(run.returncode, 3)
+                self.assertIn("the driver is 'zink (", run.stderr)
+                self.assertIn(f"not {promised}", run.stderr)
+
+    def test_zink_draws_the_same_with_any_number_of_threads(self):
+        pattern = VULKAN["zink"][0]
+        plain = self.command("render", f"{SUITE}/{TIE}.json", "--with", "egl:zink").stdout
+        variables = " ".join(f"{name}={value}" for name, value in
+                             {**ZINK, "VK_ICD_FILENAMES": glob.glob(pattern)[0]}.items())
+        for threads in (1, 4):
+            other = (f"exec:env {variables} LP_NUM_THREADS={threads} {WORKER} egl-surfaceless "
+                     "--expect-driver zink")
+            run = self.command("render", f"{SUITE}/{TIE}.json", "--with", other)
+            self.assertEqual(run.stdout, plain)
 
     def test_devices_and_renderings_differ(self):
         against = [word for renderer in MESA for word in ("--against", renderer)]
@@ -98,13 +146,16 @@ class Drivers(CommandTest):
                 run = self.command("render", case, "--with", renderer, **{variable: other})
                 self.assertEqual(run.stdout, plain, f"{variable}={other}")
 
-    def test_backends_tell_the_five(self):
+    def test_backends_tell_all(self):
         table = self.command("backends").stdout.splitlines()
         rows = {line.split()[0]: line for line in table if ":" in line.split(" ")[0]}
         for renderer in MESA:
             self.assertIn(renderer.split(":")[1], rows[renderer])
             self.assertIn("yes + hits", rows[renderer])
-        self.assertIn("egl:device0", rows)
+        for renderer in ("egl:zink", "egl:zink-swiftshader", "egl:device0"):
+            self.assertIn(renderer, rows)
+        self.assertIn("zink (llvmpipe", rows["egl:zink"])
+        self.assertIn("yes + hits", rows["egl:zink"])
         self.assertEqual(table[0].split()[0], "renderer")
 
     def test_backends_of_a_renderer_that_is_missing(self):

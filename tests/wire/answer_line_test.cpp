@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 constexpr const char* kDigest = "0123456789abcdef";
 
@@ -200,6 +202,128 @@ std::vector<BadAnswer> bad_answers() {
       {head + R"("not_run":true})", "/not_run must be a string, but it is true"},
       {head + "\"not_run\":\"\xff\"}", "no line of JSON"},
   };
+}
+
+std::variant<Answer, WireError> parse_coverage(const std::string& line) {
+  return parse_answer(line, kDigest, small_scene(), true);
+}
+
+// x, y, primitive of every fragment.
+std::vector<std::array<int, 3>> places_of(const Rendering& rendering) {
+  std::vector<std::array<int, 3>> places;
+  for (const Fragment& fragment : rendering.fragments)
+    places.push_back({fragment.x, fragment.y, fragment.primitive});
+  return places;
+}
+
+TEST(CoverageAlone, ReadsBackEveryFragmentWithoutValues) {
+  Rendering rendering = small_rendering();
+  // Two primitives in one row, a gap, a pixel drawn twice, and runs that end where others begin.
+  rendering.hits.clear();
+  rendering.fragments.clear();
+  for (const auto& [x, y, primitive] : std::vector<std::array<int, 3>>{
+           {0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 1}, {2, 0, 0}, {2, 0, 1}, {0, 1, 1}}) {
+    Fragment fragment;
+    fragment.x = x;
+    fragment.y = y;
+    fragment.primitive = primitive;
+    rendering.fragments.push_back(fragment);
+  }
+  const std::string line = coverage_line(kDigest, rendering, nullptr);
+  EXPECT_THAT(line, HasSubstr(R"("coverage":[0,0,0,0,0,0,2,2,1,0,0,1,1,0,1,2,1,1,0,0]})"));
+  const auto parsed = parse_coverage(line);
+  ASSERT_TRUE(std::holds_alternative<Answer>(parsed)) << std::get<WireError>(parsed).message;
+  const Rendering& read = std::get<Rendering>(std::get<Answer>(parsed).outcome);
+  EXPECT_EQ(read.width, 3);
+  EXPECT_EQ(read.height, 2);
+  EXPECT_THAT(read.pixels, IsEmpty());
+  EXPECT_THAT(read.hits, IsEmpty());
+  EXPECT_EQ(places_of(read), places_of(rendering));
+  for (const Fragment& fragment : read.fragments) {
+    EXPECT_FALSE(fragment.has_depth);
+    EXPECT_FALSE(fragment.has_color);
+    EXPECT_EQ(fragment.coverage, 1u);
+  }
+}
+
+TEST(CoverageAlone, TakesRunsInAnyOrderAndChecksHits) {
+  const std::string head = R"({"digest":"0123456789abcdef","coverage":[1,1,0,2,0,0,1,1,1,1,2,2])";
+  const auto parsed = parse_coverage(head + R"(,"hits":[0,1,0,1,1,2]})");
+  ASSERT_TRUE(std::holds_alternative<Answer>(parsed)) << std::get<WireError>(parsed).message;
+  const Rendering& read = std::get<Rendering>(std::get<Answer>(parsed).outcome);
+  EXPECT_EQ(places_of(read), (std::vector<std::array<int, 3>>{
+                                 {1, 0, 0}, {0, 1, 1}, {1, 1, 1}, {2, 1, 1}, {2, 1, 1}}));
+  EXPECT_EQ(read.hits, (std::vector<std::uint32_t>{0, 1, 0, 1, 1, 2}));
+  EXPECT_TRUE(std::holds_alternative<Answer>(
+      parse_coverage(R"({"digest":"0123456789abcdef","coverage":[]})")));
+}
+
+TEST(CoverageAlone, TellsHitsOnlyWhereTheyContradict) {
+  Rendering rendering = small_rendering();
+  EXPECT_THAT(coverage_line(kDigest, rendering, nullptr), Not(HasSubstr("hits")));
+  rendering.hits[1] = 3;
+  const auto parsed = parse_coverage(coverage_line(kDigest, rendering, nullptr));
+  ASSERT_TRUE(std::holds_alternative<WireError>(parsed));
+  EXPECT_THAT(std::get<WireError>(parsed).message, HasSubstr("pixel (1, 0): 3 against 2"));
+}
+
+TEST(CoverageAlone, AWholeAnswerIsAnAnswerToo) {
+  const auto parsed = parse_coverage(answer_line(kDigest, small_rendering(), nullptr));
+  ASSERT_TRUE(std::holds_alternative<Answer>(parsed)) << std::get<WireError>(parsed).message;
+  const Rendering& read = std::get<Rendering>(std::get<Answer>(parsed).outcome);
+  EXPECT_EQ(read.pixels, small_rendering().pixels);
+  EXPECT_TRUE(read.fragments[0].has_color);
+}
+
+TEST(CoverageAlone, IsRefusedWhereItWasNotAskedFor) {
+  EXPECT_THAT(message_of(R"({"digest":"0123456789abcdef","coverage":[]})"),
+              HasSubstr("the request asked for a whole answer"));
+}
+
+TEST(CoverageAlone, SaysWhatIsWrongAndWhere) {
+  const std::string head = R"({"digest":"0123456789abcdef","coverage":)";
+  const std::vector<BadAnswer> bad_answers = {
+      {head + "7}", "/coverage must be an array, but it is 7"},
+      {head + "[0,0,0]}", "/coverage must have four numbers for each run, but it has 3 elements"},
+      {head + "[2,0,0,0]}", "/coverage/0 is 2, but it must be 0 to 1"},
+      {head + "[-1,0,0,0]}", "/coverage/0 is -1, but it must be 0 to 1"},
+      {head + "[0,2,0,0]}", "/coverage/1 is 2, but it must be 0 to 1"},
+      {head + "[0,0,3,3]}", "/coverage/2 is 3, but it must be 0 to 2"},
+      {head + "[0,0,0,0,0,0,0,3]}", "/coverage/7 is 3, but it must be 0 to 2"},
+      {head + "[0,0,2,1]}", "/coverage/3 is 1, but it must be 2 to 2"},
+      {head + "[0,0,0,1.0]}", "/coverage/3 must be an integer, but it is 1.0"},
+      {head + R"([0,0,0,"1"]})", "/coverage/3 must be an integer"},
+      {head + R"([],"pixels":[]})", "both \"coverage\" and \"pixels\""},
+      {head + R"([],"fragments":[]})", "both \"coverage\" and \"fragments\""},
+      {head + R"([],"not_run":"why"})", "both \"not_run\" and \"coverage\""},
+      {head + R"([0,0,0,0],"hits":[0,0,0,0,0,0]})", "pixel (0, 0): 0 against 1"},
+  };
+  for (const BadAnswer& bad : bad_answers) {
+    const auto parsed = parse_coverage(bad.line);
+    ASSERT_TRUE(std::holds_alternative<WireError>(parsed)) << bad.line;
+    EXPECT_THAT(std::get<WireError>(parsed).message, HasSubstr(bad.message)) << bad.line;
+  }
+}
+
+TEST(CoverageAlone, CannotTellSamples) {
+  Scene scene = small_scene();
+  scene.target.samples = 4;
+  const auto parsed =
+      parse_answer(R"({"digest":"0123456789abcdef","coverage":[]})", kDigest, scene, true);
+  ASSERT_TRUE(std::holds_alternative<WireError>(parsed));
+  EXPECT_THAT(std::get<WireError>(parsed).message, HasSubstr("which samples are covered"));
+}
+
+// A line of 60 kB that stands for more fragments than there may be.
+TEST(CoverageAlone, AShortLineCannotAskForAllMemory) {
+  Scene scene = small_scene();
+  scene.target.width = 4096;
+  std::string runs = "[0,0,0,4095";
+  for (int i = 1; i < 4096; ++i) runs += ",0,0,0,4095";
+  const std::string head = R"({"digest":"0123456789abcdef","coverage":)";
+  const auto parsed = parse_answer(head + runs + ",0,0,0,0]}", kDigest, scene, true);
+  ASSERT_TRUE(std::holds_alternative<WireError>(parsed));
+  EXPECT_THAT(std::get<WireError>(parsed).message, HasSubstr("more than 16777216 fragments"));
 }
 
 TEST(AnswerLine, SaysWhatIsWrongAndWhere) {

@@ -65,6 +65,38 @@ TEST(RequestLine, ReadsBackEveryFieldOfAScene) {
   }
 }
 
+TEST(RequestLine, AsksForCoverageAlone) {
+  const std::string text = scene_json(small_scene());
+  for (bool coverage_only : {false, true}) {
+    const auto parsed = parse_request(request_line("a", text, coverage_only));
+    ASSERT_TRUE(std::holds_alternative<Request>(parsed)) << std::get<WireError>(parsed).message;
+    EXPECT_EQ(std::get<Request>(parsed).coverage_only, coverage_only);
+    EXPECT_EQ(std::get<Request>(parsed).digest, digest_of(text));
+  }
+  const std::string asking = request_line("a", text, true);
+  EXPECT_THAT(asking, HasSubstr(R"("answer":"coverage")"));
+  EXPECT_THAT(message_of(replaced(asking, R"("coverage")", R"("depths")")),
+              HasSubstr("/answer is \"depths\", but it must be \"coverage\""));
+  EXPECT_THAT(message_of(replaced(asking, R"("coverage")", "1")),
+              HasSubstr("/answer must be a string, but it is 1"));
+}
+
+// Texts that belong together as bytes: digests of them are compared.
+TEST(RequestLine, WritesNumbersAsShortAsTheyReadBack) {
+  Scene scene = small_scene();
+  scene.draws.pop_back();
+  scene.draws[0].scissor = Viewport{-1, 2, 3, 0};
+  EXPECT_EQ(scene_json(scene),
+            R"({"target":{"width":3,"height":2,"samples":1,"color":"rgba8","surface":"fbo",)"
+            R"("clear":[0.0,0.25,0.10000000149011612,1.0]},"viewport":[-1,-2,8,16],"draws":[)"
+            R"({"primitive":"triangles","interpolation":"smooth","provoking_vertex":"first",)"
+            R"("line_width":1.0,"point_size":1.0,"scissor":[-1,2,3,0],"vertices":[)"
+            R"({"position":[1.52587890625e-05,-1.52587890625e-05,0.0],"color":[1.0,0.0,0.0,1.0]},)"
+            R"({"position":[3.0517730712890625,0.9999847412109375,0.43595)"
+            R"(88623046875],"color":[0.0,0.30000001192092896,0.0,1.0]},)"
+            R"({"position":[0.0,2.0,0.0],"color":[0.0,0.0,1.0000000116860974e-07,0.5]}]}]})");
+}
+
 TEST(RequestLine, CarriesEveryName) {
   Scene scene = small_scene();
   const auto read_back = [&] {

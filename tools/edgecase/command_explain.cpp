@@ -3,6 +3,7 @@
 // edgecase explain: why exact draws a case as it does, and why a renderer that differs does.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -29,18 +30,29 @@ struct Pixel {
   int y = 0;
 };
 
-// "X,Y" inside the target; prints an error otherwise.
+// "X,Y" inside the target, or none.
 std::optional<Pixel> parse_pixel(const std::string& text, const Target& target) {
   Pixel pixel;
   char rest = '\0';
   if (std::sscanf(text.c_str(), "%d,%d%c", &pixel.x, &pixel.y, &rest) == 2 && pixel.x >= 0 &&
       pixel.y >= 0 && pixel.x < target.width && pixel.y < target.height)
     return pixel;
+  return std::nullopt;
+}
+
+// Whether one case at least has the pixel; prints an error otherwise. Images of a case may have
+// their width and height exchanged, so that not all of a file's cases need have it.
+bool check_pixel(const std::string& text, const Suite& suite) {
+  const auto has_pixel = [&](const Case& one) {
+    return parse_pixel(text, one.scene.target).has_value();
+  };
+  if (text.empty() || std::ranges::any_of(suite.cases, has_pixel)) return true;
+  const Target& target = suite.cases.front().scene.target;
   print_error(
       fmt::format("--pixel \"{}\" is no pixel of this target; write X,Y with X from 0 to {} "
                   "and Y from 0 (bottom) to {}",
                   text, target.width - 1, target.height - 1));
-  return std::nullopt;
+  return false;
 }
 
 void print_exact_pixel(const Case& one, const Policy& policy, Pixel pixel) {
@@ -80,7 +92,7 @@ ExitCode explain(const ExplainCommand& command) {
   Selection selection;
   selection.paths = {command.path};
   selection.filters = command.filters;
-  const auto policy = command.policy.load(selection);
+  const auto policy = command.policy.load(selection, command.run.renderers);
   if (!policy) return ExitCode::usage;
   const Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
@@ -89,21 +101,24 @@ ExitCode explain(const ExplainCommand& command) {
     print_nothing_selected();
     return ExitCode::nothing_selected;
   }
+  if (!check_pixel(command.pixel, suite)) return ExitCode::usage;
   ExitCode exit = ExitCode::as_expected;
   for (const Case& one : suite.cases) {
     std::optional<Pixel> pixel;
     if (!command.pixel.empty()) {
       pixel = parse_pixel(command.pixel, one.scene.target);
-      if (!pixel) return ExitCode::usage;
+      if (!pixel) continue;
     }
     const Rendering exact = rasterize(one.scene, *policy);
     fmt::print("{}: {}\n{}\n{}", one.id, one.title, one.why,
                draw_hits(hits_of(exact), exact.width, exact.height));
     if (pixel) print_exact_pixel(one, *policy, *pixel);
     if (command.run.renderers.empty()) continue;
+    const auto profiles = load_profiles(selection, command.run.renderers);
+    if (!profiles) return ExitCode::usage;
     Suite single;
     single.cases = {one};
-    const auto results = run_against(single, *policy, command.run);
+    const auto results = run_against(single, *policy, *profiles, command.run);
     if (!results) return ExitCode::usage;
     if (results->cases.empty()) return ExitCode::unexpected;
     for (std::size_t r = 0; r < results->renderers.size(); ++r) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase rules: the catalogue, for people or as JSON.
+// edgecase rules: the catalogue, for people, as JSON or as the committed document.
 #include <fmt/format.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "rules/all_rules.h"
+#include "rules/rules_document.h"
 #include "tools/edgecase/commands.h"
 
 namespace edgecase {
@@ -52,8 +53,18 @@ void print_text() {
 void add_rules_command(CLI::App& app, ExitCode&) {
   CLI::App* command = app.add_subcommand("rules", "Print the rules, alternatives and rulings");
   auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "As JSON");
-  command->callback([json] { *json ? print_json() : print_text(); });
+  auto markdown = std::make_shared<bool>(false);
+  CLI::Option* as_json = command->add_flag("--json", *json, "As JSON");
+  command->add_flag("--markdown", *markdown, "As the document src/rules/RULINGS.md")
+      ->excludes(as_json);
+  command->callback([json, markdown] {
+    if (*json)
+      print_json();
+    else if (*markdown)
+      fmt::print("{}", rules_document());
+    else
+      print_text();
+  });
 }
 
 }  // namespace edgecase

@@ -35,7 +35,7 @@ ExitCode print_list(const Suite& suite) {
 
 ExitCode run(const RunCommand& command) {
   const Selection selection = command.selection.selection();
-  const auto policy = command.policy.load(selection);
+  const auto policy = command.policy.load(selection, command.run.renderers);
   if (!policy) return ExitCode::usage;
   const auto expectations =
       load_expectations(suite_folder(selection) / "expectations", command.expectations);
@@ -44,7 +44,9 @@ ExitCode run(const RunCommand& command) {
   const Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
   if (command.list) return print_list(suite);
-  auto results = run_against(suite, *policy, command.run);
+  const auto profiles = load_profiles(selection, command.run.named());
+  if (!profiles) return ExitCode::usage;
+  auto results = run_against(suite, *policy, *profiles, command.run);
   if (!results) return ExitCode::usage;
   apply_all_expectations(*expectations, *results);
 

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "casefile/policy_reader.h"
+#include "results/expectations.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {
@@ -89,26 +90,33 @@ std::optional<std::filesystem::path> policy_file(const std::string& policy,
   return std::nullopt;
 }
 
-// The first choice of a policy that OpenGL does not allow, as "rule=alternative"; empty: none.
-std::string illegal_choice(const Policy& policy) {
-  std::vector<const Choices*> all = {&policy.rules};
-  for (const auto& [surface, choices] : policy.surfaces) all.push_back(&choices);
-  for (const Choices* choices : all)
-    for (const auto& [id, name] : *choices)
-      if (find_alternative(*find_rule(id), name)->openness == Openness::illegal)
-        return id + "=" + name;
-  return "";
+// Where the profile of a renderer is kept.
+std::filesystem::path profile_file(const std::string& renderer, const Selection& selection) {
+  return suite_folder(selection) / "profiles" / expectations_file_name(renderer);
 }
 
-// What agrees with such a policy need not agree with OpenGL, and must not be called so.
-bool may_grant_latitude(const Policy& policy, const std::filesystem::path& file) {
-  const std::string choice = illegal_choice(policy);
-  if (policy.latitude == Latitude::none || choice.empty()) return true;
+std::optional<Policy> read_policy(const std::filesystem::path& file) {
+  LoadedPolicy loaded = load_policy(file, known_rules());
+  print_diagnostics(loaded.diagnostics);
+  return std::move(loaded.value);
+}
+
+// What `--policy` names: a file.
+std::optional<std::filesystem::path> find_policy(const std::string& policy,
+                                                 const Selection& selection,
+                                                 const std::vector<std::string>& renderers) {
+  if (policy != "profile") return policy_file(policy, suite_folder(selection) / "policies");
+  if (renderers.size() != 1) {
+    print_error("--policy profile is the profile of one renderer; name one with --against");
+    return std::nullopt;
+  }
+  const auto file = profile_file(renderers.front(), selection);
+  if (std::filesystem::is_regular_file(file)) return file;
   print_error(
-      fmt::format("{}: {} is not what OpenGL allows, so the policy cannot grant OpenGL's "
-                  "latitude; write \"latitude\": \"none\", or run with --strict",
-                  file.string(), choice));
-  return false;
+      fmt::format("{0} has no profile yet; measure it with `edgecase profile --against {0} "
+                  "--policy-file {1}`",
+                  renderers.front(), file.string()));
+  return std::nullopt;
 }
 
 }  // namespace
@@ -146,24 +154,36 @@ void PolicyOptions::add_to(CLI::App& command) {
   command
       .add_option(
           "--policy", policy,
-          "Rules of the exact side: opengl, a name in the suite's folder policies, or a file")
+          "Rules of the exact side: opengl, a name in the suite's folder policies, a file, or "
+          "profile: what the renderer is measured to follow")
       ->capture_default_str();
   command.add_flag("--strict", strict, "Grant no latitude: every difference is a violation");
 }
 
-std::optional<Policy> PolicyOptions::load(const Selection& selection) const {
+std::optional<Policy> PolicyOptions::load(const Selection& selection,
+                                          const std::vector<std::string>& renderers) const {
   Policy result;
   if (policy != "opengl") {
-    const auto file = policy_file(policy, suite_folder(selection) / "policies");
-    if (!file) return std::nullopt;
-    LoadedPolicy loaded = load_policy(*file, known_rules());
-    print_diagnostics(loaded.diagnostics);
-    if (!loaded.value) return std::nullopt;
-    result = std::move(*loaded.value);
-    if (!strict && !may_grant_latitude(result, *file)) return std::nullopt;
+    const auto file = find_policy(policy, selection, renderers);
+    auto read = file ? read_policy(*file) : std::nullopt;
+    if (!read) return std::nullopt;
+    result = std::move(*read);
   }
   if (strict) result.latitude = Latitude::none;
   return result;
+}
+
+std::optional<std::map<std::string, Policy>> load_profiles(
+    const Selection& selection, const std::vector<std::string>& renderers) {
+  std::map<std::string, Policy> profiles;
+  for (const std::string& renderer : renderers) {
+    const auto file = profile_file(renderer, selection);
+    if (!std::filesystem::is_regular_file(file)) continue;
+    auto read = read_policy(file);
+    if (!read) return std::nullopt;
+    profiles.emplace(renderer, std::move(*read));
+  }
+  return profiles;
 }
 
 std::filesystem::path suite_folder(const Selection& selection) {

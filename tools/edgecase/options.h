@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,10 +40,18 @@ struct PolicyOptions {
   bool strict = false;
 
   void add_to(CLI::App& command);
-  // `opengl`, a file, or the name of a file in the suite's folder `policies`. Prints what is wrong
-  // and returns nothing when the policy cannot be had.
-  std::optional<Policy> load(const Selection& selection) const;
+  // `opengl`, a file, the name of a file in the suite's folder `policies`, or `profile`: what the
+  // suite's folder `profiles` has of the one renderer that is named. Prints what is wrong and
+  // returns nothing when the policy cannot be had.
+  std::optional<Policy> load(const Selection& selection,
+                             const std::vector<std::string>& renderers = {}) const;
 };
+
+// What each renderer is measured to follow, by name, from the suite's folder `profiles`. One that
+// is not there is no error: its differences are then explained without a profile. Prints what is
+// wrong with a file and returns nothing.
+std::optional<std::map<std::string, Policy>> load_profiles(
+    const Selection& selection, const std::vector<std::string>& renderers);
 
 // The folder whose expectations and policies belong to these paths: the nearest `cases`, or the
 // first folder given.

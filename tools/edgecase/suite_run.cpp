@@ -3,68 +3,23 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <mutex>
 #include <set>
 #include <thread>
 
 #include "run/renderer_names.h"
 #include "run/run.h"
 #include "tools/edgecase/interrupt.h"
+#include "tools/edgecase/progress_line.h"
 
 namespace edgecase {
 namespace {
-
-// One line on a terminal that is written over: cases done, rate, time left.
-class ProgressLine {
- public:
-  explicit ProgressLine(bool enabled) : enabled_(enabled) {}
-  ~ProgressLine() {
-    if (shown_) fmt::print(stderr, "\r\x1b[K");
-  }
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-
-  void update(std::size_t done, std::size_t total) {
-    if (!enabled_) return;
-    const std::lock_guard lock(mutex_);
-    const auto now = Clock::now();
-    if (now - last_ < std::chrono::milliseconds(100)) return;
-    last_ = now;
-    shown_ = true;
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    const double rate = static_cast<double>(done) / std::max(seconds, 1e-3);
-    fmt::print(stderr, "\r\x1b[K{} of {} cases, {:.0f} per second, {:.0f} s left", done, total,
-               rate, static_cast<double>(total - done) / std::max(rate, 1e-3));
-    std::fflush(stderr);
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  bool enabled_;
-  bool shown_ = false;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_ = start_;
-  std::mutex mutex_;
-};
 
 bool is_known(const std::string& renderer) {
   auto made = make_renderer(renderer, {{}, std::chrono::seconds(1), executable_directory(), {}});
   if (const auto* error = std::get_if<std::string>(&made)) {
     print_error(*error);
-    return false;
-  }
-  return true;
-}
-
-bool are_known(const std::vector<std::string>& renderers) {
-  std::set<std::string> seen;
-  for (const std::string& renderer : renderers) {
-    if (!is_known(renderer)) return false;
-    if (seen.insert(renderer).second) continue;
-    print_error(fmt::format("the renderer {} is named twice; name it once", renderer));
     return false;
   }
   return true;
@@ -78,10 +33,21 @@ ExitCode exit_code_of(const Result& result) {
 
 }  // namespace
 
+bool are_known(const std::vector<std::string>& renderers) {
+  std::set<std::string> seen;
+  for (const std::string& renderer : renderers) {
+    if (!is_known(renderer)) return false;
+    if (seen.insert(renderer).second) continue;
+    print_error(fmt::format("the renderer {} is named twice; name it once", renderer));
+    return false;
+  }
+  return true;
+}
+
 void SuiteRunOptions::add_to(CLI::App& command) {
   add_repeatable(command, "--against", renderers,
                  "Renderer to compare with exact, repeatable: osmesa:llvmpipe, osmesa:softpipe, "
-                 "egl:llvmpipe, egl:softpipe, egl:deviceN, exec:PROGRAM, exact");
+                 "egl:llvmpipe, egl:softpipe, egl:zink, egl:zink-swiftshader, egl:deviceN, exec:PROGRAM, exact");
   command.add_option("--jobs", jobs, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 256));
   command.add_option("--timeout", timeout, "Seconds per case")->check(CLI::Range(0.01, 3600.0));
@@ -99,14 +65,20 @@ std::string default_renderer() {
   return "egl:llvmpipe";
 }
 
+std::vector<std::string> SuiteRunOptions::named() const {
+  return renderers.empty() ? std::vector{default_renderer()} : renderers;
+}
+
 std::optional<Results> run_against(const Suite& suite, const Policy& policy,
+                                   const std::map<std::string, Policy>& profiles,
                                    SuiteRunOptions options) {
-  if (options.renderers.empty()) options.renderers = {default_renderer()};
+  options.renderers = options.named();
   if (!are_known(options.renderers)) return std::nullopt;
-  ProgressLine progress(options.progress == "auto" && isatty(STDERR_FILENO) != 0);
+  ProgressLine progress(options.progress, "cases");
 
   RunOptions run;
   run.policy = policy;
+  run.profiles = profiles;
   run.renderers = options.renderers;
   run.renderer_options = {policy,
                           std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),

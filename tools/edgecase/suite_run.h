@@ -4,6 +4,7 @@
 // standard error and Ctrl-C that keeps what was finished.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,15 +24,21 @@ struct SuiteRunOptions {
   std::string progress = "auto";
 
   void add_to(CLI::App& command);
+  // The renderers, or the default one where none is given.
+  std::vector<std::string> named() const;
 };
 
 // The renderer that is used where none is named: OSMesa's llvmpipe, or EGL's where there is no
 // OSMesa.
 std::string default_renderer();
 
+// Are all of them names of renderers, each given once? Prints an error otherwise.
+bool are_known(const std::vector<std::string>& renderers);
+
 // Runs the suite. Prints an error and returns nothing when a renderer's name is unknown or given
 // twice.
 std::optional<Results> run_against(const Suite& suite, const Policy& policy,
+                                   const std::map<std::string, Policy>& profiles,
                                    SuiteRunOptions options);
 
 // The expectations of the results' renderers, read from `folder` or from the files named; a file

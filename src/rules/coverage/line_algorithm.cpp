@@ -2,10 +2,12 @@
 #include "rules/coverage/line_algorithm.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/line_areas.h"
 #include "rules/coverage/line_walks.h"
+#include "rules/coverage/triangle_scan.h"
 
 namespace edgecase {
 namespace {
@@ -39,7 +41,29 @@ constexpr Entry kEntries[] = {
 };
 
 constexpr WideLine kWideLines[] = {WideLine::replicate, WideLine::rectangle,
-                                   WideLine::parallelogram};
+                                   WideLine::parallelogram, WideLine::shifted_triangles};
+
+// The parallelogram of a wide line as two triangles, moved half a pixel back along the major axis
+// and an eighth down (right, if y-major); here 45 degrees counts as y-major.
+std::vector<PixelPosition> shifted_triangle_pixels(const Segment& segment, Fixed width,
+                                                   const PixelBounds& bounds) {
+  const auto length = [](Fixed a, Fixed b) { return std::abs(b.raw() - a.raw()); };
+  const bool x_major = length(segment.a.x, segment.b.x) > length(segment.a.y, segment.b.y);
+  const bool forward = x_major ? segment.a.x < segment.b.x : segment.a.y < segment.b.y;
+  const std::int64_t half_pixel = Fixed::kOne / 2;
+  const Fixed back = Fixed::from_raw(forward ? -half_pixel : half_pixel);
+  const Fixed aside = Fixed::from_raw(x_major ? -Fixed::kOne / 8 : Fixed::kOne / 8);
+  const auto corner = [&](Point p, int side) {
+    const Fixed across = aside + Fixed::from_raw(side * width.raw() / 2);
+    return x_major ? Point{p.x + back, p.y + across} : Point{p.x + across, p.y + back};
+  };
+  const Point start[] = {corner(segment.a, -1), corner(segment.a, 1)};
+  const Point end[] = {corner(segment.b, -1), corner(segment.b, 1)};
+  auto pixels = scanned_triangle_pixels({start[0], end[0], end[1]}, bounds);
+  const auto others = scanned_triangle_pixels({start[0], end[1], start[1]}, bounds);
+  pixels.insert(pixels.end(), others.begin(), others.end());
+  return pixels;
+}
 
 std::vector<PixelPosition> thin_pixels(const Segment& segment, const PixelBounds& bounds,
                                        const LineChoice& choice, const TieRule& ties) {
@@ -124,6 +148,8 @@ const char* name_of(WideLine wide) {
       return "rectangle";
     case WideLine::parallelogram:
       return "parallelogram";
+    case WideLine::shifted_triangles:
+      return "shifted-triangles";
   }
   return "?";
 }
@@ -135,28 +161,6 @@ bool parse_name(std::string_view name, WideLine& wide) {
     return true;
   }
   return false;
-}
-
-const char* name_of(RowOrder order) {
-  return order == RowOrder::bottom_up ? "bottom-up" : "top-down";
-}
-
-bool parse_name(std::string_view name, RowOrder& order) {
-  for (RowOrder candidate : {RowOrder::bottom_up, RowOrder::top_down}) {
-    if (name != name_of(candidate)) continue;
-    order = candidate;
-    return true;
-  }
-  return false;
-}
-
-Segment turned_over(const Segment& segment, int height) {
-  const auto over = [&](Point p) { return Point{p.x, Fixed::from_integer(height) - p.y}; };
-  return {over(segment.a), over(segment.b)};
-}
-
-PixelBounds turned_over(const PixelBounds& bounds, int height) {
-  return {bounds.x_min, height - 1 - bounds.y_max, bounds.x_max, height - 1 - bounds.y_min};
 }
 
 int rounded_width(Fixed width) {
@@ -182,8 +186,14 @@ std::vector<PixelPosition> line_pixels(const Segment& segment, Fixed width,
       return line_area_pixels(segment, width, LineArea::rectangle, bounds, ties);
     case WideLine::parallelogram:
       return line_area_pixels(segment, width, LineArea::parallelogram, bounds, ties);
+    case WideLine::shifted_triangles:
+      return shifted_triangle_pixels(segment, width, bounds);
   }
   return {};
+}
+
+std::span<const WideLine> all_wide_lines() {
+  return kWideLines;
 }
 
 Rule line_algorithm_rule() {
@@ -195,19 +205,6 @@ Rule line_algorithm_rule() {
   rule.standard = "diamond-exit";
   for (const Entry& entry : kEntries)
     rule.alternatives.push_back({entry.name, Openness::open, entry.meaning});
-  return rule;
-}
-
-Rule line_row_order_rule() {
-  Rule rule;
-  rule.id = "line.row-order";
-  rule.title = "Lines are decided with y up, as window coordinates have it";
-  rule.spec = "14.5.1 (basic line segment rasterization)";
-  rule.latitude = "any, as long as rulings 1, 2 and 12 hold";
-  rule.standard = "bottom-up";
-  rule.alternatives = {
-      {"bottom-up", Openness::open, "ties and rounding see y up"},
-      {"top-down", Openness::open, "the target is seen upside down: ties and rounding see y down"}};
   return rule;
 }
 
@@ -224,7 +221,10 @@ Rule line_width_rule() {
       {"rectangle", Openness::illegal,
        "the centres in a rectangle as wide as the line; OpenGL has it under multisampling only"},
       {"parallelogram", Openness::illegal,
-       "the centres in a parallelogram whose ends run along the minor axis"}};
+       "the centres in a parallelogram whose ends run along the minor axis"},
+      {"shifted-triangles", Openness::illegal,
+       "two triangles of such a parallelogram, scan-converted, half a pixel back along the major "
+       "axis and 1/8 pixel down (right, if y-major)"}};
   rule.rulings = {
       {12,
        "Wide lines: each column (row, if y-major) holds one run of as many fragments as the width "

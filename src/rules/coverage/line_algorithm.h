@@ -44,28 +44,27 @@ bool parse_name(std::string_view name, LineAlgorithm& algorithm);
 bool tests_diamonds(LineAlgorithm algorithm);
 
 // How a line of another width than 1 is drawn.
-enum class WideLine { replicate, rectangle, parallelogram };
+enum class WideLine {
+  replicate,
+  rectangle,
+  parallelogram,
+  // Two triangles, half a pixel back along the major axis and 1/8 pixel down (right, if y-major),
+  // scan-converted: what Mesa makes of wide lines for drivers that have none of their own.
+  shifted_triangles,
+};
 
+std::span<const WideLine> all_wide_lines();
 const char* name_of(WideLine wide);
 bool parse_name(std::string_view name, WideLine& wide);
-
-// Which way the rows of the target run for the algorithm. A rasterizer that works in memory order
-// sees window surfaces upside down, and with them every tie and every rounding.
-enum class RowOrder { bottom_up, top_down };
-
-const char* name_of(RowOrder order);
-bool parse_name(std::string_view name, RowOrder& order);
 
 struct LineChoice {
   LineAlgorithm algorithm = LineAlgorithm::diamond_exit;
   const DiamondBoundary* boundary = nullptr;  // never null in a resolved choice
   WideLine wide = WideLine::replicate;
-  RowOrder rows = RowOrder::bottom_up;  // line_pixels leaves it to its caller, who knows the target
 };
 
 Rule line_algorithm_rule();
 Rule line_width_rule();
-Rule line_row_order_rule();
 
 // A width as columns have it: rounded to the nearest integer, at least 1.
 int rounded_width(Fixed width);
@@ -78,9 +77,5 @@ Segment lowest_segment(const Segment& segment, int width);
 std::vector<PixelPosition> line_pixels(const Segment& segment, Fixed width,
                                        const PixelBounds& bounds, const LineChoice& choice,
                                        const TieRule& ties);
-
-// A segment and a rectangle of pixels upside down in a target of `height` rows.
-Segment turned_over(const Segment& segment, int height);
-PixelBounds turned_over(const PixelBounds& bounds, int height);
 
 }  // namespace edgecase

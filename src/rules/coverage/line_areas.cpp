@@ -62,17 +62,33 @@ bool line_area_covers(const Segment& segment, Fixed width, LineArea area, PixelP
 
 std::vector<PixelPosition> line_area_pixels(const Segment& segment, Fixed width, LineArea area,
                                             const PixelBounds& bounds, const TieRule& ties) {
-  const auto [x_low, x_high] = std::minmax(segment.a.x, segment.b.x);
-  const auto [y_low, y_high] = std::minmax(segment.a.y, segment.b.y);
-  const std::int64_t margin = width.ceil() / 2 + 2;
+  if (segment.a == segment.b) return {};
+  // Along the major axis, with slopes of at most 1, a sample within half the width of the line lies
+  // within the width of it along the minor axis: walk the columns (rows) and test those near it.
+  const bool x_major = segment.x_major();
+  const auto major = [&](Point p) { return x_major ? p.x : p.y; };
+  const auto minor = [&](Point p) { return x_major ? p.y : p.x; };
+  const auto [first, last] = std::minmax({major(segment.a), major(segment.b)});
+  const Int128 run = major(segment.b).raw() - major(segment.a).raw();
+  const Int128 rise = minor(segment.b).raw() - minor(segment.a).raw();
+  const std::int64_t margin = width.ceil() + 2;
+
   std::vector<PixelPosition> pixels;
-  for (std::int64_t y = std::max<std::int64_t>(bounds.y_min, y_low.floor() - margin);
-       y <= std::min<std::int64_t>(bounds.y_max, y_high.floor() + margin); ++y)
-    for (std::int64_t x = std::max<std::int64_t>(bounds.x_min, x_low.floor() - margin);
-         x <= std::min<std::int64_t>(bounds.x_max, x_high.floor() + margin); ++x) {
-      const PixelPosition pixel{static_cast<int>(x), static_cast<int>(y)};
-      if (line_area_covers(segment, width, area, pixel, ties)) pixels.push_back(pixel);
-    }
+  const auto test = [&](std::int64_t m, std::int64_t n) {
+    const PixelPosition pixel{static_cast<int>(x_major ? m : n), static_cast<int>(x_major ? n : m)};
+    if (bounds.contains(pixel) && line_area_covers(segment, width, area, pixel, ties))
+      pixels.push_back(pixel);
+  };
+  const std::int64_t begin =
+      std::max<std::int64_t>(first.floor() - margin, x_major ? bounds.x_min : bounds.y_min);
+  const std::int64_t end =
+      std::min<std::int64_t>(last.floor() + margin, x_major ? bounds.x_max : bounds.y_max);
+  for (std::int64_t m = begin; m <= end; ++m) {
+    const Int128 along = Fixed::centre_of(m).raw() - major(segment.a).raw();
+    const std::int64_t at =
+        (minor(segment.a) + Fixed::from_raw(static_cast<std::int64_t>(along * rise / run))).floor();
+    for (std::int64_t n = at - margin; n <= at + margin; ++n) test(m, n);
+  }
   return pixels;
 }
 

@@ -24,7 +24,7 @@ enum class LineArea { rectangle, parallelogram };
 bool line_area_covers(const Segment& segment, Fixed width, LineArea area, PixelPosition pixel,
                       const TieRule& ties);
 
-// The pixels within `bounds` whose centres the area holds, row by row.
+// The pixels within `bounds` whose centres the area holds, along the major axis.
 std::vector<PixelPosition> line_area_pixels(const Segment& segment, Fixed width, LineArea area,
                                             const PixelBounds& bounds, const TieRule& ties);
 

@@ -18,7 +18,41 @@ std::int64_t chebyshev_distance(Point vertex, Point centre) {
                   std::abs(centre.y.raw() - vertex.y.raw()));
 }
 
+constexpr PointOffset kOffsets[] = {PointOffset::none, PointOffset::right_down};
+
 }  // namespace
+
+const char* name_of(PointOffset offset) {
+  return offset == PointOffset::none ? "none" : "right-down";
+}
+
+bool parse_name(std::string_view name, PointOffset& offset) {
+  for (PointOffset candidate : kOffsets) {
+    if (name != name_of(candidate)) continue;
+    offset = candidate;
+    return true;
+  }
+  return false;
+}
+
+Point moved(Point vertex, PointOffset offset) {
+  const Fixed eighth = Fixed::from_raw(Fixed::kOne / 8);
+  if (offset == PointOffset::none) return vertex;
+  return {vertex.x + eighth, vertex.y - eighth};
+}
+
+Rule point_offset_rule() {
+  Rule rule;
+  rule.id = "point.offset";
+  rule.title = "The square of a point lies round its vertex";
+  rule.spec = "14.4 (points)";
+  rule.latitude = "none; ruling 6 judges what comes of it";
+  rule.standard = "none";
+  rule.alternatives = {
+      {"none", Openness::mandated, "the vertex is the centre of the square"},
+      {"right-down", Openness::illegal, "the square lies 1/8 pixel to the right and below"}};
+  return rule;
+}
 
 std::span<const TieRule> point_tie_rules() {
   static const std::vector<TieRule> rules = [] {

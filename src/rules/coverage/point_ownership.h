@@ -10,6 +10,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "rules/coverage/explain.h"
 #include "rules/coverage/tie_rule.h"
@@ -18,6 +19,18 @@
 namespace edgecase {
 
 Rule point_ownership_rule();
+Rule point_offset_rule();
+
+// Where the square of a point lies. Mesa's drivers without points of their own draw two triangles
+// an eighth of a pixel aside.
+enum class PointOffset { none, right_down };
+
+// "none", "right-down".
+const char* name_of(PointOffset offset);
+// False when there is none of that name.
+bool parse_name(std::string_view name, PointOffset& offset);
+// The vertex moved so.
+Point moved(Point vertex, PointOffset offset);
 
 // The tie rules that differ for points: a square's sides run along the axes, so it makes no
 // difference which of two directions dominates. The four with left or right first, open, closed.

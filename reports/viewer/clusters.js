@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// What to look at first: per renderer the clusters of differences that nothing explains, each with
+// its smallest case, then the causes of the rest.
+
+const CLUSTERS_SHOWN = 5;
+
+// Which renderers' tables show all their rows; kept while the page lives.
+const openClusters = new Set();
+
+// The place of a cluster's first pixel in its smallest case.
+function smallestLink(cluster, renderer) {
+  const one = CasesById.get(cluster.smallest);
+  const result = one && one.results.find((r) => r.renderer === renderer);
+  const at = result ? result.answer.disagreements.findIndex((d) =>
+    d.x === cluster.x && d.y === cluster.y && (d.cause || "") === cluster.cause &&
+    (cluster.kind === "" || d.kind === cluster.kind)) : -1;
+  return h("a.mono", {
+    href: Route.href({case: cluster.smallest, on: renderer, at: at < 0 ? "" : at + 1}),
+    title: one ? one.title : cluster.smallest,
+  }, cluster.smallest);
+}
+
+function clusterWhat(cluster) {
+  if (cluster.cause) return h("td.what", {}, causeChips(cluster.cause));
+  return h("td.what", {}, ruleChip(cluster.rule), " ",
+    cluster.attribute ? [h("b", {}, cluster.attribute), " within what is permitted"]
+      : kindLabel(cluster.kind),
+    cluster.situation && h("div", {}, cluster.situation));
+}
+
+function clusterRow(cluster, renderer) {
+  return h("tr", {},
+    h("td", {}, legality(cluster)), clusterWhat(cluster), h("td", {}, cluster.surface),
+    h("td.count", {}, cluster.disagreements.toLocaleString("en")),
+    h("td.count", {}, cluster.cases.toLocaleString("en")),
+    h("td.smallest", {}, smallestLink(cluster, renderer)));
+}
+
+// A table of clusters, the first few of them until someone asks for the rest.
+function clusterTable(kind, clusters, renderer) {
+  const key = renderer + "\n" + kind;
+  const body = h("tbody", {});
+  const more = h("p.more", {});
+  const paint = () => {
+    const all = openClusters.has(key);
+    const shown = all ? clusters : clusters.slice(0, CLUSTERS_SHOWN);
+    replace(body, shown.map((cluster) => clusterRow(cluster, renderer)));
+    const rest = clusters.length - CLUSTERS_SHOWN;
+    if (rest <= 0) return;
+    replace(more, h("button.link", {onclick: () => {
+      if (all) openClusters.delete(key);
+      else openClusters.add(key);
+      paint();
+    }}, all ? "Show the first " + CLUSTERS_SHOWN : "Show " + rest.toLocaleString("en") + " more"));
+  };
+  paint();
+  return [h("div.scroll", {}, h("table.clusters", {},
+    h("thead", {}, h("tr", {}, ["", kind, "surface", "differences", "cases", "smallest case"]
+      .map((text) => h("th", {scope: "col"}, text)))), body)), more];
+}
+
+function rendererClusters(info) {
+  const unexplained = info.clusters.filter((cluster) => !cluster.cause);
+  const explained = info.clusters.filter((cluster) => cluster.cause);
+  const illegal = unexplained.filter((cluster) => !cluster.legal).length;
+  const facts = unexplained.length
+    ? plural(unexplained.length, "cluster", "clusters") + " without a cause"
+    : "everything has a cause";
+  return h("div.card.unexplained", {},
+    h("h3", {}, info.name, " ", h("span.faint", {}, facts),
+      illegal > 0 && h("span.alarm", {}, ", " + illegal + " not legal")),
+    unexplained.length > 0 && clusterTable("no alternative accounts for", unexplained, info.name),
+    explained.length > 0 && h("details", {},
+      h("summary", {}, plural(explained.length, "cluster", "clusters") + " with a cause"),
+      clusterTable("cause", explained, info.name)));
+}
+
+function clustersSection() {
+  const differing = Report.renderers.filter((info) => info.clusters.length);
+  if (!differing.length) return null;
+  return h("section.first", {}, h("h2", {}, "Unexplained first"),
+    h("p.faint", {}, "Differences that share a cause, or a rule, a kind and a situation, are one " +
+      "cluster. Those that no catalogued alternative accounts for come first."),
+    differing.map(rendererClusters));
+}

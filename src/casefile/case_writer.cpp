@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "casefile/case_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+#include "casefile/json_layout.h"
+#include "casefile/loader.h"
+#include "casefile/text.h"
+#include "casefile/viewport.h"
+#include "exact/numeral.h"
+#include "model/scene_words.h"
+
+namespace edgecase {
+namespace {
+
+using Pieces = std::vector<JsonPiece>;
+
+JsonPiece integer(int value) {
+  return json_scalar(std::to_string(value));
+}
+
+// A decimal where it is short; a fraction says what 10.01171875 hides.
+JsonPiece coordinate(Fixed value) {
+  constexpr std::int64_t kReadable = Fixed::kOne / 16;
+  if (value.raw() % kReadable == 0) return json_scalar(to_decimal(value));
+  return json_string(to_fraction(value));
+}
+
+// The shortest decimal whose nearest float32 is the component; -0 is written as 0.
+JsonPiece component(float value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value + 0.0F);
+  return json_scalar(std::string(digits.data(), end.ptr));
+}
+
+JsonPiece color(const Color& value) {
+  Pieces components;
+  const std::size_t count = value[3] == 1 ? 3 : 4;  // alpha is 1 if not said
+  for (std::size_t i = 0; i < count; ++i) components.push_back(component(value[i]));
+  return json_array(std::move(components));
+}
+
+JsonPiece rectangle(const Viewport& value) {
+  return json_object({named("x", integer(value.x)), named("y", integer(value.y)),
+                      named("width", integer(value.width)),
+                      named("height", integer(value.height))});
+}
+
+JsonPiece strings(const std::vector<std::string>& words) {
+  Pieces items;
+  for (const std::string& word : words) items.push_back(json_string(word));
+  return json_array(std::move(items));
+}
+
+bool chosen_by_loader(const Scene& scene) {
+  const std::optional<Viewport> chosen = choose_viewport(scene.target, scene.draws);
+  const Viewport& own = scene.viewport;
+  return chosen && chosen->x == own.x && chosen->y == own.y && chosen->width == own.width &&
+         chosen->height == own.height;
+}
+
+JsonPiece target_piece(const Scene& scene) {
+  const Target& target = scene.target;
+  Pieces members{named("width", integer(target.width)), named("height", integer(target.height))};
+  const Target standard;
+  if (target.samples != standard.samples)
+    members.push_back(named("samples", integer(target.samples)));
+  if (target.color != standard.color)
+    members.push_back(named("color", json_string(name_of(target.color))));
+  if (target.surface != standard.surface)
+    members.push_back(named("surface", json_string(name_of(target.surface))));
+  members.push_back(named("clear", color(target.clear)));
+  if (!chosen_by_loader(scene)) members.push_back(named("viewport", rectangle(scene.viewport)));
+  return json_object(std::move(members));
+}
+
+JsonPiece position(const Vertex& vertex) {
+  Pieces coordinates{coordinate(vertex.position.x), coordinate(vertex.position.y)};
+  if (vertex.z != Fixed()) coordinates.push_back(coordinate(vertex.z));
+  return json_array(std::move(coordinates));
+}
+
+std::optional<JsonPiece> state_piece(const Draw& draw) {
+  const Draw standard;
+  Pieces members;
+  if (draw.interpolation != standard.interpolation)
+    members.push_back(named("interpolation", json_string(name_of(draw.interpolation))));
+  if (draw.provoking_vertex != standard.provoking_vertex)
+    members.push_back(named("provoking_vertex", json_string(name_of(draw.provoking_vertex))));
+  if (draw.line_width != standard.line_width)
+    members.push_back(named("line_width", coordinate(draw.line_width)));
+  if (draw.point_size != standard.point_size)
+    members.push_back(named("point_size", coordinate(draw.point_size)));
+  if (draw.scissor) members.push_back(named("scissor", rectangle(*draw.scissor)));
+  if (members.empty()) return std::nullopt;
+  return json_object(std::move(members));
+}
+
+JsonPiece draw_piece(const Draw& draw) {
+  const bool one_color = std::ranges::all_of(draw.vertices, [&](const Vertex& vertex) {
+    return vertex.color == draw.vertices.front().color;
+  });
+  Pieces vertices;
+  for (const Vertex& vertex : draw.vertices) {
+    if (one_color)
+      vertices.push_back(position(vertex));
+    else
+      vertices.push_back(
+          json_object({named("at", position(vertex)), named("color", color(vertex.color))}));
+  }
+  JsonPiece list = json_array(std::move(vertices));
+  if (one_color) list.together = static_cast<std::size_t>(vertices_of(kind_of(draw.primitive)));
+  Pieces members{named("primitive", json_string(name_of(draw.primitive))),
+                 named("vertices", std::move(list))};
+  if (one_color && !draw.vertices.empty())
+    members.push_back(named("color", color(draw.vertices.front().color)));
+  if (auto state = state_piece(draw)) members.push_back(named("state", std::move(*state)));
+  return json_object(std::move(members));
+}
+
+void add_word(const char* name, const std::string& word, Pieces& members) {
+  if (!word.empty()) members.push_back(named(name, json_string(word)));
+}
+
+JsonPiece case_piece(const Scene& scene, const CaseWords& words) {
+  Pieces members;
+  add_word("$schema", words.schema, members);
+  members.push_back(named("title", json_string(words.title)));
+  add_word("why", words.why, members);
+  members.push_back(named("rules", strings(words.rules)));
+  add_word("spec", words.spec, members);
+  add_word("origin", words.origin, members);
+  if (!words.tags.empty()) members.push_back(named("tags", strings(words.tags)));
+  members.push_back(named("target", target_piece(scene)));
+  Pieces draws;
+  for (const Draw& draw : scene.draws) draws.push_back(draw_piece(draw));
+  JsonPiece list = json_array(std::move(draws));
+  list.broken = true;
+  members.push_back(named("draws", std::move(list)));
+  JsonPiece piece = json_object(std::move(members));
+  piece.broken = true;
+  return piece;
+}
+
+// JSON holds well-formed UTF-8 alone, and the printer throws on anything else.
+std::optional<Diagnostic> find_malformed(const CaseWords& words) {
+  std::vector<std::pair<const char*, const std::string*>> all{{"/$schema", &words.schema},
+                                                              {"/title", &words.title},
+                                                              {"/why", &words.why},
+                                                              {"/spec", &words.spec},
+                                                              {"/origin", &words.origin}};
+  for (const std::string& rule : words.rules) all.emplace_back("/rules", &rule);
+  for (const std::string& tag : words.tags) all.emplace_back("/tags", &tag);
+  for (const auto& [pointer, text] : all)
+    if (find_invalid_utf8(*text))
+      return Diagnostic{"", 0, pointer, "the text is not well-formed UTF-8", "write UTF-8"};
+  return std::nullopt;
+}
+
+}  // namespace
+
+CaseText case_text(const Scene& scene, const CaseWords& words) {
+  CaseText result;
+  if (auto malformed = find_malformed(words)) {
+    result.diagnostics.push_back(std::move(*malformed));
+    return result;
+  }
+  std::string text = lay_out(case_piece(scene, words));
+  // The loader decides what a case file can say. Its id matters only for colours left open.
+  LoadedCases read = load_cases_text(text, "", "written");
+  result.diagnostics = std::move(read.diagnostics);
+  if (!result.diagnostics.empty()) return result;
+  if (read.cases.size() != 1 || !same_scene(read.cases.front().scene, scene))
+    result.diagnostics.push_back({"", 0, "", "a case file cannot say this scene exactly",
+                                  "this is a fault of the writer; report the scene"});
+  else
+    result.text = std::move(text);
+  return result;
+}
+
+}  // namespace edgecase

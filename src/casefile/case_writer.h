@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Writes a scene as a case file that the loader reads back to the very same scene.
+//
+// The inverse of casefile/loader.h for one case: no sweep, no variants, no drawn expectation, since
+// those are an author's. Defaults are left out, except colours: the loader salts those that a file
+// leaves open by the case's id, so the clear colour and every vertex's colour are written.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/case.h"
+
+namespace edgecase {
+
+// The words round the scene. Empty ones are left out; `title` and `rules` are required.
+struct CaseWords {
+  std::string schema;  // relative path from the file to case.schema.json
+  std::string title;
+  std::string why;
+  std::vector<std::string> rules;  // ids
+  std::string spec;
+  std::string origin;  // a link
+  std::vector<std::string> tags;
+};
+
+struct CaseText {
+  std::string text;  // ends with a line break; empty exactly when there are diagnostics
+  // What a case file cannot say, or the loader refuses: several samples, a vertex outside the
+  // viewport or too fine for it, a colour outside [0, 1], words against the format. Lines and
+  // pointers are those of the text that would have been.
+  std::vector<Diagnostic> diagnostics;
+};
+
+// The same scene and words give the same text, on every machine. Coordinates are exact: decimals up
+// to four fraction bits ("10.5"), strings beyond ("10+3/256"). The text has been read back: a text
+// that is returned means `scene`.
+CaseText case_text(const Scene& scene, const CaseWords& words);
+
+}  // namespace edgecase

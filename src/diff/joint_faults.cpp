@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "diff/joint_faults.h"
+
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "raster/rasterizer.h"
+#include "rules/coverage/line_algorithm.h"
+#include "rules/coverage/line_joints.h"
+#include "rules/coverage/snap.h"
+
+namespace edgecase {
+namespace {
+
+Segment segment_of(const ScenePrimitive& line, Snap snap) {
+  return {snap(line.vertices[0]->position), snap(line.vertices[1]->position)};
+}
+
+// Connected lines of one direction: the first and last have drawn something, those between nothing.
+using Chain = std::vector<std::size_t>;
+
+class Chains {
+ public:
+  Chains(std::span<const ScenePrimitive> primitives, std::span<const PrimitiveCoverage> coverage)
+      : primitives_(primitives), coverage_(coverage) {
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      if (!is_thin_line(primitives[i])) continue;
+      const Point start = primitives[i].vertices[0]->position;
+      starting_at_[{start.x, start.y}].push_back(i);
+    }
+  }
+
+  std::vector<Chain> all() {
+    for (std::size_t i = 0; i < primitives_.size(); ++i)
+      if (is_thin_line(primitives_[i]) && !coverage_[i].drawn.empty()) extend({i});
+    return std::move(found_);
+  }
+
+ private:
+  static bool is_thin_line(const ScenePrimitive& primitive) {
+    return primitive.kind == PrimitiveKind::line && rounded_width(primitive.state->line_width) == 1;
+  }
+
+  // The major coordinate only grows along a chain, so no chain comes back to where it was.
+  void extend(const Chain& chain) {
+    const Segment last = segment_of(primitives_[chain.back()], Snap{});
+    const auto next = starting_at_.find({last.b.x, last.b.y});
+    if (next == starting_at_.end()) return;
+    for (std::size_t j : next->second) {
+      if (!goes_on(last, segment_of(primitives_[j], Snap{}))) continue;
+      Chain longer = chain;
+      longer.push_back(j);
+      if (coverage_[j].drawn.empty())
+        extend(longer);
+      else
+        found_.push_back(std::move(longer));
+    }
+  }
+
+  std::span<const ScenePrimitive> primitives_;
+  std::span<const PrimitiveCoverage> coverage_;
+  std::map<std::pair<Fixed, Fixed>, std::vector<std::size_t>> starting_at_;
+  std::vector<Chain> found_;
+};
+
+// Do segments go on from one another? Those without length, as a snap can make them, are left out.
+bool is_one_line(std::span<const Segment> segments) {
+  for (std::size_t i = 1; i < segments.size(); ++i)
+    if (!goes_on(segments[i - 1], segments[i])) return false;
+  return segments.size() >= 2;
+}
+
+std::string broken_clause(const Chain& chain, std::span<const ScenePrimitive> primitives,
+                          std::span<const PrimitiveCoverage> coverage, const Target& target,
+                          Snap snap) {
+  std::vector<Segment> segments;
+  for (std::size_t i : chain) {
+    const Segment segment = segment_of(primitives[i], snap);
+    const bool is_end = i == chain.front() || i == chain.back();
+    if (is_end && segment.a == segment.b) return "";
+    if (segment.a != segment.b) segments.push_back(segment);
+  }
+  if (!is_one_line(segments)) return "";
+  const auto drawn = [&](std::size_t i, const Segment& segment) {
+    return DrawnSegment{segment, coverage[i].drawn, drawable_bounds(*primitives[i].state, target)};
+  };
+  return broken_joint_clause(drawn(chain.front(), segments.front()),
+                             std::span(segments).subspan(1, segments.size() - 2),
+                             drawn(chain.back(), segments.back()));
+}
+
+}  // namespace
+
+std::vector<JointFault> joint_faults(std::span<const ScenePrimitive> primitives,
+                                     std::span<const PrimitiveCoverage> coverage,
+                                     const Target& target) {
+  std::vector<JointFault> faults;
+  for (const Chain& chain : Chains(primitives, coverage).all()) {
+    JointFault fault{primitives[chain.front()].index, primitives[chain.back()].index, "", {}};
+    for (Snap snap : all_snaps()) {
+      const std::string clause = broken_clause(chain, primitives, coverage, target, snap);
+      if (clause.empty()) continue;
+      fault.illegal_snaps.push_back(name_of(snap));
+      if (snap.is_none()) fault.clause = clause;
+    }
+    if (!fault.illegal_snaps.empty()) faults.push_back(std::move(fault));
+  }
+  return faults;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "diff/situation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "exact/wide.h"
+#include "rules/coverage/diamond_exit.h"
+#include "rules/coverage/line_algorithm.h"
+#include "rules/coverage/triangle_fill.h"
+
+namespace edgecase {
+namespace {
+
+// Distances that are told apart, raw, with their names; whatever is farther is "farther".
+struct Reach {
+  std::int64_t raw;
+  const char* name;
+};
+constexpr std::array<Reach, 3> kReaches = {{{Fixed::kOne >> 8, "within 1/256 pixel"},
+                                            {Fixed::kOne >> 4, "within 1/16 pixel"},
+                                            {Fixed::kOne, "within 1 pixel"}}};
+
+template <class IsWithin>
+const char* name_of_reach(IsWithin is_within) {
+  for (const Reach& reach : kReaches)
+    if (is_within(reach.raw)) return reach.name;
+  return "more than 1 pixel";
+}
+
+// Where a point lies in the diamond of the pixel that holds it, or whose corner it is.
+std::string place_in_diamond(Point p, PixelPosition pixel) {
+  const Point centre = pixel_centre(pixel.x, pixel.y);
+  const std::int64_t dx = p.x.raw() - centre.x.raw();
+  const std::int64_t dy = p.y.raw() - centre.y.raw();
+  const std::int64_t distance = std::abs(dx) + std::abs(dy);
+  if (distance == 0) return "at the centre of its diamond";
+  if (2 * distance < Fixed::kOne) return "inside its diamond";
+  if (2 * distance > Fixed::kOne) return "outside its diamond";
+  if (dy == 0) return fmt::format("on the {} corner of its diamond", dx < 0 ? "left" : "right");
+  if (dx == 0) return fmt::format("on the {} corner of its diamond", dy < 0 ? "lower" : "upper");
+  return fmt::format("on the {} {} edge of its diamond", dy < 0 ? "lower" : "upper",
+                     dx < 0 ? "left" : "right");
+}
+
+// "horizontal right", "x-major right and up", "diagonal left and down", "vertical down", …
+std::string direction_of(const Segment& s) {
+  const std::int64_t dx = s.b.x.raw() - s.a.x.raw();
+  const std::int64_t dy = s.b.y.raw() - s.a.y.raw();
+  const char* right = dx > 0 ? "right" : "left";
+  const char* up = dy > 0 ? "up" : "down";
+  if (dx == 0 && dy == 0) return "without length";
+  if (dy == 0) return fmt::format("horizontal {}", right);
+  if (dx == 0) return fmt::format("vertical {}", up);
+  if (std::abs(dx) == std::abs(dy)) return fmt::format("diagonal {} and {}", right, up);
+  return fmt::format("{}-major {} and {}", s.x_major() ? "x" : "y", right, up);
+}
+
+bool holds(PixelPosition pixel, Point p) {
+  return p.x.floor() == pixel.x && p.y.floor() == pixel.y;
+}
+
+// A pixel whose closed diamond holds the point, or the pixel that holds it.
+bool is_at(PixelPosition pixel, Point p) {
+  const Point centre = pixel_centre(pixel.x, pixel.y);
+  return holds(pixel, p) ||
+         2 * (std::abs(p.x.raw() - centre.x.raw()) + std::abs(p.y.raw() - centre.y.raw())) <=
+             Fixed::kOne;
+}
+
+// Beyond an end of the segment, or beside it.
+std::string place_away_from_ends(const Segment& s, PixelPosition pixel) {
+  const bool x_major = s.x_major();
+  const auto major = [&](Point p) { return x_major ? p.x.raw() : p.y.raw(); };
+  const std::int64_t sign = major(s.b) < major(s.a) ? -1 : 1;
+  const std::int64_t at = sign * major(pixel_centre(pixel.x, pixel.y));
+  if (at < sign * major(s.a)) return "before the start";
+  if (at > sign * major(s.b)) return "beyond the end";
+  if (meets_diamond(s, pixel.x, pixel.y, *find_diamond_boundary("open"))) return "along the way";
+  if (meets_diamond(s, pixel.x, pixel.y, *find_diamond_boundary("closed")))
+    return "along the way, where it only touches the diamond";
+  return "beside the line";
+}
+
+std::string line_situation(const ScenePrimitive& line, PixelPosition pixel) {
+  const Segment s{line.vertices[0]->position, line.vertices[1]->position};
+  const int width = rounded_width(line.state->line_width);
+  std::string place;
+  if (is_at(pixel, s.a)) place = "first pixel, start " + place_in_diamond(s.a, pixel);
+  if (is_at(pixel, s.b))
+    place += fmt::format("{}last pixel, end {}", place.empty() ? "" : "; ",
+                         place_in_diamond(s.b, pixel));
+  if (place.empty()) place = place_away_from_ends(s, pixel);
+  return fmt::format("{}, {}, {}", width == 1 ? "line" : "wide line", direction_of(s), place);
+}
+
+const char* edge_name(Point a, Point b) {
+  if (b.y < a.y) return "left";
+  if (b.y > a.y) return "right";
+  return b.x > a.x ? "bottom" : "top";
+}
+
+// Is the sample within a distance of the edge's line (raw), or on its inner side?
+bool is_beyond(Point a, Point b, Point sample, std::int64_t distance) {
+  const std::int64_t side = cross(a, b, sample);
+  if (side >= 0) return true;
+  const Int128 dx = b.x.raw() - a.x.raw();
+  const Int128 dy = b.y.raw() - a.y.raw();
+  return static_cast<Int128>(side) * side <= (dx * dx + dy * dy) * distance * distance;
+}
+
+std::string triangle_situation(const ScenePrimitive& triangle, PixelPosition pixel) {
+  const Triangle given = {triangle.vertices[0]->position, triangle.vertices[1]->position,
+                          triangle.vertices[2]->position};
+  if (doubled_area(given) == 0) return "triangle without area";
+  const Triangle t = counter_clockwise(given);
+  const Point sample = pixel_centre(pixel.x, pixel.y);
+  if (std::find(t.begin(), t.end(), sample) != t.end()) return "triangle, sample at a vertex";
+  const auto every_edge = [&](auto condition) {
+    return condition(t[0], t[1]) && condition(t[1], t[2]) && condition(t[2], t[0]);
+  };
+  const bool outside = !every_edge([&](Point a, Point b) { return cross(a, b, sample) >= 0; });
+  if (!outside)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (cross(t[i], t[(i + 1) % 3], sample) == 0)
+        return fmt::format("triangle, sample exactly on a {} edge",
+                           edge_name(t[i], t[(i + 1) % 3]));
+  // Inside, turning an edge round asks how far its line is on the other side.
+  const char* reach = name_of_reach([&](std::int64_t distance) {
+    return outside
+               ? every_edge([&](Point a, Point b) { return is_beyond(a, b, sample, distance); })
+               : !every_edge([&](Point a, Point b) { return !is_beyond(b, a, sample, distance); });
+  });
+  return fmt::format("triangle, sample {} {}", outside ? "outside," : "inside,", reach);
+}
+
+std::string point_situation(const ScenePrimitive& point, PixelPosition pixel) {
+  const Point vertex = point.vertices[0]->position;
+  const Point centre = pixel_centre(pixel.x, pixel.y);
+  const Fixed size = point.state->point_size;
+  // Twice the distances, since half a size need not be a whole raw unit.
+  const std::int64_t dx = 2 * (centre.x.raw() - vertex.x.raw());
+  const std::int64_t dy = 2 * (centre.y.raw() - vertex.y.raw());
+  const std::int64_t beyond = std::max(std::abs(dx), std::abs(dy)) - size.raw();
+  const char* kind = size == Fixed::from_integer(1) ? "point of size 1" : "sized point";
+  if (beyond == 0) {
+    const bool corner = std::abs(dx) == std::abs(dy);
+    const char* side =
+        std::abs(dx) > std::abs(dy) ? (dx < 0 ? "left" : "right") : (dy < 0 ? "bottom" : "top");
+    return corner ? fmt::format("{}, centre exactly on a corner", kind)
+                  : fmt::format("{}, centre exactly on the {} side", kind, side);
+  }
+  const char* reach =
+      name_of_reach([&](std::int64_t distance) { return std::abs(beyond) <= 2 * distance; });
+  return fmt::format("{}, centre {} {}", kind, beyond > 0 ? "outside," : "inside,", reach);
+}
+
+}  // namespace
+
+std::string situation_of(const ScenePrimitive& primitive, PixelPosition pixel) {
+  switch (primitive.kind) {
+    case PrimitiveKind::point:
+      return point_situation(primitive, pixel);
+    case PrimitiveKind::line:
+      return line_situation(primitive, pixel);
+    case PrimitiveKind::triangle:
+      return triangle_situation(primitive, pixel);
+  }
+  return "";
+}
+
+}  // namespace edgecase

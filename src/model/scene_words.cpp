@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "model/scene_words.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+#include "exact/numeral.h"
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kMostPrimitives = 3;  // told one by one
+constexpr std::size_t kMostVertices = 6;    // told of a strip, loop or fan
+
+std::string words_of(Point point) {
+  return "(" + to_fraction(point.x) + ", " + to_fraction(point.y) + ")";
+}
+
+// The vertices from `from` up to `to`, exclusive.
+std::string list_vertices(const Draw& draw, std::size_t from, std::size_t to,
+                          std::string_view separator) {
+  std::string text;
+  for (std::size_t i = from; i < to; ++i) {
+    if (i != from) text += separator;
+    text += words_of(draw.vertices[i].position);
+  }
+  return text;
+}
+
+std::string in_words(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+// Separate primitives: "line A to B and line C to D", or the first of many.
+std::string separate_words(const Draw& draw) {
+  const PrimitiveKind kind = kind_of(draw.primitive);
+  const auto each = static_cast<std::size_t>(vertices_of(kind));
+  const std::size_t count = draw.vertices.size() / each;
+  const std::size_t told = count <= kMostPrimitives ? count : 1;
+  const std::string_view separator = kind == PrimitiveKind::line ? " to " : ", ";
+  std::string text;
+  for (std::size_t i = 0; i < told; ++i) {
+    if (i != 0) text += " and ";
+    text += std::string(name_of(kind)) + " ";
+    text += list_vertices(draw, i * each, (i + 1) * each, separator);
+  }
+  if (told == count) return text;
+  return std::to_string(count) + " " + name_of(draw.primitive) + ", the first " + text;
+}
+
+std::string connected_words(const Draw& draw) {
+  const std::size_t count = draw.vertices.size();
+  const std::size_t told = std::min(count, kMostVertices);
+  std::string text = in_words(name_of(draw.primitive)) + " " + list_vertices(draw, 0, told, ", ");
+  if (told != count) text += " and " + std::to_string(count - told) + " more";
+  return text;
+}
+
+std::string state_words(const Draw& draw) {
+  const Fixed one = Fixed::from_integer(1);
+  const Draw standard;
+  std::string text;
+  if (draw.line_width != one) text += ", width " + to_fraction(draw.line_width);
+  if (draw.point_size != one) text += ", size " + to_fraction(draw.point_size);
+  if (draw.interpolation != standard.interpolation)
+    text += std::string(", ") + name_of(draw.interpolation);
+  if (draw.provoking_vertex != standard.provoking_vertex)
+    text += std::string(", ") + name_of(draw.provoking_vertex) + " vertex provokes";
+  if (draw.scissor)
+    text += ", scissor " + std::to_string(draw.scissor->width) + "x" +
+            std::to_string(draw.scissor->height) + " at (" + std::to_string(draw.scissor->x) +
+            ", " + std::to_string(draw.scissor->y) + ")";
+  return text;
+}
+
+std::string draw_words(const Draw& draw) {
+  const auto each = static_cast<std::size_t>(vertices_of(kind_of(draw.primitive)));
+  // A single point more completes a strip's next primitive, and not a separate one.
+  const bool connected = each > 1 && is_vertex_count(draw.primitive, each + 1);
+  return (connected ? connected_words(draw) : separate_words(draw)) + state_words(draw);
+}
+
+bool same_rectangle(const Viewport& a, const Viewport& b) {
+  return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+}
+
+bool same_target(const Target& a, const Target& b) {
+  return a.width == b.width && a.height == b.height && a.samples == b.samples &&
+         a.color == b.color && a.surface == b.surface && a.clear == b.clear;
+}
+
+bool same_vertex(const Vertex& a, const Vertex& b) {
+  return a.position == b.position && a.z == b.z && a.color == b.color;
+}
+
+bool same_draw(const Draw& a, const Draw& b) {
+  if (a.scissor.has_value() != b.scissor.has_value()) return false;
+  if (a.scissor && !same_rectangle(*a.scissor, *b.scissor)) return false;
+  return a.primitive == b.primitive && a.interpolation == b.interpolation &&
+         a.provoking_vertex == b.provoking_vertex && a.line_width == b.line_width &&
+         a.point_size == b.point_size && std::ranges::equal(a.vertices, b.vertices, same_vertex);
+}
+
+}  // namespace
+
+std::string scene_words(const Scene& scene) {
+  std::string text;
+  for (const Draw& draw : scene.draws) {
+    if (!text.empty()) text += "; ";
+    text += draw_words(draw);
+  }
+  if (!text.empty()) text += ", ";
+  text += std::to_string(scene.target.width) + "x" + std::to_string(scene.target.height);
+  if (scene.target.samples != 1) text += ", " + std::to_string(scene.target.samples) + " samples";
+  if (scene.target.surface != Surface::fbo)
+    text += std::string(", ") + name_of(scene.target.surface);
+  return text;
+}
+
+bool same_scene(const Scene& a, const Scene& b) {
+  return same_target(a.target, b.target) && same_rectangle(a.viewport, b.viewport) &&
+         std::ranges::equal(a.draws, b.draws, same_draw);
+}
+
+}  // namespace edgecase

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// Counter-examples: scenes in which a renderer does not follow its own profile, or follows it out
+// of the specification, sorted into clusters.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/policy.h"
+#include "profile/observation.h"
+#include "profile/profile.h"
+#include "results/results.h"
+
+namespace edgecase {
+
+class CounterExamples {
+ public:
+  // `policy` is the profile; the renderer's claim of sub-pixel bits is for ruling 4.
+  CounterExamples(Policy policy, Surface surface, int reported_subpixel_bits);
+
+  // Holds an observation against the profile and the specification, and keeps it if it fails.
+  // Returns true when the profile draws every primitive as it was drawn.
+  bool add(const Observation& observation);
+
+  // Scenes with something that the specification does not allow, whatever the profile; known after
+  // clusters().
+  std::size_t illegal_scenes() const { return illegal_scenes_; }
+  // Judges what was kept. Call once.
+  std::vector<ProfileCluster> clusters();
+
+ private:
+  Policy policy_;
+  Surface surface_;
+  int bits_;
+  RuleChoices choices_;
+  RuleChoices standard_;
+  Results kept_;
+  std::map<std::string, Scene> scenes_;  // by id
+  std::size_t illegal_scenes_ = 0;
+};
+
+}  // namespace edgecase

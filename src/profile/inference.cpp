@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "profile/inference.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "diff/alternatives.h"
+#include "raster/rasterizer.h"
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kFirstRound = 100;  // scenes
+constexpr std::size_t kFinalists = 3;
+constexpr std::size_t kRivals = 2;        // per rule, held against all scenes
+constexpr std::size_t kRivalRound = 600;  // scenes by which rivals are chosen
+constexpr int kCheapTarget = 32;          // pixels; scenes up to this size decide the rounds
+
+struct Candidate {
+  CoverageChoice choice;
+  std::vector<std::string> causes;  // how it differs from the start, a change per rule
+  std::size_t agreeing = 0;
+};
+
+std::string rule_of(const std::string& cause) {
+  return cause.substr(0, cause.find('='));
+}
+
+bool draws(const CoverageChoice& choice, const Observation& observation) {
+  const auto primitives = primitives_of(observation.scene);
+  return covered_pixels(primitives[0], observation.scene.target, choice) == observation.drawn[0];
+}
+
+// The rules that have a say, each with its alternatives beside the start's.
+std::vector<RuleAlternatives> open_rules(const InferenceQuestion& question,
+                                         const Observation& observation) {
+  const auto primitives = primitives_of(observation.scene);
+  auto rules = alternatives_beside(primitives[0], question.start);
+  std::erase_if(rules, [&](const RuleAlternatives& rule) {
+    const bool width = rule_of(rule.front().cause) == "line.width";
+    return width != question.width_only;
+  });
+  return rules;
+}
+
+// Alternatives of a rule that nothing asks for make no candidates of their own.
+bool is_idle(const Candidate& candidate, const std::string& rule) {
+  if (rule == "triangle.fill-rule") return !has_tie_rule(candidate.choice.triangle_algorithm);
+  return rule == "line.diamond-exit" && !tests_diamonds(candidate.choice.line.algorithm);
+}
+
+std::vector<Candidate> all_candidates(const InferenceQuestion& question,
+                                      std::span<const RuleAlternatives> rules) {
+  std::vector<Candidate> candidates = {{question.start, {}, 0}};
+  for (const RuleAlternatives& rule : rules) {
+    const std::size_t before = candidates.size();
+    for (const Change& change : rule)
+      for (std::size_t i = 0; i < before; ++i) {
+        Candidate candidate = candidates[i];
+        if (is_idle(candidate, rule_of(change.cause))) continue;
+        change.apply(candidate.choice);
+        candidate.causes.push_back(change.cause);
+        candidates.push_back(std::move(candidate));
+      }
+  }
+  return candidates;
+}
+
+class Contest {
+ public:
+  Contest(const InferenceQuestion& question, std::span<const Observation* const> observations) {
+    for (const Observation* observation : observations)
+      if (observation->failure.empty()) all_.push_back(observation);
+    cheap_ = all_;
+    std::erase_if(cheap_, [](const Observation* observation) {
+      return observation->scene.target.width > kCheapTarget;
+    });
+    if (all_.empty()) return;
+    start_ = question.start;
+    rules_ = open_rules(question, *all_.front());
+    candidates_ = all_candidates(question, rules_);
+  }
+
+  Inference operator()() {
+    if (all_.empty()) return {start_, {}, {}};
+    play_rounds();
+    for (Candidate& finalist : candidates_) finalist.agreeing = count(finalist.choice, all_);
+    Candidate best = *std::min_element(candidates_.begin(), candidates_.end(), better);
+    // A rival that does better on all scenes takes the place of the best; this ends, since the
+    // number of scenes only grows.
+    for (;;) {
+      const std::vector<Candidate> rivals = rivals_of(best);
+      const auto winner = std::min_element(rivals.begin(), rivals.end(), better);
+      if (winner == rivals.end() || winner->agreeing <= best.agreeing) return report(best, rivals);
+      best = *winner;
+    }
+  }
+
+ private:
+  using Scenes = std::vector<const Observation*>;
+
+  static bool better(const Candidate& a, const Candidate& b) {
+    if (a.agreeing != b.agreeing) return a.agreeing > b.agreeing;
+    return a.causes.size() < b.causes.size();
+  }
+
+  static std::size_t count(const CoverageChoice& choice, std::span<const Observation* const> in) {
+    return static_cast<std::size_t>(std::count_if(
+        in.begin(), in.end(), [&](const Observation* scene) { return draws(choice, *scene); }));
+  }
+
+  void play_rounds() {
+    std::size_t from = 0;
+    for (std::size_t size = kFirstRound; candidates_.size() > kFinalists && from < cheap_.size();
+         size *= 2) {
+      const auto scenes = std::span(cheap_).subspan(from, std::min(size, cheap_.size() - from));
+      for (Candidate& candidate : candidates_)
+        candidate.agreeing += count(candidate.choice, scenes);
+      std::stable_sort(candidates_.begin(), candidates_.end(), better);
+      candidates_.resize(std::max(kFinalists, candidates_.size() / 3));
+      from += scenes.size();
+    }
+    candidates_.resize(std::min(candidates_.size(), kFinalists));
+  }
+
+  // For each rule the best other alternatives, everything else as the best has it.
+  std::vector<Candidate> rivals_of(const Candidate& best) const {
+    std::vector<Candidate> rivals;
+    for (const RuleAlternatives& rule : rules_) {
+      const std::string id = rule_of(rule.front().cause);
+      if (is_idle(best, id)) continue;
+      std::vector<Candidate> others = others_of(best, rule, id);
+      const auto some = std::span(all_).first(std::min(kRivalRound, all_.size()));
+      for (Candidate& other : others) other.agreeing = count(other.choice, some);
+      std::stable_sort(others.begin(), others.end(), better);
+      if (others.size() > kRivals) others.resize(kRivals);
+      for (Candidate& other : others) {
+        other.agreeing = count(other.choice, all_);
+        rivals.push_back(std::move(other));
+      }
+    }
+    return rivals;
+  }
+
+  // The alternatives of a rule that `best` does not have, the start's own among them.
+  std::vector<Candidate> others_of(const Candidate& best, const RuleAlternatives& rule,
+                                   const std::string& id) const {
+    Candidate without = best;
+    std::erase_if(without.causes, [&](const std::string& cause) { return rule_of(cause) == id; });
+    std::vector<Candidate> others;
+    if (without.causes.size() != best.causes.size()) {
+      without.choice = start_;
+      for (const RuleAlternatives& all : rules_)
+        for (const Change& change : all)
+          if (std::find(without.causes.begin(), without.causes.end(), change.cause) !=
+              without.causes.end())
+            change.apply(without.choice);
+      others.push_back(without);
+    }
+    for (const Change& change : rule) {
+      if (std::find(best.causes.begin(), best.causes.end(), change.cause) != best.causes.end())
+        continue;
+      Candidate other = without;
+      other.choice = best.choice;
+      change.apply(other.choice);
+      other.causes.push_back(change.cause);
+      others.push_back(std::move(other));
+    }
+    return others;
+  }
+
+  Inference report(const Candidate& best, std::span<const Candidate> rivals) const {
+    Inference result{best.choice, {best.agreeing, all_.size()}, {}};
+    for (const RuleAlternatives& rule : rules_) {
+      const std::string id = rule_of(rule.front().cause);
+      if (is_idle(best, id)) continue;
+      InferredRule inferred{id, choice_of(best.choice, id), result.rate, "", {}};
+      const Candidate* runner_up = nullptr;
+      for (const Candidate& rival : rivals)
+        if (choice_of(rival.choice, id) != inferred.alternative &&
+            (runner_up == nullptr || better(rival, *runner_up)))
+          runner_up = &rival;
+      if (runner_up != nullptr) {
+        inferred.runner_up = choice_of(runner_up->choice, id);
+        inferred.runner_up_rate = {runner_up->agreeing, all_.size()};
+      }
+      result.rules.push_back(std::move(inferred));
+    }
+    return result;
+  }
+
+  Scenes all_;
+  Scenes cheap_;
+  CoverageChoice start_;
+  std::vector<RuleAlternatives> rules_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+double Rate::share() const {
+  return of == 0 ? 1 : static_cast<double>(agreeing) / static_cast<double>(of);
+}
+
+Inference infer(const InferenceQuestion& question,
+                std::span<const Observation* const> observations) {
+  return Contest(question, observations)();
+}
+
+}  // namespace edgecase

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// Inference: which alternatives of the catalogue draw what a renderer draws.
+//
+// Every combination of the alternatives that have a say in a kind of primitive is a candidate, near
+// two thousand of them for lines. They compete in rounds: each round looks at twice as many scenes
+// as the one before and keeps the best third. The few that are left, and for each rule the nearest
+// other choices, are held against all scenes. Agreement means a whole scene: every pixel.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "profile/observation.h"
+#include "rules/choices.h"
+
+namespace edgecase {
+
+// In how many scenes something is as claimed, of how many.
+struct Rate {
+  std::size_t agreeing = 0;
+  std::size_t of = 0;
+
+  // 0 to 1; 1 where there is nothing to disagree.
+  double share() const;
+};
+
+// What was found about one rule.
+struct InferredRule {
+  std::string rule;
+  std::string alternative;
+  Rate rate;              // of the whole choice, over all scenes
+  std::string runner_up;  // the best other alternative of this rule, all else being equal
+  Rate runner_up_rate;
+};
+
+struct Inference {
+  CoverageChoice choice;
+  Rate rate;
+  std::vector<InferredRule> rules;  // those that have a say in the scenes
+};
+
+// Which rules are open, and what holds for the others.
+struct InferenceQuestion {
+  PrimitiveKind kind = PrimitiveKind::triangle;
+  CoverageChoice start;     // preferred where candidates tie: fewest rules chosen otherwise
+  bool width_only = false;  // lines: only line.width is in question
+};
+
+// Observations that failed are left out; all others must have one primitive of the kind. Without
+// any, the start is returned with an empty rate.
+Inference infer(const InferenceQuestion& question,
+                std::span<const Observation* const> observations);
+
+}  // namespace edgecase

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+//
+// Probes: scenes that each ask a renderer one question, built on purpose and the same every time.
+//
+// Where random scenes measure how often a rule is followed, probes find out which. They are
+// families: every place of a diamond for every direction of a line, every side and corner of a
+// triangle, joints, edges shared by triangles, provoking vertices, vertices beyond the viewport.
+// Except for clipping, every vertex lies strictly inside the viewport, which is the target, a
+// power of two; for the clip probes see there. All coordinates reach OpenGL unrounded.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/pixel.h"
+#include "model/scene.h"
+#include "rules/coverage/segment.h"
+
+namespace edgecase {
+
+// Where a line goes, y up, counter-clockwise from the right: the axes, the exact diagonals, and the
+// eight octants between them.
+enum class LineDirection {
+  right,
+  x_major_right_rising,
+  diagonal_right_rising,
+  y_major_right_rising,
+  up,
+  y_major_left_rising,
+  diagonal_left_rising,
+  x_major_left_rising,
+  left,
+  x_major_left_falling,
+  diagonal_left_falling,
+  y_major_left_falling,
+  down,
+  y_major_right_falling,
+  diagonal_right_falling,
+  x_major_right_falling,
+};
+constexpr int kLineDirections = 16;
+
+// "right", "x-major right, rising", "diagonal left, falling", …
+const char* name_of(LineDirection direction);
+
+// The segment must have a length.
+LineDirection direction_of(const Segment& segment);
+
+// A place of a pixel, by the diamond |dx| + |dy| < 1/2 round its centre. Edges are without their
+// ends; outside is a quarter of the pixel's square without its border. The first eight are the
+// bits of DiamondPart (rules/coverage/diamond_boundary.h), in their order.
+enum class DiamondPlace {
+  left_corner,
+  right_corner,
+  bottom_corner,
+  top_corner,
+  lower_left_edge,
+  lower_right_edge,
+  upper_left_edge,
+  upper_right_edge,
+  inside,
+  lower_left_outside,
+  lower_right_outside,
+  upper_left_outside,
+  upper_right_outside,
+};
+constexpr int kDiamondPlaces = 13;
+
+// "left corner", "lower left edge", "inside", "outside, lower left", …
+const char* name_of(DiamondPlace place);
+
+// Where in a pixel a point lies; none on the border of the pixel's square outside its four corners
+// of the diamond, or beyond it.
+std::optional<DiamondPlace> place_in_pixel(Point point, PixelPosition pixel);
+
+// A line that starts, or ends, at a place of a pixel's diamond, and lies strictly inside a diamond
+// with its other end.
+struct DiamondProbe {
+  Scene scene;
+  PixelPosition pixel;
+  LineDirection direction = LineDirection::right;
+  bool at_start = true;
+  DiamondPlace place = DiamondPlace::inside;
+  // Do other pixels hang on ties, too, beside the one that has the same corner? So it is where the
+  // line runs along boundaries: rightward from a bottom corner, diagonally from some edges.
+  bool tied_elsewhere = false;
+};
+// At least four for every direction, end and place.
+std::vector<DiamondProbe> diamond_probes(Surface surface);
+
+// Which side of a triangle an edge is, y up: the interior of a `lower_left` edge lies to its right
+// and above it.
+enum class EdgeSide {
+  left,
+  right,
+  bottom,
+  top,
+  lower_left,
+  lower_right,
+  upper_left,
+  upper_right,
+};
+constexpr int kEdgeSides = 8;
+
+// "left", "lower left", …
+const char* name_of(EdgeSide side);
+
+// The side that a -> b is of a counter-clockwise triangle. The points must differ.
+EdgeSide side_of(Point a, Point b);
+
+// A triangle on whose edge, or corner where two edges meet, lies the sample of one pixel.
+// Coordinates are multiples of 1/16.
+struct EdgeProbe {
+  Scene scene;
+  PixelPosition pixel;
+  EdgeSide side = EdgeSide::left;
+  std::optional<EdgeSide> corner_with;  // of a corner: the edge after `side`, counter-clockwise
+};
+std::vector<EdgeProbe> edge_probes(Surface surface);
+
+// Segments that follow each other, two to six, each starting bit-identically where the one before
+// ends; as a strip, or as separate lines in one draw.
+struct JointProbe {
+  Scene scene;
+  bool goes_on = true;                // all have one major axis and direction; else one joint turns
+  std::optional<DiamondPlace> place;  // of the first joint in its pixel; none: anywhere
+  std::optional<LineDirection> direction;  // of all segments, where it is one
+};
+std::vector<JointProbe> joint_probes(Surface surface);
+
+enum class SharedEdgeShape {
+  quad,   // two triangles, split along one of the diagonals
+  strip,  // a triangle strip
+  fan,    // triangles all round an inner vertex, or part of the way
+};
+const char* name_of(SharedEdgeShape shape);
+
+// Triangles that follow each other on opposite sides of common edges with bit-identical ends, in
+// one draw: separate triangles, a strip or a fan. No triangles overlap, and no vertex lies on
+// another's edge.
+struct SharedEdgeProbe {
+  Scene scene;
+  SharedEdgeShape shape = SharedEdgeShape::quad;
+  bool closed = false;  // of a fan: the last triangle shares an edge with the first
+};
+std::vector<SharedEdgeProbe> shared_edge_probes(Surface surface);
+
+// Every primitive type under either convention, with one to four primitives, every vertex with a
+// colour of its own, flat. Every primitive covers pixels that no other does.
+std::vector<Scene> provoking_probes(Surface surface);
+
+// Sides of the viewport, as bits of a set.
+enum ClipSide : unsigned {
+  kClipLeft = 1u << 0,
+  kClipRight = 1u << 1,
+  kClipBottom = 1u << 2,
+  kClipTop = 1u << 3,
+};
+
+// A primitive with vertices beyond the viewport, by up to three times its size, which is at most
+// 64: |x - centre| <= 3.5 * 64 < 2^8, 24 significant bits with 16 fraction bits, as many as float32
+// has; so clip coordinates are exact, though what a renderer makes of them need not be.
+struct ClipProbe {
+  Scene scene;
+  unsigned sides = 0;  // those beyond which a vertex lies
+  // The same draw and target in a viewport so large that nothing needs to be clipped.
+  Scene unclipped;
+};
+std::vector<ClipProbe> clip_probes(Surface surface);
+
+}  // namespace edgecase

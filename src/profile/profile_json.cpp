@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "profile/profile_json.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "casefile/case_writer.h"
+#include "model/scene_words.h"
+#include "profile/profile_text.h"
+
+namespace edgecase {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Rate& rate) {
+  return {{"agreeing", rate.agreeing}, {"of", rate.of}};
+}
+
+Json to_json(const Trait& trait) {
+  Json json = {
+      {"id", trait.id}, {"follows", trait.alternative}, {"agreement", to_json(trait.rate)}};
+  if (!trait.runner_up.empty()) {
+    json["runner_up"] = trait.runner_up;
+    json["runner_up_agreement"] = to_json(trait.runner_up_rate);
+  }
+  if (!trait.remark.empty()) json["remark"] = trait.remark;
+  return json;
+}
+
+Json to_json(const OwnershipTable& table) {
+  Json cells = Json::array();
+  for (const auto& row : table.cells) {
+    Json line = Json::array();
+    for (const OwnershipTable::Cell& cell : row) line.push_back({cell.drawn, cell.of});
+    cells.push_back(std::move(line));
+  }
+  return {{"title", table.title},
+          {"rows", table.rows},
+          {"columns", table.columns},
+          {"drawn_of", std::move(cells)}};
+}
+
+// The rules that a cluster is about, for the case file of its smallest scene.
+std::vector<std::string> rules_of(const Cluster& cluster) {
+  if (!cluster.rule.empty()) return {cluster.rule};
+  return {cluster.cause.substr(0, cluster.cause.find('='))};
+}
+
+Json to_json(const ProfileCluster& found) {
+  const Cluster& cluster = found.cluster;
+  Json json = {{"title", title_of(cluster)},
+               {"rule", cluster.rule},
+               {"kind", cluster.kind},
+               {"legal", cluster.legal},
+               {"cause", cluster.cause},
+               {"situation", cluster.situation},
+               {"disagreements", cluster.disagreements},
+               {"scenes", cluster.cases},
+               {"smallest", scene_words(found.smallest)},
+               {"pixel", {cluster.x, cluster.y}}};
+  const CaseText text = case_text(
+      found.smallest,
+      {"", title_of(cluster), "Found by edgecase profile.", rules_of(cluster), "", "", {}});
+  if (text.diagnostics.empty()) json["case"] = Json::parse(text.text);
+  return json;
+}
+
+Json to_json(const SurfaceProfile& surface);
+
+template <class Item>
+Json list_of(const std::vector<Item>& items) {
+  Json json = Json::array();
+  for (const Item& item : items) json.push_back(to_json(item));
+  return json;
+}
+
+Json to_json(const SurfaceProfile& surface) {
+  Json json = {{"surface", name_of(surface.surface)}};
+  if (!surface.unavailable.empty()) {
+    json["unavailable"] = surface.unavailable;
+    return json;
+  }
+  json["scenes"] = surface.scenes;
+  json["not_drawn"] = surface.not_drawn;
+  if (surface.not_drawn > 0) json["first_failure"] = surface.first_failure;
+  json["random_scenes"] = surface.random_scenes;
+  json["with_ties"] = surface.with_ties;
+  json["illegal_scenes"] = surface.illegal_scenes;
+  json["traits"] = list_of(surface.traits);
+  json["tables"] = list_of(surface.tables);
+  json["clusters"] = list_of(surface.clusters);
+  return json;
+}
+
+// "fbo: triangle.snap 100 %, line.snap 98.20 %; window: …"
+std::string why_of(const Profile& profile) {
+  std::vector<std::string> surfaces;
+  for (const SurfaceProfile& surface : profile.surfaces) {
+    if (!surface.unavailable.empty()) continue;
+    std::vector<std::string> rates;
+    for (const Trait& trait : surface.traits)
+      if (trait.id.ends_with(".snap") || trait.id == "line.width")
+        rates.push_back(
+            fmt::format("{} {}", trait.id.substr(0, trait.id.find(".snap")), percent(trait.rate)));
+    surfaces.push_back(fmt::format("{}: {}", name_of(surface.surface), fmt::join(rates, ", ")));
+  }
+  return fmt::format(
+      "Measured by edgecase profile with {} random scenes of each primitive type on each surface, "
+      "seed {}. Scenes that agree with it wholly: {}.",
+      profile.scenes_per_kind, profile.seed, fmt::join(surfaces, "; "));
+}
+
+Json to_json(const Policy& policy, const std::string& why) {
+  Json json = {
+      {"name", policy.name}, {"why", why}, {"latitude", "opengl"}, {"rules", policy.rules}};
+  for (const auto& [surface, choices] : policy.surfaces)
+    json["surfaces"][name_of(surface)] = choices;
+  return json;
+}
+
+}  // namespace
+
+std::string profile_json(const Profile& profile, const std::string& tool) {
+  const RendererInfo& info = profile.renderer;
+  const Json json = {{"tool", tool},
+                     {"renderer",
+                      {{"name", info.name},
+                       {"vendor", info.vendor},
+                       {"version", info.version},
+                       {"device", info.device},
+                       {"subpixel_bits", info.subpixel_bits}}},
+                     {"seed", profile.seed},
+                     {"scenes_per_kind", profile.scenes_per_kind},
+                     {"policy", to_json(profile.policy, why_of(profile))},
+                     {"surfaces", list_of(profile.surfaces)}};
+  return json.dump(2) + "\n";
+}
+
+std::string policy_text(const Profile& profile) {
+  return to_json(profile.policy, why_of(profile)).dump(2) + "\n";
+}
+
+}  // namespace edgecase

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// Clusters: the differences of a renderer, those that share one cause or one geometric situation
+// taken together.
+//
+// A run may show ten thousand disagreements that are three faults. What an alternative of the
+// catalogue accounts for is one cluster per cause, wherever on a primitive it lies. The rest is
+// what nobody has explained yet: it is grouped by rule, kind and situation ("first pixel, start on
+// the diamond's lower corner"), shown first, each with its smallest case to begin with. Surfaces
+// and legality are never mixed. What the clusters mean is left to the reader.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "results/results.h"
+
+namespace edgecase {
+
+struct Cluster {
+  std::string rule;       // id; empty: several, which the cause joins
+  std::string kind;       // "missing"; empty: several, which the cause joins
+  std::string surface;    // "fbo", "window"
+  bool legal = false;     // the specification allows all of them; otherwise none
+  std::string cause;      // empty: none found
+  std::string situation;  // in words; empty where there is a cause, and for values
+  // "color", "depth", "pixel": values that differ inside what is permitted, empty otherwise.
+  std::string attribute;
+  std::size_t disagreements = 0;  // with `attribute`: values
+  std::size_t cases = 0;          // that have at least one of them
+
+  // The case to look at first: fewest primitives, then the smallest target, then the shortest id,
+  // then the first id; and where in it the first of them lies.
+  std::string smallest_case;  // id
+  std::string smallest_file;  // path of its case file, as given
+  int x = 0;                  // pixel column
+  int y = 0;                  // pixel row, y up
+  int primitive = -1;         // index in drawing order; -1: the pixel as a whole
+};
+
+// The clusters of the renderer at `renderer`. Those without cause come first: illegal ones, then
+// legal ones, then values inside what is permitted. Within each, and among those with a cause, the
+// largest come first; ties go by the texts. The same results give the same clusters.
+std::vector<Cluster> clusters_of(const Results& results, std::size_t renderer);
+
+// What tells a cluster from the others of its renderer, on one line: "line.diamond-exit extra,
+// first pixel, window" or "triangle.fill-rule=left-bottom, fbo". Without legality and counts.
+std::string title_of(const Cluster& cluster);
+
+}  // namespace edgecase

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "rules/coverage/line_joints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+#include "rules/coverage/diamond_exit.h"
+
+namespace edgecase {
+namespace {
+
+// A pixel by its place along the direction of the line (growing as the line goes on) and across it.
+struct Step {
+  int along = 0;
+  int across = 0;
+};
+
+class Direction {
+ public:
+  explicit Direction(const Segment& segment)
+      : x_major_(segment.x_major()),
+        forward_(x_major_ ? segment.b.x > segment.a.x : segment.b.y > segment.a.y) {}
+
+  Step operator()(PixelPosition p) const {
+    const int major = x_major_ ? p.x : p.y;
+    return {forward_ ? major : -major, x_major_ ? p.y : p.x};
+  }
+  const char* column() const { return x_major_ ? "column" : "row"; }
+  // The column (row) of a place along the line.
+  int number_of(int along) const { return forward_ ? along : -along; }
+
+ private:
+  bool x_major_;
+  bool forward_;
+};
+
+std::vector<Step> steps_of(std::span<const PixelPosition> pixels, const Direction& direction) {
+  std::vector<Step> steps;
+  for (PixelPosition p : pixels) steps.push_back(direction(p));
+  std::sort(steps.begin(), steps.end(), [](Step a, Step b) { return a.along < b.along; });
+  return steps;
+}
+
+std::string common_pixel(const DrawnSegment& first, const DrawnSegment& second) {
+  for (PixelPosition p : first.drawn)
+    if (std::find(second.drawn.begin(), second.drawn.end(), p) != second.drawn.end())
+      return fmt::format("pixel ({}, {}) is drawn by both segments of a joint", p.x, p.y);
+  return "";
+}
+
+// Is some fragment of one segment at most a unit apart, in x and in y, from one of the other?
+bool meet(const DrawnSegment& first, const DrawnSegment& second) {
+  for (PixelPosition a : first.drawn)
+    for (PixelPosition b : second.drawn)
+      if (std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1) return true;
+  return false;
+}
+
+// Does the diamond-exit rule have a fragment at this place along the line which the target cannot
+// hide, not even one that lies a unit off?
+bool must_be_seen(const Segment& segment, int along, const Direction& direction,
+                  const PixelBounds& bounds) {
+  const auto pixels =
+      diamond_exit_pixels(segment, bounds.grown(-1), *find_diamond_boundary("left-bottom"));
+  return std::any_of(pixels.begin(), pixels.end(),
+                     [&](PixelPosition p) { return direction(p).along == along; });
+}
+
+}  // namespace
+
+bool goes_on(const Segment& first, const Segment& second) {
+  if (first.b != second.a || first.a == first.b || second.a == second.b) return false;
+  if (first.x_major() != second.x_major()) return false;
+  return first.x_major() ? (first.b.x > first.a.x) == (second.b.x > second.a.x)
+                         : (first.b.y > first.a.y) == (second.b.y > second.a.y);
+}
+
+std::string broken_joint_clause(const DrawnSegment& first, std::span<const Segment> between,
+                                const DrawnSegment& second) {
+  if (std::string clause = common_pixel(first, second); !clause.empty()) return clause;
+  const Direction direction(first.segment);
+  const std::vector<Step> before = steps_of(first.drawn, direction);
+  const std::vector<Step> after = steps_of(second.drawn, direction);
+
+  std::vector<Segment> segments{first.segment};
+  segments.insert(segments.end(), between.begin(), between.end());
+  segments.push_back(second.segment);
+  const PixelBounds bounds{std::max(first.bounds.x_min, second.bounds.x_min),
+                           std::max(first.bounds.y_min, second.bounds.y_min),
+                           std::min(first.bounds.x_max, second.bounds.x_max),
+                           std::min(first.bounds.y_max, second.bounds.y_max)};
+  for (int along = before.back().along + 1; along < after.front().along; ++along)
+    for (const Segment& segment : segments)
+      if (must_be_seen(segment, along, direction, bounds))
+        return fmt::format("{} {} is empty between the two segments of a joint", direction.column(),
+                           direction.number_of(along));
+
+  const bool side_by_side = after.front().along <= before.back().along + 1;
+  if (side_by_side && !meet(first, second))
+    return fmt::format(
+        "the fragments of {}s {} and {}, where a joint lies, are more than one apart",
+        direction.column(), direction.number_of(before.back().along),
+        direction.number_of(after.front().along));
+  return "";
+}
+
+Rule line_joint_rule() {
+  Rule rule;
+  rule.id = "line.joint";
+  rule.title = "Connected segments of one direction make one line: no fragment twice, no gap";
+  rule.spec = "14.5.1 (basic line segment rasterization)";
+  rule.latitude = "where connected segments differ in major axis or direction, anything";
+  rule.rulings = {
+      {14,
+       "Joints of lines of width 1: where one segment ends bit-identically where another starts, "
+       "and both have the same major axis (45 degrees counts as x-major) and direction, as given "
+       "and as read under ruling 1, no pixel is drawn by both, no column (row, if y-major) between "
+       "their fragments is empty, and the fragments next to the joint are at most one unit apart. "
+       "Segments that draw nothing are passed over. An empty column counts where the diamond-exit "
+       "rule has a fragment that lies one unit or more inside the target's border. Two fragments "
+       "in one column, one of each segment, interrupt nothing and are allowed. Two segments that "
+       "start at one point, or that turn, may draw a pixel "
+       "twice."}};
+  return rule;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "rules/coverage/row_order.h"
+
+#include <fmt/format.h>
+
+namespace edgecase {
+
+const char* name_of(RowOrder order) {
+  return order == RowOrder::bottom_up ? "bottom-up" : "top-down";
+}
+
+bool parse_name(std::string_view name, RowOrder& order) {
+  for (RowOrder candidate : {RowOrder::bottom_up, RowOrder::top_down}) {
+    if (name != name_of(candidate)) continue;
+    order = candidate;
+    return true;
+  }
+  return false;
+}
+
+Rule row_order_rule(const std::string& id) {
+  Rule rule;
+  rule.id = id;
+  const std::string kind = id.substr(0, id.find('.'));
+  rule.title = fmt::format("{}s are decided with y up, as window coordinates have it",
+                           static_cast<char>(kind[0] - 'a' + 'A') + kind.substr(1));
+  rule.spec = "14 (rasterization), which knows no memory";
+  rule.latitude = "any, as long as the rulings on what is drawn hold";
+  rule.standard = "bottom-up";
+  rule.alternatives = {{"bottom-up", Openness::open, "ties and rounding see y up"},
+                       {"top-down", Openness::open,
+                        "the target is seen upside down: ties, rounding and offsets see y down"}};
+  return rule;
+}
+
+Point turned_over(Point point, int height) {
+  return {point.x, Fixed::from_integer(height) - point.y};
+}
+
+PixelBounds turned_over(const PixelBounds& bounds, int height) {
+  return {bounds.x_min, height - 1 - bounds.y_max, bounds.x_max, height - 1 - bounds.y_min};
+}
+
+}  // namespace edgecase

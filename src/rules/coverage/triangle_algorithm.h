@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// Which algorithm draws a triangle.
+//
+// OpenGL says which samples lie inside and leaves the way to find them to the implementation, as
+// long as rulings 4 and 5 hold. Edge functions are exact; scan conversion rounds, and is catalogued
+// so that a renderer that does it can be told from one that is merely wrong.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "exact/pixel.h"
+#include "rules/coverage/triangle_fill.h"
+
+namespace edgecase {
+
+enum class TriangleAlgorithm {
+  edge_functions,
+  scan,  // scan conversion in single precision, ties as its truncation has them
+};
+
+std::span<const TriangleAlgorithm> all_triangle_algorithms();
+// "edge-functions", "scan".
+const char* name_of(TriangleAlgorithm algorithm);
+// False when there is none of that name.
+bool parse_name(std::string_view name, TriangleAlgorithm& algorithm);
+// Does the algorithm ask for a tie rule?
+bool has_tie_rule(TriangleAlgorithm algorithm);
+
+Rule triangle_algorithm_rule();
+
+// The pixels within `bounds`, each once, in no particular order. `ties` is for algorithms that have
+// a tie rule.
+std::vector<PixelPosition> triangle_pixels(const Triangle& triangle, const PixelBounds& bounds,
+                                           TriangleAlgorithm algorithm, const TieRule& ties);
+
+}  // namespace edgecase

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// Coverage alone, the short form of an answer: an array of integers, four to a run of pixels in a
+// row, [primitive, y, x_first, x_last, ...], ends inclusive, y up. A pixel that lies in two runs of
+// a primitive was drawn twice. For src/wire alone.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "model/rendering.h"
+#include "wire/reading.h"
+
+namespace edgecase::wire {
+
+// What runs must keep to: the target in pixels, and the number of primitives in the scene.
+struct RunBounds {
+  int width;
+  int height;
+  int primitives;
+};
+
+// The array as text, by primitive, then row, then column: the same for the same fragments.
+std::string coverage_runs_json(const Rendering& rendering);
+
+// The pixels of an array of runs as fragments without depth and colour, in the order of the runs.
+// Throws a Refusal for anything else, and for more than 2^24 fragments: a short line may ask for
+// more than there is memory.
+std::vector<Fragment> read_coverage_runs(const nlohmann::json& value, const Path& path,
+                                         const RunBounds& bounds);
+
+}  // namespace edgecase::wire

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+//
+// What the writer writes, the loader reads back to the very same scene: for every case of the suite
+// and for random scenes. What a case file cannot say is refused, and why.
+#include "casefile/case_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include "casefile/loader.h"
+#include "casefile/suite.h"
+#include "casefile/viewport.h"
+#include "model/scene_words.h"
+#include "tests/raster/random_scenes.h"
+
+namespace edgecase {
+namespace {
+
+namespace fs = std::filesystem;
+
+CaseWords words_of(const Case& one) {
+  return {"", one.title, one.why, one.rules, one.spec, one.origin, one.tags};
+}
+
+CaseWords some_words() {
+  CaseWords words;
+  words.title = "A scene";
+  words.rules = {"line.diamond-exit"};
+  return words;
+}
+
+// Reads a text back under an id that salts colours otherwise than any id of the suite.
+void expect_comes_back(const Scene& scene, const CaseWords& words) {
+  const CaseText written = case_text(scene, words);
+  for (const Diagnostic& diagnostic : written.diagnostics) ADD_FAILURE() << to_string(diagnostic);
+  ASSERT_FALSE(written.text.empty());
+  const LoadedCases read = load_cases_text(written.text, "a.json", "quite/another");
+  ASSERT_EQ(read.cases.size(), 1U) << written.text;
+  const Case& one = read.cases.front();
+  EXPECT_EQ(one.id, "quite/another");
+  EXPECT_TRUE(same_scene(one.scene, scene)) << written.text;
+  EXPECT_EQ(one.title, words.title);
+  EXPECT_EQ(one.why, words.why);
+  EXPECT_EQ(one.rules, words.rules);
+  EXPECT_EQ(one.spec, words.spec);
+  EXPECT_EQ(one.origin, words.origin);
+  EXPECT_EQ(one.tags, words.tags);
+  EXPECT_EQ(case_text(one.scene, words).text, written.text);
+}
+
+TEST(CaseWriter, EveryCaseOfTheSuiteComesBack) {
+  const fs::path suite[] = {fs::path(EDGECASE_ROOT) / "cases"};
+  std::size_t count = 0;
+  for (const CaseFile& file : find_cases(suite).cases) {
+    for (const Case& one : load_cases(file.file, file.id).cases) {
+      SCOPED_TRACE(one.id);
+      expect_comes_back(one.scene, words_of(one));
+      ++count;
+      if (HasFailure()) return;
+    }
+  }
+  EXPECT_GT(count, 6000U);
+}
+
+TEST(CaseWriter, RandomScenesComeBack) {
+  RandomScenes scenes(4);
+  for (int round = 0; round < 3000; ++round) {
+    const std::int64_t step = std::int64_t{1} << scenes.below(17);
+    Scene scene = scenes.next({1 + scenes.below(40), step, 4, true});
+    for (Draw& draw : scene.draws) {
+      draw.line_width = Fixed::from_raw(1 + scenes.below(64 * 65536));
+      draw.point_size = Fixed::from_raw(1 + scenes.below(64 * 65536));
+      if (scenes.below(3) == 0) draw.scissor = Viewport{-1, scenes.below(5), scenes.below(5), 3};
+      draw.vertices[0].color[3] = static_cast<float>(scenes.below(1000003)) / 1000003.0F;
+    }
+    if (scenes.below(2) == 0) scene.target.surface = Surface::window;
+    scene.viewport = choose_viewport(scene.target, scene.draws).value();
+    // Another viewport that holds the same vertices is written, and read back.
+    if (scenes.below(2) == 0) {
+      scene.viewport.x -= scene.viewport.width;
+      scene.viewport.width *= 2;
+    }
+    // A coordinate may be too fine for the viewport that was made larger; the loader then says so.
+    const CaseText written = case_text(scene, some_words());
+    if (!written.diagnostics.empty()) {
+      EXPECT_NE(written.diagnostics[0].message.find("significant bits"), std::string::npos)
+          << to_string(written.diagnostics[0]);
+      continue;
+    }
+    expect_comes_back(scene, some_words());
+    if (HasFailure()) return;
+  }
+}
+
+TEST(CaseWriter, WritesAsAPersonWould) {
+  Scene scene = blank_scene(8, 4);
+  const Point from{Fixed::from_raw(21 * Fixed::kOne / 8), Fixed::from_integer(1)};
+  const Point to{Fixed::from_raw(6 * Fixed::kOne + 3 * Fixed::kOne / 256), Fixed::from_integer(3)};
+  const Point ends[] = {from, to};
+  scene.draws = {make_draw(Primitive::lines, ends), make_draw(Primitive::line_strip, ends)};
+  for (Vertex& vertex : scene.draws[0].vertices) vertex.z = Fixed();
+  for (Vertex& vertex : scene.draws[1].vertices) vertex.color = {1, 0.5F, 0, 1};
+  scene.draws[1].interpolation = Interpolation::smooth;
+  CaseWords words = some_words();
+  words.schema = "../case.schema.json";
+  words.why = "It \"crosses\" a corner.";
+  EXPECT_EQ(case_text(scene, words).text, R"({
+  "$schema": "../case.schema.json",
+  "title": "A scene",
+  "why": "It \"crosses\" a corner.",
+  "rules": ["line.diamond-exit"],
+  "target": {"width": 8, "height": 4, "clear": [0, 0, 0]},
+  "draws": [
+    {
+      "primitive": "lines",
+      "vertices": [
+        {"at": [2.625, 1], "color": [0.43137255, 0.078431375, 0.15686275]},
+        {"at": ["6+3/256", 3], "color": [0.5764706, 0.078431375, 0.16078432]}
+      ]
+    },
+    {
+      "primitive": "line_strip",
+      "vertices": [[2.625, 1, -1], ["6+3/256", 3, -0.875]],
+      "color": [1, 0.5, 0],
+      "state": {"interpolation": "smooth"}
+    }
+  ]
+}
+)");
+}
+
+// The message of the one fault that a scene has.
+std::string fault_of(const Scene& scene, const CaseWords& words = some_words()) {
+  const CaseText written = case_text(scene, words);
+  EXPECT_TRUE(written.text.empty());
+  if (written.diagnostics.empty()) return "none";
+  EXPECT_FALSE(written.diagnostics[0].remedy.empty());
+  return to_string(written.diagnostics[0]);
+}
+
+TEST(CaseWriter, SaysWhatACaseFileCannotSay) {
+  Scene scene = blank_scene(8, 8);
+  const Point ends[] = {pixel_centre(1, 1), pixel_centre(6, 9)};
+  scene.draws = {make_draw(Primitive::lines, ends)};
+  EXPECT_NE(fault_of(scene).find("/draws/0/vertices/1/at/1: y = 9.5 does not lie strictly inside "
+                                 "the viewport"),
+            std::string::npos)
+      << fault_of(scene);
+  scene.draws[0].vertices[1].position.y = Fixed::from_integer(3);
+  EXPECT_TRUE(case_text(scene, some_words()).diagnostics.empty());
+  Scene samples = scene;
+  samples.target.samples = 4;
+  EXPECT_NE(fault_of(samples).find("more than one sample"), std::string::npos);
+  Scene bright = scene;
+  bright.target.clear[0] = 1.5F;
+  EXPECT_NE(fault_of(bright).find("out of range"), std::string::npos);
+  bright.target.clear[0] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_NE(fault_of(bright), "none");
+  EXPECT_NE(fault_of(Scene{}), "none");
+  EXPECT_NE(fault_of(scene, CaseWords{}).find("title"), std::string::npos);
+  CaseWords words = some_words();
+  words.title = "\xFF";
+  EXPECT_NE(fault_of(scene, words).find("UTF-8"), std::string::npos);
+  words = some_words();
+  words.origin = "a mail";
+  EXPECT_NE(fault_of(scene, words).find("no link"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace edgecase

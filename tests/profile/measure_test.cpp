@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+//
+// The measurement measured: a renderer whose rules are known must be found to follow them. Whatever
+// the policy, the exact rasterizer under it is such a renderer.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "profile/measure.h"
+#include "raster/exact_renderer.h"
+#include "raster/rasterizer.h"
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kScenes = 500;
+
+Profile profile_of(const Policy& policy, std::uint64_t seed = 1, std::size_t scenes = kScenes) {
+  MeasureOptions options;
+  options.name = "known";
+  options.seed = seed;
+  options.scenes_per_kind = scenes;
+  return measure([&] { return std::make_unique<ExactRenderer>(policy); }, options);
+}
+
+const Trait& trait_of(const SurfaceProfile& surface, const std::string& id) {
+  for (const Trait& trait : surface.traits)
+    if (trait.id == id) return trait;
+  ADD_FAILURE() << "no trait " << id;
+  static const Trait none;
+  return none;
+}
+
+// Everything that the policy chooses must be found, and be agreed with wholly; where another
+// alternative does as well on all scenes, it may be found in its place.
+void expect_found(const Policy& policy, const Profile& profile) {
+  for (const SurfaceProfile& surface : profile.surfaces) {
+    EXPECT_EQ(surface.unavailable, "");
+    EXPECT_EQ(surface.not_drawn, 0u) << surface.first_failure;
+    for (const auto& [rule, alternative] : policy.rules) {
+      const Trait& trait = trait_of(surface, rule);
+      EXPECT_EQ(trait.rate.agreeing, trait.rate.of) << rule;
+      EXPECT_TRUE(trait.alternative == alternative ||
+                  (trait.is_undecided() && trait.runner_up == alternative))
+          << rule << " is " << alternative << ", found " << trait.alternative << ", then "
+          << trait.runner_up << " " << trait.runner_up_rate.agreeing;
+    }
+    // Nothing differs from the profile itself; what is found is outside the specification.
+    for (const ProfileCluster& found : surface.clusters) EXPECT_FALSE(found.cluster.legal);
+  }
+}
+
+struct Known {
+  const char* name;
+  Choices rules;
+};
+
+class KnownPolicies : public ::testing::TestWithParam<Known> {};
+
+TEST_P(KnownPolicies, AreFound) {
+  Policy policy;
+  policy.rules = GetParam().rules;
+  expect_found(policy, profile_of(policy));
+}
+
+INSTANTIATE_TEST_SUITE_P(Measure, KnownPolicies,
+                         ::testing::Values(Known{"opengl", {}},
+                                           Known{"direct3d",
+                                                 {{"triangle.fill-rule", "left-top"},
+                                                  {"triangle.snap", "8-half-even"},
+                                                  {"line.snap", "8-half-even"},
+                                                  {"line.diamond-exit", "direct3d"}}},
+                                           Known{"course",
+                                                 {{"line.algorithm", "walk-ends-tested"},
+                                                  {"line.diamond-exit", "scotty3d"},
+                                                  {"triangle.fill-rule", "closed"}}},
+                                           Known{"coarse",
+                                                 {{"triangle.fill-rule", "right-bottom"},
+                                                  {"triangle.snap", "4-truncate"},
+                                                  {"point.snap", "4-half-up"},
+                                                  {"line.snap", "4-half-even"},
+                                                  {"line.algorithm", "midpoint"}}},
+                                           Known{"areas",
+                                                 {{"line.algorithm", "rectangle"},
+                                                  {"line.width", "rectangle"}}},
+                                           Known{"upside-down",
+                                                 {{"line.algorithm", "bresenham"},
+                                                  {"line.row-order", "top-down"},
+                                                  {"triangle.algorithm", "scan"},
+                                                  {"triangle.row-order", "top-down"}}},
+                                           Known{"scanning",
+                                                 {{"point.offset", "right-down"},
+                                                  {"point.ownership", "right-bottom"},
+                                                  {"line.width", "shifted-triangles"},
+                                                  {"triangle.algorithm", "scan"}}}),
+                         [](const auto& one) {
+                           std::string name = one.param.name;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(Measure, TellsSurfacesApart) {
+  Policy policy;
+  policy.rules = {{"triangle.fill-rule", "left-bottom"}};
+  policy.surfaces[Surface::window] = {{"triangle.fill-rule", "right-top"}};
+  const Profile profile = profile_of(policy);
+  EXPECT_EQ(profile.policy.rules.at("triangle.fill-rule"), "left-bottom");
+  EXPECT_EQ(profile.policy.surfaces.at(Surface::window),
+            (Choices{{"triangle.fill-rule", "right-top"}}));
+}
+
+TEST(Measure, FindsTheSameWithAnotherSeed) {
+  Policy policy;
+  policy.rules = {{"triangle.snap", "8-half-up"}, {"line.diamond-exit", "top-right"}};
+  const Profile first = profile_of(policy, 1);
+  const Profile second = profile_of(policy, 2);
+  EXPECT_EQ(first.policy.rules, second.policy.rules);
+  EXPECT_EQ(first.policy.surfaces, second.policy.surfaces);
+}
+
+// A renderer that does what no alternative does: every seventh triangle lacks its last pixel, and
+// flat colours are those of the first vertex, whatever the scene says.
+class OddRenderer final : public Renderer {
+ public:
+  RendererInfo info() const override { return {"odd", "", "", "odd", 8, {}}; }
+  void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
+    Policy policy;
+    policy.rules = {{"attribute.provoking-vertex", "first"}};
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      Rendering rendering = rasterize(*tasks[i].scene, policy);
+      const bool triangle = tasks[i].scene->draws[0].primitive == Primitive::triangles;
+      if (triangle && tasks[i].id.starts_with("triangle/") && i % 7 == 0 &&
+          !rendering.fragments.empty())
+        rendering.fragments.pop_back();
+      if (i % 100 == 99)
+        sink(i, Failure{FailureKind::unsupported, "not every hundredth"});
+      else
+        sink(i, std::move(rendering));
+    }
+  }
+};
+
+TEST(Measure, KeepsWhatNothingExplainsAndWhatWasNotDrawn) {
+  MeasureOptions options;
+  options.name = "odd";
+  options.scenes_per_kind = 700;
+  options.surfaces = {Surface::fbo};
+  const Profile profile = measure([] { return std::make_unique<OddRenderer>(); }, options);
+  const SurfaceProfile& surface = profile.surfaces.at(0);
+  EXPECT_EQ(surface.first_failure, "unsupported: not every hundredth");
+  EXPECT_GT(surface.not_drawn, 50u);
+  EXPECT_EQ(trait_of(surface, "attribute.provoking-vertex").alternative, "first");
+  EXPECT_EQ(profile.policy.rules.at("attribute.provoking-vertex"), "first");
+  const Trait& fill = trait_of(surface, "triangle.fill-rule");
+  EXPECT_EQ(fill.alternative, "left-top");
+  EXPECT_LT(fill.rate.agreeing, fill.rate.of);
+  EXPECT_GT(fill.rate.share(), 0.8);
+  std::size_t missing = 0;
+  for (const ProfileCluster& found : surface.clusters)
+    if (found.cluster.kind == "missing" || !found.cluster.cause.empty())
+      missing += found.cluster.disagreements;
+  EXPECT_EQ(missing, fill.rate.of - fill.rate.agreeing);
+}
+
+TEST(Measure, SaysThatNothingCouldBeMeasured) {
+  class Absent final : public Renderer {
+   public:
+    RendererInfo info() const override { return {"absent", "", "", "", 4, {}}; }
+    void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
+      for (std::size_t i = 0; i < tasks.size(); ++i)
+        sink(i, Failure{FailureKind::unavailable, "not here"});
+    }
+  };
+  MeasureOptions options;
+  options.name = "absent";
+  options.scenes_per_kind = 100;
+  const Profile profile = measure([] { return std::make_unique<Absent>(); }, options);
+  for (const SurfaceProfile& surface : profile.surfaces)
+    EXPECT_EQ(surface.unavailable, "unavailable: not here");
+  EXPECT_TRUE(profile.policy.rules.empty());
+}
+
+}  // namespace
+}  // namespace edgecase

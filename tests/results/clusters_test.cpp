@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "results/clusters.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "results/results_json.h"
+#include "tests/results/sample_results.h"
+
+namespace edgecase {
+namespace {
+
+constexpr const char* kLines = "line.diamond-exit";
+constexpr const char* kFill = "triangle.fill-rule";
+
+Disagreement disagreement(const char* rule, DisagreementKind kind, bool legal,
+                          const std::string& cause, const std::string& situation) {
+  Disagreement d;
+  d.rule = rule;
+  d.kind = kind;
+  d.legal = legal;
+  d.cause = cause;
+  d.situation = situation;
+  return d;
+}
+
+Disagreement unexplained(bool legal, const std::string& situation,
+                         DisagreementKind kind = DisagreementKind::missing) {
+  return disagreement(kLines, kind, legal, "", situation);
+}
+
+// A case of so many primitives and so large a target, with these disagreements in columns 0, 1, ...
+CaseResults case_of(const std::string& id, std::size_t primitives, int size,
+                    std::vector<Disagreement> disagreements) {
+  CaseResults one;
+  one.id = id;
+  one.surface = "fbo";
+  one.width = size;
+  one.height = size;
+  one.figure.marks.resize(primitives);
+  one.figure.marks.push_back({MarkRole::vertex, false, {}, ""});
+  for (std::size_t i = 0; i < disagreements.size(); ++i) {
+    disagreements[i].x = static_cast<int>(i);
+    disagreements[i].y = size - 1;
+    disagreements[i].primitive = 3;
+  }
+  one.results.resize(1);
+  one.results[0].disagreements = std::move(disagreements);
+  return one;
+}
+
+Results results_of(std::vector<CaseResults> cases) {
+  Results results;
+  results.renderers.resize(1);
+  results.renderers[0].name = "fake";
+  results.cases = std::move(cases);
+  return results;
+}
+
+std::vector<std::string> titles(const std::vector<Cluster>& clusters) {
+  std::vector<std::string> result;
+  for (const Cluster& cluster : clusters) result.push_back(title_of(cluster));
+  return result;
+}
+
+using Titles = std::vector<std::string>;
+
+TEST(Clusters, WithoutDisagreementsThereAreNone) {
+  EXPECT_TRUE(clusters_of(Results{}, 0).empty());
+  EXPECT_TRUE(clusters_of(results_of({case_of("a", 1, 4, {})}), 0).empty());
+  EXPECT_TRUE(clusters_of(results_of({case_of("a", 1, 4, {unexplained(true, "s")})}), 1).empty());
+}
+
+TEST(Clusters, UnexplainedOnesAreTakenTogetherByRuleKindAndSituation) {
+  const auto clusters = clusters_of(
+      results_of({case_of("a", 1, 4, {unexplained(true, "first"), unexplained(true, "first")}),
+                  case_of("b", 1, 4,
+                          {unexplained(true, "first"), unexplained(true, "last"),
+                           unexplained(true, "first", DisagreementKind::extra),
+                           disagreement(kFill, DisagreementKind::missing, true, "", "first")})}),
+      0);
+  EXPECT_EQ(
+      titles(clusters),
+      (Titles{"line.diamond-exit missing, first, fbo", "line.diamond-exit extra, first, fbo",
+              "line.diamond-exit missing, last, fbo", "triangle.fill-rule missing, first, fbo"}));
+  EXPECT_EQ(clusters[0].disagreements, 3U);
+  EXPECT_EQ(clusters[0].cases, 2U);
+  EXPECT_EQ(clusters[1].disagreements, 1U);
+}
+
+TEST(Clusters, ExplainedOnesAreTakenTogetherByCauseAlone) {
+  const std::string cause = "triangle.snap=8-half-up";
+  const auto clusters = clusters_of(
+      results_of({case_of("a", 1, 4,
+                          {disagreement(kFill, DisagreementKind::missing, true, cause, "here"),
+                           disagreement(kFill, DisagreementKind::extra, true, cause, "there"),
+                           disagreement("triangle.shared-edge", DisagreementKind::missing, false,
+                                        cause, "here")})}),
+      0);
+  ASSERT_EQ(clusters.size(), 2U) << "legal and illegal are not mixed";
+  EXPECT_EQ(clusters[0].rule, kFill);
+  EXPECT_EQ(clusters[0].kind, "") << "several kinds";
+  EXPECT_EQ(clusters[0].situation, "");
+  EXPECT_EQ(clusters[0].cause, cause);
+  EXPECT_TRUE(clusters[0].legal);
+  EXPECT_EQ(clusters[1].rule, "triangle.shared-edge");
+  EXPECT_EQ(clusters[1].kind, "missing");
+  EXPECT_FALSE(clusters[1].legal);
+}
+
+TEST(Clusters, SurfacesAreNotMixed) {
+  auto cases = {case_of("a", 1, 4, {unexplained(true, "s")}),
+                case_of("b", 1, 4, {unexplained(true, "s"), unexplained(true, "s")})};
+  Results results = results_of(cases);
+  results.cases[1].surface = "window";
+  EXPECT_EQ(titles(clusters_of(results, 0)),
+            (Titles{"line.diamond-exit missing, s, window", "line.diamond-exit missing, s, fbo"}));
+}
+
+TEST(Clusters, TheUnexplainedAndIllegalComeFirstAndThenTheLargest) {
+  const auto explained = [](const char* cause) {
+    return disagreement(kFill, DisagreementKind::extra, false, cause, "");
+  };
+  Results results = results_of(
+      {case_of("a", 1, 4,
+               {explained("c=2"), explained("c=2"), explained("c=2"), explained("c=1"),
+                unexplained(true, "legal"), unexplained(true, "legal"), unexplained(true, "legal"),
+                unexplained(false, "once z"), unexplained(false, "once a"),
+                unexplained(false, "twice"), unexplained(false, "twice")})});
+  ValueAggregate values;
+  values.attribute = "color";
+  values.rule = "attribute.smooth";
+  values.differing.resize(50);
+  values.worst = {2, 3, 0};
+  ValueAggregate none = values;
+  none.attribute = "depth";
+  none.differing.clear();
+  results.cases[0].results[0].values = {values, none};
+  const auto clusters = clusters_of(results, 0);
+  EXPECT_EQ(
+      titles(clusters),
+      (Titles{"line.diamond-exit missing, twice, fbo", "line.diamond-exit missing, once a, fbo",
+              "line.diamond-exit missing, once z, fbo", "line.diamond-exit missing, legal, fbo",
+              "attribute.smooth color within what is permitted, fbo", "c=2, fbo", "c=1, fbo"}));
+  EXPECT_EQ(clusters[4].disagreements, 50U);
+  EXPECT_EQ(clusters[4].x, 2);
+  EXPECT_EQ(clusters[4].y, 3);
+}
+
+// Fewest primitives, then the smallest target, then the shortest id, then the first: each decides
+// against all that come after it.
+TEST(Clusters, TheSmallestCaseIsNamedWithItsFirstPixel) {
+  const auto other = unexplained(true, "other");
+  const auto here = unexplained(true, "here");
+  std::vector<CaseResults> cases = {
+      case_of("a", 3, 2, {here}), case_of("aa", 2, 5, {here}), case_of("bbb", 2, 4, {here}),
+      case_of("cc", 2, 4, {other, here, here}), case_of("dd", 2, 4, {here})};
+  const auto smallest = [&] {
+    const auto clusters = clusters_of(results_of(cases), 0);
+    return *std::ranges::find(clusters, "here", &Cluster::situation);
+  };
+  EXPECT_EQ(smallest().smallest_case, "cc");
+  EXPECT_EQ(smallest().x, 1);
+  EXPECT_EQ(smallest().y, 3);
+  EXPECT_EQ(smallest().primitive, 3);
+  EXPECT_EQ(smallest().cases, 5U);
+  cases.erase(cases.begin() + 3);
+  EXPECT_EQ(smallest().smallest_case, "dd");
+  cases.pop_back();
+  EXPECT_EQ(smallest().smallest_case, "bbb");
+  cases.pop_back();
+  EXPECT_EQ(smallest().smallest_case, "aa");
+  cases.pop_back();
+  EXPECT_EQ(smallest().smallest_case, "a");
+}
+
+TEST(Clusters, EveryDisagreementIsInOneCluster) {
+  const Results results = full_results();
+  for (std::size_t r = 0; r < results.renderers.size(); ++r) {
+    std::size_t all = 0;
+    for (const CaseResults& one : results.cases) {
+      all += one.results[r].disagreements.size();
+      for (const ValueAggregate& values : one.results[r].values) all += values.differing.size();
+    }
+    std::size_t gathered = 0;
+    for (const Cluster& cluster : clusters_of(results, r)) gathered += cluster.disagreements;
+    EXPECT_EQ(gathered, all);
+    EXPECT_GT(gathered, 0U);
+  }
+}
+
+TEST(Clusters, StandInTheResultsFile) {
+  const Results results =
+      results_of({case_of("lines/a", 1, 4,
+                          {unexplained(false, "first pixel"),
+                           disagreement(kFill, DisagreementKind::extra, true, "c=d", "")})});
+  std::ostringstream out;
+  write_results(results, out);
+  const auto clusters = nlohmann::json::parse(out.str()).at("clusters");
+  EXPECT_EQ(clusters, nlohmann::json::parse(R"({"fake": [
+    {"rule": "line.diamond-exit", "kind": "missing", "situation": "first pixel", "surface": "fbo",
+     "legal": false, "disagreements": 1, "cases": 1,
+     "smallest": {"case": "lines/a", "pixel": [0, 3], "primitive": 3}},
+    {"cause": "c=d", "rule": "triangle.fill-rule", "kind": "extra", "surface": "fbo",
+     "legal": true, "disagreements": 1, "cases": 1,
+     "smallest": {"case": "lines/a", "pixel": [1, 3], "primitive": 3}}]})"));
+}
+
+}  // namespace
+}  // namespace edgecase
