@@ -55,6 +55,24 @@ TEST(Choices, ASnapOfOnePrimitiveTypeOverridesTheCommonOne) {
   EXPECT_EQ(name_of(choices.lines.snap), "none");
 }
 
+TEST(Choices, HoldEveryAlternativeThatAPolicyNames) {
+  Policy policy;
+  policy.rules = {{"triangle.algorithm", "scan"},     {"point.offset", "right-down"},
+                  {"point.row-order", "top-down"},    {"line.width", "shifted-triangles"},
+                  {"line.algorithm", "midpoint"},     {"line.diamond-exit", "scotty3d"},
+                  {"attribute.smooth", "major-axis"}, {"attribute.provoking-vertex", "first"}};
+  const RuleChoices choices = resolve(policy, Surface::fbo);
+  EXPECT_EQ(choices.triangles.triangle_algorithm, TriangleAlgorithm::scan);
+  EXPECT_EQ(choices.points.point_offset, PointOffset::right_down);
+  EXPECT_EQ(choices.points.rows, RowOrder::top_down);
+  EXPECT_EQ(choices.lines.rows, RowOrder::bottom_up);
+  EXPECT_EQ(choices.lines.line.wide, WideLine::shifted_triangles);
+  EXPECT_EQ(choices.lines.line.algorithm, LineAlgorithm::midpoint);
+  EXPECT_EQ(choices.lines.line.boundary->name, "scotty3d");
+  EXPECT_EQ(choices.values.line_parameter, LineParameter::major_axis);
+  EXPECT_EQ(choices.values.provoking, ProvokingChoice::first);
+}
+
 TEST(Choices, ASurfaceOverridesThePolicy) {
   Policy policy;
   policy.rules = {{"triangle.fill-rule", "right-top"}};

@@ -97,7 +97,7 @@ double nearest_crossing(Point a, Point b, Point centre) {
 TEST(LineExplanation, SaysHowNearTheSegmentComes) {
   const std::string words = "comes within ";
   int seen = 0;
-  for (int ax = 0; ax <= 12; ax += 3)
+  for (int ax = 0; ax <= 12; ++ax)
     for (int ay = 0; ay <= 12; ay += 2)
       for (int bx = 0; bx <= 12; bx += 2)
         for (int by = 1; by <= 12; by += 3) {
@@ -182,6 +182,17 @@ TEST(TriangleExplanation, NamesTheEdgeThatDecides) {
   EXPECT_EQ(triangle_text(kPointingDown, 0, 0),
             "the sample (0.5, 0.5) lies 0.894427 pixels outside the left edge (0.5, 2.5) to (1.5, "
             "0.5)");
+}
+
+// The nearest that a sample can be to an edge without lying on it: its cross product is one unit.
+TEST(TriangleExplanation, OneUnitIsInside) {
+  const double unit = 1.0 / 65536;
+  const Point a = at(0.5 - 3 * unit, 0.5 - 2 * unit);
+  const Point b = at(a.x.to_double() + 3 + 2 * unit, a.y.to_double() + 2 + unit);
+  const std::string text = triangle_text({a, b, at(0, 8)}, 0, 0);
+  EXPECT_NE(text.find(" pixels inside the right edge"), std::string::npos) << text;
+  const std::string outside = triangle_text({a, b, at(8, 0)}, 0, 0);
+  EXPECT_NE(outside.find(" pixels outside the left edge"), std::string::npos) << outside;
 }
 
 TEST(TriangleExplanation, WithoutAreaThereIsNoEdge) {

@@ -194,6 +194,36 @@ TEST(Permitted, EverythingWhereAMoveTakesTheArea) {
   expect_everything(interpolate_permitted(spent, at(4.5, 0.5), 1));
 }
 
+TEST(Permitted, SmallTrianglesKeepTheirSign) {
+  // An eighth of a square pixel, far more than moves of 1/256 can take.
+  Interpolant f{
+      PrimitiveKind::triangle, {at(4.25, 4.25), at(4.75, 4.25), at(4.25, 4.75)}, {0, 1, 0}};
+  for (int winding = 0; winding < 2; ++winding) {
+    const Interval permitted = interpolate_permitted(f, at(4.5, 4.5), 8);
+    EXPECT_TRUE(permitted.contains(0.5));
+    EXPECT_LT(permitted.high - permitted.low, 0.1);
+    std::swap(f.positions[0], f.positions[1]);
+    std::swap(f.values[0], f.values[1]);
+  }
+}
+
+// The shortest line and the smallest triangle that there are.
+TEST(Interpolation, OfOneRawUnit) {
+  const double unit = 1.0 / 65536;
+  for (const double sign : {-1.0, 1.0}) {
+    const Interpolant along{
+        PrimitiveKind::line, {at(4.5, 4.5), at(4.5 + sign * unit, 4.5)}, {1, 3}};
+    expect_at(interpolate_exact(along, at(4.5, 4.5)), 1, 1e-9);
+    const Interpolant up{PrimitiveKind::line, {at(4.5, 4.5), at(4.5, 4.5 + sign * unit)}, {1, 3}};
+    expect_at(interpolate_exact(up, at(4.5, 4.5)), 1, 1e-9);
+    const Interpolant triangle{PrimitiveKind::triangle,
+                               {at(4.5, 4.5), at(4.5 + sign * unit, 4.5), at(4.5, 4.5 + unit)},
+                               {1, 3, 5}};
+    expect_at(interpolate_exact(triangle, at(4.5, 4.5)), 1, 1e-9);
+    expect_everything(interpolate_permitted(triangle, at(4.5, 4.5), 8));
+  }
+}
+
 // Along an axis the quotient is (p - a) / (b - a) with each end somewhere in its range.
 TEST(Permitted, LinesByTheMajorAxis) {
   for (const bool vertical : {false, true})
@@ -219,10 +249,11 @@ TEST(Permitted, LinesByTheMajorAxis) {
 // By projection, each of the four differences somewhere in its range of 1/4 or 1/2 either way.
 TEST(Permitted, LinesByProjection) {
   for (const bool vertical : {false, true}) {
-    const Interpolant f{
-        PrimitiveKind::line, {at(2, 2), vertical ? at(2, 10) : at(10, 2), {}}, {1, 3, 7}};
+    const Interpolant f{PrimitiveKind::line,
+                        {vertical ? at(3, 2) : at(2, 3), vertical ? at(3, 10) : at(10, 3), {}},
+                        {1, 3, 7}};
     // Half a pixel aside of the line, 3.5 along it.
-    const Point sample = vertical ? at(2.5, 5.5) : at(5.5, 2.5);
+    const Point sample = vertical ? at(3.5, 5.5) : at(5.5, 3.5);
     const Interval permitted = interpolate_permitted(f, sample, 2);
     // Along: [3.25, 3.75] [7.5, 8.5]; across: [0.25, 0.75] [-0.5, 0.5]; squares: [7.5, 8.5]^2 and,
     // as an interval times itself, [-0.25, 0.25].

@@ -114,9 +114,8 @@ bool triangle_possibly_covered(const Triangle& triangle, Point sample, int bits)
         static_cast<Int128>(std::abs(b.x.raw() - a.x.raw()) + std::abs(b.y.raw() - a.y.raw())) *
         step;
     const Int128 side = cross(a, b, sample);
+    // Without area the edges run both ways: both sides of the segment are outside.
     if (a != b && side <= -reach) return false;
-    // Without area, both sides of the segment are outside.
-    if (a != b && doubled_area(triangle) == 0 && side >= reach) return false;
   }
   return true;
 }
@@ -137,7 +136,6 @@ bool robustly_left(Point a, Point b, Point p, int bits) {
 }
 
 bool triangle_possibly_uncovered(const Triangle& triangle, Point sample, int bits) {
-  if (doubled_area(triangle) == 0) return true;
   const Triangle t = counter_clockwise(triangle);
   for (std::size_t i = 0; i < 3; ++i)
     if (!robustly_left(t[i], t[(i + 1) % 3], sample, bits)) return true;

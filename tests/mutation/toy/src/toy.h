@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// Functions whose mutants have a known fate.
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+namespace toy {
+
+// Used in constant expressions and at run time.
+constexpr int doubled(int n) {
+  return n + n;
+}
+static_assert(doubled(2) == 4);
+
+struct Limits {
+  int low = -1;
+  static constexpr int kHigh = 100;
+};
+
+int clamped_sum(int a, int b);
+int count_down(int n);
+int never_called(int n);
+int every_operator(int n, bool flag);
+std::string greeting(const std::string& name);
+
+}  // namespace toy

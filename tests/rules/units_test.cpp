@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+//
+// Decisions that hang on one raw unit, each small case of them.
+#include <gtest/gtest.h>
+
+#include "rules/all_rules.h"
+#include "rules/coverage/point_ownership.h"
+#include "rules/coverage/triangle_algorithm.h"
+#include "rules/coverage/triangle_fill.h"
+#include "rules/values/framebuffer.h"
+#include "tests/rules/support.h"
+
+namespace edgecase {
+namespace {
+
+Point raw(std::int64_t x, std::int64_t y) {
+  return {Fixed::from_raw(x), Fixed::from_raw(y)};
+}
+
+// Moves of less than a unit: every corner of both, and the sample at the origin.
+TEST(RobustlyLeft, IsWhatNoMoveOfTheEndsUndoes) {
+  int yes = 0;
+  for (int ax = -4; ax <= 4; ++ax)
+    for (int ay = -4; ay <= 4; ++ay)
+      for (int bx = -4; bx <= 4; ++bx)
+        for (int by = -4; by <= 4; ++by) {
+          int least = 1000;
+          for (int i : {-1, 1})
+            for (int j : {-1, 1})
+              for (int k : {-1, 1})
+                for (int l : {-1, 1})
+                  least = std::min(least, (ax + i) * (by + l) - (ay + j) * (bx + k));
+          ASSERT_EQ(robustly_left(raw(ax, ay), raw(bx, by), raw(0, 0), 16), least >= 0)
+              << ax << " " << ay << " " << bx << " " << by;
+          yes += least >= 0 ? 1 : 0;
+        }
+  EXPECT_GT(yes, 100);
+}
+
+TEST(CounterClockwise, TurnsTheSmallestTriangle) {
+  const Triangle left{raw(0, 0), raw(1, 0), raw(0, 1)};
+  const Triangle right{raw(0, 0), raw(0, 1), raw(1, 0)};
+  EXPECT_EQ(doubled_area(left), 1);
+  EXPECT_EQ(doubled_area(right), -1);
+  EXPECT_EQ(counter_clockwise(left), left);
+  EXPECT_EQ(counter_clockwise(right), left);
+}
+
+TEST(TriangleLatitude, AFlatTriangleIsPossiblyCoveredNearItAlone) {
+  const Triangle flat{at(1, 1), at(5, 3), at(9, 5)};
+  const double step = 1.0 / 16;
+  for (const Triangle& t :
+       {flat, Triangle{flat[2], flat[0], flat[1]}, {flat[0], flat[0], flat[2]}}) {
+    EXPECT_TRUE(triangle_possibly_covered(t, at(5, 3), 4));
+    // The sum of the segment and an open square: 1.5 steps above or below at this slope.
+    EXPECT_TRUE(triangle_possibly_covered(t, at(5, 3 + 1.5 * step - 1.0 / 65536), 4));
+    EXPECT_FALSE(triangle_possibly_covered(t, at(5, 3 + 1.5 * step), 4));
+    EXPECT_TRUE(triangle_possibly_covered(t, at(5, 3 - 1.5 * step + 1.0 / 65536), 4));
+    EXPECT_FALSE(triangle_possibly_covered(t, at(5, 3 - 1.5 * step), 4));
+    EXPECT_TRUE(triangle_possibly_uncovered(t, at(5, 3), 4));
+  }
+  const Triangle dot{at(5, 3), at(5, 3), at(5, 3)};
+  EXPECT_TRUE(triangle_possibly_covered(dot, at(5, 3), 4));
+  EXPECT_TRUE(triangle_possibly_uncovered(dot, at(5, 3), 4));
+}
+
+// The square of moves ends where it ends, on each of the four sides of a triangle's box.
+TEST(TriangleLatitude, TheBoxGrowsByLessThanAStep) {
+  const Triangle t{at(2, 2), at(6, 2), at(4, 6)};
+  const double step = 1.0 / 16;
+  const double unit = 1.0 / 65536;
+  EXPECT_TRUE(triangle_possibly_covered(t, at(2 - step + unit, 2), 4));
+  EXPECT_FALSE(triangle_possibly_covered(t, at(2 - step, 2), 4));
+  EXPECT_TRUE(triangle_possibly_covered(t, at(6 + step - unit, 2), 4));
+  EXPECT_FALSE(triangle_possibly_covered(t, at(6 + step, 2), 4));
+  EXPECT_TRUE(triangle_possibly_covered(t, at(4, 2 - step + unit), 4));
+  EXPECT_FALSE(triangle_possibly_covered(t, at(4, 2 - step), 4));
+  EXPECT_TRUE(triangle_possibly_covered(t, at(4, 6 + step - unit), 4));
+  EXPECT_FALSE(triangle_possibly_covered(t, at(4, 6 + step), 4));
+}
+
+TEST(PointLatitude, IsLessThanAStepOnEitherSide) {
+  const double unit = 1.0 / 65536;
+  // A size of 1 at 4 bits: the boundary lies 1/2 away, a step is 1/16.
+  EXPECT_TRUE(point_possibly_covered({at(1.0625 - unit, 0.5)}, 0, 0, 4));
+  EXPECT_FALSE(point_possibly_covered({at(1.0625, 0.5)}, 0, 0, 4));
+  EXPECT_TRUE(point_possibly_uncovered({at(0.9375 + unit, 0.5)}, 0, 0, 4));
+  EXPECT_FALSE(point_possibly_uncovered({at(0.9375, 0.5)}, 0, 0, 4));
+  // Steps as fine as raw units.
+  EXPECT_TRUE(point_possibly_uncovered({at(1, 0.5)}, 0, 0, 16));
+  EXPECT_FALSE(point_possibly_uncovered({at(1 - unit, 0.5)}, 0, 0, 16));
+}
+
+TEST(Unorm8, RangesOutsideAreTheEnds) {
+  const Unorm8Range above = unorm8_permitted(Interval(1.25, 1.5));
+  EXPECT_EQ(above.low, 255);
+  EXPECT_EQ(above.high, 255);
+  const Unorm8Range below = unorm8_permitted(Interval(-1.5, -1.25));
+  EXPECT_EQ(below.low, 0);
+  EXPECT_EQ(below.high, 0);
+}
+
+TEST(PointOffsets, NamesReadBackAndMove) {
+  const auto& alternatives = find_rule("point.offset")->alternatives;
+  PointOffset offset = PointOffset::right_down;
+  EXPECT_TRUE(parse_name("none", offset));
+  EXPECT_EQ(offset, PointOffset::none);
+  EXPECT_EQ(moved(at(2, 3), offset), at(2, 3));
+  EXPECT_TRUE(parse_name("right-down", offset));
+  EXPECT_EQ(offset, PointOffset::right_down);
+  EXPECT_EQ(moved(at(2, 3), offset), at(2.125, 2.875));
+  EXPECT_FALSE(parse_name("no-such", offset));
+  EXPECT_EQ(offset, PointOffset::right_down);
+  for (const Alternative& alternative : alternatives) {
+    EXPECT_TRUE(parse_name(alternative.name, offset));
+    EXPECT_EQ(name_of(offset), alternative.name);
+  }
+}
+
+TEST(TriangleAlgorithms, NamesReadBack) {
+  const auto& alternatives = find_rule("triangle.algorithm")->alternatives;
+  ASSERT_EQ(all_triangle_algorithms().size(), alternatives.size());
+  for (std::size_t i = 0; i < alternatives.size(); ++i) {
+    const TriangleAlgorithm algorithm = all_triangle_algorithms()[i];
+    EXPECT_EQ(name_of(algorithm), alternatives[i].name);
+    TriangleAlgorithm read = all_triangle_algorithms()[(i + 1) % alternatives.size()];
+    EXPECT_TRUE(parse_name(alternatives[i].name, read));
+    EXPECT_EQ(read, algorithm);
+    EXPECT_EQ(has_tie_rule(algorithm), alternatives[i].name == "edge-functions");
+  }
+  TriangleAlgorithm untouched = TriangleAlgorithm::edge_functions;
+  EXPECT_FALSE(parse_name("no-such", untouched));
+  EXPECT_EQ(untouched, TriangleAlgorithm::edge_functions);
+}
+
+}  // namespace
+}  // namespace edgecase
