@@ -70,7 +70,8 @@ std::vector<Candidate> all_candidates(const InferenceQuestion& question,
 
 class Contest {
  public:
-  Contest(const InferenceQuestion& question, std::span<const Observation* const> observations) {
+  Contest(const InferenceQuestion& question, std::span<const Observation* const> observations)
+      : start_(question.start) {
     for (const Observation* observation : observations)
       if (observation->failure.empty()) all_.push_back(observation);
     cheap_ = all_;
@@ -78,7 +79,6 @@ class Contest {
       return observation->scene.target.width > kCheapTarget;
     });
     if (all_.empty()) return;
-    start_ = question.start;
     rules_ = open_rules(question, *all_.front());
     candidates_ = all_candidates(question, rules_);
   }

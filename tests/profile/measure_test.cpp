@@ -163,6 +163,34 @@ TEST(Measure, KeepsWhatNothingExplainsAndWhatWasNotDrawn) {
   EXPECT_EQ(missing, fill.rate.of - fill.rate.agreeing);
 }
 
+// A renderer without lines has a profile of the rest.
+TEST(Measure, LeavesOutWhatARendererDoesNotDraw) {
+  class NoLines final : public Renderer {
+   public:
+    RendererInfo info() const override { return {"no lines", "", "", "", 8, {}}; }
+    void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
+      for (std::size_t i = 0; i < tasks.size(); ++i) {
+        if (kind_of(tasks[i].scene->draws[0].primitive) == PrimitiveKind::line)
+          sink(i, Failure{FailureKind::unsupported, "no lines"});
+        else
+          sink(i, rasterize(*tasks[i].scene, {}));
+      }
+    }
+  };
+  MeasureOptions options;
+  options.name = "no-lines";
+  options.scenes_per_kind = 100;
+  options.surfaces = {Surface::fbo};
+  const Profile profile = measure([] { return std::make_unique<NoLines>(); }, options);
+  const SurfaceProfile& surface = profile.surfaces.at(0);
+  EXPECT_EQ(surface.unavailable, "");
+  EXPECT_EQ(surface.first_failure, "unsupported: no lines");
+  EXPECT_EQ(profile.policy.rules.at("triangle.fill-rule"), "left-top");
+  EXPECT_FALSE(profile.policy.rules.contains("line.algorithm"));
+  EXPECT_FALSE(profile.policy.rules.contains("line.width"));
+  EXPECT_EQ(trait_of(surface, "line.ends").rate.of, 0u);
+}
+
 TEST(Measure, SaysThatNothingCouldBeMeasured) {
   class Absent final : public Renderer {
    public:
