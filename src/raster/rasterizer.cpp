@@ -51,8 +51,8 @@ Interpolant make_interpolant(const ScenePrimitive& primitive, LineParameter line
 }
 
 void write_pixel(Rendering& rendering, int x, int y, const std::array<double, 4>& color) {
-  std::uint8_t* pixel = rendering.pixels.data() + 4 * rendering.pixel_index(x, y);
-  for (std::size_t i = 0; i < 4; ++i) pixel[i] = to_unorm8(color[i]);
+  const std::size_t first = 4 * rendering.pixel_index(x, y);
+  for (std::size_t i = 0; i < 4; ++i) rendering.pixels[first + i] = to_unorm8(color[i]);
 }
 
 std::vector<PixelPosition> point_pixels(const SizedPoint& point, const PixelBounds& bounds,

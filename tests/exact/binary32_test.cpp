@@ -47,6 +47,25 @@ Pair over(Pair a, Pair b) {
   return {a.ours / b.ours, a.theirs / b.theirs};
 }
 
+// Sums of numbers ever further apart, and quotients of the longest and shortest significands.
+TEST(Binary32, RoundsWhereOneOperandIsFarSmaller) {
+  const std::int64_t significands[] = {1, 3, 5, 8388609, 16777213, 16777215};
+  const Binary32 two = Binary32::from_integer(2);
+  for (const std::int64_t a : significands)
+    for (const std::int64_t b : significands) {
+      const Pair large{Binary32::from_integer(a), static_cast<float>(a)};
+      Pair small{Binary32::from_integer(b), static_cast<float>(b)};
+      EXPECT_TRUE(same(over(large, small))) << a << " / " << b;
+      EXPECT_TRUE(same(over({-large.ours, -large.theirs}, small))) << -a << " / " << b;
+      for (int shift = 0; shift < 80; ++shift) {
+        EXPECT_TRUE(same(plus(large, small))) << a << " + " << b << " * 2^-" << shift;
+        EXPECT_TRUE(same(minus(large, small))) << a << " - " << b << " * 2^-" << shift;
+        EXPECT_TRUE(same(minus(small, large))) << b << " * 2^-" << shift << " - " << a;
+        small = {small.ours / two, small.theirs / 2};
+      }
+    }
+}
+
 TEST(Binary32, ComputesWhatTheProcessorDoes) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 300'000; ++i) {

@@ -142,6 +142,12 @@ TEST(Interval, WhatIsUnknownStaysUnknown) {
     EXPECT_TRUE(is_everything(result));
 }
 
+TEST(Interval, WhatOneEndDoesNotKnowNeitherDoesTheOther) {
+  // Minus and plus infinity make no number, at one end or at the other.
+  EXPECT_TRUE(is_everything(Interval(-kInfinity, 0) + Interval(kInfinity)));
+  EXPECT_TRUE(is_everything(Interval(0, kInfinity) + Interval(-kInfinity)));
+}
+
 TEST(Interval, OverflowAndUnderflowStayEnclosed) {
   const double largest = std::numeric_limits<double>::max();
   const Interval sum = Interval(largest) + Interval(largest);

@@ -206,6 +206,42 @@ TEST(Policies, SayWhichVertexProvokesAndHowLinesAreShaded) {
   EXPECT_NEAR(red("attribute.smooth", "major-axis"), 1.0 / 6, 1e-12);
 }
 
+TEST(Policies, SayHowTrianglesAreScanned) {
+  // Legs through centres: by edge functions the left one is drawn, by scanning right and top are.
+  const Draw draw = draw_of(Primitive::triangles, {at(0.5, 0.5), at(4.5, 0.5), at(0.5, 4.5)});
+  const Target target = target_of(8, 8);
+  const auto by = [&](const char* algorithm) {
+    Policy policy;
+    policy.rules = {{"triangle.algorithm", algorithm}};
+    return covered(draw, target, policy);
+  };
+  EXPECT_EQ(by("edge-functions"), covered(draw, target));
+  EXPECT_NE(by("scan"), covered(draw, target));
+}
+
+// A target seen upside down: the scissor rectangle turns with it, and nothing leaves it.
+TEST(Policies, TurnTheScissorWithTheRows) {
+  const Target target = target_of(12, 16);
+  Draw draws[] = {draw_of(Primitive::triangles, {at(0.25, 0.25), at(11.75, 1.25), at(2.25, 15.75)}),
+                  draw_of(Primitive::lines, {at(1.25, 0.25), at(6.75, 15.25)}),
+                  draw_of(Primitive::points, {at(5.25, 7.25)})};
+  draws[2].point_size = Fixed::from_integer(9);
+  for (Draw& draw : draws) {
+    const Pixels all = covered(draw, target);
+    draw.scissor = Viewport{2, 1, 6, 9};
+    Pixels expected;
+    for (PixelPosition p : all)
+      if (p.x >= 2 && p.x < 8 && p.y >= 1 && p.y < 10) expected.push_back(p);
+    EXPECT_GT(expected.size(), 6u);
+    for (const char* rows : {"bottom-up", "top-down"}) {
+      Policy policy;
+      for (const char* kind : {"point", "line", "triangle"})
+        policy.rules[std::string(kind) + ".row-order"] = rows;
+      EXPECT_EQ(covered(draw, target, policy), expected) << rows;
+    }
+  }
+}
+
 // ------------------------------------------------------------------------------------- renderings
 
 TEST(Rasterize, MakesARenderingOfTheTargetsSize) {

@@ -98,7 +98,7 @@ TEST(LineExplanation, SaysHowNearTheSegmentComes) {
   const std::string words = "comes within ";
   int seen = 0;
   for (int ax = 0; ax <= 12; ++ax)
-    for (int ay = 0; ay <= 12; ay += 2)
+    for (int ay = 0; ay <= 12; ++ay)
       for (int bx = 0; bx <= 12; bx += 2)
         for (int by = 1; by <= 12; by += 3) {
           const Point a = at(ax / 4., ay / 4.);
@@ -126,6 +126,7 @@ TEST(PointExplanation, SaysInsideBoundaryAndOutside) {
   EXPECT_EQ(point_text(wide, 2, 1),
             "the pixel's centre (2.5, 1.5) lies inside the square of side 3 round the point (2.25, "
             "1) (0.5 from it along the axis where it is farther; 1.5 is the boundary)");
+  EXPECT_NE(point_text(wide, 3, 1).find("lies inside the square"), std::string::npos);
   EXPECT_EQ(point_text(wide, 1, 2),
             "the pixel's centre (1.5, 2.5) lies exactly on the boundary of the square of side 3 "
             "round the point (2.25, 1) (1.5 from it along the axis where it is farther; 1.5 is the "

@@ -50,7 +50,7 @@ Wide on_line(const Interpolant& f, WidePoint p) {
   Wide t = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
   if (f.line_parameter == LineParameter::major_axis)
     t = size(dx) >= size(dy) ? (p.x - a.x) / dx : (p.y - a.y) / dy;
-  return f.values[0] + t * (f.values[1] - f.values[0]);
+  return f.values[0] + t * (static_cast<Wide>(f.values[1]) - f.values[0]);
 }
 
 void expect_everything(Interval interval) {
@@ -109,6 +109,27 @@ TEST_F(RandomInterpolants, ExactHoldsTheFormulaOnLines) {
     const Wide truth = on_line(f, wide(sample));
     const double size = std::fabs(static_cast<double>(truth)) + 4;
     expect_at(interpolate_exact(f, sample), truth, 1e-13 * size);
+  }
+}
+
+// Products beyond 2^53 are no doubles. In these two their roundings add up to more than what the
+// operations after them allow for, unless the products are ranges.
+TEST(Interpolation, ProductsAreRoundedOutwards) {
+  struct Example {
+    std::int64_t rise, sample_rise;  // raw, from the start
+    double start, end;
+  };
+  for (const Example& e :
+       {Example{120785085, 99895726, -0x1.ec00cefda5fbcp+0, 0x1.3521a82e9f6ddp-6},
+        Example{97992158, 95226794, -0x1.ed039ccaf1e76p+0, 0x1.45b297be8aacdp-9}}) {
+    const Fixed y = Fixed::from_integer(-4096);
+    const Fixed left = Fixed::from_integer(-8192);
+    const Fixed right = Fixed::from_integer(8192);
+    const Interpolant f{PrimitiveKind::line,
+                        {Point{left, y}, Point{right, y + Fixed::from_raw(e.rise)}},
+                        {e.start, e.end}};
+    const Point sample{right, y + Fixed::from_raw(e.sample_rise)};
+    expect_at(interpolate_exact(f, sample), on_line(f, wide(sample)), 1e-14);
   }
 }
 
@@ -202,6 +223,16 @@ TEST(Permitted, SmallTrianglesKeepTheirSign) {
     const Interval permitted = interpolate_permitted(f, at(4.5, 4.5), 8);
     EXPECT_TRUE(permitted.contains(0.5));
     EXPECT_LT(permitted.high - permitted.low, 0.1);
+    std::swap(f.positions[0], f.positions[1]);
+    std::swap(f.values[0], f.values[1]);
+  }
+}
+
+TEST(Permitted, EverythingWhereASmallTriangleMayTurnOver) {
+  Interpolant f{
+      PrimitiveKind::triangle, {at(4.25, 4.25), at(4.75, 4.25), at(4.25, 4.75)}, {0, 1, 0}};
+  for (int winding = 0; winding < 2; ++winding) {
+    expect_everything(interpolate_permitted(f, at(4.5, 4.5), 2));
     std::swap(f.positions[0], f.positions[1]);
     std::swap(f.values[0], f.values[1]);
   }

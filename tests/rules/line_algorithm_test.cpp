@@ -92,7 +92,8 @@ TEST(WideLines, TheLowestSegmentLiesHalfOfTheRestBelow) {
 }
 
 TEST(WideLines, WidthOneIsDrawnByTheAlgorithmAlone) {
-  const Segment segment{at(2.5, 5.5), at(6.5, 5.5)};
+  // It ends in the diamond of column 6, whose centre an area would hold.
+  const Segment segment{at(2.25, 5.5), at(6.75, 5.5)};
   const Pixels expected{{2, 5}, {3, 5}, {4, 5}, {5, 5}};
   for (WideLine wide : all_wide_lines())
     EXPECT_EQ(drawn(segment, Fixed::from_integer(1), wide, LineAlgorithm::diamond_exit), expected)
@@ -109,11 +110,20 @@ struct Shifted {
 };
 
 TEST(ShiftedTriangles, AreTheTwoOfTheMovedParallelogram) {
+  constexpr double kHigh = 5 + 8520. / 65536;    // 1.375 more passes a row's centre by 0.005
+  constexpr double kRight = 5 + 57016. / 65536;  // 1.375 less falls short of a column's by 0.005
   const Shifted examples[] = {
       {{at(2, 5), at(10, 8)}, {at(1.5, 3.375), at(1.5, 6.375)}, {at(9.5, 6.375), at(9.5, 9.375)}},
       {{at(10, 8), at(2, 5)}, {at(10.5, 6.375), at(10.5, 9.375)}, {at(2.5, 3.375), at(2.5, 6.375)}},
       {{at(5, 2), at(8, 10)}, {at(3.625, 1.5), at(6.625, 1.5)}, {at(6.625, 9.5), at(9.625, 9.5)}},
       {{at(8, 10), at(5, 2)}, {at(6.625, 10.5), at(9.625, 10.5)}, {at(3.625, 2.5), at(6.625, 2.5)}},
+      // Sides between two rows (columns) of centres, which a ninth or a seventh would not keep.
+      {{at(2, kHigh), at(10, kHigh)},
+       {at(1.5, kHigh - 1.625), at(1.5, kHigh + 1.375)},
+       {at(9.5, kHigh - 1.625), at(9.5, kHigh + 1.375)}},
+      {{at(kRight, 2), at(kRight, 10)},
+       {at(kRight - 1.375, 1.5), at(kRight + 1.625, 1.5)},
+       {at(kRight - 1.375, 9.5), at(kRight + 1.625, 9.5)}},
       // 45 degrees counts as y-major.
       {{at(3, 3), at(9, 9)}, {at(1.625, 2.5), at(4.625, 2.5)}, {at(7.625, 8.5), at(10.625, 8.5)}},
       {{at(3, 9), at(9, 3)}, {at(1.625, 9.5), at(4.625, 9.5)}, {at(7.625, 3.5), at(10.625, 3.5)}},
@@ -129,6 +139,24 @@ TEST(ShiftedTriangles, AreTheTwoOfTheMovedParallelogram) {
                     LineAlgorithm::diamond_exit),
               sorted(expected));
   }
+}
+
+// Which diagonal divides the parallelogram shows where single precision leaves a pixel to neither
+// triangle, or to both.
+TEST(ShiftedTriangles, AreDividedFromTheLowerStart) {
+  const Segment segment{at(12.5, 8.5625), at(5.75, 13.4375)};
+  const Point start[] = {at(13, 6.625), at(13, 10.25)};
+  const Point end[] = {at(6.25, 11.5), at(6.25, 15.125)};
+  const auto both = [&](const Triangle& one, const Triangle& other) {
+    Pixels pixels = scanned_triangle_pixels(one, kTarget);
+    for (PixelPosition p : scanned_triangle_pixels(other, kTarget)) pixels.push_back(p);
+    return sorted(pixels);
+  };
+  const Pixels expected = both({start[0], end[0], end[1]}, {start[0], end[1], start[1]});
+  EXPECT_NE(expected, both({start[1], end[1], end[0]}, {start[1], end[0], start[0]}));
+  EXPECT_EQ(
+      drawn(segment, at(3.625, 0).x, WideLine::shifted_triangles, LineAlgorithm::diamond_exit),
+      expected);
 }
 
 // ---------------------------------------------------------------------------------------- areas
@@ -155,6 +183,35 @@ TEST(LineAreas, OfTheShortestSegments) {
       EXPECT_EQ(area({at(3.5, 3.5), at(3.5 + sign * unit, 3.5)}, 3, kind, "closed"), column);
       EXPECT_EQ(area({at(3.5, 3.5), at(3.5, 3.5 + sign * unit)}, 3, kind, "closed"), row);
     }
+}
+
+// A centre exactly half the width from a line, both a unit long or so: which side it lies on
+// counts.
+TEST(LineAreas, OfTheThinnestLines) {
+  const double unit = 1.0 / 65536;
+  const Fixed width = Fixed::from_raw(2);
+  const Segment below{at(0.5, 0.5 - unit), at(0.5 + unit, 0.5 - unit)};
+  const Segment above{at(0.5, 0.5 + unit), at(0.5 + unit, 0.5 + unit)};
+  const auto holds = [&](const Segment& segment, const char* ties) {
+    return line_area_covers(segment, width, LineArea::rectangle, {0, 0}, *find_tie_rule(ties));
+  };
+  // The centre lies on the top side of the one and on the bottom side of the other.
+  EXPECT_FALSE(holds(below, "left-bottom"));
+  EXPECT_TRUE(holds(below, "left-top"));
+  EXPECT_TRUE(holds(above, "left-bottom"));
+  EXPECT_FALSE(holds(above, "left-top"));
+}
+
+TEST(Walks, OfTheShortestSegments) {
+  const double unit = 1.0 / 65536;
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_EQ(drawn({at(2.25, 5.25), at(2.25 + sign * unit, 5.25)}, Fixed::from_integer(1),
+                    WideLine::replicate, LineAlgorithm::walk_floor_to_floor),
+              (Pixels{{2, 5}}));
+    EXPECT_EQ(drawn({at(5.25, 2.25), at(5.25, 2.25 + sign * unit)}, Fixed::from_integer(1),
+                    WideLine::replicate, LineAlgorithm::walk_floor_to_floor),
+              (Pixels{{5, 2}}));
+  }
 }
 
 // Every pixel of the target tested, against the search along the segment.
@@ -192,6 +249,15 @@ TEST(DiamondParts, OfTheShortestSegments) {
     EXPECT_TRUE(ends_in_diamond({other, edge}, 0, 0, scotty));
     EXPECT_FALSE(ends_in_diamond({edge, other}, 0, 0, scotty));
   }
+  // Up to the lower left edge, next to the bottom corner; a pixel further right, the same.
+  for (int x : {0, 1}) {
+    const Segment touching{at(x + 0.5 - unit, 0), at(x + 0.5 - unit, unit)};
+    EXPECT_TRUE(meets_diamond(touching, x, 0, scotty));
+    EXPECT_TRUE(meets_diamond({touching.b, touching.a}, x, 0, scotty));
+  }
+  // Right of it, where the coordinates across the edge are no mirror images.
+  for (const Point other : {at(2.75 + unit, 0.75), at(2.75, 0.75 + unit)})
+    EXPECT_TRUE(meets_diamond({at(2.75, 0.75), other}, 2, 0, scotty));
   const Point aside = at(0.75 + unit, 0.75);
   for (const Point other : {at(0.75 + 2 * unit, 0.75), at(0.75 + unit, 0.75 + unit)}) {
     EXPECT_FALSE(meets_diamond({aside, other}, 0, 0, scotty));

@@ -5,8 +5,10 @@
 
 #include "rules/all_rules.h"
 #include "rules/coverage/point_ownership.h"
+#include "rules/coverage/row_order.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
+#include "rules/coverage/triangle_scan.h"
 #include "rules/values/framebuffer.h"
 #include "tests/rules/support.h"
 
@@ -114,6 +116,34 @@ TEST(PointOffsets, NamesReadBackAndMove) {
   for (const Alternative& alternative : alternatives) {
     EXPECT_TRUE(parse_name(alternative.name, offset));
     EXPECT_EQ(name_of(offset), alternative.name);
+  }
+}
+
+TEST(RowOrders, NamesReadBackAndRowsTurnOver) {
+  RowOrder rows = RowOrder::bottom_up;
+  EXPECT_TRUE(parse_name("top-down", rows));
+  EXPECT_EQ(rows, RowOrder::top_down);
+  EXPECT_FALSE(parse_name("no-such", rows));
+  EXPECT_EQ(rows, RowOrder::top_down);
+  EXPECT_TRUE(parse_name("bottom-up", rows));
+  EXPECT_EQ(rows, RowOrder::bottom_up);
+  EXPECT_EQ(turned_over(at(3.25, 2.5), 16), at(3.25, 13.5));
+  const PixelBounds turned = turned_over(PixelBounds{2, 1, 7, 9}, 16);
+  EXPECT_EQ(turned.x_min, 2);
+  EXPECT_EQ(turned.y_min, 6);
+  EXPECT_EQ(turned.x_max, 7);
+  EXPECT_EQ(turned.y_max, 14);
+}
+
+TEST(TriangleScan, StaysWithinTheBounds) {
+  const Triangle triangle{at(1.25, 0.5), at(15, 3.25), at(4, 14.75)};
+  const auto all = scanned_triangle_pixels(triangle, {-50, -50, 50, 50});
+  for (const PixelBounds& bounds : {PixelBounds{3, 4, 6, 7}, {5, 2, 9, 3}, {0, 0, 4, 20}}) {
+    std::vector<PixelPosition> expected;
+    for (PixelPosition p : all)
+      if (bounds.contains(p)) expected.push_back(p);
+    EXPECT_GT(expected.size(), 5u);
+    EXPECT_EQ(scanned_triangle_pixels(triangle, bounds), expected);
   }
 }
 
