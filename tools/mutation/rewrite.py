@@ -3,7 +3,7 @@
 
 import re
 
-from mutation.source import span
+from mutation.source import FUNCTIONS, span
 
 ROOM = "edgecase_mutation"
 
@@ -52,9 +52,11 @@ def edit_of(site, start, end, text):
 
 
 def variable_edits(source, sites, cursor):
-    """A constant that has sites must be computed when the program runs."""
+    """A constant that has sites must be computed when the program runs. `const` would not do: the
+    compiler computes what it can of a constant's initialiser, and takes no mutant there."""
     start, end = span(cursor)
     if not any(start <= site.start and site.end <= end for site in sites):
         return []
     word = source.find("constexpr", start, cursor.location.offset)
-    return [((word, 2, 0, 0, 0), word + len("constexpr"), "const")]
+    local = cursor.semantic_parent.kind in FUNCTIONS
+    return [((word, 2, 0, 0, 0), word + len("constexpr"), "" if local else "static")]
