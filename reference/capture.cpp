@@ -21,17 +21,25 @@ struct Record {
 };
 static_assert(sizeof(Record) == 32);
 
+// Four floats to a vec4, which std430 aligns to 16 bytes.
+struct DetailedRecord : Record {
+  float coordinates[4];
+  float derivatives[kDerivatives][4];
+};
+static_assert(sizeof(DetailedRecord) == 144);
+
 constexpr std::size_t kHeaderSize = 32;
 constexpr std::uint32_t kFirstCapacity = 4096;
-// 16.8 million fragments, a 4096 x 4096 target covered once: 512 MiB.
-constexpr std::uint32_t kLargestCapacity = std::uint32_t{1} << 24;
+// 16.8 million fragments of 32 bytes, a 4096 x 4096 target covered once.
+constexpr std::size_t kLargestSize = std::size_t{1} << 29;
 
 // The order in which a driver's threads append is theirs. Sorting by every bit of a record makes
 // the list the same each time.
-bool comes_before(const Record& a, const Record& b) {
+template <class AnyRecord>
+bool comes_before(const AnyRecord& a, const AnyRecord& b) {
   const auto place = [](const Record& r) { return std::tie(r.y, r.x, r.primitive); };
   if (place(a) != place(b)) return place(a) < place(b);
-  return std::memcmp(&a, &b, sizeof(Record)) < 0;
+  return std::memcmp(&a, &b, sizeof(AnyRecord)) < 0;
 }
 
 Fragment to_fragment(const Record& record) {
@@ -46,15 +54,29 @@ Fragment to_fragment(const Record& record) {
   return fragment;
 }
 
+FragmentDetail to_detail(const DetailedRecord& record) {
+  FragmentDetail detail;
+  detail.has_coordinates = true;
+  std::copy(std::begin(record.coordinates), std::end(record.coordinates),
+            detail.coordinates.begin());
+  for (std::size_t i = 0; i < kDerivatives; ++i) {
+    detail.has_derivative[i] = true;
+    std::copy(std::begin(record.derivatives[i]), std::end(record.derivatives[i]),
+              detail.derivatives[i].begin());
+  }
+  return detail;
+}
+
 }  // namespace
 
-Capture::Capture(const GladGLContext& gl) : gl_(gl), buffer_(make_buffer(gl)) {
+Capture::Capture(const GladGLContext& gl, Form form)
+    : gl_(gl), form_(form), buffer_(make_buffer(gl)) {
   GLint block_size = 0;
   gl_.GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block_size);
   const std::size_t bytes = block_size > 0 ? static_cast<std::size_t>(block_size) : 0;
   if (bytes > kHeaderSize)
-    limit_ = static_cast<std::uint32_t>(
-        std::min<std::size_t>((bytes - kHeaderSize) / sizeof(Record), kLargestCapacity));
+    limit_ =
+        static_cast<std::uint32_t>(std::min(bytes - kHeaderSize, kLargestSize) / record_size());
   grow(std::min(kFirstCapacity, limit_));
 }
 
@@ -62,7 +84,7 @@ void Capture::grow(std::uint32_t count) {
   capacity_ = count;
   gl_.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer_.name());
   gl_.BufferData(GL_SHADER_STORAGE_BUFFER,
-                 static_cast<GLsizeiptr>(kHeaderSize + capacity_ * sizeof(Record)), nullptr,
+                 static_cast<GLsizeiptr>(kHeaderSize + capacity_ * record_size()), nullptr,
                  GL_DYNAMIC_READ);
 }
 
@@ -80,15 +102,33 @@ std::uint32_t Capture::count() {
   return result;
 }
 
-std::vector<Fragment> Capture::read(std::uint32_t count) {
-  std::vector<Record> records(count);
+std::size_t Capture::record_size() const {
+  return form_ == Form::plain ? sizeof(Record) : sizeof(DetailedRecord);
+}
+
+template <class AnyRecord>
+std::vector<AnyRecord> Capture::read_records(std::uint32_t count) {
+  std::vector<AnyRecord> records(count);
   if (count > 0)
     gl_.GetBufferSubData(GL_SHADER_STORAGE_BUFFER, kHeaderSize,
-                         static_cast<GLsizeiptr>(count * sizeof(Record)), records.data());
-  std::sort(records.begin(), records.end(), comes_before);
-  std::vector<Fragment> fragments(count);
-  std::transform(records.begin(), records.end(), fragments.begin(), to_fragment);
-  return fragments;
+                         static_cast<GLsizeiptr>(count * sizeof(AnyRecord)), records.data());
+  std::sort(records.begin(), records.end(), comes_before<AnyRecord>);
+  return records;
+}
+
+void Capture::read(std::uint32_t count, Rendering& rendering) {
+  rendering.fragments.reserve(count);
+  if (form_ == Form::plain) {
+    for (const Record& record : read_records<Record>(count))
+      rendering.fragments.push_back(to_fragment(record));
+    return;
+  }
+  rendering.details.reserve(count);
+  for (const DetailedRecord& record : read_records<DetailedRecord>(count)) {
+    rendering.fragments.push_back(to_fragment(record));
+    rendering.fragments.back().detail = static_cast<int>(rendering.details.size());
+    rendering.details.push_back(to_detail(record));
+  }
 }
 
 }  // namespace edgecase

@@ -5,10 +5,13 @@
 // The buffer holds a counter and records. A shader invocation takes a slot from the counter and
 // writes only where there is room; helper invocations never write. When the counter says that there
 // was no room, the buffer grows and the pass is drawn again; beyond a limit there is no capture.
+//
+// A record holds pixel, primitive, depth and colour, in 32 bytes. A detailed one holds gl_FragCoord
+// and six derivatives of the colour as well, in 144: it is written for scenes that ask for details.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "model/rendering.h"
@@ -18,8 +21,10 @@ namespace edgecase {
 
 class Capture {
  public:
+  enum class Form { plain, detailed };
+
   // The context must be current and outlive the capture.
-  explicit Capture(const GladGLContext& gl);
+  Capture(const GladGLContext& gl, Form form);
 
   // Most fragments that one pass may have: a limit of the driver, or ours.
   std::uint32_t limit() const { return limit_; }
@@ -32,11 +37,17 @@ class Capture {
   std::uint32_t count();
   // Makes room for `count` fragments, of at most limit(). What was captured is lost.
   void grow(std::uint32_t count);
-  // The captured fragments, sorted; all `count` of them must have had room.
-  std::vector<Fragment> read(std::uint32_t count);
+  // The captured fragments, sorted; all `count` of them must have had room. Of a detailed capture,
+  // every fragment has all details.
+  void read(std::uint32_t count, Rendering& rendering);
 
  private:
+  std::size_t record_size() const;
+  template <class Record>
+  std::vector<Record> read_records(std::uint32_t count);
+
   const GladGLContext& gl_;
+  Form form_;
   GlBuffer buffer_;
   std::uint32_t limit_ = 0;
   std::uint32_t capacity_ = 0;

@@ -14,6 +14,16 @@ void set_scissor(const GladGLContext& gl, const Draw& draw) {
   gl.Scissor(draw.scissor->x, draw.scissor->y, draw.scissor->width, draw.scissor->height);
 }
 
+// Every fragment passes and is written; without the test there is no writing either.
+void set_depth(const GladGLContext& gl, bool has_depth) {
+  gl.DepthFunc(GL_ALWAYS);
+  gl.DepthMask(GL_TRUE);
+  if (has_depth)
+    gl.Enable(GL_DEPTH_TEST);
+  else
+    gl.Disable(GL_DEPTH_TEST);
+}
+
 }  // namespace
 
 GLenum mode_of(Primitive primitive) {
@@ -40,7 +50,6 @@ void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw) {
   // GL_RASTERIZER_DISCARD is missing: nothing here turns it on, and a driver without transform
   // feedback raises an error (zink over SwiftShader).
   constexpr GLenum kSwitchedOff[] = {GL_CULL_FACE,
-                                     GL_DEPTH_TEST,
                                      GL_STENCIL_TEST,
                                      GL_DITHER,
                                      GL_LINE_SMOOTH,
@@ -63,17 +72,22 @@ void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw) {
   gl.LineWidth(static_cast<float>(draw.line_width.to_double()));
   gl.DepthRange(0, 1);
   gl.Viewport(scene.viewport.x, scene.viewport.y, scene.viewport.width, scene.viewport.height);
+  set_depth(gl, scene.target.depth != DepthFormat::none);
   set_scissor(gl, draw);
   gl.ProvokingVertex(draw.provoking_vertex == ProvokingVertex::first ? GL_FIRST_VERTEX_CONVENTION
                                                                      : GL_LAST_VERTEX_CONVENTION);
 }
 
-void clear(const GladGLContext& gl, GLuint framebuffer, const Color& color) {
+void clear(const GladGLContext& gl, GLuint framebuffer, const Color& color, bool has_depth) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl.Disable(GL_SCISSOR_TEST);
   gl.Disable(GL_DITHER);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.ClearBufferfv(GL_COLOR, 0, color.data());
+  if (!has_depth) return;
+  constexpr float kFarthest = 1;
+  gl.DepthMask(GL_TRUE);
+  gl.ClearBufferfv(GL_DEPTH, 0, &kFarthest);
 }
 
 GLenum take_error(const GladGLContext& gl) {

@@ -45,8 +45,10 @@ void main() {
 }
 )";
 
-// The counter runs on beyond the capacity, so that an overflow tells how much room is needed.
-constexpr const char* kCaptureShader = R"(#version 430 core
+// Without a version, and in two forms: DETAILS adds what reference/capture.h calls details, and
+// FINE_AND_COARSE the derivatives that not every GLSL has. The counter runs on beyond the capacity,
+// so that an overflow tells how much room is needed.
+constexpr const char* kCaptureShader = R"(
 flat in vec4 flat_color;
 smooth in vec4 smooth_color;
 noperspective in vec4 noperspective_color;
@@ -63,6 +65,15 @@ struct Record {
   float green;
   float blue;
   float alpha;
+#ifdef DETAILS
+  vec4 coordinates;
+  vec4 dx;
+  vec4 dy;
+  vec4 dx_fine;
+  vec4 dy_fine;
+  vec4 dx_coarse;
+  vec4 dy_coarse;
+#endif
 };
 layout(std430, binding = 0) buffer Capture {
   uint count;
@@ -72,19 +83,59 @@ layout(std430, binding = 0) buffer Capture {
 void main() {
   vec4 color = interpolation == 0 ? flat_color
                                   : (interpolation == 1 ? smooth_color : noperspective_color);
+#ifdef DETAILS
+  vec4 dx = dFdx(color);
+  vec4 dy = dFdy(color);
+#ifdef FINE_AND_COARSE
+  vec4 dx_fine = dFdxFine(color);
+  vec4 dy_fine = dFdyFine(color);
+  vec4 dx_coarse = dFdxCoarse(color);
+  vec4 dy_coarse = dFdyCoarse(color);
+#else
+  vec4 dx_fine = vec4(0.0);
+  vec4 dy_fine = vec4(0.0);
+  vec4 dx_coarse = vec4(0.0);
+  vec4 dy_coarse = vec4(0.0);
+#endif
+#endif
   uint slot = atomicAdd(count, 1u);
   if (slot < capacity) {
-    records[slot] = Record(int(gl_FragCoord.x), int(gl_FragCoord.y), primitive_index,
-                           gl_FragCoord.z, color.r, color.g, color.b, color.a);
+    records[slot].x = int(gl_FragCoord.x);
+    records[slot].y = int(gl_FragCoord.y);
+    records[slot].primitive = primitive_index;
+    records[slot].depth = gl_FragCoord.z;
+    records[slot].red = color.r;
+    records[slot].green = color.g;
+    records[slot].blue = color.b;
+    records[slot].alpha = color.a;
+#ifdef DETAILS
+    records[slot].coordinates = gl_FragCoord;
+    records[slot].dx = dx;
+    records[slot].dy = dy;
+    records[slot].dx_fine = dx_fine;
+    records[slot].dy_fine = dy_fine;
+    records[slot].dx_coarse = dx_coarse;
+    records[slot].dy_coarse = dy_coarse;
+#endif
   }
   target = color;
 }
 )";
 
+constexpr const char* kPlainCapture = "#version 430 core\n";
+constexpr const char* kDetailedCapture = "#version 430 core\n#define DETAILS\n";
+// Fine and coarse derivatives are part of GLSL 4.50, and an extension before.
+constexpr const char* kFineCaptures[] = {
+    "#version 450 core\n#define DETAILS\n#define FINE_AND_COARSE\n",
+    "#version 430 core\n#extension GL_ARB_derivative_control : require\n"
+    "#define DETAILS\n#define FINE_AND_COARSE\n"};
+
 // Compiles one shader; on failure appends the driver's words to `log`.
-GlShader compile(const GladGLContext& gl, GLenum stage, const char* source, std::string& log) {
+GlShader compile(const GladGLContext& gl, GLenum stage, const std::string& source,
+                 std::string& log) {
   GlShader shader(gl, gl.CreateShader(stage));
-  gl.ShaderSource(shader.name(), 1, &source, nullptr);
+  const char* const text_of_source = source.c_str();
+  gl.ShaderSource(shader.name(), 1, &text_of_source, nullptr);
   gl.CompileShader(shader.name());
   GLint compiled = GL_FALSE;
   gl.GetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
@@ -95,7 +146,7 @@ GlShader compile(const GladGLContext& gl, GLenum stage, const char* source, std:
   return shader;
 }
 
-GlProgram link(const GladGLContext& gl, const char* fragment_source, std::string& log) {
+GlProgram link(const GladGLContext& gl, const std::string& fragment_source, std::string& log) {
   GlProgram program(gl, gl.CreateProgram());
   const GlShader vertex = compile(gl, GL_VERTEX_SHADER, kVertexShader, log);
   const GlShader fragment = compile(gl, GL_FRAGMENT_SHADER, fragment_source, log);
@@ -113,6 +164,21 @@ GlProgram link(const GladGLContext& gl, const char* fragment_source, std::string
   return program;
 }
 
+GlProgram link_capture(const GladGLContext& gl, const char* head, std::string& log) {
+  return link(gl, std::string(head) + kCaptureShader, log);
+}
+
+// With fine and coarse derivatives where the driver takes them, by trying.
+void make_details(const GladGLContext& gl, Programs& programs, std::string& log) {
+  for (const char* head : kFineCaptures) {
+    std::string refusal;
+    programs.details = link_capture(gl, head, refusal);
+    programs.fine_and_coarse = refusal.empty();
+    if (programs.fine_and_coarse) return;
+  }
+  programs.details = link_capture(gl, kDetailedCapture, log);
+}
+
 }  // namespace
 
 std::variant<Programs, ProgramError> make_programs(const GladGLContext& gl) {
@@ -120,7 +186,8 @@ std::variant<Programs, ProgramError> make_programs(const GladGLContext& gl) {
   Programs programs;
   programs.color = link(gl, kColorShader, log);
   if (log.empty()) programs.count = link(gl, kCountShader, log);
-  if (log.empty()) programs.capture = link(gl, kCaptureShader, log);
+  if (log.empty()) programs.capture = link_capture(gl, kPlainCapture, log);
+  if (log.empty()) make_details(gl, programs, log);
   if (!log.empty()) return ProgramError{"the driver refuses our shaders: " + log};
   return programs;
 }

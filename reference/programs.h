@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The three GL programs, compiled once: a program per case would cost more than all drawing.
+// The four GL programs, compiled once: a program per case would cost more than all drawing.
 //
 // All share one vertex shader, so that every pass rasterizes the same primitives. What differs from
 // draw to draw is a uniform or a vertex attribute. The primitive's number travels as a flat
 // attribute, reference/vertex_data.h: gl_PrimitiveID makes a shader draw nothing on one driver and
 // is garbage on another.
+//
+// Derivatives are taken of the colour that the uniform chose, before anything else is done: in
+// uniform control flow, where they are defined (GLSL 4.60, 8.14.1).
 #pragma once
 
 #include <string>
@@ -36,6 +39,10 @@ struct Programs {
   GlProgram color;    // writes the fragment's colour
   GlProgram count;    // writes the step to the red channel
   GlProgram capture;  // writes the colour, and appends a record: see reference/capture.h
+  GlProgram details;  // the same with a detailed record
+  // Are dFdxFine, dFdyFine, dFdxCoarse and dFdyCoarse in that record? Without GLSL 4.50 and
+  // GL_ARB_derivative_control there are none, and their places hold zeros.
+  bool fine_and_coarse = false;
 };
 
 // Why there are no programs, one sentence with the driver's own words.
@@ -43,7 +50,7 @@ struct ProgramError {
   std::string message;
 };
 
-// Compiles all three. The context must have GL 4.3 or later and be current.
+// Compiles all four. The context must have GL 4.3 or later and be current.
 std::variant<Programs, ProgramError> make_programs(const GladGLContext& gl);
 
 }  // namespace edgecase

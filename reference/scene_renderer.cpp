@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "reference/depth_buffer.h"
 #include "reference/draw_state.h"
 #include "reference/provoking_probe.h"
 #include "reference/vertex_data.h"
@@ -40,7 +41,8 @@ std::string text_of(const std::array<float, 2>& range) {
 
 SceneRenderer::Objects::Objects(const GladGLContext& gl, GlContext& context, Programs made)
     : programs(std::move(made)),
-      capture(gl),
+      capture(gl, Capture::Form::plain),
+      detailed_capture(gl, Capture::Form::detailed),
       targets(gl, context),
       vertices(make_buffer(gl)),
       vertex_array(make_vertex_array(gl)) {
@@ -85,6 +87,7 @@ SceneRenderer::SceneRenderer(GlContext& context) {
   }
   objects_.emplace(gl_, context, std::move(std::get<Programs>(programs)));
   info_.traits["capture"] = "ssbo";
+  info_.traits["derivatives"] = objects_->programs.fine_and_coarse ? "plain fine coarse" : "plain";
   if (const GLenum error = take_error(gl_); error != GL_NO_ERROR)
     problem_ = fmt::format("preparing the context raised {}", name_of_error(error));
   else
@@ -183,8 +186,6 @@ void SceneRenderer::upload(const Scene& scene) {
 void SceneRenderer::draw_all(const Scene& scene, const GlProgram& program) {
   gl_.UseProgram(program.name());
   const bool counts = program.name() == objects_->programs.count.name();
-  if (program.name() == objects_->programs.capture.name())
-    gl_.Uniform1ui(kCapacityUniform, objects_->capture.capacity());
   GLint first = 0;
   for (const Draw& draw : scene.draws) {
     set_state(gl_, scene, draw);
@@ -202,17 +203,23 @@ void SceneRenderer::draw_all(const Scene& scene, const GlProgram& program) {
   }
 }
 
+void SceneRenderer::clear_for(const Scene& scene, GLuint framebuffer, const Color& color) {
+  clear(gl_, framebuffer, color, scene.target.depth != DepthFormat::none);
+}
+
 void SceneRenderer::draw_pixels(const Scene& scene, const Surfaces& surfaces,
                                 Rendering& rendering) {
-  clear(gl_, surfaces.color, scene.target.clear);
+  clear_for(scene, surfaces.color, scene.target.clear);
   draw_all(scene, objects_->programs.color);
   rendering.pixels.resize(4 * area_of(rendering));
   gl_.ReadPixels(0, 0, rendering.width, rendering.height, GL_RGBA, GL_UNSIGNED_BYTE,
                  rendering.pixels.data());
+  if (scene.target.depth != DepthFormat::none)
+    rendering.depths = read_depths(gl_, scene.target.depth, rendering.width, rendering.height);
 }
 
 void SceneRenderer::count_hits(const Scene& scene, const Surfaces& surfaces, Rendering& rendering) {
-  clear(gl_, surfaces.count, {0, 0, 0, 0});
+  clear_for(scene, surfaces.count, {0, 0, 0, 0});
   gl_.UseProgram(objects_->programs.count.name());
   gl_.Uniform1f(kStepUniform, surfaces.step);
   draw_all(scene, objects_->programs.count);
@@ -225,15 +232,20 @@ void SceneRenderer::count_hits(const Scene& scene, const Surfaces& surfaces, Ren
 }
 
 std::optional<std::string> SceneRenderer::capture_fragments(const Scene& scene,
+                                                            const Surfaces& surfaces, bool detailed,
                                                             Rendering& rendering) {
-  Capture& capture = objects_->capture;
+  Capture& capture = detailed ? objects_->detailed_capture : objects_->capture;
+  const GlProgram& program = detailed ? objects_->programs.details : objects_->programs.capture;
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, surfaces.color);
   // A second attempt has room for what the first one counted.
   for (int attempt = 0; attempt < 2; ++attempt) {
     capture.begin();
-    draw_all(scene, objects_->programs.capture);
+    gl_.UseProgram(program.name());
+    gl_.Uniform1ui(kCapacityUniform, capture.capacity());
+    draw_all(scene, program);
     const std::uint32_t count = capture.count();
     if (count <= capture.capacity()) {
-      rendering.fragments = capture.read(count);
+      capture.read(count, rendering);
       return std::nullopt;
     }
     if (count > capture.limit())
@@ -242,6 +254,17 @@ std::optional<std::string> SceneRenderer::capture_fragments(const Scene& scene,
     capture.grow(count);
   }
   return "drawing the same scene twice gave different numbers of fragments";
+}
+
+void SceneRenderer::drop_details(Details asked, Rendering& rendering) const {
+  for (FragmentDetail& detail : rendering.details) {
+    detail.has_coordinates = asked.coordinates;
+    for (std::size_t i = 0; i < kDerivatives; ++i) {
+      const bool is_plain = i <= static_cast<std::size_t>(Derivative::y);
+      detail.has_derivative[i] =
+          asked.derivatives && (is_plain || objects_->programs.fine_and_coarse);
+    }
+  }
 }
 
 std::string SceneRenderer::doubt_of(const Rendering& rendering, const Surfaces& surfaces) const {
@@ -274,8 +297,9 @@ Outcome SceneRenderer::render(const Scene& scene, bool coverage_only) {
   upload(scene);
   if (!coverage_only) draw_pixels(scene, surfaces, rendering);
   count_hits(scene, surfaces, rendering);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, surfaces.color);
-  const auto overflow = capture_fragments(scene, rendering);
+  const bool detailed = scene.details.any() && !coverage_only;
+  const auto overflow = capture_fragments(scene, surfaces, detailed, rendering);
+  drop_details(scene.details, rendering);
   if (const GLenum error = take_error(gl_); error != GL_NO_ERROR)
     return Failure{error == GL_CONTEXT_LOST ? FailureKind::crashed : FailureKind::unsupported,
                    fmt::format("drawing raised {}", name_of_error(error))};

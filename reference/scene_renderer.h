@@ -6,10 +6,11 @@
 // counts (added up by blending, reference/targets.h) and the capture (a record per fragment shader
 // invocation, reference/capture.h). Pixels and hit counts go through the fixed-function end of the
 // pipeline and the capture does not, so that they check each other: whoever reads the answer
-// refuses it where they differ.
+// refuses it where they differ. Where the target has a depth buffer, all three write it, and it is
+// read after the first.
 //
-// It does not transform, clip or judge anything: scenes carry window coordinates, and the loader
-// has made sure that clip coordinates and their window images are exact in float32.
+// It does not transform, clip or judge anything: scenes carry clip coordinates, or window ones of
+// which the loader has made sure that their clip coordinates are exact in float32.
 #pragma once
 
 #include <array>
@@ -38,7 +39,8 @@ class SceneRenderer {
 
   // A Rendering with hit counts, or a Failure: `unsupported` with the reason, or `crashed` when the
   // context is lost and the process must start again. With `coverage_only` the pass for pixels is
-  // left out, and the rendering has none; fragments are captured, and hits counted, as ever.
+  // left out, and the rendering has none, nor depths and details; fragments are captured, and hits
+  // counted, as ever.
   Outcome render(const Scene& scene, bool coverage_only = false);
 
  private:
@@ -47,6 +49,7 @@ class SceneRenderer {
     Objects(const GladGLContext& gl, GlContext& context, Programs made);
     Programs programs;
     Capture capture;
+    Capture detailed_capture;
     Targets targets;
     GlBuffer vertices;
     GlVertexArray vertex_array;
@@ -60,9 +63,13 @@ class SceneRenderer {
   std::string limit_exceeded_by(const Draw& draw) const;
   void upload(const Scene& scene);
   void draw_all(const Scene& scene, const GlProgram& program);
+  void clear_for(const Scene& scene, GLuint framebuffer, const Color& color);
   void draw_pixels(const Scene& scene, const Surfaces& surfaces, Rendering& rendering);
   void count_hits(const Scene& scene, const Surfaces& surfaces, Rendering& rendering);
-  std::optional<std::string> capture_fragments(const Scene& scene, Rendering& rendering);
+  std::optional<std::string> capture_fragments(const Scene& scene, const Surfaces& surfaces,
+                                               bool detailed, Rendering& rendering);
+  // Takes away what the scene does not ask for, and what this driver's GLSL does not have.
+  void drop_details(Details asked, Rendering& rendering) const;
 
   // Why a rendering is not to be relied upon, as a sentence; empty: nothing speaks against it.
   std::string doubt_of(const Rendering& rendering, const Surfaces& surfaces) const;

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "reference/depth_buffer.h"
+
 namespace edgecase {
 
 namespace {
@@ -10,14 +14,21 @@ namespace {
 // Sizes kept at a time; a suite uses a handful.
 constexpr std::size_t kMostSizes = 16;
 
-bool make_target(const GladGLContext& gl, GLenum format, std::pair<int, int> size,
-                 GlRenderbuffer& image, GlFramebuffer& framebuffer) {
-  image = make_renderbuffer(gl);
+GlRenderbuffer make_image(const GladGLContext& gl, GLenum format, const Target& target) {
+  GlRenderbuffer image = make_renderbuffer(gl);
   gl.BindRenderbuffer(GL_RENDERBUFFER, image.name());
-  gl.RenderbufferStorage(GL_RENDERBUFFER, format, size.first, size.second);
+  gl.RenderbufferStorage(GL_RENDERBUFFER, format, target.width, target.height);
+  return image;
+}
+
+// A framebuffer of an image and, unless its name is 0, a depth buffer. Leaves it bound.
+bool make_target(const GladGLContext& gl, const GlRenderbuffer& image, const GlRenderbuffer& depth,
+                 GlFramebuffer& framebuffer) {
   framebuffer = make_framebuffer(gl);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, image.name());
+  if (depth.name() != 0)
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.name());
   return gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
@@ -36,24 +47,39 @@ bool is_rgba8(const GladGLContext& gl, GLenum buffer) {
 
 }  // namespace
 
-std::variant<Surfaces, std::string> Targets::find_objects(int width, int height) {
+std::string Targets::make(const Target& target, Buffers& made) {
+  const bool has_depth = target.depth != DepthFormat::none;
+  if (has_depth) made.depth_image = make_image(gl_, storage_of(target.depth), target);
+  made.color_image = make_image(gl_, GL_RGBA8, target);
+  made.count_image = make_image(gl_, GL_R32F, target);
+  if (!make_target(gl_, made.count_image, made.depth_image, made.count) ||
+      !make_target(gl_, made.color_image, made.depth_image, made.color))
+    return fmt::format("this driver has no {}x{} framebuffer{}", target.width, target.height,
+                       has_depth ? std::string(" with ") + name_of(target.depth) : "");
+  if (!has_depth) return "";
+  const std::string doubt = doubt_of_depth_buffer(gl_, GL_DEPTH_ATTACHMENT, target.depth);
+  if (doubt.empty()) return "";
+  return fmt::format("asked for {}, this driver makes another framebuffer: {}",
+                     name_of(target.depth), doubt);
+}
+
+std::variant<Surfaces, std::string> Targets::find_objects(const Target& target) {
   constexpr std::uint32_t kFloatHits = std::uint32_t{1} << 24;
-  const std::pair size(width, height);
-  auto found = sizes_.find(size);
+  const std::tuple key(target.width, target.height, target.depth);
+  auto found = sizes_.find(key);
   if (found == sizes_.end()) {
     if (sizes_.size() >= kMostSizes) sizes_.clear();
     Buffers made;
-    if (!make_target(gl_, GL_RGBA8, size, made.color_image, made.color) ||
-        !make_target(gl_, GL_R32F, size, made.count_image, made.count))
-      return fmt::format("this driver has no {}x{} framebuffer", width, height);
-    found = sizes_.emplace(size, std::move(made)).first;
+    if (std::string reason = make(target, made); !reason.empty()) return reason;
+    found = sizes_.emplace(key, std::move(made)).first;
   }
   return Surfaces{found->second.color.name(), found->second.count.name(), 1, kFloatHits};
 }
 
-std::variant<Surfaces, std::string> Targets::find_window(int width, int height) {
+std::variant<Surfaces, std::string> Targets::find_window(const Target& target) {
   constexpr std::uint32_t kByteHits = 255;
-  if (std::string error = context_.bind_window(width, height); !error.empty()) return error;
+  if (std::string error = context_.bind_window(target.width, target.height); !error.empty())
+    return error;
   gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
   if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     return std::string("the window-system framebuffer is not complete");
@@ -65,12 +91,17 @@ std::variant<Surfaces, std::string> Targets::find_window(int width, int height) 
   gl_.ReadBuffer(buffer);
   if (!is_rgba8(gl_, doubled == GL_TRUE ? GL_BACK_LEFT : GL_FRONT_LEFT))
     return std::string("the window-system framebuffer is not RGBA8");
+  if (target.depth != DepthFormat::none) {
+    const std::string doubt = doubt_of_depth_buffer(gl_, GL_DEPTH, target.depth);
+    if (!doubt.empty())
+      return fmt::format("the window-system framebuffer is not {}: {}", name_of(target.depth),
+                         doubt);
+  }
   return Surfaces{0, 0, 1.0f / kByteHits, kByteHits};
 }
 
 std::variant<Surfaces, std::string> Targets::find(const Target& target) {
-  return target.surface == Surface::window ? find_window(target.width, target.height)
-                                           : find_objects(target.width, target.height);
+  return target.surface == Surface::window ? find_window(target) : find_objects(target);
 }
 
 }  // namespace edgecase

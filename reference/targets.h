@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
 // Where the passes of a scene land: framebuffer objects of the sizes that scenes ask for, kept for
-// the next scene of the same size, or the framebuffer of the window system.
+// the next scene of the same size and depth format, or the framebuffer of the window system.
 //
 // Hits are counted by additive blending. A framebuffer object counts in R32F, exact up to 2^24 hits
 // per pixel. A window has RGBA8 alone and must do the counting too, or another surface's rules
 // would be counted: each hit adds 1/255, one step of an 8-bit channel, which is exact up to 255
 // hits.
+//
+// A depth buffer is part of a framebuffer object where the scene asks for one, with the count too,
+// so that all passes are drawn with the same state. A window has the one that it was made with, or
+// none, and scenes that ask for another one are refused.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <variant>
 
 #include "model/scene.h"
@@ -40,18 +44,21 @@ class Targets {
 
  private:
   struct Buffers {
+    GlRenderbuffer depth_image;  // of both framebuffers; none without a depth buffer
     GlRenderbuffer color_image;
     GlFramebuffer color;
     GlRenderbuffer count_image;
     GlFramebuffer count;
   };
 
-  std::variant<Surfaces, std::string> find_objects(int width, int height);
-  std::variant<Surfaces, std::string> find_window(int width, int height);
+  // Why there are no such framebuffers, as a sentence; empty: they are made.
+  std::string make(const Target& target, Buffers& made);
+  std::variant<Surfaces, std::string> find_objects(const Target& target);
+  std::variant<Surfaces, std::string> find_window(const Target& target);
 
   const GladGLContext& gl_;
   GlContext& context_;
-  std::map<std::pair<int, int>, Buffers> sizes_;
+  std::map<std::tuple<int, int, DepthFormat>, Buffers> sizes_;
 };
 
 }  // namespace edgecase

@@ -5,19 +5,25 @@ namespace edgecase {
 
 namespace {
 
-// The clip coordinate that the viewport transform takes to window coordinate `window`.
-float to_clip(Fixed window, int origin, int size) {
+// The clip coordinate that the division by w and the viewport transform take to window coordinate
+// `window`. It is a float32 number, so its product with the size has 39 bits at most: multiplied
+// first, nothing is rounded.
+float to_clip(Fixed window, int origin, int size, float w) {
   const double half = size / 2.0;
-  return static_cast<float>((window.to_double() - (origin + half)) / half);
+  return static_cast<float>((window.to_double() - (origin + half)) * static_cast<double>(w) / half);
+}
+
+ClipPosition clip_position(const Vertex& vertex, const Viewport& viewport) {
+  if (vertex.clip) return *vertex.clip;
+  return {to_clip(vertex.position.x, viewport.x, viewport.width, vertex.w),
+          to_clip(vertex.position.y, viewport.y, viewport.height, vertex.w),
+          static_cast<float>(vertex.z.to_double() * static_cast<double>(vertex.w)), vertex.w};
 }
 
 GpuVertex gpu_vertex(const Vertex& vertex, const Viewport& viewport) {
+  const ClipPosition clip = clip_position(vertex, viewport);
   const Color& color = vertex.color;
-  return {{to_clip(vertex.position.x, viewport.x, viewport.width),
-           to_clip(vertex.position.y, viewport.y, viewport.height),
-           static_cast<float>(vertex.z.to_double()), 1.0f},
-          {color[0], color[1], color[2], color[3]},
-          kNoPrimitive};
+  return {{clip.x, clip.y, clip.z, clip.w}, {color[0], color[1], color[2], color[3]}, kNoPrimitive};
 }
 
 bool has_own_vertices(Primitive primitive) {

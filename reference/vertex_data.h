@@ -18,7 +18,7 @@
 namespace edgecase {
 
 struct GpuVertex {
-  float clip[4];
+  float clip[4];  // a vertex's own clip coordinates as they are, or those of its window position
   float color[4];
   std::int32_t primitive;  // kNoPrimitive where the vertex provokes none
 };

@@ -81,6 +81,9 @@ Json values_json(const ValueAggregate& v) {
             {"exact", number(v.worst_exact)},
             {"rendered", number(v.worst_rendered)},
             {"ulp", number(v.worst_ulp)}}},
+          {"components", v.components},
+          {"mean_ulp", number(v.mean_ulp)},
+          {"relative", number(v.worst_relative)},
           {"histogram", histogram}};
 }
 

@@ -7,8 +7,11 @@ Try it:  edgecase run --against "exec:python3 reference/examples/rasterizer.py"
 Numbers are fractions, so nothing is rounded before the answer is written. Where the specification
 moves things by an infinitesimal e, a number is a tuple (a, b, c) that stands for a + b e + c e^2;
 Python orders tuples by their first difference, which is just the order of such numbers.
+
+It leaves out derivatives, which an answer may: OpenGL allows several, and no exact one.
 """
 import json
+import struct
 import sys
 from fractions import Fraction
 
@@ -81,6 +84,32 @@ def primitives(kind, n):
             "triangle_fan": [[i, 0, i + 1] for i in range(1, n - 1)]}[kind]
 
 
+def window(vertex, viewport):
+    """13.8.1: x, y and depth (-1 to 1) after the division by w, and w. Clip coordinates are taken
+    rather than the position, which is only the nearest multiple of 2^-16 to their quotients."""
+    if "clip" not in vertex:
+        return [Fraction(n) for n in (*vertex["position"], vertex.get("w", 1))]
+    x, y, z, w = map(Fraction, vertex["clip"])
+    left, bottom, wide, high = viewport
+    return [left + wide * (x / w + 1) / 2, bottom + high * (y / w + 1) / 2, z / w, w]
+
+
+def perspective(weights, corners):
+    """14.6.1: the weights of attributes that are linear in clip space, from those in the window.
+    Returns 1/w of the fragment, too."""
+    parts = [weight / corner[3] for weight, corner in zip(weights, corners)]
+    return [part / sum(parts) for part in parts], sum(parts)
+
+
+def stored(depth, kind):
+    """What a depth buffer makes of a depth: a multiple of 1/(2^bits - 1), or a float32."""
+    depth = min(max(depth, Fraction(0)), Fraction(1))
+    if kind == "depth32f":
+        return struct.unpack("f", struct.pack("f", depth))[0]
+    most = 2 ** {"depth16": 16, "depth24": 24}[kind] - 1
+    return round(depth * most) / most
+
+
 def common(boxes):
     """The pixels that lie in all of these rectangles [x, y, width, height]."""
     left, bottom = (max(box[i] for box in boxes) for i in (0, 1))
@@ -91,15 +120,16 @@ def common(boxes):
 def render(scene):
     width, height = scene["target"]["width"], scene["target"]["height"]
     left, bottom, wide, high = viewport = scene["viewport"]
-    target = [0, 0, width, height]
+    target, kind = [0, 0, width, height], scene["target"].get("depth")
     pixels = [scene["target"]["clear"]] * (width * height)
+    depths = [Fraction(1)] * (width * height)
     fragments, primitive = [], 0
     for draw in scene["draws"]:
         rules = {1: point(Fraction(draw["point_size"])), 2: line, 3: triangle}
-        flat, provoking = draw["interpolation"] == "flat", draw["provoking_vertex"]
+        way, provoking = draw["interpolation"], draw["provoking_vertex"]
         for numbers in primitives(draw["primitive"], len(draw["vertices"])):
             vertices = [draw["vertices"][n] for n in numbers]
-            corners = [[Fraction(n) for n in v["position"]] for v in vertices]
+            corners = [window(v, viewport) for v in vertices]
             colors = [[Fraction(n) for n in v["color"]] for v in vertices]
             covers = rules[len(corners)](*corners)
             boxes = [target, draw.get("scissor", target)]
@@ -113,17 +143,27 @@ def render(scene):
                 weights = covers(x, y)
                 if weights is None:
                     continue
-                mix = lambda values: sum(w * v for w, v in zip(weights, values))
-                color = (colors[0 if provoking == "first" else -1] if flat
-                         else [mix(part) for part in zip(*colors)])
-                depth = (mix([c[2] for c in corners]) + 1) / 2
-                pixels[y * width + x] = color
+                mix = lambda parts, values: sum(w * v for w, v in zip(parts, values))
+                in_clip_space, inverse_w = perspective(weights, corners)
+                if way == "flat":
+                    color = colors[0 if provoking == "first" else -1]
+                else:
+                    parts = in_clip_space if way == "smooth" else weights
+                    color = [mix(parts, values) for values in zip(*colors)]
+                depth = (mix(weights, [c[2] for c in corners]) + 1) / 2
+                pixels[y * width + x], depths[y * width + x] = color, depth
                 fragments.append({"x": x, "y": y, "primitive": primitive,
                                   "depth": float(depth), "color": [float(n) for n in color]})
+                if "coordinates" in scene.get("details", []):
+                    fragments[-1]["coordinates"] = [x + 0.5, y + 0.5, float(depth),
+                                                    float(inverse_w)]
             primitive += 1
     # round() takes the nearest integer, and the even one of two.
     unorm = [round(255 * min(max(Fraction(n), 0), 1)) for pixel in pixels for n in pixel]
-    return {"pixels": unorm, "fragments": fragments}
+    result = {"pixels": unorm, "fragments": fragments}
+    if kind:
+        result["depths"] = [stored(depth, kind) for depth in depths]
+    return result
 
 
 def answer(scene):
@@ -132,6 +172,8 @@ def answer(scene):
     # 14.5.2.1: a width is rounded to a whole number of pixels.
     if any(d["primitive"].startswith("line") and d["line_width"] >= 1.5 for d in scene["draws"]):
         return {"not_run": "this example draws lines of width 1"}
+    if scene["target"].get("depth") not in (None, "depth16", "depth24", "depth32f"):
+        return {"not_run": "this example has no such depth buffer"}
     return render(scene)
 
 

@@ -34,7 +34,10 @@ function valuesCard(v, pick) {
           "pixel (" + worst.x + ", " + worst.y + ")"),
         " component " + worst.component + ", " + short(worst.ulp) + " ULP: exact ",
         h("span.mono", {}, short(worst.exact)), ", rendered ",
-        h("span.mono", {}, short(worst.rendered)))),
+        h("span.mono", {}, short(worst.rendered))),
+      h("p", {}, "Mean: " + short(v.mean_ulp) + " ULP over all " +
+        v.components.toLocaleString("en") + " components." + (v.relative ? " At most " +
+        short(v.relative) + " of the attribute's range over the vertices." : ""))),
     v.histogram.length > 0 && h("div", {}, histogramOf(v.histogram),
       h("small.faint", {}, "components by error, ULP")));
 }

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
+#include "casefile/float_numeral.h"
 #include "casefile/numbers.h"
 #include "casefile/text.h"
 #include "exact/numeral.h"
@@ -32,6 +34,23 @@ AxisValue number_value(Fixed amount) {
   return value;
 }
 
+// Whether a text is a float32 number that no coordinate can be: too fine or too large for one.
+std::optional<float> beyond_coordinates(std::string_view text) {
+  const auto number = parse_float32(text);
+  if (!number || !number->exact || !(std::fabs(number->value) <= kMaxColor)) return std::nullopt;
+  const auto numeral = parse_numeral(text);
+  const Fixed* fixed = std::get_if<Fixed>(&numeral);
+  const bool fits = fixed != nullptr && *fixed >= kSwept.low && *fixed <= kSwept.high;
+  return fits ? std::nullopt : std::optional(number->value);
+}
+
+AxisValue float_value(float number) {
+  AxisValue value{short_decimal(number), {}, {}};
+  value.node.kind = JsonKind::number;
+  value.node.text = exact_decimal(number);
+  return value;
+}
+
 std::string indexed(std::size_t index) {
   return fmt::format("#{}", index);
 }
@@ -48,6 +67,7 @@ std::optional<AxisValue> read_axis_value(const Place& place, std::size_t index, 
                    "write a number, a numeral, a word, true or false, or a colour");
       return std::nullopt;
     }
+    if (const auto number = beyond_coordinates(node.text)) return float_value(*number);
   }
   const auto amount = read_coordinate(place, "a value of an axis", kSwept, findings);
   if (!amount) return std::nullopt;
@@ -87,8 +107,9 @@ std::optional<Fixed> read_end(const ObjectReader& object, const char* name, Find
 
 std::string shown(const JsonNode& node) {
   if (node.kind == JsonKind::boolean) return node.truth ? "true" : "false";
-  const auto number = parse_numeral(node.text);
-  if (const auto* value = std::get_if<Fixed>(&number)) return to_decimal(*value);
+  if (const auto number = beyond_coordinates(node.text)) return short_decimal(*number);
+  const auto numeral = parse_numeral(node.text);
+  if (const auto* value = std::get_if<Fixed>(&numeral)) return to_decimal(*value);
   return node.text;
 }
 

@@ -2,8 +2,9 @@
 //
 // Reads the values of a sweep's axis in the three forms that a file may give them.
 //
-// Numbers are exact numerals of magnitude 16384 at most; what they may be where they go is checked
-// by the reader of that place. The same holds for words, colours and points.
+// Numbers are exact numerals of magnitude 16384 at most, or, in a list of values that are set,
+// float32 numbers of magnitude 2^64 at most; what they may be where they go is checked by the
+// reader of that place. The same holds for words, colours and points.
 #pragma once
 
 #include <vector>

@@ -6,13 +6,16 @@
 #include <algorithm>
 
 #include "casefile/text.h"
+#include "casefile/transform.h"
+#include "casefile/variants.h"
 
 namespace edgecase {
 namespace {
 
 const Keys kCaseKeys{{"title", "rules", "target", "draws"},
-                     {"$schema", "why", "spec", "origin", "tags", "expect", "sweep", "variants"},
-                     {"textures", "transform", "mesh"}};
+                     {"$schema", "why", "spec", "origin", "tags", "details", "transform", "expect",
+                      "sweep", "variants"},
+                     {"textures"}};
 
 bool is_word(std::string_view word, bool dashes) {
   return !word.empty() && std::all_of(word.begin(), word.end(), [&](char c) {
@@ -97,6 +100,37 @@ void read_words_of_case(const ObjectReader& object, std::span<const std::string>
   if (const auto tags = object.find("tags")) result.tags = read_tags(*tags, findings);
 }
 
+Details read_details(const Place& place, Findings& findings) {
+  const Names names{{"coordinates", "derivatives"}, {}};
+  const std::vector<std::string> given =
+      read_words(place, "details", findings, [&](const Place& item, const std::string&) {
+        read_choice(item, "a detail", names, findings);
+      });
+  if (place.node->kind == JsonKind::array && place.node->children.empty())
+    findings.add(place, "details are empty",
+                 "name one of " + join_names(names.allowed) + ", or remove the key");
+  const auto asked = [&](const char* name) {
+    return std::find(given.begin(), given.end(), name) != given.end();
+  };
+  return {asked("coordinates"), asked("derivatives")};
+}
+
+void read_scene(const ObjectReader& object, MeshShelf& meshes, Findings& findings,
+                CaseFields& fields) {
+  if (const auto place = object.find("target")) fields.target = read_target(*place, findings);
+  if (const auto place = object.find("details")) fields.details = read_details(*place, findings);
+  const std::size_t before = findings.size();
+  std::optional<Transform> transform;
+  if (const auto place = object.find("transform")) transform = read_transform(*place, findings);
+  if (findings.size() != before) transform.reset();
+  fields.draws_place = object.find("draws");
+  if (!fields.draws_place) return;
+  fields.draws =
+      read_draws(*fields.draws_place, transform ? &*transform : nullptr, meshes, findings);
+  if (fields.target.y_down && findings.empty())
+    turn_y_up(fields.target, fields.draws, *fields.draws_place, findings);
+}
+
 }  // namespace
 
 bool is_rule_id(std::string_view name) {
@@ -112,15 +146,13 @@ bool is_rule_id(std::string_view name) {
 }
 
 CaseFields read_case_fields(const JsonNode& root, std::span<const std::string> known_rules,
-                            Findings& findings) {
+                            MeshShelf& meshes, Findings& findings) {
   CaseFields fields;
   const ObjectReader object({&root, ""}, "a case", kCaseKeys, findings);
   read_words_of_case(object, known_rules, findings, fields.words);
-  if (const auto place = object.find("target")) fields.target = read_target(*place, findings);
   if (const auto place = object.find("expect"))
     expect_kind(*place, JsonKind::array, "expect", findings);
-  fields.draws_place = object.find("draws");
-  if (fields.draws_place) fields.draws = read_draws(*fields.draws_place, findings);
+  read_scene(object, meshes, findings, fields);
   return fields;
 }
 

@@ -24,13 +24,15 @@ bool is_rule_id(std::string_view name);
 struct CaseFields {
   Case words;  // title to tags
   TargetFields target;
+  Details details;
   std::vector<DrawFields> draws;
   std::optional<Place> draws_place;  // none: the file has no draws
 };
 
 // Reads a tree. What is wrong is added to `findings`, and the result is then incomplete. Of
 // "sweep", "variants" and "expect" only their presence is looked at.
+// Where the file counts y downwards, the result no longer does.
 CaseFields read_case_fields(const JsonNode& root, std::span<const std::string> known_rules,
-                            Findings& findings);
+                            MeshShelf& meshes, Findings& findings);
 
 }  // namespace edgecase

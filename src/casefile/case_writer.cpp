@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "casefile/float_numeral.h"
 #include "casefile/json_layout.h"
 #include "casefile/loader.h"
 #include "casefile/text.h"
@@ -71,6 +72,8 @@ JsonPiece target_piece(const Scene& scene) {
     members.push_back(named("samples", integer(target.samples)));
   if (target.color != standard.color)
     members.push_back(named("color", json_string(name_of(target.color))));
+  if (target.depth != standard.depth)
+    members.push_back(named("depth", json_string(name_of(target.depth))));
   if (target.surface != standard.surface)
     members.push_back(named("surface", json_string(name_of(target.surface))));
   members.push_back(named("clear", color(target.clear)));
@@ -80,8 +83,25 @@ JsonPiece target_piece(const Scene& scene) {
 
 JsonPiece position(const Vertex& vertex) {
   Pieces coordinates{coordinate(vertex.position.x), coordinate(vertex.position.y)};
-  if (vertex.z != Fixed()) coordinates.push_back(coordinate(vertex.z));
+  if (vertex.z != Fixed() || vertex.w != 1) coordinates.push_back(coordinate(vertex.z));
+  if (vertex.w != 1) coordinates.push_back(json_scalar(exact_decimal(vertex.w)));
   return json_array(std::move(coordinates));
+}
+
+JsonPiece clip_piece(const ClipPosition& clip) {
+  Pieces coordinates;
+  for (const float value : {clip.x, clip.y, clip.z, clip.w})
+    coordinates.push_back(json_scalar(exact_decimal(value + 0.0F)));
+  return json_array(std::move(coordinates));
+}
+
+JsonPiece vertex_piece(const Vertex& vertex, bool with_color) {
+  if (!with_color && !vertex.clip) return position(vertex);
+  Pieces members;
+  members.push_back(vertex.clip ? named("clip", clip_piece(*vertex.clip))
+                                : named("at", position(vertex)));
+  if (with_color) members.push_back(named("color", color(vertex.color)));
+  return json_object(std::move(members));
 }
 
 std::optional<JsonPiece> state_piece(const Draw& draw) {
@@ -105,13 +125,7 @@ JsonPiece draw_piece(const Draw& draw) {
     return vertex.color == draw.vertices.front().color;
   });
   Pieces vertices;
-  for (const Vertex& vertex : draw.vertices) {
-    if (one_color)
-      vertices.push_back(position(vertex));
-    else
-      vertices.push_back(
-          json_object({named("at", position(vertex)), named("color", color(vertex.color))}));
-  }
+  for (const Vertex& vertex : draw.vertices) vertices.push_back(vertex_piece(vertex, !one_color));
   JsonPiece list = json_array(std::move(vertices));
   if (one_color) list.together = static_cast<std::size_t>(vertices_of(kind_of(draw.primitive)));
   Pieces members{named("primitive", json_string(name_of(draw.primitive))),
@@ -120,6 +134,13 @@ JsonPiece draw_piece(const Draw& draw) {
     members.push_back(named("color", color(draw.vertices.front().color)));
   if (auto state = state_piece(draw)) members.push_back(named("state", std::move(*state)));
   return json_object(std::move(members));
+}
+
+JsonPiece details_piece(Details details) {
+  Pieces items;
+  if (details.coordinates) items.push_back(json_string("coordinates"));
+  if (details.derivatives) items.push_back(json_string("derivatives"));
+  return json_array(std::move(items));
 }
 
 void add_word(const char* name, const std::string& word, Pieces& members) {
@@ -136,6 +157,7 @@ JsonPiece case_piece(const Scene& scene, const CaseWords& words) {
   add_word("origin", words.origin, members);
   if (!words.tags.empty()) members.push_back(named("tags", strings(words.tags)));
   members.push_back(named("target", target_piece(scene)));
+  if (scene.details.any()) members.push_back(named("details", details_piece(scene.details)));
   Pieces draws;
   for (const Draw& draw : scene.draws) draws.push_back(draw_piece(draw));
   JsonPiece list = json_array(std::move(draws));

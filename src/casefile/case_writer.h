@@ -28,14 +28,16 @@ struct CaseWords {
 struct CaseText {
   std::string text;  // ends with a line break; empty exactly when there are diagnostics
   // What a case file cannot say, or the loader refuses: several samples, a vertex outside the
-  // viewport or too fine for it, a colour outside [0, 1], words against the format. Lines and
-  // pointers are those of the text that would have been.
+  // viewport or too fine for it, clip coordinates outside the clip volume, a clear colour outside
+  // [0, 1], words against the format. Lines and pointers are those of the text that would have
+  // been.
   std::vector<Diagnostic> diagnostics;
 };
 
 // The same scene and words give the same text, on every machine. Coordinates are exact: decimals up
-// to four fraction bits ("10.5"), strings beyond ("10+3/256"). The text has been read back: a text
-// that is returned means `scene`.
+// to four fraction bits ("10.5"), strings beyond ("10+3/256"); w and clip coordinates with all of
+// their digits. What a transform or a mesh made is written as it came out. The text has been read
+// back: a text that is returned means `scene`.
 CaseText case_text(const Scene& scene, const CaseWords& words);
 
 }  // namespace edgecase

@@ -1,79 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "casefile/mesh.h"
 #include "casefile/numbers.h"
 #include "casefile/scene_reader.h"
+#include "casefile/transform.h"
+#include "casefile/vertex_reader.h"
 
 namespace edgecase {
 namespace {
 
-const Keys kDrawKeys{{"primitive", "vertices"}, {"state", "color"}, {}};
+const Keys kDrawKeys{{"primitive"}, {"vertices", "mesh", "state", "color", "transform"}, {}};
 const Keys kStateKeys{
     {},
     {"interpolation", "provoking_vertex", "line_width", "point_size", "scissor"},
     {"texture", "sampler", "depth", "stencil", "blend", "cull", "polygon_offset", "sample_mask"}};
-const Keys kVertexKeys{{"at"}, {"color"}, {"uv", "attributes"}};
 
 const Names kPrimitiveNames{
     {"points", "lines", "line_strip", "line_loop", "triangles", "triangle_strip", "triangle_fan"},
     {}};
 
-constexpr FixedRange kWindowRange{Fixed::from_integer(-Fixed::kMaxCoordinate),
-                                  Fixed::from_integer(Fixed::kMaxCoordinate)};
 // Widths of lines and sizes of points, pixels: every multiple of 2^-16 above 0.
 constexpr FixedRange kSizeRange{Fixed::from_raw(1), Fixed::from_integer(64)};
-constexpr FixedRange kDepthRange{Fixed::from_integer(-1), Fixed::from_integer(1)};
-
-// [x, y], [x, y, z] or [x, y, z, w].
-void read_position(const Place& place, Findings& findings, VertexFields& fields) {
-  if (!expect_kind(place, JsonKind::array, "a vertex's position", findings)) return;
-  const std::size_t count = place.node->children.size();
-  if (count < 2 || count > 4) {
-    findings.add(place, fmt::format("a vertex takes 2 to 4 coordinates, and this has {}", count),
-                 "write [x, y], [x, y, z] or [x, y, z, 1]");
-    return;
-  }
-  Vertex& vertex = fields.vertex;
-  fields.x = place.child(0);
-  fields.y = place.child(1);
-  vertex.position.x = read_coordinate(*fields.x, "x", kWindowRange, findings).value_or(Fixed());
-  vertex.position.y = read_coordinate(*fields.y, "y", kWindowRange, findings).value_or(Fixed());
-  if (count > 2)
-    vertex.z = read_coordinate(place.child(2), "z", kDepthRange, findings).value_or(Fixed());
-  if (count < 4) return;
-  const Place w_place = place.child(3);
-  const auto w = read_coordinate(w_place, "w", kWindowRange, findings);
-  if (w && *w != Fixed::from_integer(1))
-    findings.add(w_place, "w other than 1 is not supported yet", "write 1, or leave w out");
-}
-
-VertexFields read_vertex(const Place& place, const std::optional<Color>& draw_color,
-                         Findings& findings) {
-  VertexFields fields;
-  if (draw_color) {
-    fields.vertex.color = *draw_color;
-    fields.has_color = true;
-  }
-  if (place.node->kind != JsonKind::object) {
-    if (place.node->kind == JsonKind::array) {
-      read_position(place, findings, fields);
-    } else {
-      findings.add(
-          place,
-          fmt::format("a vertex must be an array or an object, not {}", describe(*place.node)),
-          "write [x, y] or {\"at\": [x, y]}");
-    }
-    return fields;
-  }
-  const ObjectReader object(place, "a vertex", kVertexKeys, findings);
-  if (const auto at = object.find("at")) read_position(*at, findings, fields);
-  if (const auto color = object.find("color")) {
-    fields.vertex.color =
-        read_color(*color, "a vertex's colour", findings).value_or(fields.vertex.color);
-    fields.has_color = true;
-  }
-  return fields;
-}
+constexpr Float32Range kColorRange{-kMaxColor, kMaxColor};
 
 void read_state(const Place& place, Draw& draw, Findings& findings) {
   const ObjectReader object(place, "a state", kStateKeys, findings);
@@ -122,7 +71,50 @@ void read_vertices(const Place& place, std::optional<Primitive> primitive,
     vertices.push_back(read_vertex(place.child(i), color, findings));
 }
 
-DrawFields read_draw(const Place& place, Findings& findings) {
+// What a draw's reader needs to know of the case.
+struct Context {
+  const Transform* transform = nullptr;
+  MeshShelf& meshes;
+  TransformUse use;  // of the case's transform, by the draws that have none of their own
+};
+
+void read_mesh(const Place& place, std::optional<Primitive> primitive,
+               const std::optional<Color>& color, MeshShelf& meshes, Findings& findings,
+               std::vector<VertexFields>& vertices) {
+  if (primitive && *primitive != Primitive::triangles)
+    findings.add(place, fmt::format("a mesh cannot be drawn as {}", name_of(*primitive)),
+                 "write \"primitive\": \"triangles\"");
+  if (const Mesh* mesh = meshes.find(place, findings))
+    vertices = mesh_vertices(*mesh, place, color);
+}
+
+// A part of a transform that has nothing to act on would pass for tested.
+void check_use(const Transform& transform, TransformUse use, Findings& findings) {
+  if (transform.affine_place && !use.affine)
+    findings.add(*transform.affine_place, "affine maps move window coordinates, and none are given",
+                 "give vertices as [x, y] or \"at\", or remove it");
+  if (transform.has_matrix && !use.matrix)
+    findings.add(transform.place,
+                 "model, view and projection are for object space, and no vertex lies in it",
+                 "give vertices as \"object\" or a mesh, or remove them");
+}
+
+void transform_draw(const std::optional<Place>& own, Context& context, Findings& findings,
+                    std::vector<VertexFields>& vertices) {
+  const std::size_t before = findings.size();
+  if (own) {
+    const Transform transform = read_transform(*own, findings);
+    if (findings.size() != before) return;
+    check_use(transform, transform_vertices(&transform, vertices, findings), findings);
+    return;
+  }
+  const TransformUse use = transform_vertices(context.transform, vertices, findings);
+  context.use.affine = context.use.affine || use.affine;
+  context.use.matrix = context.use.matrix || use.matrix;
+}
+
+DrawFields read_draw(const Place& place, Context& context, Findings& findings) {
+  const std::size_t before = findings.size();
   DrawFields fields;
   const ObjectReader object(place, "a draw", kDrawKeys, findings);
   std::optional<Primitive> known;
@@ -133,15 +125,31 @@ DrawFields read_draw(const Place& place, Findings& findings) {
   if (const auto state = object.find("state")) read_state(*state, fields.draw, findings);
   std::optional<Color> color;
   if (const auto given = object.find("color"))
-    color = read_color(*given, "a draw's colour", findings);
-  if (const auto vertices = object.find("vertices"))
+    color = read_color(*given, "a draw's colour", kColorRange, findings);
+  const auto vertices = object.find("vertices");
+  const auto mesh = object.find("mesh");
+  if (vertices && mesh)
+    findings.add(place, "a draw has both \"vertices\" and \"mesh\"", "give exactly one of the two");
+  else if (vertices)
     read_vertices(*vertices, known, color, findings, fields.vertices);
+  else if (mesh)
+    read_mesh(*mesh, known, color, context.meshes, findings, fields.vertices);
+  else if (object.valid())
+    findings.add(place, "a draw lacks \"vertices\"", "add \"vertices\": [...], or a \"mesh\"");
+  const auto transform = object.find("transform");
+  // Vertices that were refused have stand-in numbers: nothing can be said of where they land.
+  if (findings.size() == before)
+    transform_draw(transform, context, findings, fields.vertices);
+  else if (transform)
+    read_transform(*transform, findings);
   return fields;
 }
 
 }  // namespace
 
-std::vector<DrawFields> read_draws(const Place& place, Findings& findings) {
+std::vector<DrawFields> read_draws(const Place& place, const Transform* transform,
+                                   MeshShelf& meshes, Findings& findings) {
+  const std::size_t before = findings.size();
   std::vector<DrawFields> draws;
   if (!expect_kind(place, JsonKind::array, "the list of draws", findings)) return draws;
   const std::size_t count = place.node->children.size();
@@ -149,14 +157,16 @@ std::vector<DrawFields> read_draws(const Place& place, Findings& findings) {
     findings.add(place, fmt::format("a case has {} draws", count),
                  fmt::format("write 1 to {} draws", kMaxDraws));
   }
+  Context context{transform, meshes, {}};
   std::size_t vertices = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    draws.push_back(read_draw(place.child(i), findings));
+    draws.push_back(read_draw(place.child(i), context, findings));
     vertices += draws.back().vertices.size();
   }
   if (vertices > kMaxVertices)
     findings.add(place, fmt::format("a case has {} vertices", vertices),
                  fmt::format("write {} at most, over all draws", kMaxVertices));
+  if (transform && findings.size() == before) check_use(*transform, context.use, findings);
   return draws;
 }
 

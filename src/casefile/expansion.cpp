@@ -10,6 +10,7 @@
 #include "casefile/expect_reader.h"
 #include "casefile/expect_when.h"
 #include "casefile/fault_sheet.h"
+#include "casefile/mesh.h"
 #include "casefile/sweep.h"
 #include "casefile/variants.h"
 
@@ -75,7 +76,8 @@ class Expansion {
         scene_(without_lists(root)),
         origin_(origin),
         plan_(std::move(plan)),
-        findings_(findings) {}
+        findings_(findings),
+        meshes_(origin.file) {}
 
   std::vector<Case> run();
   // Reads the file as it stands, for its other faults: its sweep cannot be used.
@@ -94,6 +96,7 @@ class Expansion {
   const CaseOrigin& origin_;
   Plan plan_;
   Findings& findings_;
+  MeshShelf meshes_;
   FaultSheet sheet_;
   std::set<std::string> notes_;  // told already
   std::set<std::size_t> used_;   // drawings that hold for some case
@@ -115,7 +118,7 @@ std::vector<Case> Expansion::run() {
 }
 
 void Expansion::read_as_written() {
-  read_case_fields(root_, origin_.known_rules, findings_);
+  read_case_fields(root_, origin_.known_rules, meshes_, findings_);
   const auto expect = member_of(root_, "expect");
   if (!expect || expect->node->kind != JsonKind::array) return;
   for (std::size_t i = 0; i < expect->node->children.size(); ++i)
@@ -126,7 +129,7 @@ void Expansion::expand(const Combination& combination) {
   JsonNode tree = scene_;
   Findings findings(findings_.file());
   substitute(plan_.sweep, combination, tree, findings);
-  const CaseFields fields = read_case_fields(tree, origin_.known_rules, findings);
+  const CaseFields fields = read_case_fields(tree, origin_.known_rules, meshes_, findings);
   if (findings.empty()) check_variants(plan_.variants, fields.draws, findings);
   Case base = make_case(fields, combination, Image{}, findings);
   const bool sound = findings.empty();
@@ -167,6 +170,7 @@ Case Expansion::make_case(const CaseFields& fields, const Combination& combinati
   }
   if (fields.draws_place)
     result.scene = complete_scene(target, draws, result.id, *fields.draws_place, findings);
+  result.scene.details = fields.details;
   return result;
 }
 

@@ -74,6 +74,10 @@ void Findings::add_key(const Place& place, std::string message, std::string reme
 }
 
 void Findings::note(const Place& place, std::string message) {
+  // Of a mesh's vertices, one note is enough.
+  const bool told =
+      !notes_.empty() && notes_.back().pointer == place.pointer && notes_.back().message == message;
+  if (told) return;
   notes_.push_back({file_, place.node->line, place.pointer, std::move(message), ""});
 }
 

@@ -37,7 +37,7 @@ class Findings {
   // The same for the key of a member.
   void add_key(const Place& place, std::string message, std::string remedy);
   void add(Diagnostic diagnostic) { diagnostics_.push_back(std::move(diagnostic)); }
-  // Tells something that is no fault.
+  // Tells something that is no fault; once, when the same is told again at once.
   void note(const Place& place, std::string message);
   void note(Diagnostic note) { notes_.push_back(std::move(note)); }
 

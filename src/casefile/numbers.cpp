@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstddef>
 #include <string>
 #include <variant>
 
+#include "casefile/float_numeral.h"
+#include "casefile/text.h"
 #include "exact/numeral.h"
 
 namespace edgecase {
@@ -22,16 +23,15 @@ void add_numeral_error(const Place& place, std::string_view what, const NumeralE
   findings.add(place, fmt::format("{}: {}", what, error.message.substr(0, cut)), remedy);
 }
 
-// The float32 nearest to a JSON number inside [0, 1], or none when it lies outside.
-std::optional<float> nearest_unit_float(const std::string& text) {
-  const char* end = text.data() + text.size();
-  double wide = 0;
-  if (std::from_chars(text.data(), end, wide).ec != std::errc()) return std::nullopt;
-  if (!(wide >= 0 && wide <= 1)) return std::nullopt;
-  float value = 0;
-  // Below the smallest float32 nothing but zero is near.
-  if (std::from_chars(text.data(), end, value).ec != std::errc()) value = 0;
-  return value + 0.0F;  // -0 becomes 0
+constexpr std::size_t kMostCharacters = 200;  // of a float32 number with all its digits
+
+bool is_inside(double value, Float32Range range) {
+  return value >= static_cast<double>(range.low) && value <= static_cast<double>(range.high);
+}
+
+std::string range_remedy(Float32Range range) {
+  return fmt::format("write a number from {} to {}", exact_decimal(range.low),
+                     exact_decimal(range.high));
 }
 
 }  // namespace
@@ -82,7 +82,55 @@ std::optional<int> read_integer(const Place& place, std::string_view what, Integ
   return static_cast<int>(value->floor());
 }
 
-std::optional<Color> read_color(const Place& place, std::string_view what, Findings& findings) {
+bool expect_count(const Place& place, std::string_view what, std::size_t count,
+                  Findings& findings) {
+  if (!expect_kind(place, JsonKind::array, what, findings)) return false;
+  if (place.node->children.size() == count) return true;
+  findings.add(place, fmt::format("{} has {} numbers", what, place.node->children.size()),
+               fmt::format("write {}", count));
+  return false;
+}
+
+std::optional<float> read_float32(const Place& place, std::string_view what, Float32Range range,
+                                  Float32Kind kind, Findings& findings) {
+  const JsonNode& node = *place.node;
+  if (node.kind != JsonKind::number && node.kind != JsonKind::string) {
+    findings.add(place,
+                 fmt::format("{} must be a number or a numeral, not {}", what, describe(node)),
+                 "write a number like 10.5, or a string like \"21/2\" or \"~0.1\"");
+    return std::nullopt;
+  }
+  const std::string_view text = node.text;
+  if (text.size() > kMostCharacters) {
+    findings.add(place, fmt::format("{} has {} characters", what, text.size()),
+                 fmt::format("write {} at most", kMostCharacters));
+    return std::nullopt;
+  }
+  const bool nearest = text.starts_with('~');
+  const auto parsed = parse_float32(nearest ? text.substr(1) : text);
+  if (!parsed) {
+    findings.add(place, fmt::format("{}: {} is no float32 number", what, quote(text)),
+                 range_remedy(range));
+    return std::nullopt;
+  }
+  if (!parsed->exact && !nearest && kind == Float32Kind::exact) {
+    findings.add(
+        place, fmt::format("{}: {} is no float32 number", what, text),
+        fmt::format("write the nearest, {}, or \"~{}\"", exact_decimal(parsed->value), text));
+    return std::nullopt;
+  }
+  if (!is_inside(parsed->wide, range)) {
+    findings.add(place, fmt::format("{} is {}, out of range", what, text), range_remedy(range));
+    return std::nullopt;
+  }
+  if (nearest)
+    findings.note(place,
+                  fmt::format("{}: {} is taken as {}", what, text, exact_decimal(parsed->value)));
+  return parsed->value;
+}
+
+std::optional<Color> read_color(const Place& place, std::string_view what, Float32Range range,
+                                Findings& findings) {
   if (!expect_kind(place, JsonKind::array, what, findings)) return std::nullopt;
   const std::size_t count = place.node->children.size();
   if (count != 3 && count != 4) {
@@ -99,12 +147,13 @@ std::optional<Color> read_color(const Place& place, std::string_view what, Findi
       sound = false;
       continue;
     }
-    const std::optional<float> value = nearest_unit_float(component.node->text);
-    if (!value) {
+    auto parsed = parse_float32(component.node->text);
+    if (parsed && !is_inside(parsed->wide, range)) parsed.reset();
+    if (!parsed)
       findings.add(component,
                    fmt::format("a component of {} is {}, out of range", what, component.node->text),
-                   "write a number from 0 to 1");
-    }
+                   range_remedy(range));
+    const std::optional<float> value = parsed ? std::optional(parsed->value) : std::nullopt;
     color[i] = value.value_or(0);
     sound = sound && value.has_value();
   }

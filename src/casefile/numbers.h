@@ -4,7 +4,10 @@
 // digits as written, never by a double that has rounded them already.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "casefile/fields.h"
@@ -34,7 +37,46 @@ struct IntegerRange {
 std::optional<int> read_integer(const Place& place, std::string_view what, IntegerRange range,
                                 Findings& findings);
 
-// [r, g, b] or [r, g, b, a], each 0 to 1 and taken to the nearest float32; alpha is 1 if not said.
-std::optional<Color> read_color(const Place& place, std::string_view what, Findings& findings);
+// A closed range of float32 numbers.
+struct Float32Range {
+  float low = 0;
+  float high = 0;
+};
+
+// What becomes of a number that is no float32 number: it is refused, unless "~" asks for the
+// nearest, which leaves a note; or the nearest is taken, as for all that is computed with anyway.
+enum class Float32Kind { exact, nearest };
+
+// A decimal or fraction (casefile/float_numeral.h), as a JSON number or a string, inside `range`.
+std::optional<float> read_float32(const Place& place, std::string_view what, Float32Range range,
+                                  Float32Kind kind, Findings& findings);
+
+// Is it an array of so many items? Adds a finding otherwise.
+bool expect_count(const Place& place, std::string_view what, std::size_t count, Findings& findings);
+
+// N of them in an array.
+template <std::size_t N>
+std::optional<std::array<float, N>> read_float32s(const Place& place, std::string_view what,
+                                                  Float32Range range, Float32Kind kind,
+                                                  Findings& findings) {
+  if (!expect_count(place, what, N, findings)) return std::nullopt;
+  std::array<float, N> values{};
+  bool sound = true;
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto value =
+        read_float32(place.child(i), "a number of " + std::string(what), range, kind, findings);
+    values[i] = value.value_or(0);
+    sound = sound && value.has_value();
+  }
+  if (!sound) return std::nullopt;
+  return values;
+}
+
+constexpr float kMaxColor = 18446744073709551616.0F;  // 2^64: a component's largest magnitude
+
+// [r, g, b] or [r, g, b, a], each inside `range` and taken to the nearest float32; alpha is 1 if
+// not said.
+std::optional<Color> read_color(const Place& place, std::string_view what, Float32Range range,
+                                Findings& findings);
 
 }  // namespace edgecase

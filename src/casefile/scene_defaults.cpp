@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "casefile/clip_space.h"
 #include "casefile/salted_colors.h"
 #include "casefile/scene_reader.h"
 #include "casefile/viewport.h"
+#include "exact/numeral.h"
 
 namespace edgecase {
 namespace {
@@ -26,21 +30,45 @@ std::vector<Draw> fill_colors(const std::vector<DrawFields>& draws, std::uint64_
   return result;
 }
 
-void check_coordinate(const std::optional<Place>& place, Fixed value, ViewportSide side, char axis,
+void check_coordinate(const std::optional<Place>& place, const std::optional<Inexactness>& fault,
                       Findings& findings) {
-  if (!place) return;
-  if (const auto fault = find_inexactness(value, side, axis))
-    findings.add(*place, fault->message, fault->remedy);
+  if (place && fault) findings.add(*place, fault->message, fault->remedy);
 }
 
-void check_exactness(const std::vector<DrawFields>& draws, const Viewport& viewport,
-                     Findings& findings) {
+// A vertex in window coordinates reaches OpenGL as written.
+void check_exactness(const VertexFields& fields, const Viewport& viewport, Findings& findings) {
+  const Vertex& vertex = fields.vertex;
+  const Point at = vertex.position;
   const ViewportSide columns{viewport.x, viewport.width};
   const ViewportSide rows{viewport.y, viewport.height};
-  for (const DrawFields& draw : draws) {
-    for (const VertexFields& fields : draw.vertices) {
-      check_coordinate(fields.x, fields.vertex.position.x, columns, 'x', findings);
-      check_coordinate(fields.y, fields.vertex.position.y, rows, 'y', findings);
+  check_coordinate(fields.x, find_inexactness(at.x, columns, 'x', vertex.w), findings);
+  check_coordinate(fields.y, find_inexactness(at.y, rows, 'y', vertex.w), findings);
+  check_coordinate(fields.z, find_depth_inexactness(vertex.z, vertex.w), findings);
+}
+
+// Where clip coordinates land; false, and a finding, where that is out of range.
+bool place_vertex(const Place& place, const Viewport& viewport, Vertex& vertex,
+                  Findings& findings) {
+  place_clip_vertex(viewport, vertex);
+  const Point at = vertex.position;
+  if (at.x.in_coordinate_range() && at.y.in_coordinate_range()) return true;
+  findings.add(
+      place,
+      fmt::format("the vertex lands at ({}, {}), out of range", to_decimal(at.x), to_decimal(at.y)),
+      fmt::format("use a viewport within -{0} to {0}", Fixed::kMaxCoordinate));
+  return false;
+}
+
+void place_vertices(const std::vector<DrawFields>& draws, Scene& scene, Findings& findings) {
+  for (std::size_t d = 0; d < draws.size(); ++d) {
+    for (std::size_t i = 0; i < draws[d].vertices.size(); ++i) {
+      const VertexFields& fields = draws[d].vertices[i];
+      if (!fields.vertex.clip) {
+        check_exactness(fields, scene.viewport, findings);
+        continue;
+      }
+      Vertex& vertex = scene.draws[d].vertices[i];
+      if (!place_vertex(fields.place, scene.viewport, vertex, findings) && fields.of_mesh) break;
     }
   }
 }
@@ -65,7 +93,7 @@ Scene complete_scene(const TargetFields& target, const std::vector<DrawFields>& 
     return scene;
   }
   scene.viewport = *viewport;
-  check_exactness(draws, scene.viewport, findings);
+  place_vertices(draws, scene, findings);
   return scene;
 }
 

@@ -3,8 +3,9 @@
 // Reads what a case draws: `target` and `draws` to a Scene, defaults filled in.
 //
 // Defaults that depend on the whole scene are filled last: colours that the file leaves open
-// (casefile/salted_colors.h) and the viewport (casefile/viewport.h). Only a scene without any other
-// fault is then checked for vertices that would not reach OpenGL as written.
+// (casefile/salted_colors.h), the viewport (casefile/viewport.h), and where clip coordinates land
+// in it. Only a scene without any other fault is then checked for vertices that would not reach
+// OpenGL as written.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "casefile/fields.h"
+#include "casefile/matrices.h"
 #include "model/scene.h"
 
 namespace edgecase {
@@ -28,6 +30,7 @@ struct TargetFields {
   Target target;
   std::optional<Color> clear;
   std::optional<Viewport> viewport;
+  bool y_down = false;  // the file counts y from the target's upper edge downwards
 };
 
 TargetFields read_target(const Place& place, Findings& findings);
@@ -41,15 +44,25 @@ std::optional<Viewport> read_rectangle(const Place& place, std::string_view what
 struct VertexFields {
   Vertex vertex;
   bool has_color = false;
-  std::optional<Place> x;  // places of the coordinates
+  std::optional<Vector> object;  // in object space, before `vertex.clip` was made of it
+  bool of_mesh = false;
+  Place place;             // of the vertex, or of its coordinates, or of its mesh
+  std::optional<Place> x;  // places of window coordinates
   std::optional<Place> y;
+  std::optional<Place> z;
 };
 struct DrawFields {
   Draw draw;  // without its vertices
   std::vector<VertexFields> vertices;
 };
 
-std::vector<DrawFields> read_draws(const Place& place, Findings& findings);
+class MeshShelf;
+struct Transform;
+
+// What draws share: `transform` is the case's own, for draws without one; null: there is none.
+// Reads its vertices to where they are drawn, but for what depends on the viewport.
+std::vector<DrawFields> read_draws(const Place& place, const Transform* transform,
+                                   MeshShelf& meshes, Findings& findings);
 
 // Joins both to a scene, with every default filled in. `id` salts the colours. Adds findings for
 // vertices that OpenGL could not be given exactly; `draws_place` is the place of the draws.

@@ -68,8 +68,10 @@ void set(const Move& move, JsonNode& root, Findings& findings) {
   // A position leaves the vertex its colour.
   if (move.axis->points && node->kind == JsonKind::object &&
       move.value->node.kind == JsonKind::array) {
-    for (JsonNode& member : node->children)
-      if (member.name == "at") node = &member;
+    if (JsonNode* position = find_position(*node)) {
+      position->name = "at";
+      node = position;
+    }
   }
   overwrite(*node, move.value->node);
 }

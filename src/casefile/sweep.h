@@ -7,8 +7,9 @@
 // which run side by side. A combination chooses a value for every axis; put into the file's tree,
 // it makes a case file of its own, which the ordinary reader then reads and checks.
 //
-// A value's name is what ids, "base" and "when" call it: a number's canonical decimal, a word, true
-// or false, and "#" with its index from 0 for points and colours.
+// A value's name is what ids, "base" and "when" call it: a number's canonical decimal (of a float32
+// number that is no multiple of 2^-16, the shortest), a word, true or false, and "#" with its index
+// from 0 for points and colours.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +25,7 @@
 namespace edgecase {
 
 constexpr std::size_t kMaxCases = 4096;  // of a file, and values of an axis
-constexpr int kMaxSwept = 16384;         // largest magnitude of a swept number
+constexpr int kMaxSwept = 16384;         // largest magnitude of a number that is added
 
 struct AxisValue {
   std::string name;

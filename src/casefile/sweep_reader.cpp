@@ -34,9 +34,12 @@ void read_pointer(const Place& place, Axis& axis, Findings& findings) {
   const std::string& text = place.node->text;
   const std::optional<Tokens> tokens = split_pointer(text);
   if (!tokens || tokens->size() < 2 ||
-      (tokens->front() != "target" && tokens->front() != "draws")) {
-    findings.add(place, fmt::format("{} is no pointer into the target or the draws", quote(text)),
-                 "write one like \"/draws/0/vertices/0/x\" or \"/target/width\"");
+      (tokens->front() != "target" && tokens->front() != "draws" &&
+       tokens->front() != "transform")) {
+    findings.add(
+        place,
+        fmt::format("{} is no pointer into the target, the draws or the transform", quote(text)),
+        "write one like \"/draws/0/vertices/0/x\" or \"/target/width\"");
     return;
   }
   const bool twice = std::any_of(axis.targets.begin(), axis.targets.end(),

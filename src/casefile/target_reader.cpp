@@ -7,8 +7,8 @@ namespace edgecase {
 namespace {
 
 const Keys kTargetKeys{{"width", "height"},
-                       {"samples", "color", "surface", "clear", "viewport"},
-                       {"depth", "stencil", "sample_positions", "supersample"}};
+                       {"samples", "color", "depth", "surface", "clear", "viewport", "y"},
+                       {"stencil", "sample_positions", "supersample"}};
 const Keys kRectangleKeys{{"x", "y", "width", "height"}, {}, {}};
 
 void read_into(const ObjectReader& object, const char* name, IntegerRange range, Findings& findings,
@@ -48,12 +48,17 @@ TargetFields read_target(const Place& place, Findings& findings) {
   if (const auto samples = object.find("samples")) read_samples(*samples, findings);
   if (const auto color = object.find("color"))
     read_enum(*color, "a colour format", {{"rgba8"}, {}}, findings, fields.target.color);
+  if (const auto depth = object.find("depth"))
+    read_enum(*depth, "a depth format", {{"none", "depth16", "depth24", "depth32f"}, {}}, findings,
+              fields.target.depth);
   if (const auto surface = object.find("surface"))
     read_enum(*surface, "a surface", {{"fbo", "window"}, {}}, findings, fields.target.surface);
   if (const auto clear = object.find("clear"))
-    fields.clear = read_color(*clear, "a clear colour", findings);
+    fields.clear = read_color(*clear, "a clear colour", {0, 1}, findings);
   if (const auto viewport = object.find("viewport"))
     fields.viewport = read_rectangle(*viewport, "a viewport", 1, findings);
+  if (const auto y = object.find("y"))
+    fields.y_down = read_choice(*y, "the direction of y", {{"up", "down"}, {}}, findings) == "down";
   return fields;
 }
 

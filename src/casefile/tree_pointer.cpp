@@ -50,10 +50,13 @@ JsonNode& append(JsonNode& parent, JsonKind kind, const std::string& name) {
   return parent.children.emplace_back(std::move(node));
 }
 
-// A coordinate of a vertex; z and w that the file leaves out are written in.
+// A coordinate of a vertex; z and w that the file leaves out of a window position are written in.
 JsonNode* coordinate_of(JsonNode& vertex, std::size_t index) {
-  JsonNode* position = vertex.kind == JsonKind::object ? find_member(vertex, "at") : &vertex;
+  JsonNode* position = &vertex;
+  if (vertex.kind == JsonKind::object) position = find_position(vertex);
   if (position == nullptr || position->kind != JsonKind::array) return nullptr;
+  if (position->name == "clip" || position->name == "object")
+    return index < position->children.size() ? &position->children[index] : nullptr;
   if (position->children.size() < 2) return nullptr;
   while (position->children.size() <= index) {
     const bool is_z = position->children.size() == 2;
@@ -106,6 +109,12 @@ std::optional<Tokens> split_pointer(std::string_view text) {
     start = end + 1;
   }
   return tokens;
+}
+
+JsonNode* find_position(JsonNode& vertex) {
+  for (const char* name : {"at", "clip", "object"})
+    if (JsonNode* found = find_member(vertex, name)) return found;
+  return nullptr;
 }
 
 bool is_vertex_pointer(const Tokens& tokens) {

@@ -3,8 +3,9 @@
 // JSON pointers (RFC 6901) into the tree of a case file, as sweeps use them.
 //
 // A pointer addresses the normalised case. /draws/I/vertices/J/x (y, z, w) is a coordinate in
-// whatever form the vertex is written, and z and w exist even where the file leaves them out.
-// Everything else is addressed as in the file.
+// whatever form the vertex is written: [x, y], "at", "clip" or "object" (which has no w); z and w
+// of a window position exist even where the file leaves them out. Everything else is addressed as
+// in the file.
 #pragma once
 
 #include <optional>
@@ -23,6 +24,10 @@ std::optional<Tokens> split_pointer(std::string_view text);
 
 // Is it /draws/I/vertices/J?
 bool is_vertex_pointer(const Tokens& tokens);
+
+// The member of a vertex, written as an object, that gives its place: "at", "clip" or "object"; or
+// null.
+JsonNode* find_position(JsonNode& vertex);
 
 // What a pointer that leads nowhere does: nothing, or create the missing members of objects (never
 // items of arrays). A created value is an empty object, its line that of the object round it.

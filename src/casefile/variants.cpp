@@ -57,13 +57,33 @@ Viewport octant_of(Viewport rectangle, int octant, const Target& target) {
   return rectangle;
 }
 
+// About the viewport's centre, which turns with the target. -0 becomes 0.
+void turn_clip(ClipPosition& clip, int octant) {
+  if (octant & 1) clip.x = 0.0F - clip.x;
+  if (octant & 2) clip.y = 0.0F - clip.y;
+  if (octant & 4) std::swap(clip.x, clip.y);
+}
+
 void turn_vertex(VertexFields& fields, int octant, const Target& target) {
+  if (fields.vertex.clip) {
+    turn_clip(*fields.vertex.clip, octant);
+    return;
+  }
   Point& at = fields.vertex.position;
   if (octant & 1) at.x = Fixed::from_integer(target.width) - at.x;
   if (octant & 2) at.y = Fixed::from_integer(target.height) - at.y;
   if ((octant & 4) == 0) return;
   std::swap(at.x, at.y);
   std::swap(fields.x, fields.y);
+}
+
+void settle_viewport(TargetFields& target, const std::vector<DrawFields>& draws) {
+  if (target.viewport) return;
+  const bool any = std::any_of(draws.begin(), draws.end(), [](const DrawFields& draw) {
+    return std::any_of(draw.vertices.begin(), draw.vertices.end(),
+                       [](const VertexFields& fields) { return fields.vertex.clip.has_value(); });
+  });
+  if (any) target.viewport = clip_viewport(target.target);
 }
 
 void turn(int octant, TargetFields& target, std::vector<DrawFields>& draws) {
@@ -94,38 +114,40 @@ void move_all(TargetFields& target, std::vector<DrawFields>& draws) {
   target.target.height += kStepY;
 }
 
-void check_rectangle(const std::optional<Viewport>& rectangle, const char* what, const Place& place,
-                     Findings& findings) {
+constexpr const char* kVariant = "the variant";
+
+void check_rectangle(const std::optional<Viewport>& rectangle, const char* mover, const char* what,
+                     const Place& place, Findings& findings) {
   if (!rectangle) return;
   if (std::max(std::abs(rectangle->x), std::abs(rectangle->y)) <= kMaxViewportSize) return;
-  findings.add(place,
-               fmt::format("the variant moves {} to ({}, {}), out of range", what, rectangle->x,
-                           rectangle->y),
-               fmt::format("keep corners from -{0} to {0}", kMaxViewportSize));
+  findings.add(
+      place,
+      fmt::format("{} moves {} to ({}, {}), out of range", mover, what, rectangle->x, rectangle->y),
+      fmt::format("keep corners from -{0} to {0}", kMaxViewportSize));
 }
 
-void check_vertex(const VertexFields& fields, Findings& findings) {
+void check_vertex(const VertexFields& fields, const char* mover, Findings& findings) {
   const std::pair<const std::optional<Place>&, Fixed> coordinates[] = {
       {fields.x, fields.vertex.position.x}, {fields.y, fields.vertex.position.y}};
   for (const auto& [place, value] : coordinates)
     if (place && !value.in_coordinate_range())
       findings.add(
           *place,
-          fmt::format("the variant moves a coordinate to {}, out of range", to_decimal(value)),
+          fmt::format("{} moves a coordinate to {}, out of range", mover, to_decimal(value)),
           "move the vertex nearer to the target");
 }
 
 void check_ranges(const TargetFields& target, const std::vector<DrawFields>& draws,
-                  const Place& draws_place, Findings& findings) {
+                  const char* mover, const Place& draws_place, Findings& findings) {
   if (std::max(target.target.width, target.target.height) > kMaxTargetSize)
     findings.add(draws_place,
-                 fmt::format("the variant needs a target of {} x {} pixels", target.target.width,
+                 fmt::format("{} needs a target of {} x {} pixels", mover, target.target.width,
                              target.target.height),
                  fmt::format("use a target that leaves room below {} pixels", kMaxTargetSize));
-  check_rectangle(target.viewport, "the viewport", draws_place, findings);
+  check_rectangle(target.viewport, mover, "the viewport", draws_place, findings);
   for (const DrawFields& draw : draws) {
-    check_rectangle(draw.draw.scissor, "a scissor", draws_place, findings);
-    for (const VertexFields& vertex : draw.vertices) check_vertex(vertex, findings);
+    check_rectangle(draw.draw.scissor, mover, "a scissor", draws_place, findings);
+    for (const VertexFields& vertex : draw.vertices) check_vertex(vertex, mover, findings);
   }
 }
 
@@ -202,6 +224,7 @@ void check_variants(const Variants& variants, const std::vector<DrawFields>& dra
 
 void apply_image(const Image& image, TargetFields& target, std::vector<DrawFields>& draws,
                  const Place& draws_place, Findings& findings) {
+  settle_viewport(target, draws);
   switch (image.kind) {
     case VariantKind::none:
       return;
@@ -218,7 +241,15 @@ void apply_image(const Image& image, TargetFields& target, std::vector<DrawField
       move_all(target, draws);
       break;
   }
-  check_ranges(target, draws, draws_place, findings);
+  check_ranges(target, draws, kVariant, draws_place, findings);
+}
+
+void turn_y_up(TargetFields& target, std::vector<DrawFields>& draws, const Place& draws_place,
+               Findings& findings) {
+  settle_viewport(target, draws);
+  constexpr int kMirrorY = 2;
+  turn(kMirrorY, target, draws);
+  check_ranges(target, draws, "\"y\": \"down\"", draws_place, findings);
 }
 
 }  // namespace edgecase

@@ -10,8 +10,10 @@
 //              exchanged, too
 //   translate  everything moved by (3, 2) pixels, the target as much larger
 //
-// All keep coordinates exact, since sizes of targets and steps are whole. An image is made of what
-// the file says; viewport and colours that it leaves open are filled in afterwards.
+// All keep coordinates exact, since sizes of targets and steps are whole. Clip coordinates turn
+// about the viewport's centre and move with it, so where any vertex has them the viewport is
+// settled first. An image is made of what the file says; otherwise viewport and colours that it
+// leaves open are filled in afterwards.
 #pragma once
 
 #include <string>
@@ -49,5 +51,10 @@ void check_variants(const Variants& variants, const std::vector<DrawFields>& dra
 // coordinates or viewports.
 void apply_image(const Image& image, TargetFields& target, std::vector<DrawFields>& draws,
                  const Place& draws_place, Findings& findings);
+
+// Turns a scene whose y counts from the target's upper edge downwards into the same scene with y
+// up: of vertices, clip coordinates, viewport and scissors. Adds findings as apply_image does.
+void turn_y_up(TargetFields& target, std::vector<DrawFields>& draws, const Place& draws_place,
+               Findings& findings);
 
 }  // namespace edgecase

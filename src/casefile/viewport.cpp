@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
+#include "casefile/float_numeral.h"
 #include "exact/numeral.h"
 
 namespace edgecase {
@@ -53,13 +55,23 @@ int room_of(const Draw& draw) {
   return static_cast<int>((size.ceil() + 1) / 2);
 }
 
-void demand(Fixed x, int room, Demands& demands) {
+// w without its factors of two: at most 2^24.
+std::int64_t odd_part(float w) {
+  int exponent = 0;
+  const auto bits = static_cast<std::int64_t>(std::ldexp(std::frexp(w, &exponent), 24));
+  return bits >> trailing_zeros(bits);
+}
+
+// A vertex with w asks that (x - c) w be a float32 number: |x - c| < 2^(24-f) over w's odd part.
+void demand(Fixed x, std::int64_t odd, int room, Demands& demands) {
   demands.left = std::min(demands.left, static_cast<int>(x.ceil()) - 1 - room);
   demands.right = std::max(demands.right, static_cast<int>(x.floor()) + 1 + room);
   const int fraction_bits =
       Fixed::kFractionBits - std::min(Fixed::kFractionBits, trailing_zeros(x.raw()));
-  if (fraction_bits == 0) return;
-  const Fixed reach = Fixed::from_integer(std::int64_t{1} << (kSignificantBits - fraction_bits));
+  if (fraction_bits == 0 && odd == 1) return;
+  const std::int64_t reach_of_one = std::int64_t{1}
+                                    << (kSignificantBits + Fixed::kFractionBits - fraction_bits);
+  const Fixed reach = Fixed::from_raw((reach_of_one + odd - 1) / odd);
   demands.lowest_centre =
       std::max(demands.lowest_centre, static_cast<int>((x - reach).floor()) + 1);
   demands.highest_centre =
@@ -80,6 +92,23 @@ std::optional<ViewportSide> choose_side(const Demands& demands) {
   return fallback;
 }
 
+// Is a quotient's product with w a float32 number? Both count only up to powers of two.
+std::optional<Inexactness> find_product_inexactness(std::int64_t quotient, float w,
+                                                    const std::string& shown) {
+  // At most 24 + 24 bits.
+  const std::int64_t short_quotient = quotient == 0 ? 0 : quotient >> trailing_zeros(quotient);
+  const std::int64_t odd = odd_part(w);
+  if (fits_float32(short_quotient * odd)) return std::nullopt;
+  const int spare = std::max(1, kSignificantBits - significant_bits(short_quotient));
+  return Inexactness{
+      fmt::format("{} has no exact clip coordinate with w = {}: the product has {} significant "
+                  "bits, and OpenGL's float32 holds {}",
+                  shown, short_decimal(w), significant_bits(short_quotient * odd),
+                  kSignificantBits),
+      fmt::format("use a power of two as w, or one of {} significant bits at most ({} has {})",
+                  spare, short_decimal(w), significant_bits(odd))};
+}
+
 Inexactness too_fine(std::string message) {
   return {std::move(message),
           "give the coordinate fewer fraction bits, or move it nearer to the target"};
@@ -91,14 +120,30 @@ bool fits_float32(std::int64_t n) {
   return significant_bits(n) <= kSignificantBits;
 }
 
+Viewport clip_viewport(const Target& target) {
+  const auto size = [](int pixels) {
+    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(pixels)));
+  };
+  return {0, 0, size(target.width), size(target.height)};
+}
+
+bool has_clip_vertices(const std::vector<Draw>& draws) {
+  return std::any_of(draws.begin(), draws.end(), [](const Draw& draw) {
+    return std::any_of(draw.vertices.begin(), draw.vertices.end(),
+                       [](const Vertex& vertex) { return vertex.clip.has_value(); });
+  });
+}
+
 std::optional<Viewport> choose_viewport(const Target& target, const std::vector<Draw>& draws) {
+  if (has_clip_vertices(draws)) return clip_viewport(target);
   Demands across{0, target.width, -kNoBound, kNoBound};
   Demands up{0, target.height, -kNoBound, kNoBound};
   for (const Draw& draw : draws) {
     const int room = room_of(draw);
     for (const Vertex& vertex : draw.vertices) {
-      demand(vertex.position.x, room, across);
-      demand(vertex.position.y, room, up);
+      const std::int64_t odd = odd_part(vertex.w);
+      demand(vertex.position.x, odd, room, across);
+      demand(vertex.position.y, odd, room, up);
     }
   }
   const std::optional<ViewportSide> columns = choose_side(across);
@@ -107,7 +152,8 @@ std::optional<Viewport> choose_viewport(const Target& target, const std::vector<
   return Viewport{columns->origin, rows->origin, columns->size, rows->size};
 }
 
-std::optional<Inexactness> find_inexactness(Fixed coordinate, ViewportSide side, char axis) {
+std::optional<Inexactness> find_inexactness(Fixed coordinate, ViewportSide side, char axis,
+                                            float w) {
   const Fixed low = Fixed::from_integer(side.origin);
   const Fixed high = low + Fixed::from_integer(side.size);
   const std::string shown = fmt::format("{} = {}", axis, to_decimal(coordinate));
@@ -129,12 +175,18 @@ std::optional<Inexactness> find_inexactness(Fixed coordinate, ViewportSide side,
         shown, to_decimal(coordinate - centre), significant_bits(difference), kSignificantBits));
   // Clip coordinate: difference / (size / 2). Only an odd factor of the size can spoil it.
   const std::int64_t odd = side.size >> std::countr_zero(static_cast<unsigned>(side.size));
-  if (difference % odd == 0 && fits_float32(difference / odd)) return std::nullopt;
+  if (difference % odd == 0 && fits_float32(difference / odd))
+    return find_product_inexactness(difference / odd, w,
+                                    shown + fmt::format(" in a viewport of {}", side.size));
   return Inexactness{fmt::format("{} has no exact clip coordinate in a viewport of size {}: {} / "
                                  "{} is no float32 number",
                                  shown, side.size, to_decimal(coordinate - centre),
                                  to_decimal(Fixed::from_raw((high - low).raw() / 2))),
                      "use a viewport whose sizes are powers of two, or leave the viewport out"};
+}
+
+std::optional<Inexactness> find_depth_inexactness(Fixed z, float w) {
+  return find_product_inexactness(z.raw(), w, fmt::format("z = {}", to_decimal(z)));
 }
 
 }  // namespace edgecase

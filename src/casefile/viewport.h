@@ -9,6 +9,9 @@
 // the difference; the right centre keeps the difference short. The third coordinate needs no check:
 // multiples of 2^-16 in [-1, 1], and (z + 1) / 2, have at most 18 significant bits.
 //
+// With a w other than 1, what is sent are the products of these quotients (and of z) with w: they
+// must be float32 numbers, too. A power of two keeps them so.
+//
 // Vertices stay strictly inside, since a clipped vertex is a new, rounded one.
 #pragma once
 
@@ -29,7 +32,14 @@ constexpr int kMaxViewportSize = 16384;
 // (0, 0) as can be. Lines wider and points larger than a pixel get room for half their size round
 // their vertices. Where exactness cannot be had, the smallest that contains all is returned and
 // find_inexactness tells which vertex is to blame. None when a side would exceed kMaxViewportSize.
+// Where any vertex is given as clip coordinates, whose place depends on the viewport: that of
+// clip_viewport.
 std::optional<Viewport> choose_viewport(const Target& target, const std::vector<Draw>& draws);
+
+// The smallest viewport at (0, 0) that contains the target and has powers of two as sizes.
+Viewport clip_viewport(const Target& target);
+
+bool has_clip_vertices(const std::vector<Draw>& draws);
 
 // One side of a viewport, in whole pixels: [origin, origin + size].
 struct ViewportSide {
@@ -43,8 +53,12 @@ struct Inexactness {
   std::string remedy;
 };
 
-// None when the coordinate is exact in every step and strictly inside. `axis`: 'x' or 'y'.
-std::optional<Inexactness> find_inexactness(Fixed coordinate, ViewportSide side, char axis);
+// None when the coordinate is exact in every step and strictly inside. `axis`: 'x' or 'y'; w > 0.
+std::optional<Inexactness> find_inexactness(Fixed coordinate, ViewportSide side, char axis,
+                                            float w = 1);
+
+// None when z * w is a float32 number. `z` lies in [-1, 1]; w > 0.
+std::optional<Inexactness> find_depth_inexactness(Fixed z, float w);
 
 // Whether n is a float32 number, scaled by any power of two: at most 24 significant bits.
 bool fits_float32(std::int64_t n);

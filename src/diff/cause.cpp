@@ -11,6 +11,7 @@
 #include "diff/alternatives.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
+#include "rules/coverage/homogeneous_line.h"
 
 namespace edgecase {
 namespace {
@@ -20,8 +21,8 @@ bool is_interior_gap(const ScenePrimitive& line, const PrimitiveCoverage& covera
   if (line.state->line_width != Fixed::from_integer(1)) return false;
   const auto differing = differences(coverage);
   if (differing.size() != 1 || differing[0].drawn != 0) return false;
-  const Segment segment{line.vertices[0]->position, line.vertices[1]->position};
-  const auto along = [&](PixelPosition p) { return segment.x_major() ? p.x : p.y; };
+  const bool x_major = HomogeneousSegment{line.positions[0], line.positions[1]}.x_major();
+  const auto along = [&](PixelPosition p) { return x_major ? p.x : p.y; };
   const int gap = along(differing[0].pixel);
   const auto drawn_where = [&](auto where) {
     return std::any_of(coverage.drawn.begin(), coverage.drawn.end(),

@@ -41,10 +41,13 @@ Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
   compare_coverage(
       {scene, primitives, coverage, choices, profile ? &*profile : nullptr, policy.latitude, bits},
       result);
-  const ValueContext values{scene, primitives, choices.values, bits, policy.latitude};
+  const ValueContext values(scene, primitives, choices, bits, policy.latitude);
   compare_fragment_values(values, rendered, result);
-  // A renderer that was asked for coverage alone has no pixels.
+  compare_coordinates(values, rendered, result);
+  compare_derivatives(values, rendered, result);
+  // A renderer that was asked for coverage alone has neither pixels nor depths.
   if (!rendered.pixels.empty()) compare_pixels(values, rendered, result);
+  if (!rendered.depths.empty()) compare_depths(values, rendered, result);
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
   return result;
 }
@@ -62,10 +65,11 @@ Figure scene_figure(const Scene& scene) {
     const auto count = static_cast<std::size_t>(vertices_of(primitive.kind));
     Mark outline{MarkRole::primitive, count == 3, {}, std::to_string(primitive.index)};
     for (std::size_t i = 0; i < count; ++i) {
-      const Point position = primitive.vertices[i]->position;
+      const Point position = nearest_point(primitive.positions[i]);
+      const char* about = primitive.vertices[i]->clip ? "about " : "";
       outline.points.push_back(position_of(position));
       figure.marks.push_back(
-          {MarkRole::vertex, false, {position_of(position)}, format_point(position)});
+          {MarkRole::vertex, false, {position_of(position)}, about + format_point(position)});
     }
     figure.marks.push_back(std::move(outline));
   }

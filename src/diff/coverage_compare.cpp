@@ -76,6 +76,7 @@ class CoverageComparison {
   }
 
  private:
+  const Scene& scene() const { return context_.scene; }
   const Target& target() const { return context_.scene.target; }
   const PrimitiveCoverage& coverage_of(const ScenePrimitive& primitive) const {
     return context_.coverage[static_cast<std::size_t>(primitive.index)];
@@ -118,7 +119,7 @@ class CoverageComparison {
     d.figure = std::move(why.figure);
     // Rulings on lines speak of whole segments: judge_line and judge() complete these.
     if (primitive.kind == PrimitiveKind::line) return d;
-    const Legality legality = judge_sample(primitive, difference, context_.bits);
+    const Legality legality = judge_sample(primitive, difference, scene().viewport, context_.bits);
     d.legal = legality.legal;
     d.ruling = legality.ruling;
     d.explanation += fmt::format(" Ruling {}: {}.", legality.ruling, legality.reason);
@@ -172,7 +173,8 @@ class CoverageComparison {
   void compare_samples_with_specification(const ScenePrimitive& primitive) {
     if (primitive.kind == PrimitiveKind::line) return;
     for (const CoverageDifference& difference : excused_by_policy(primitive)) {
-      const Legality legality = judge_sample(primitive, difference, context_.bits);
+      const Legality legality =
+          judge_sample(primitive, difference, scene().viewport, context_.bits);
       if (!legality.legal) add_excused(primitive, difference, legality);
     }
   }
@@ -215,10 +217,10 @@ class CoverageComparison {
 
   void judge_line(const ScenePrimitive& line) {
     const PrimitiveCoverage& coverage = coverage_of(line);
-    const auto illegal = illegal_line_snaps(line, coverage.drawn, target());
+    const auto illegal = illegal_line_snaps(line, coverage.drawn, scene());
     merge_snaps(illegal, result_.illegal_line_snaps);
-    const int ruling = ruling_on_line(line, target());
-    const std::string clause = broken_clause_unsnapped(line, coverage.drawn, target());
+    const int ruling = ruling_on_line(line, scene());
+    const std::string clause = broken_clause_unsnapped(line, coverage.drawn, scene());
     if (!illegal.empty()) break_line(line, illegal, clause, "line.diamond-exit", ruling);
     if (clause.empty())
       say_of_line(line, "line.diamond-exit", ruling,
@@ -226,7 +228,7 @@ class CoverageComparison {
   }
 
   void judge_joints() {
-    for (const JointFault& fault : joint_faults(context_.primitives, context_.coverage, target())) {
+    for (const JointFault& fault : joint_faults(context_.primitives, context_.coverage, scene())) {
       merge_snaps(fault.illegal_snaps, result_.illegal_line_snaps);
       for (int index : {fault.first, fault.second})
         break_line(primitive_at(index), fault.illegal_snaps, fault.clause, "line.joint", 14);
@@ -236,7 +238,7 @@ class CoverageComparison {
   // A hole or a double hit on a shared edge turns the disagreements behind it into violations.
   void judge_shared_edges() {
     for (const SharedEdgeFault& fault :
-         shared_edge_faults(context_.primitives, context_.coverage, target(), context_.bits)) {
+         shared_edge_faults(context_.primitives, context_.coverage, scene(), context_.bits)) {
       const std::string reason = fmt::format(
           "triangles {} and {} share the edge here and together hit this sample {} times instead "
           "of once",

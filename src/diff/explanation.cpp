@@ -3,9 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <optional>
+
 #include "exact/numeral.h"
 #include "rules/all_rules.h"
 #include "rules/coverage/diamond_exit.h"
+#include "rules/coverage/homogeneous_line.h"
+#include "rules/coverage/homogeneous_point.h"
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/point_ownership.h"
 #include "rules/coverage/triangle_fill.h"
 
@@ -45,10 +51,51 @@ std::string notes_on(const ScenePrimitive& primitive, const CoverageChoice& choi
   return notes;
 }
 
+// Does the rule that decides by quotients have the pixel covered? Known for the ideal rules alone,
+// with y up.
+std::optional<bool> covered_by(const ScenePrimitive& primitive,
+                               const std::array<HomogeneousPoint, 3>& positions, PixelPosition p,
+                               const CoverageChoice& choice) {
+  if (choice.rows != RowOrder::bottom_up) return std::nullopt;
+  const Draw& state = *primitive.state;
+  switch (primitive.kind) {
+    case PrimitiveKind::point:
+      return point_covers({moved(positions[0], choice.point_offset), state.point_size}, p.x, p.y,
+                          choice.ties);
+    case PrimitiveKind::line:
+      if (state.line_width != Fixed::from_integer(1)) return std::nullopt;
+      if (choice.line.algorithm != LineAlgorithm::diamond_exit) return std::nullopt;
+      return diamond_exit_covers(HomogeneousSegment{positions[0], positions[1]}, p.x, p.y,
+                                 *choice.line.boundary);
+    case PrimitiveKind::triangle:
+      if (choice.triangle_algorithm != TriangleAlgorithm::edge_functions) return std::nullopt;
+      return triangle_covers(positions, p.x, p.y, choice.ties);
+  }
+  return std::nullopt;
+}
+
+// Words and figures tell positions in decimals: of a vertex that is a quotient, the nearest. Where
+// that changes the decision, it must be said.
+std::string note_on_quotients(const ScenePrimitive& primitive, PixelPosition p,
+                              const CoverageChoice& choice) {
+  if (!choice.snap.is_none() || !has_clip_positions(primitive)) return "";
+  std::array<HomogeneousPoint, 3> nearest;
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+    nearest[i] = homogeneous(nearest_point(primitive.positions[i]));
+  const auto exact = covered_by(primitive, primitive.positions, p, choice);
+  const bool differs = exact != covered_by(primitive, nearest, p, choice);
+  std::string note =
+      "; vertices given as clip coordinates are quotients by w, here told to the nearest 1/65536 "
+      "pixel";
+  if (differs)
+    note += fmt::format(", and as quotients they {} the pixel", *exact ? "cover" : "do not cover");
+  return note;
+}
+
 // By the rule that decides, with the vertices where the choice has them.
 Explanation explain_by_rule(const ScenePrimitive& primitive, PixelPosition p,
                             const CoverageChoice& choice) {
-  const auto at = [&](std::size_t i) { return choice.snap(primitive.vertices[i]->position); };
+  const auto at = [&](std::size_t i) { return choice.snap(primitive.positions[i]); };
   switch (primitive.kind) {
     case PrimitiveKind::point:
       return explain_point({at(0), primitive.state->point_size}, p.x, p.y, choice.ties);
@@ -65,7 +112,7 @@ Explanation explain_by_rule(const ScenePrimitive& primitive, PixelPosition p,
 Explanation explain(const ScenePrimitive& primitive, PixelPosition pixel,
                     const CoverageChoice& choice) {
   Explanation why = explain_by_rule(primitive, pixel, choice);
-  why.text += notes_on(primitive, choice);
+  why.text += notes_on(primitive, choice) + note_on_quotients(primitive, pixel, choice);
   return why;
 }
 

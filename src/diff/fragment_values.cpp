@@ -1,90 +1,96 @@
 // SPDX-License-Identifier: MIT
 //
-// Colours and depths per fragment (rulings 8 and 9).
+// Colours, depths and gl_FragCoord per fragment (rulings 8, 9, 13 and 17).
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "diff/value_causes.h"
 #include "diff/value_diff.h"
-#include "raster/rasterizer.h"
 #include "rules/coverage/line_algorithm.h"
+#include "rules/coverage/segment.h"
 #include "rules/values/flat_attribute.h"
-#include "rules/values/smooth_attribute.h"
 
 namespace edgecase {
 namespace {
 
-// Distance between neighbouring float32 values at `value`.
-double float_ulp(double value) {
-  const float at = std::fabs(static_cast<float>(value));
-  return static_cast<double>(std::nextafterf(at, HUGE_VALF)) - static_cast<double>(at);
-}
-
-double to_float(double value) {
-  return static_cast<double>(static_cast<float>(value));
-}
-
-// Correct rounding is monotonic, so the roundings of the interval's ends enclose that of the value.
-Interval rounded_to_float(Interval value) {
-  return {to_float(value.low), to_float(value.high)};
-}
-
-// Where a value is told: the pixel, and for lines the width that the fragment is part of.
-struct Place {
-  PixelPosition pixel;
-  int width = 1;
-};
-
 // One component of a told value, with what is exact and what is permitted for it.
 struct Component {
-  double exact = 0;            // the double nearest to the exact value
-  Interval correct;            // float32 values that count as correctly rounded
-  Interval permitted;          // float32 values that the specification allows
-  bool by_major_axis = false;  // on a line: allowed if t ran along the major axis
+  double exact = 0;    // the double nearest to the exact value
+  Interval correct;    // float32 values that count as correctly rounded
+  Interval permitted;  // float32 values that the specification allows
   double rendered = 0;
+  double range = 0;  // of the attribute over the vertices
 
   bool is_correct() const { return correct.contains(to_float(rendered)); }
-  bool is_permitted() const { return permitted.contains(to_float(rendered)); }
+  // NaN and infinity never are: where there is a primitive, there is a number.
+  bool is_permitted() const {
+    return std::isfinite(rendered) && permitted.contains(to_float(rendered));
+  }
 };
 
 // What is permitted at a sample of a line as wide as `width`, rounded: each fragment of a column
 // may have the value of its own centre or of any other of the column (ruling 13).
-Interval permitted_across(const Interpolant& interpolant, Point sample, int width, int bits) {
-  Interval result = interpolate_permitted(interpolant, sample, bits);
+Interval permitted_across(const Interpolant& interpolant, Point sample, int width, double reach) {
+  Interval result = interpolate_permitted(interpolant, sample, reach);
   if (interpolant.kind != PrimitiveKind::line || width == 1) return result;
-  const bool x_major = Segment{interpolant.positions[0], interpolant.positions[1]}.x_major();
-  const Fixed reach = Fixed::from_integer(width - 1);
-  for (const Fixed offset : {reach, -reach}) {
+  const bool x_major =
+      Segment{nearest_point(interpolant.positions[0]), nearest_point(interpolant.positions[1])}
+          .x_major();
+  const Fixed reach_across = Fixed::from_integer(width - 1);
+  for (const Fixed offset : {reach_across, -reach_across}) {
     Point moved = sample;
     (x_major ? moved.y : moved.x) = (x_major ? moved.y : moved.x) + offset;
-    result = hull(result, interpolate_permitted(interpolant, moved, bits));
+    result = hull(result, interpolate_permitted(interpolant, moved, reach));
   }
   return result;
 }
 
-// `forgiving`: what is correct under the policy is permitted, whatever its formula.
-Component make_component(Interpolant interpolant, const Place& place, int bits, double rendered,
-                         bool forgiving) {
-  const Point sample = pixel_centre(place.pixel.x, place.pixel.y);
-  const Interval exact = interpolate_exact(interpolant, sample);
-  Component result;
-  result.exact = exact.low / 2 + exact.high / 2;
-  result.correct = rounded_to_float(exact);
-  result.rendered = rendered;
-  result.permitted = result.correct;
-  const bool lawful = forgiving || interpolant.line_parameter == LineParameter::projection;
-  if (result.is_correct() && lawful) return result;
-  // The specification's formula, whatever the policy's is.
-  interpolant.line_parameter = LineParameter::projection;
-  result.permitted = rounded_to_float(permitted_across(interpolant, sample, place.width, bits));
-  interpolant.line_parameter = LineParameter::major_axis;
-  result.by_major_axis = interpolant.kind == PrimitiveKind::line &&
-                         rounded_to_float(interpolate_permitted(interpolant, sample, bits))
-                             .contains(to_float(rendered));
-  return result;
-}
+// One attribute of one fragment: under the policy, and as OpenGL has it.
+class Judge {
+ public:
+  Judge(const ValueContext& context, const Fragment& fragment)
+      : primitive_(context.primitive_of(fragment)),
+        values_(context.values_of(fragment)),
+        sample_(pixel_centre(fragment.x, fragment.y)),
+        forgiving_(context.latitude == Latitude::none) {}
+
+  Component component(const Interpolant& chosen, const Interpolant& lawful, double rendered) const {
+    const Interval exact = interpolate_exact(chosen, sample_);
+    Component result;
+    result.exact = middle(exact);
+    result.correct = rounded_to_float(exact);
+    result.rendered = rendered;
+    result.range = range_of(chosen);
+    result.permitted = result.correct;
+    // Under a policy without latitude what is correct is permitted, whatever its formula.
+    if (result.is_correct() && (forgiving_ || !values_.differ)) return result;
+    // What lies near enough without moving any vertex needs no search over their moves.
+    result.permitted = rounded_to_float(interpolate_inexact(lawful, sample_));
+    if (result.is_permitted()) return result;
+    result.permitted = rounded_to_float(permitted_across(
+        lawful, sample_, rounded_width(primitive_.state->line_width), values_.reach));
+    return result;
+  }
+
+  Component color(std::size_t c, double rendered) const {
+    return component(values_.chosen.color[c], values_.lawful.color[c], rendered);
+  }
+  Component depth(double rendered) const {
+    return component(values_.chosen.depth, values_.lawful.depth, rendered);
+  }
+  Component inverse_w(double rendered) const {
+    return component(values_.chosen.inverse_w, values_.lawful.inverse_w, rendered);
+  }
+
+ private:
+  const ScenePrimitive& primitive_;
+  const PrimitiveValues& values_;
+  Point sample_;
+  bool forgiving_;
+};
 
 bool shows(const Fragment& fragment, const Color& color) {
   return std::equal(color.begin(), color.end(), fragment.color.begin(),
@@ -101,11 +107,10 @@ std::string wrong_provoking_vertex(const ScenePrimitive& primitive, const Fragme
   return "";
 }
 
-void compare_flat_color(const ValueContext& context, const ScenePrimitive& primitive,
-                        const Fragment& fragment, Result& result) {
-  const Draw& draw = *primitive.state;
+void compare_flat_color(const ValueContext& context, const Fragment& fragment, Result& result) {
+  const ScenePrimitive& primitive = context.primitive_of(fragment);
   const Color& color =
-      primitive.vertices[provoking_index(primitive, context.choice.provoking)]->color;
+      primitive.vertices[provoking_index(primitive, context.choices.values.provoking)]->color;
   const bool legal = shows(
       fragment, primitive.vertices[provoking_index(primitive, ProvokingChoice::as_set)]->color);
   const bool agrees = shows(fragment, color);
@@ -120,7 +125,7 @@ void compare_flat_color(const ValueContext& context, const ScenePrimitive& primi
   d.explanation = fmt::format(
       "the flat colour of primitive {} is that of its {} vertex, ({:.9g}), copied without "
       "computation; the renderer has ({:.9g}){}",
-      fragment.primitive, name_of(draw.provoking_vertex), fmt::join(d.exact, ", "),
+      fragment.primitive, name_of(primitive.state->provoking_vertex), fmt::join(d.exact, ", "),
       fmt::join(d.rendered, ", "), d.cause.empty() ? "" : ", the colour of another vertex");
   result.disagreements.push_back(std::move(d));
 }
@@ -132,9 +137,6 @@ Disagreement beyond_disagreement(std::span<const Component> components, const Co
     d.exact.push_back(c.exact);
     d.rendered.push_back(c.rendered);
   }
-  if (std::all_of(components.begin(), components.end(),
-                  [](const Component& c) { return c.is_correct() || c.by_major_axis; }))
-    d.cause = "attribute.smooth=major-axis";
   d.policy_agrees = std::all_of(components.begin(), components.end(),
                                 [](const Component& c) { return c.is_correct(); });
   d.explanation = fmt::format(
@@ -145,15 +147,16 @@ Disagreement beyond_disagreement(std::span<const Component> components, const Co
   return d;
 }
 
-// Components of one attribute of one fragment: agree, permitted (aggregated) or beyond.
-void compare_components(std::span<const Component> components, const Fragment& fragment,
-                        const char* rule, ValueAggregator& aggregator, Result& result) {
-  aggregator.count_compared();
+// Components of one attribute of one fragment: agree, permitted (aggregated) or beyond. The
+// disagreement, if there is one.
+Disagreement* compare_components(std::span<const Component> components, const Fragment& fragment,
+                                 const char* rule, ValueAggregator& aggregator, Result& result) {
+  aggregator.count_compared(components.size());
   const auto beyond = std::find_if(components.begin(), components.end(),
                                    [](const Component& c) { return !c.is_permitted(); });
   if (beyond != components.end()) {
     result.disagreements.push_back(beyond_disagreement(components, *beyond, fragment, rule));
-    return;
+    return &result.disagreements.back();
   }
   const ValueAggregate::Place place{fragment.x, fragment.y, fragment.primitive};
   bool differs = false;
@@ -161,40 +164,64 @@ void compare_components(std::span<const Component> components, const Fragment& f
     const Component& c = components[i];
     if (c.is_correct()) continue;
     differs = true;
-    aggregator.add_error(place, static_cast<int>(i), {c.exact, c.rendered},
-                         std::fabs(c.rendered - c.exact) / float_ulp(c.exact));
+    aggregator.add_error(place, {static_cast<int>(i), c.exact, c.rendered,
+                                 error_in_ulp(c.exact, c.rendered), c.range});
   }
   if (differs) aggregator.add_place(place);
+  return nullptr;
 }
 
 }  // namespace
 
 void compare_fragment_values(const ValueContext& context, const Rendering& rendered,
                              Result& result) {
-  const LineParameter parameter = context.choice.line_parameter;
-  const bool forgiving = context.latitude == Latitude::none;
   ValueAggregator colors("color", "attribute.smooth", 9);
   ValueAggregator depths("depth", "fragment.depth", 9);
   for (const Fragment& f : rendered.fragments) {
-    const ScenePrimitive& primitive = context.primitives[static_cast<std::size_t>(f.primitive)];
-    const Place place{{f.x, f.y}, rounded_width(primitive.state->line_width)};
-    if (f.has_color && primitive.state->interpolation == Interpolation::flat) {
-      compare_flat_color(context, primitive, f, result);
+    const Judge judge(context, f);
+    if (f.has_color && context.primitive_of(f).state->interpolation == Interpolation::flat) {
+      compare_flat_color(context, f, result);
     } else if (f.has_color) {
       std::array<Component, 4> components;
-      for (std::size_t c = 0; c < 4; ++c)
-        components[c] = make_component(color_interpolant(primitive, c, parameter), place,
-                                       context.bits, f.color[c], forgiving);
-      compare_components(components, f, "attribute.smooth", colors, result);
+      for (std::size_t c = 0; c < 4; ++c) components[c] = judge.color(c, f.color[c]);
+      Disagreement* d = compare_components(components, f, "attribute.smooth", colors, result);
+      if (d != nullptr) d->cause = cause_of_color(context, f);
     }
     if (f.has_depth) {
-      const Component depth = make_component(depth_interpolant(primitive, parameter), place,
-                                             context.bits, f.depth, forgiving);
-      compare_components({&depth, 1}, f, "fragment.depth", depths, result);
+      const Component depth = judge.depth(f.depth);
+      Disagreement* d = compare_components({&depth, 1}, f, "fragment.depth", depths, result);
+      if (d != nullptr) d->cause = cause_of_depth(context, f);
     }
   }
   colors.flush(result);
   depths.flush(result);
+}
+
+void compare_coordinates(const ValueContext& context, const Rendering& rendered, Result& result) {
+  constexpr const char* kRule = "fragment.coordinates";
+  ValueAggregator depths("gl_FragCoord.z", kRule, 17);
+  ValueAggregator inverses("gl_FragCoord.w", kRule, 17);
+  for (const Fragment& f : rendered.fragments) {
+    if (f.detail < 0) continue;
+    const FragmentDetail& detail = rendered.details[static_cast<std::size_t>(f.detail)];
+    if (!detail.has_coordinates) continue;
+    const auto& [x, y, z, w] = detail.coordinates;
+    if (x != f.x + .5 || y != f.y + .5) {
+      Disagreement d = value_disagreement({f.x, f.y}, f.primitive, kRule, 17);
+      d.exact = {f.x + .5, f.y + .5};
+      d.rendered = {x, y};
+      d.explanation =
+          fmt::format("gl_FragCoord.xy is ({:.9g}, {:.9g}), not the pixel's centre", x, y);
+      result.disagreements.push_back(std::move(d));
+    }
+    const Judge judge(context, f);
+    const Component depth = judge.depth(z);
+    const Component inverse = judge.inverse_w(w);
+    compare_components({&depth, 1}, f, kRule, depths, result);
+    compare_components({&inverse, 1}, f, kRule, inverses, result);
+  }
+  depths.flush(result);
+  inverses.flush(result);
 }
 
 }  // namespace edgecase

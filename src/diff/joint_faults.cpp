@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "diff/joint_faults.h"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 #include <utility>
 
+#include "diff/vertex_latitude.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/line_joints.h"
@@ -13,8 +15,9 @@
 namespace edgecase {
 namespace {
 
-Segment segment_of(const ScenePrimitive& line, Snap snap) {
-  return {snap(line.vertices[0]->position), snap(line.vertices[1]->position)};
+// As given; of quotients, the nearest.
+Segment segment_of(const ScenePrimitive& line) {
+  return {nearest_point(line.positions[0]), nearest_point(line.positions[1])};
 }
 
 // Connected lines of one direction: the first and last have drawn something, those between nothing.
@@ -26,7 +29,7 @@ class Chains {
       : primitives_(primitives), coverage_(coverage) {
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       if (!is_thin_line(primitives[i])) continue;
-      const Point start = primitives[i].vertices[0]->position;
+      const Point start = segment_of(primitives[i]).a;
       starting_at_[{start.x, start.y}].push_back(i);
     }
   }
@@ -44,11 +47,13 @@ class Chains {
 
   // The major coordinate only grows along a chain, so no chain comes back to where it was.
   void extend(const Chain& chain) {
-    const Segment last = segment_of(primitives_[chain.back()], Snap{});
+    const Segment last = segment_of(primitives_[chain.back()]);
+    const Vertex& end = *primitives_[chain.back()].vertices[1];
     const auto next = starting_at_.find({last.b.x, last.b.y});
     if (next == starting_at_.end()) return;
     for (std::size_t j : next->second) {
-      if (!goes_on(last, segment_of(primitives_[j], Snap{}))) continue;
+      if (!is_bit_identical(end, *primitives_[j].vertices[0])) continue;
+      if (!goes_on(last, segment_of(primitives_[j]))) continue;
       Chain longer = chain;
       longer.push_back(j);
       if (coverage_[j].drawn.empty())
@@ -65,41 +70,49 @@ class Chains {
 };
 
 // Do segments go on from one another? Those without length, as a snap can make them, are left out.
-bool is_one_line(std::span<const Segment> segments) {
+bool is_one_line(std::span<const Segment> segments, Fixed reach) {
   for (std::size_t i = 1; i < segments.size(); ++i)
-    if (!goes_on(segments[i - 1], segments[i])) return false;
+    if (!goes_on(segments[i - 1], segments[i], reach)) return false;
   return segments.size() >= 2;
 }
 
 std::string broken_clause(const Chain& chain, std::span<const ScenePrimitive> primitives,
-                          std::span<const PrimitiveCoverage> coverage, const Target& target,
+                          std::span<const PrimitiveCoverage> coverage, const Scene& scene,
                           Snap snap) {
   std::vector<Segment> segments;
+  Fixed reach;
+  bool some_without_length = false;
   for (std::size_t i : chain) {
-    const Segment segment = segment_of(primitives[i], snap);
+    const LooseSegment loose = snapped_segment(primitives[i], snap, scene.viewport);
+    const Segment& segment = loose.segment;
     const bool is_end = i == chain.front() || i == chain.back();
     if (is_end && segment.a == segment.b) return "";
+    reach = std::max(reach, loose.reach);
+    some_without_length = some_without_length || segment.a == segment.b;
     if (segment.a != segment.b) segments.push_back(segment);
   }
-  if (!is_one_line(segments)) return "";
+  // One without length may have one, of any direction, where its ends erred.
+  if (some_without_length && reach != Fixed()) return "";
+  if (!is_one_line(segments, reach)) return "";
   const auto drawn = [&](std::size_t i, const Segment& segment) {
-    return DrawnSegment{segment, coverage[i].drawn, drawable_bounds(*primitives[i].state, target)};
+    return DrawnSegment{segment, coverage[i].drawn,
+                        drawable_bounds(*primitives[i].state, scene.target)};
   };
   return broken_joint_clause(drawn(chain.front(), segments.front()),
                              std::span(segments).subspan(1, segments.size() - 2),
-                             drawn(chain.back(), segments.back()));
+                             drawn(chain.back(), segments.back()), reach);
 }
 
 }  // namespace
 
 std::vector<JointFault> joint_faults(std::span<const ScenePrimitive> primitives,
                                      std::span<const PrimitiveCoverage> coverage,
-                                     const Target& target) {
+                                     const Scene& scene) {
   std::vector<JointFault> faults;
   for (const Chain& chain : Chains(primitives, coverage).all()) {
     JointFault fault{primitives[chain.front()].index, primitives[chain.back()].index, "", {}};
     for (Snap snap : all_snaps()) {
-      const std::string clause = broken_clause(chain, primitives, coverage, target, snap);
+      const std::string clause = broken_clause(chain, primitives, coverage, scene, snap);
       if (clause.empty()) continue;
       fault.illegal_snaps.push_back(name_of(snap));
       if (snap.is_none()) fault.clause = clause;

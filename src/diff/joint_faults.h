@@ -23,6 +23,6 @@ struct JointFault {
 // Every pair of lines of width 1 that ruling 14 speaks of and that breaks it under some snap.
 std::vector<JointFault> joint_faults(std::span<const ScenePrimitive> primitives,
                                      std::span<const PrimitiveCoverage> coverage,
-                                     const Target& target);
+                                     const Scene& scene);
 
 }  // namespace edgecase

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
+#include "diff/vertex_latitude.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/line_latitude.h"
 #include "rules/coverage/point_ownership.h"
@@ -19,39 +22,38 @@
 namespace edgecase {
 namespace {
 
+// Of quotients, the nearest: reach_of knows how far off they are.
 Triangle triangle_of(const ScenePrimitive& primitive) {
-  return {primitive.vertices[0]->position, primitive.vertices[1]->position,
-          primitive.vertices[2]->position};
-}
-
-SeenLine seen_line(const ScenePrimitive& line, Snap snap, const Target& target) {
-  return {{snap(line.vertices[0]->position), snap(line.vertices[1]->position)},
-          rounded_width(line.state->line_width),
-          drawable_bounds(*line.state, target)};
+  return nearest_triangle(primitive.positions);
 }
 
 SizedPoint point_of(const ScenePrimitive& primitive) {
-  return {primitive.vertices[0]->position, primitive.state->point_size};
+  return {nearest_point(primitive.positions[0]), primitive.state->point_size};
 }
 
-bool possibly_covered(const ScenePrimitive& primitive, PixelPosition p, int bits) {
-  if (primitive.kind == PrimitiveKind::point)
-    return point_possibly_covered(point_of(primitive), p.x, p.y, bits);
-  return triangle_possibly_covered(triangle_of(primitive), pixel_centre(p.x, p.y), bits);
+SeenLine seen_line(const ScenePrimitive& line, Snap snap, const Scene& scene) {
+  const auto [segment, reach] = snapped_segment(line, snap, scene.viewport);
+  return {segment, rounded_width(line.state->line_width),
+          drawable_bounds(*line.state, scene.target), reach};
 }
 
-bool possibly_uncovered(const ScenePrimitive& primitive, PixelPosition p, int bits) {
+bool possibly_covered(const ScenePrimitive& primitive, PixelPosition p, Fixed reach) {
   if (primitive.kind == PrimitiveKind::point)
-    return point_possibly_uncovered(point_of(primitive), p.x, p.y, bits);
-  return triangle_possibly_uncovered(triangle_of(primitive), pixel_centre(p.x, p.y), bits);
+    return point_possibly_covered(point_of(primitive), p.x, p.y, reach);
+  return triangle_possibly_covered(triangle_of(primitive), pixel_centre(p.x, p.y), reach);
+}
+
+bool possibly_uncovered(const ScenePrimitive& primitive, PixelPosition p, Fixed reach) {
+  if (primitive.kind == PrimitiveKind::point)
+    return point_possibly_uncovered(point_of(primitive), p.x, p.y, reach);
+  return triangle_possibly_uncovered(triangle_of(primitive), pixel_centre(p.x, p.y), reach);
 }
 
 // How often a pixel is among pixels that are sorted row first.
 long count(std::span<const PixelPosition> pixels, PixelPosition p) {
-  const auto [first, last] =
-      std::equal_range(pixels.begin(), pixels.end(), p, [](PixelPosition a, PixelPosition b) {
-        return std::tie(a.y, a.x) < std::tie(b.y, b.x);
-      });
+  const auto [first, last] = std::equal_range(
+      pixels.begin(), pixels.end(), p,
+      [](PixelPosition a, PixelPosition b) { return std::tie(a.y, a.x) < std::tie(b.y, b.x); });
   return last - first;
 }
 
@@ -72,6 +74,30 @@ PixelBounds bounds_near(Point a, Point b, const PixelBounds& target) {
                          clip(y_high.floor() + 1)});
 }
 
+// "less than 1/256 pixel", and what ruling 15 adds to it.
+std::string move_of(Fixed error, int bits) {
+  std::string text = fmt::format("less than 1/{} pixel", 1 << bits);
+  if (error != Fixed())
+    text += fmt::format(" and {:.2g} by the division by w (ruling 15)", error.to_double());
+  return text;
+}
+
+// The common edge of two triangles whose ends are bit-identical, and not only nearest to one point.
+std::optional<SharedEdge> common_edge(const ScenePrimitive& first, const ScenePrimitive& second) {
+  const Triangle one = triangle_of(first);
+  const Triangle other = triangle_of(second);
+  const auto edge = shared_edge(one, other);
+  if (!edge) return std::nullopt;
+  const auto vertex_at = [](const ScenePrimitive& primitive, const Triangle& triangle, Point p) {
+    return primitive.vertices[static_cast<std::size_t>(
+        std::find(triangle.begin(), triangle.end(), p) - triangle.begin())];
+  };
+  for (const Point end : {edge->a, edge->b})
+    if (!is_bit_identical(*vertex_at(first, one, end), *vertex_at(second, other, end)))
+      return std::nullopt;
+  return edge;
+}
+
 }  // namespace
 
 int latitude_bits(int reported_subpixel_bits) {
@@ -79,38 +105,40 @@ int latitude_bits(int reported_subpixel_bits) {
 }
 
 Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      int bits) {
+                      const Viewport& viewport, int bits) {
   const bool point = primitive.kind == PrimitiveKind::point;
   const bool extra = difference.drawn > difference.exact;
   Legality result;
   result.rule = coverage_rule_of(primitive.kind);
   result.ruling = point ? 6 : 4;
-  result.legal = extra ? possibly_covered(primitive, difference.pixel, bits)
-                       : possibly_uncovered(primitive, difference.pixel, bits);
-  result.reason = fmt::format("{} move of the {} by less than 1/{} pixel {} the sample {}",
-                              result.legal ? "some" : "no", point ? "vertex" : "vertices",
-                              1 << bits, result.legal ? "puts" : "could put",
-                              extra ? "inside or on the boundary" : "outside or on the boundary");
+  const Fixed reach = reach_of(primitive, viewport, bits);
+  result.legal = extra ? possibly_covered(primitive, difference.pixel, reach)
+                       : possibly_uncovered(primitive, difference.pixel, reach);
+  result.reason =
+      fmt::format("{} move of the {} by {} {} the sample {}", result.legal ? "some" : "no",
+                  point ? "vertex" : "vertices", move_of(division_error(primitive, viewport), bits),
+                  result.legal ? "puts" : "could put",
+                  extra ? "inside or on the boundary" : "outside or on the boundary");
   return result;
 }
 
 std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,
                                             std::span<const PixelPosition> drawn,
-                                            const Target& target) {
+                                            const Scene& scene) {
   std::vector<std::string> result;
   for (Snap snap : all_snaps())
-    if (!broken_line_clause(seen_line(line, snap, target), drawn).empty())
+    if (!broken_line_clause(seen_line(line, snap, scene), drawn).empty())
       result.push_back(name_of(snap));
   return result;
 }
 
 std::string broken_clause_unsnapped(const ScenePrimitive& line,
-                                    std::span<const PixelPosition> drawn, const Target& target) {
-  return broken_line_clause(seen_line(line, Snap{}, target), drawn);
+                                    std::span<const PixelPosition> drawn, const Scene& scene) {
+  return broken_line_clause(seen_line(line, Snap{}, scene), drawn);
 }
 
-int ruling_on_line(const ScenePrimitive& line, const Target& target) {
-  const SeenLine seen = seen_line(line, Snap{}, target);
+int ruling_on_line(const ScenePrimitive& line, const Scene& scene) {
+  const SeenLine seen = seen_line(line, Snap{}, scene);
   if (seen.width != 1) return 12;
   return is_unseen(seen) ? 2 : 1;
 }
@@ -121,7 +149,7 @@ bool is_about_a_line(const Disagreement& disagreement) {
 
 std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> primitives,
                                                 std::span<const PrimitiveCoverage> coverage,
-                                                const Target& target, int bits) {
+                                                const Scene& scene, int bits) {
   std::vector<SharedEdgeFault> faults;
   const auto is_triangle = [](const ScenePrimitive& p) {
     return p.kind == PrimitiveKind::triangle;
@@ -129,15 +157,18 @@ std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> 
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     for (std::size_t j = i + 1; j < primitives.size(); ++j) {
       if (!is_triangle(primitives[i]) || !is_triangle(primitives[j])) continue;
-      const auto edge = shared_edge(triangle_of(primitives[i]), triangle_of(primitives[j]));
+      const auto edge = common_edge(primitives[i], primitives[j]);
       if (!edge) continue;
-      const PixelBounds near = bounds_near(edge->a, edge->b,
-                                           common(drawable_bounds(*primitives[i].state, target),
-                                                  drawable_bounds(*primitives[j].state, target)));
+      const Fixed reach = std::max(reach_of(primitives[i], scene.viewport, bits),
+                                   reach_of(primitives[j], scene.viewport, bits));
+      const PixelBounds near =
+          bounds_near(edge->a, edge->b,
+                      common(drawable_bounds(*primitives[i].state, scene.target),
+                             drawable_bounds(*primitives[j].state, scene.target)));
       for (int y = near.y_min; y <= near.y_max; ++y) {
         for (int x = near.x_min; x <= near.x_max; ++x) {
           const long hits = count(coverage[i].drawn, {x, y}) + count(coverage[j].drawn, {x, y});
-          if (hits == 1 || !must_hit_once(*edge, pixel_centre(x, y), bits)) continue;
+          if (hits == 1 || !must_hit_once(*edge, pixel_centre(x, y), reach)) continue;
           faults.push_back(
               {{x, y}, primitives[i].index, primitives[j].index, static_cast<int>(hits)});
         }

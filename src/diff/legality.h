@@ -27,20 +27,20 @@ struct Legality {
 
 // Points and triangles: `difference` judged by itself.
 Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      int bits);
+                      const Viewport& viewport, int bits);
 
 // Lines: names of the catalogued snaps under which the segment's drawn pixels break a ruling.
 std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,
                                             std::span<const PixelPosition> drawn,
-                                            const Target& target);
+                                            const Scene& scene);
 
 // The clause of rulings 1 and 2 that the segment as given breaks, or empty.
 std::string broken_clause_unsnapped(const ScenePrimitive& line,
-                                    std::span<const PixelPosition> drawn, const Target& target);
+                                    std::span<const PixelPosition> drawn, const Scene& scene);
 
 // The ruling that speaks of the line as given: 12 for a wide one, 2 where the diamond-exit rule
 // draws nothing of it, else 1.
-int ruling_on_line(const ScenePrimitive& line, const Target& target);
+int ruling_on_line(const ScenePrimitive& line, const Scene& scene);
 
 // Is a disagreement judged by the rulings on lines, which speak of whole segments?
 bool is_about_a_line(const Disagreement& disagreement);
@@ -55,6 +55,6 @@ struct SharedEdgeFault {
 
 std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> primitives,
                                                 std::span<const PrimitiveCoverage> coverage,
-                                                const Target& target, int bits);
+                                                const Scene& scene, int bits);
 
 }  // namespace edgecase

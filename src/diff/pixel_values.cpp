@@ -9,9 +9,7 @@
 #include <cmath>
 
 #include "diff/value_diff.h"
-#include "raster/rasterizer.h"
 #include "rules/values/framebuffer.h"
-#include "rules/values/smooth_attribute.h"
 
 namespace edgecase {
 namespace {
@@ -33,17 +31,19 @@ PixelTruth truth_of_clear(const Scene& scene) {
 
 // The colour that the renderer told, or where it told none, all that it may have had.
 PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragment) {
-  const ScenePrimitive& primitive =
-      context.primitives[static_cast<std::size_t>(fragment.primitive)];
-  const PixelPosition pixel{fragment.x, fragment.y};
+  const Point sample = pixel_centre(fragment.x, fragment.y);
   PixelTruth truth;
-  truth.exact = fragment.has_color ? fragment.color : shade(primitive, pixel, context.choice).color;
+  if (fragment.has_color) {
+    truth.exact = fragment.color;
+    for (std::size_t c = 0; c < 4; ++c)
+      truth.permitted[c] = std::isnan(truth.exact[c]) ? Interval::everything() : truth.exact[c];
+    return truth;
+  }
+  const PrimitiveValues& values = context.values_of(fragment);
   for (std::size_t c = 0; c < 4; ++c) {
-    truth.permitted[c] = std::isnan(truth.exact[c]) ? Interval::everything() : truth.exact[c];
-    if (!fragment.has_color && primitive.state->interpolation == Interpolation::smooth)
-      truth.permitted[c] =
-          interpolate_permitted(color_interpolant(primitive, c, LineParameter::projection),
-                                pixel_centre(pixel.x, pixel.y), context.bits);
+    truth.exact[c] = middle(interpolate_exact(values.chosen.color[c], sample));
+    truth.permitted[c] =
+        hull(interpolate_permitted(values.lawful.color[c], sample, values.reach), truth.exact[c]);
   }
   return truth;
 }
@@ -76,7 +76,7 @@ class PixelComparison {
 
  private:
   void compare(PixelPosition pixel, std::span<const Fragment> fragments, Result& result) {
-    aggregator_.count_compared();
+    aggregator_.count_compared(4);
     const PixelTruth truth =
         fragments.empty() ? clear_ : truth_of_fragment(context_, fragments.back());
     const std::uint8_t* stored =
@@ -95,8 +95,8 @@ class PixelComparison {
       if (stored[c] == to_unorm8(truth.exact[c])) continue;
       differs = true;
       const double exact = truth.exact[c] * 255;
-      aggregator_.add_error(place, static_cast<int>(c), {exact, static_cast<double>(stored[c])},
-                            std::fabs(stored[c] - exact));
+      aggregator_.add_error(place, {static_cast<int>(c), exact, static_cast<double>(stored[c]),
+                                    std::fabs(stored[c] - exact), 255});
     }
     if (differs) aggregator_.add_place(place);
   }

@@ -9,6 +9,7 @@
 
 #include "exact/wide.h"
 #include "rules/coverage/diamond_exit.h"
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
 
@@ -86,7 +87,7 @@ std::string place_away_from_ends(const Segment& s, PixelPosition pixel) {
 }
 
 std::string line_situation(const ScenePrimitive& line, PixelPosition pixel) {
-  const Segment s{line.vertices[0]->position, line.vertices[1]->position};
+  const Segment s{nearest_point(line.positions[0]), nearest_point(line.positions[1])};
   const int width = rounded_width(line.state->line_width);
   std::string place;
   if (is_at(pixel, s.a)) place = "first pixel, start " + place_in_diamond(s.a, pixel);
@@ -113,8 +114,7 @@ bool is_beyond(Point a, Point b, Point sample, std::int64_t distance) {
 }
 
 std::string triangle_situation(const ScenePrimitive& triangle, PixelPosition pixel) {
-  const Triangle given = {triangle.vertices[0]->position, triangle.vertices[1]->position,
-                          triangle.vertices[2]->position};
+  const Triangle given = nearest_triangle(triangle.positions);
   if (doubled_area(given) == 0) return "triangle without area";
   const Triangle t = counter_clockwise(given);
   const Point sample = pixel_centre(pixel.x, pixel.y);
@@ -138,7 +138,7 @@ std::string triangle_situation(const ScenePrimitive& triangle, PixelPosition pix
 }
 
 std::string point_situation(const ScenePrimitive& point, PixelPosition pixel) {
-  const Point vertex = point.vertices[0]->position;
+  const Point vertex = nearest_point(point.positions[0]);
   const Point centre = pixel_centre(pixel.x, pixel.y);
   const Fixed size = point.state->point_size;
   // Twice the distances, since half a size need not be a whole raw unit.
@@ -158,9 +158,7 @@ std::string point_situation(const ScenePrimitive& point, PixelPosition pixel) {
   return fmt::format("{}, centre {} {}", kind, beyond > 0 ? "outside," : "inside,", reach);
 }
 
-}  // namespace
-
-std::string situation_of(const ScenePrimitive& primitive, PixelPosition pixel) {
+std::string situation_by_kind(const ScenePrimitive& primitive, PixelPosition pixel) {
   switch (primitive.kind) {
     case PrimitiveKind::point:
       return point_situation(primitive, pixel);
@@ -170,6 +168,13 @@ std::string situation_of(const ScenePrimitive& primitive, PixelPosition pixel) {
       return triangle_situation(primitive, pixel);
   }
   return "";
+}
+
+}  // namespace
+
+std::string situation_of(const ScenePrimitive& primitive, PixelPosition pixel) {
+  const char* divided = has_clip_positions(primitive) ? ", to the nearest 1/65536 pixel" : "";
+  return situation_by_kind(primitive, pixel) + divided;
 }
 
 }  // namespace edgecase

@@ -16,6 +16,7 @@ namespace edgecase {
 // The situation of the sample at the centre of `pixel`, with the vertices as given:
 // "line, vertical down, first pixel, start on the lower corner of its diamond",
 // "triangle, sample exactly on a left edge", "point of size 1, centre exactly on the top side".
+// Vertices that are quotients are taken to the nearest multiple of 2^-16, which the words say.
 std::string situation_of(const ScenePrimitive& primitive, PixelPosition pixel);
 
 }  // namespace edgecase

@@ -1,60 +1,109 @@
 // SPDX-License-Identifier: MIT
 //
-// Values: colours and depths of fragments, and pixels, held against what is exact under a policy
-// and against what the specification permits (rulings 8 to 11), which knows no policy. Coverage is
-// not looked at: a fragment that exact does not have is compared with the attribute's value at its
-// place all the same.
+// Values: what fragments carry and what ends up in pixels, held against what is exact under a
+// policy and against what the specification permits (rulings 8 to 11 and 16 to 18), which knows no
+// policy. Coverage is not looked at: a fragment that exact does not have is compared with the
+// attribute's value at its place all the same.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "exact/pixel.h"
 #include "model/policy.h"
 #include "model/rendering.h"
 #include "model/result.h"
 #include "model/scene.h"
+#include "raster/attributes.h"
 #include "rules/choices.h"
 
 namespace edgecase {
 
-// What the comparison of values needs of a case.
-struct ValueContext {
-  const Scene& scene;
-  std::span<const ScenePrimitive> primitives;
-  ValueChoice choice;  // of the policy
-  int bits = 4;        // as in ruling 4
-  Latitude latitude = Latitude::opengl;
+// What is known of one primitive's attributes.
+struct PrimitiveValues {
+  PrimitiveAttributes chosen;  // under the policy
+  PrimitiveAttributes lawful;  // under OpenGL's own choices
+  bool differ = false;         // the policy interpolates otherwise than OpenGL does
+  double reach = 0;            // pixels that a vertex may have moved: rulings 4 and 15
 };
 
-// Both append disagreements (beyond what is permitted) and aggregates (inside it) to `result`.
+// What the comparison of values needs of a case.
+class ValueContext {
+ public:
+  // All must outlive the context. `bits` as in ruling 4.
+  ValueContext(const Scene& scene, std::span<const ScenePrimitive> primitives,
+               const RuleChoices& choices, int bits, Latitude latitude);
+
+  const Scene& scene;
+  std::span<const ScenePrimitive> primitives;
+  const RuleChoices& choices;
+  Latitude latitude;
+
+  const ScenePrimitive& primitive_of(const Fragment& fragment) const;
+  // Worked out when a primitive is first asked for.
+  const PrimitiveValues& values_of(const Fragment& fragment) const;
+
+ private:
+  int bits_;
+  mutable std::vector<std::optional<PrimitiveValues>> values_;
+};
+
+// Each appends disagreements (beyond what is permitted) and aggregates (inside it) to `result`.
 
 // Colours and depths, as the renderer tells them per fragment.
 void compare_fragment_values(const ValueContext& context, const Rendering& rendered,
                              Result& result);
 
-// Pixels, against the colour of the last fragment that the renderer says it drew there.
+// gl_FragCoord and derivatives of the colour, where they were asked for and told.
+void compare_coordinates(const ValueContext& context, const Rendering& rendered, Result& result);
+void compare_derivatives(const ValueContext& context, const Rendering& rendered, Result& result);
+
+// Pixels and the depth buffer, against the last fragment that the renderer says it drew there.
 void compare_pixels(const ValueContext& context, const Rendering& rendered, Result& result);
+void compare_depths(const ValueContext& context, const Rendering& rendered, Result& result);
 
 // A value disagreement at a pixel, not legal, with the sample marked. primitive -1: the pixel.
 Disagreement value_disagreement(PixelPosition pixel, int primitive, std::string rule, int ruling);
+
+// Distance between neighbouring float32 values at `value`.
+double float_ulp(double value);
+// How far two numbers lie apart, in units of the last place of the larger: beside a zero crossing,
+// where the exact value has hardly any place of its own, at most 2^24.
+double error_in_ulp(double exact, double rendered);
+// The nearest float32 value.
+double to_float(double value);
+// Correct rounding is monotonic, so the roundings of the interval's ends enclose that of the value.
+Interval rounded_to_float(Interval value);
+// Largest less least of the values at the vertices; 0 where float32 could hardly tell them apart.
+double range_of(const Interpolant& interpolant);
 
 // Counts the values of one attribute that differ inside the permitted range, and keeps the worst.
 class ValueAggregator {
  public:
   ValueAggregator(std::string attribute, std::string rule, int ruling);
 
-  void count_compared() { ++aggregate_.compared; }
+  // A place with so many components is compared.
+  void count_compared(std::size_t components);
   // Errors of one place: add_error for each component that differs, then add_place once.
-  void add_error(ValueAggregate::Place place, int component, std::array<double, 2> exact_rendered,
-                 double ulp);
+  // `range`: of the attribute, for the relative error.
+  struct Error {
+    int component = 0;
+    double exact = 0;
+    double rendered = 0;
+    double ulp = 0;
+    double range = 0;
+  };
+  void add_error(ValueAggregate::Place place, const Error& error);
   void add_place(ValueAggregate::Place place) { aggregate_.differing.push_back(place); }
   // Appends the aggregate to the result, if anything differs.
   void flush(Result& result);
 
  private:
   ValueAggregate aggregate_;
+  double ulp_sum_ = 0;
 };
 
 }  // namespace edgecase

@@ -11,6 +11,20 @@
 
 namespace edgecase {
 
+// Ways to take a derivative, in the order of FragmentDetail::derivatives.
+enum class Derivative { x, y, x_fine, y_fine, x_coarse, y_coarse };
+constexpr std::size_t kDerivatives = 6;
+
+// What a fragment is asked for beside colour and depth.
+struct FragmentDetail {
+  std::array<double, 4> coordinates{};  // gl_FragCoord: x, y in pixels, z in 0 to 1, 1/w
+  bool has_coordinates = false;
+  // Of the colour's four components, per pixel: dFdx, dFdy, dFdxFine, dFdyFine, dFdxCoarse,
+  // dFdyCoarse.
+  std::array<std::array<double, 4>, kDerivatives> derivatives{};
+  std::array<bool, kDerivatives> has_derivative{};
+};
+
 // One fragment shader invocation.
 struct Fragment {
   int x = 0;                      // pixel column, 0 to width - 1
@@ -21,6 +35,7 @@ struct Fragment {
   std::array<double, 4> color{};  // before conversion to the target's format
   bool has_depth = true;          // false: the renderer tells no depth
   bool has_color = true;          // false: the renderer tells no per-fragment colour
+  int detail = -1;                // index into Rendering::details; -1: none was told
 };
 
 // Orders by pixel (row, then column) and primitive: the order in which renderings are stored.
@@ -33,8 +48,11 @@ struct Rendering {
   // RGBA8, row by row from the bottom, 4 * width * height; empty where coverage alone was asked
   // for.
   std::vector<std::uint8_t> pixels;
-  std::vector<std::uint32_t> hits;  // fragments per pixel from a pass of its own; empty: none
-  std::vector<Fragment> fragments;  // sorted by `precedes`, equal ones in drawing order
+  std::vector<std::uint32_t> hits;      // fragments per pixel from a pass of its own; empty: none
+  std::vector<Fragment> fragments;      // sorted by `precedes`, equal ones in drawing order
+  std::vector<FragmentDetail> details;  // of the fragments that point here
+  // The depth buffer, 0 to 1, row by row from the bottom; empty where the target has none.
+  std::vector<double> depths;
 
   std::size_t pixel_index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

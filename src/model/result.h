@@ -34,7 +34,8 @@ struct Result {
   struct Evidence {
     int primitive = 0;
     std::vector<std::string> causes;
-    std::vector<std::string> illegal_line_snaps;  // lines: snaps under which a ruling on lines fails
+    std::vector<std::string>
+        illegal_line_snaps;     // lines: snaps under which a ruling on lines fails
     std::string broken_clause;  // lines: what the segment as given breaks, or empty
   };
 
@@ -45,8 +46,8 @@ struct Result {
   std::vector<ValueAggregate> values;
   std::vector<Evidence> evidence;               // of the primitives that have a disagreement
   std::vector<std::string> illegal_line_snaps;  // snaps under which some line is not legal
-  // A character per alternative of the catalogue (alternative_names in diff/alternatives.h): '1' where
-  // some primitive that agrees with exact would not do so under that alternative, else '0'.
+  // A character per alternative of the catalogue (alternative_names in diff/alternatives.h): '1'
+  // where some primitive that agrees with exact would not do so under that alternative, else '0'.
   std::string refuted;
   std::vector<std::uint8_t> pixels;  // RGBA8, bottom row first; empty when not run
   Standing standing = Standing::expected;

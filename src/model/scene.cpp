@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace edgecase {
@@ -30,6 +32,10 @@ constexpr Named<ProvokingVertex> kProvoking[] = {{ProvokingVertex::first, "first
                                                  {ProvokingVertex::last, "last"}};
 constexpr Named<Surface> kSurfaces[] = {{Surface::fbo, "fbo"}, {Surface::window, "window"}};
 constexpr Named<ColorFormat> kColorFormats[] = {{ColorFormat::rgba8, "rgba8"}};
+constexpr Named<DepthFormat> kDepthFormats[] = {{DepthFormat::none, "none"},
+                                                {DepthFormat::depth16, "depth16"},
+                                                {DepthFormat::depth24, "depth24"},
+                                                {DepthFormat::depth32f, "depth32f"}};
 
 template <class Enum, std::size_t N>
 const char* find_name(const Named<Enum> (&table)[N], Enum value) {
@@ -68,6 +74,9 @@ const char* name_of(Surface value) {
 const char* name_of(ColorFormat value) {
   return find_name(kColorFormats, value);
 }
+const char* name_of(DepthFormat value) {
+  return find_name(kDepthFormats, value);
+}
 
 bool parse_name(const std::string& name, Primitive& value) {
   return find_value(kPrimitives, name, value);
@@ -83,6 +92,22 @@ bool parse_name(const std::string& name, Surface& value) {
 }
 bool parse_name(const std::string& name, ColorFormat& value) {
   return find_value(kColorFormats, name, value);
+}
+bool parse_name(const std::string& name, DepthFormat& value) {
+  return find_value(kDepthFormats, name, value);
+}
+
+HomogeneousPoint window_position(const ClipPosition& clip, const Viewport& viewport) {
+  // All three as multiples of 2^(exponent - 31): integers, and w's has 31 bits at most.
+  int exponent = 0;
+  std::frexp(clip.w, &exponent);
+  const auto integer = [&](float value) {
+    return static_cast<std::int64_t>(std::ldexp(static_cast<double>(value), 31 - exponent));
+  };
+  // x/w runs from -1 to 1 across the viewport, whose centre is at x + width/2.
+  const std::int64_t w = integer(clip.w);
+  return {integer(clip.x) * viewport.width + (2 * viewport.x + viewport.width) * w,
+          integer(clip.y) * viewport.height + (2 * viewport.y + viewport.height) * w, 2 * w};
 }
 
 PrimitiveKind kind_of(Primitive primitive) {
@@ -160,6 +185,18 @@ Assembled assemble(Primitive primitive, std::size_t i, std::size_t vertices) {
 
 }  // namespace
 
+bool has_clip_positions(const ScenePrimitive& primitive) {
+  const auto count = static_cast<std::size_t>(vertices_of(primitive.kind));
+  return std::any_of(primitive.vertices.begin(), primitive.vertices.begin() + count,
+                     [](const Vertex* vertex) { return vertex->clip.has_value(); });
+}
+
+bool has_perspective(const ScenePrimitive& primitive) {
+  const auto count = static_cast<std::size_t>(vertices_of(primitive.kind));
+  return std::any_of(primitive.vertices.begin(), primitive.vertices.begin() + count,
+                     [&](const Vertex* vertex) { return vertex->w != primitive.vertices[0]->w; });
+}
+
 std::vector<ScenePrimitive> primitives_of(const Scene& scene) {
   std::vector<ScenePrimitive> result;
   for (std::size_t d = 0; d < scene.draws.size(); ++d) {
@@ -174,7 +211,10 @@ std::vector<ScenePrimitive> primitives_of(const Scene& scene) {
       primitive.state = &draw;
       for (int v = 0; v < vertices_of(primitive.kind); ++v) {
         const auto at = static_cast<std::size_t>(v);
-        primitive.vertices[at] = &draw.vertices[assembled.vertices[at]];
+        const Vertex& vertex = draw.vertices[assembled.vertices[at]];
+        primitive.vertices[at] = &vertex;
+        primitive.positions[at] = vertex.clip ? window_position(*vertex.clip, scene.viewport)
+                                              : homogeneous(vertex.position);
       }
       primitive.provoking_first = assembled.provoking_first;
       primitive.provoking_last = assembled.provoking_last;

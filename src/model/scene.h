@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "exact/fixed.h"
+#include "exact/homogeneous.h"
 
 namespace edgecase {
 
@@ -32,14 +33,31 @@ enum class ProvokingVertex { first, last };
 // Where pixels land: a framebuffer object, or the window system's framebuffer.
 enum class Surface { fbo, window };
 enum class ColorFormat { rgba8 };
+// Of the depth buffer; the unsigned formats hold multiples of 1/(2^bits - 1).
+enum class DepthFormat { none, depth16, depth24, depth32f };
 
-// Red, green, blue, alpha; linear, 0 to 1; every component a float32 value.
+// Red, green, blue, alpha; linear; every component a float32 value. A target's clear colour lies in
+// 0 to 1. A vertex's may be any finite number: it is what is interpolated, and only the conversion
+// to the target's format clamps.
 using Color = std::array<float, 4>;
 
+// What a vertex shader hands on, with w > 0 and |x|, |y|, |z| <= w. With 2^e the power of two at or
+// below w, x, y and z are multiples of 2^(e-30): exact coverage then fits in 128 bits
+// (exact/homogeneous.h).
+struct ClipPosition {
+  float x = 0, y = 0, z = 0, w = 1;
+  friend bool operator==(const ClipPosition&, const ClipPosition&) = default;
+};
+
+// A vertex is given where it lands in the window, or as clip coordinates.
 struct Vertex {
-  Point position;  // window coordinates, pixels, y up
-  Fixed z;         // clip-space depth, -1 (near) to 1 (far); w is 1
+  Point position;  // window coordinates, pixels, y up; of `clip`, the nearest multiple of 2^-16
+  Fixed z;         // depth after the division by w, -1 (near) to 1 (far); of `clip`, the nearest
   Color color{1, 1, 1, 1};
+  float w = 1;  // clip-space w, more than 0
+  // Where set, this is what both sides are given, and the exact position is its quotient. Where
+  // not, the exact position is `position`, and its clip coordinates are float32 numbers.
+  std::optional<ClipPosition> clip = std::nullopt;
 };
 
 // A rectangle of window coordinates, whole pixels, y up.
@@ -55,6 +73,7 @@ struct Target {
   int height = 0;  // 1 to 4096 pixels
   int samples = 1;
   ColorFormat color = ColorFormat::rgba8;
+  DepthFormat depth = DepthFormat::none;  // every fragment is written: there is no depth test
   Surface surface = Surface::fbo;
   Color clear{0, 0, 0, 1};
 };
@@ -69,11 +88,24 @@ struct Draw {
   std::vector<Vertex> vertices;               // as many as is_vertex_count allows
 };
 
+// What is told of each fragment beside its colour and its depth.
+struct Details {
+  bool coordinates = false;  // gl_FragCoord
+  bool derivatives = false;  // of the colour: dFdx and dFdy, and their fine and coarse forms
+  bool any() const { return coordinates || derivatives; }
+  friend bool operator==(Details, Details) = default;
+};
+
 struct Scene {
   Target target;
   Viewport viewport;
+  Details details;
   std::vector<Draw> draws;
 };
+
+// The exact window position of clip coordinates: the quotients by w, mapped onto the viewport (GL
+// 4.6 core, 13.8.1).
+HomogeneousPoint window_position(const ClipPosition& clip, const Viewport& viewport);
 
 PrimitiveKind kind_of(Primitive primitive);
 
@@ -92,6 +124,7 @@ const char* name_of(Interpolation);
 const char* name_of(ProvokingVertex);
 const char* name_of(Surface);
 const char* name_of(ColorFormat);
+const char* name_of(DepthFormat);
 
 // The inverse: false when `name` names none, `value` then untouched.
 bool parse_name(const std::string& name, Primitive& value);
@@ -99,6 +132,7 @@ bool parse_name(const std::string& name, Interpolation& value);
 bool parse_name(const std::string& name, ProvokingVertex& value);
 bool parse_name(const std::string& name, Surface& value);
 bool parse_name(const std::string& name, ColorFormat& value);
+bool parse_name(const std::string& name, DepthFormat& value);
 
 // One assembled primitive of a scene, with the index that fragments carry: primitives are numbered
 // from 0 in drawing order over all draws.
@@ -108,10 +142,17 @@ struct ScenePrimitive {
   PrimitiveKind kind = PrimitiveKind::triangle;
   const Draw* state = nullptr;
   std::array<const Vertex*, 3> vertices{};  // vertices_of(kind) of them, in the order of assembly
+  std::array<HomogeneousPoint, 3> positions{};  // theirs in the window, exactly
   // Which of them provokes under either convention (GL 4.6 core, table 13.2).
   int provoking_first = 0;
   int provoking_last = 0;
 };
+
+// Are its vertices given as clip coordinates, some of them or all?
+bool has_clip_positions(const ScenePrimitive& primitive);
+
+// Do its vertices differ in w? Then smooth and noperspective attributes differ.
+bool has_perspective(const ScenePrimitive& primitive);
 
 // All primitives of a scene in drawing order. The pointers live as long as `scene` does.
 std::vector<ScenePrimitive> primitives_of(const Scene& scene);

@@ -2,6 +2,8 @@
 #include "model/scene_words.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstddef>
 #include <string_view>
 
@@ -12,6 +14,13 @@ namespace {
 
 constexpr std::size_t kMostPrimitives = 3;  // told one by one
 constexpr std::size_t kMostVertices = 6;    // told of a strip, loop or fan
+
+// The shortest decimal that reads back as the same float32 number.
+std::string decimal_of(float value) {
+  std::array<char, 32> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end};
+}
 
 std::string words_of(Point point) {
   return "(" + to_fraction(point.x) + ", " + to_fraction(point.y) + ")";
@@ -24,6 +33,7 @@ std::string list_vertices(const Draw& draw, std::size_t from, std::size_t to,
   for (std::size_t i = from; i < to; ++i) {
     if (i != from) text += separator;
     text += words_of(draw.vertices[i].position);
+    if (draw.vertices[i].w != 1) text += " w " + decimal_of(draw.vertices[i].w);
   }
   return text;
 }
@@ -88,11 +98,12 @@ bool same_rectangle(const Viewport& a, const Viewport& b) {
 
 bool same_target(const Target& a, const Target& b) {
   return a.width == b.width && a.height == b.height && a.samples == b.samples &&
-         a.color == b.color && a.surface == b.surface && a.clear == b.clear;
+         a.color == b.color && a.depth == b.depth && a.surface == b.surface && a.clear == b.clear;
 }
 
 bool same_vertex(const Vertex& a, const Vertex& b) {
-  return a.position == b.position && a.z == b.z && a.color == b.color;
+  return a.position == b.position && a.z == b.z && a.color == b.color && a.w == b.w &&
+         a.clip == b.clip;
 }
 
 bool same_draw(const Draw& a, const Draw& b) {
@@ -114,6 +125,8 @@ std::string scene_words(const Scene& scene) {
   if (!text.empty()) text += ", ";
   text += std::to_string(scene.target.width) + "x" + std::to_string(scene.target.height);
   if (scene.target.samples != 1) text += ", " + std::to_string(scene.target.samples) + " samples";
+  if (scene.target.depth != DepthFormat::none)
+    text += std::string(", ") + name_of(scene.target.depth);
   if (scene.target.surface != Surface::fbo)
     text += std::string(", ") + name_of(scene.target.surface);
   return text;
@@ -121,7 +134,7 @@ std::string scene_words(const Scene& scene) {
 
 bool same_scene(const Scene& a, const Scene& b) {
   return same_target(a.target, b.target) && same_rectangle(a.viewport, b.viewport) &&
-         std::ranges::equal(a.draws, b.draws, same_draw);
+         a.details == b.details && std::ranges::equal(a.draws, b.draws, same_draw);
 }
 
 }  // namespace edgecase

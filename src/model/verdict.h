@@ -29,35 +29,43 @@ struct Disagreement {
   int sample = 0;
   int primitive = -1;  // index in drawing order; -1: the pixel as a whole
   DisagreementKind kind = DisagreementKind::missing;
-  std::string rule;           // id, "line.diamond-exit"
-  bool legal = false;         // the specification allows it, whatever explains it
-  std::string cause;          // "rule=alternative", several joined by " + "; empty: none found
-  std::string situation;      // where it lies on the primitive, in words (diff/situation.h)
-  int ruling = 0;             // number of the ruling by which `legal` was decided
+  std::string rule;            // id, "line.diamond-exit"
+  bool legal = false;          // the specification allows it, whatever explains it
+  std::string cause;           // "rule=alternative", several joined by " + "; empty: none found
+  std::string situation;       // where it lies on the primitive, in words (diff/situation.h)
+  int ruling = 0;              // number of the ruling by which `legal` was decided
   bool policy_agrees = false;  // the policy draws it too: held against the specification alone
-  std::vector<double> exact;  // hits (missing, extra, duplicate) or components (value)
+  std::vector<double> exact;   // hits (missing, extra, duplicate) or components (value)
   std::vector<double> rendered;
   std::string explanation;  // a sentence with numbers
   Figure figure;            // what to draw over this pixel, beside the case's figure
 };
 
 // All values of one attribute of one case: how many differ inside what the specification permits.
+// An error in units of the last place says little near zero, one relative to the attribute's range
+// little of tiny numbers: both are told.
 struct ValueAggregate {
   struct Place {
     int x = 0;
     int y = 0;
     int primitive = -1;
   };
-  std::string attribute;  // "color", "depth", "pixel"
+  std::string attribute;  // "color", "depth", "dFdxFine", "gl_FragCoord.w", "pixel", "depth buffer"
   std::string rule;
   int ruling = 0;
   std::uint64_t compared = 0;    // fragments compared
+  std::uint64_t components = 0;  // numbers compared
   std::vector<Place> differing;  // inside the permitted interval, not the correctly rounded value
-  Place worst;                   // the place with the largest error of all that differ
+  Place worst;                   // the place with the largest error in ULP of all that differ
   int worst_component = 0;
   double worst_exact = 0;
   double worst_rendered = 0;
-  double worst_ulp = 0;  // error in units of the last place of the value's format
+  // Error in units of the last place of the value's format, of the larger of the two.
+  double worst_ulp = 0;
+  double mean_ulp = 0;   // over all components compared, those without error included
+  // Largest error as a share of the attribute's range over the vertices of its primitive; 0 where
+  // the attribute has no range.
+  double worst_relative = 0;
   std::map<int, std::uint64_t> ulp_histogram;  // floor(log2(error in ULP)) -> components
 };
 

@@ -16,6 +16,7 @@
 #include "profile/probe_scenes.h"
 #include "profile/probe_traits.h"
 #include "profile/random_scenes.h"
+#include "profile/value_measurement.h"
 #include "rules/choices.h"
 
 namespace edgecase {
@@ -115,6 +116,7 @@ class SurfaceMeasurement {
       : options_(options), scenes_(surface, options.seed, options.scenes_per_kind) {
     profile_.surface = surface;
     for (const Observations* observations : scenes_.all()) total_ += observations->size();
+    total_ += value_scene_count(options.scenes_per_kind);
   }
 
   std::size_t total() const { return total_; }
@@ -135,6 +137,7 @@ class SurfaceMeasurement {
     }
     infer_choices();
     ask_probes();
+    ask_values(renderer, progress);
     gather_counter_examples();
   }
 
@@ -215,6 +218,21 @@ class SurfaceMeasurement {
     traits.push_back(provoking_trait(scenes_.provoking, provoking_outcomes_));
     if (traits.back().alternative != "as-set")
       choices_["attribute.provoking-vertex"] = traits.back().alternative;
+    found_.values.provoking = traits.back().alternative == "first"  ? ProvokingChoice::first
+                              : traits.back().alternative == "last" ? ProvokingChoice::last
+                                                                    : ProvokingChoice::as_set;
+  }
+
+  void ask_values(Renderer& renderer, const ObservationProgress& progress) {
+    const ValueQuestion question{options_.seed, profile_.surface, options_.scenes_per_kind, found_,
+                                 latitude_bits(info_.subpixel_bits)};
+    ValueFindings findings = measure_values(renderer, question, progress, options_.stop);
+    for (Trait& trait : findings.traits) profile_.traits.push_back(std::move(trait));
+    choices_.merge(findings.choices);
+    profile_.values = std::move(findings.errors);
+    profile_.scenes += findings.scenes;
+    profile_.not_drawn += findings.not_drawn;
+    if (profile_.first_failure.empty()) profile_.first_failure = findings.first_failure;
   }
 
   void gather_counter_examples() {

@@ -88,7 +88,7 @@ struct JointFaultCounts {
 
 bool count_joint_faults(const Observation& observation, JointFaultCounts& counts) {
   const auto primitives = primitives_of(observation.scene);
-  const auto faults = joint_faults(primitives, coverage_of(observation), observation.scene.target);
+  const auto faults = joint_faults(primitives, coverage_of(observation), observation.scene);
   bool any = false;
   for (const JointFault& fault : faults) {
     if (fault.clause.empty()) continue;
@@ -188,7 +188,7 @@ Trait shared_edge_trait(std::span<const Observation> observations, int bits) {
     if (!observation.failure.empty()) continue;
     const auto primitives = primitives_of(observation.scene);
     const auto faults =
-        shared_edge_faults(primitives, coverage_of(observation), observation.scene.target, bits);
+        shared_edge_faults(primitives, coverage_of(observation), observation.scene, bits);
     ++trait.rate.of;
     if (faults.empty()) ++trait.rate.agreeing;
     for (const SharedEdgeFault& fault : faults) ++(fault.hits == 0 ? holes : doubles);

@@ -9,6 +9,7 @@
 #include "casefile/case_writer.h"
 #include "model/scene_words.h"
 #include "profile/profile_text.h"
+#include "profile/value_json.h"
 
 namespace edgecase {
 namespace {
@@ -91,6 +92,7 @@ Json to_json(const SurfaceProfile& surface) {
   json["illegal_scenes"] = surface.illegal_scenes;
   json["traits"] = list_of(surface.traits);
   json["tables"] = list_of(surface.tables);
+  json["values"] = value_errors_json(surface.values);
   json["clusters"] = list_of(surface.clusters);
   return json;
 }

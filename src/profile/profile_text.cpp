@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "model/scene_words.h"
+#include "profile/value_text.h"
 
 namespace edgecase {
 namespace {
@@ -80,6 +81,7 @@ void print_surface(Buffer& out, const SurfaceProfile& surface, std::size_t most_
     print(out, "  {} scenes were not drawn, the first: {}\n", surface.not_drawn,
           surface.first_failure);
   print_traits(out, surface);
+  print(out, "{}", value_errors_text(surface.values));
   for (const OwnershipTable& table : surface.tables) print_table(out, table);
   print_clusters(out, surface, most_clusters);
 }

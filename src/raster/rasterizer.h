@@ -13,7 +13,6 @@
 #include "model/rendering.h"
 #include "model/scene.h"
 #include "rules/choices.h"
-#include "rules/values/smooth_attribute.h"
 
 namespace edgecase {
 
@@ -24,15 +23,6 @@ PixelBounds drawable_bounds(const Draw& draw, const Target& target);
 // column.
 std::vector<PixelPosition> covered_pixels(const ScenePrimitive& primitive, const Target& target,
                                           const CoverageChoice& choice);
-
-// What is interpolated over a primitive: one component of its colour, or its window depth.
-Interpolant color_interpolant(const ScenePrimitive& primitive, std::size_t component,
-                              LineParameter line_parameter);
-Interpolant depth_interpolant(const ScenePrimitive& primitive, LineParameter line_parameter);
-
-// The colour (RGBA) and window depth of a primitive at a pixel's centre, from unsnapped positions:
-// the double nearest to the exact value, to within 2^-48 of the largest vertex value.
-Fragment shade(const ScenePrimitive& primitive, PixelPosition pixel, const ValueChoice& choice);
 
 // The rendering that a policy's rules, applied without rounding, produce.
 Rendering rasterize(const Scene& scene, const Policy& policy);

@@ -117,11 +117,14 @@ ValueAggregate to_values(const Json& json) {
   values.rule = json.at("rule");
   values.ruling = json.at("ruling");
   values.compared = json.at("compared");
+  values.components = json.at("components");
   values.worst = to_place(json.at("worst"));
   values.worst_component = json.at("worst_component");
   values.worst_exact = to_number(json.at("worst_exact"));
   values.worst_rendered = to_number(json.at("worst_rendered"));
   values.worst_ulp = to_number(json.at("worst_ulp"));
+  values.mean_ulp = to_number(json.at("mean_ulp"));
+  values.worst_relative = to_number(json.at("worst_relative"));
   for (const auto& [bucket, count] : json.at("ulp_histogram").items())
     values.ulp_histogram[to_integer(bucket)] = count;
   values.differing = to_list<ValueAggregate::Place>(json.at("differing"), to_place);

@@ -82,11 +82,14 @@ Json values_json(const ValueAggregate& values) {
           {"rule", values.rule},
           {"ruling", values.ruling},
           {"compared", values.compared},
+          {"components", values.components},
           {"worst", place_json(values.worst)},
           {"worst_component", values.worst_component},
           {"worst_exact", number(values.worst_exact)},
           {"worst_rendered", number(values.worst_rendered)},
           {"worst_ulp", number(values.worst_ulp)},
+          {"mean_ulp", number(values.mean_ulp)},
+          {"worst_relative", number(values.worst_relative)},
           {"ulp_histogram", std::move(histogram)},
           {"differing", std::move(differing)}};
 }

@@ -13,6 +13,8 @@
 #include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
+#include "rules/values/depth_buffer.h"
+#include "rules/values/derivative.h"
 #include "rules/values/flat_attribute.h"
 #include "rules/values/framebuffer.h"
 #include "rules/values/smooth_attribute.h"
@@ -55,8 +57,15 @@ std::span<const Rule> all_rules() {
       flat_attribute_rule(),
       provoking_vertex_rule(),
       smooth_attribute_rule(),
+      perspective_rule(),
+      attribute_positions_rule(),
+      derivative_rule(),
+      fine_derivative_rule(),
+      coarse_derivative_rule(),
       depth_rule(),
+      fragment_coordinates_rule(),
       unorm8_rule(),
+      depth_buffer_rule(),
       order_rule(),
   };
   return rules;

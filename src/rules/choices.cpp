@@ -52,6 +52,11 @@ ValueChoice resolve_values(const Policy& policy, Surface surface) {
   if (provoking == "last") result.provoking = ProvokingChoice::last;
   if (chosen(policy, surface, "attribute.smooth") == "major-axis")
     result.line_parameter = LineParameter::major_axis;
+  parse_name(chosen_or_standard(policy, surface, "attribute.perspective"), result.perspective);
+  parse_name(chosen_or_standard(policy, surface, "attribute.positions"), result.positions);
+  for (const Derivative derivative : {Derivative::x, Derivative::x_fine, Derivative::x_coarse})
+    parse_name(chosen_or_standard(policy, surface, derivative_rule_of(derivative)),
+               result.derivatives[form_of(derivative)]);
   return result;
 }
 

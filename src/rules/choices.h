@@ -3,6 +3,7 @@
 // Choices: a policy looked up once, so that predicates get values and not names.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,7 +15,9 @@
 #include "rules/coverage/snap.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/coverage/triangle_algorithm.h"
+#include "rules/values/derivative.h"
 #include "rules/values/flat_attribute.h"
+#include "rules/values/interpolation.h"
 #include "rules/values/smooth_attribute.h"
 
 namespace edgecase {
@@ -33,6 +36,11 @@ struct CoverageChoice {
 struct ValueChoice {
   ProvokingChoice provoking = ProvokingChoice::as_set;
   LineParameter line_parameter = LineParameter::projection;
+  PerspectiveChoice perspective = PerspectiveChoice::as_set;
+  AttributePositions positions = AttributePositions::unsnapped;
+  // Of the plain, the fine and the coarse forms (form_of in rules/values/derivative.h).
+  std::array<DerivativeMethod, 3> derivatives{DerivativeMethod::fine, DerivativeMethod::fine,
+                                              DerivativeMethod::coarse_bottom_left};
 };
 
 // What a policy says for one surface.

@@ -42,6 +42,10 @@ std::string hits_member(const Rendering& rendering) {
   return fmt::format(",\"hits\":[{}]", fmt::join(rendering.hits, ","));
 }
 
+std::string depths_member(const Rendering& rendering) {
+  return rendering.depths.empty() ? "" : ",\"depths\":" + depths_json(rendering);
+}
+
 RendererInfo read_claims(const json& value, const Path& path) {
   wire::require_object(value, path, {"vendor", "version", "device", "subpixel_bits", "traits"});
   RendererInfo claims;
@@ -70,17 +74,51 @@ struct Bounds {
   int height;
   int samples;
   int primitives;
+  Details details;  // what was asked for
 };
 
-std::array<double, 4> read_color(const json& value, const Path& path) {
+std::array<double, 4> read_four(const json& value, const Path& path) {
   wire::require_array(value, path, 4);
-  std::array<double, 4> color{};
-  for (std::size_t i = 0; i < 4; ++i) color[i] = wire::read_number(value[i], {path, i});
-  return color;
+  std::array<double, 4> numbers{};
+  for (std::size_t i = 0; i < 4; ++i) numbers[i] = wire::read_number(value[i], {path, i});
+  return numbers;
+}
+
+void read_derivatives(const json& value, const Path& path, FragmentDetail& detail) {
+  wire::require_object(value, path,
+                       {kDerivativeNames[0], kDerivativeNames[1], kDerivativeNames[2],
+                        kDerivativeNames[3], kDerivativeNames[4], kDerivativeNames[5]});
+  for (std::size_t i = 0; i < kDerivatives; ++i) {
+    const json* four = wire::optional_member(value, kDerivativeNames[i]);
+    if (four == nullptr) continue;
+    detail.derivatives[i] = read_four(*four, {path, kDerivativeNames[i]});
+    detail.has_derivative[i] = true;
+  }
+}
+
+// What a fragment tells beside colour and depth; none where it tells nothing of the kind.
+std::optional<FragmentDetail> read_detail(const json& value, const Path& path, Details asked) {
+  const auto find = [&](const char* key, bool is_asked) {
+    const json* found = wire::optional_member(value, key);
+    if (found != nullptr && !is_asked)
+      throw Refusal(
+          fmt::format("{} has \"{}\", which the request does not ask for", path.text(), key));
+    return found;
+  };
+  const json* coordinates = find("coordinates", asked.coordinates);
+  const json* derivatives = find("derivatives", asked.derivatives);
+  if (coordinates == nullptr && derivatives == nullptr) return std::nullopt;
+  FragmentDetail detail;
+  detail.has_coordinates = coordinates != nullptr;
+  if (coordinates != nullptr) detail.coordinates = read_four(*coordinates, {path, "coordinates"});
+  if (derivatives != nullptr) read_derivatives(*derivatives, {path, "derivatives"}, detail);
+  return detail;
 }
 
 Fragment read_fragment(const json& value, const Path& path, const Bounds& bounds) {
-  wire::require_object(value, path, {"x", "y", "primitive", "coverage", "depth", "color"});
+  wire::require_object(
+      value, path,
+      {"x", "y", "primitive", "coverage", "depth", "color", "coordinates", "derivatives"});
   const auto read_index = [&](const char* key, int count) {
     return static_cast<int>(
         wire::read_integer(wire::member(value, path, key), {path, key}, 0, count - 1));
@@ -97,7 +135,7 @@ Fragment read_fragment(const json& value, const Path& path, const Bounds& bounds
   if (depth != nullptr) fragment.depth = wire::read_number(*depth, {path, "depth"});
   const json* color = wire::optional_member(value, "color");
   fragment.has_color = color != nullptr;
-  if (color != nullptr) fragment.color = read_color(*color, {path, "color"});
+  if (color != nullptr) fragment.color = read_four(*color, {path, "color"});
   return fragment;
 }
 
@@ -116,13 +154,35 @@ int count_primitives(const Scene& scene) {
   return static_cast<int>(primitives_of(scene).size());
 }
 
-std::vector<Fragment> read_fragments(const json& value, const Path& path, const Bounds& bounds) {
+void read_fragments(const json& value, const Path& path, const Bounds& bounds,
+                    Rendering& rendering) {
   wire::require_array(value, path, value.size());
-  std::vector<Fragment> fragments;
-  fragments.reserve(value.size());
-  for (std::size_t i = 0; i < value.size(); ++i)
-    fragments.push_back(read_fragment(value[i], {path, i}, bounds));
-  return fragments;
+  rendering.fragments.reserve(value.size());
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const Path at(path, i);
+    Fragment fragment = read_fragment(value[i], at, bounds);
+    if (const auto detail = read_detail(value[i], at, bounds.details)) {
+      fragment.detail = static_cast<int>(rendering.details.size());
+      rendering.details.push_back(*detail);
+    }
+    rendering.fragments.push_back(fragment);
+  }
+}
+
+// A float32 buffer may hold a depth that rounding took beyond 0 or 1; an unsigned one cannot.
+std::vector<double> read_depths(const json& value, const Path& path, std::size_t size,
+                                DepthFormat format) {
+  wire::require_array(value, path, size);
+  std::vector<double> depths;
+  depths.reserve(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const Path at(path, i);
+    depths.push_back(wire::read_finite(value[i], at));
+    const bool inside = depths.back() >= 0 && depths.back() <= 1;
+    if (!inside && format != DepthFormat::depth32f)
+      throw Refusal(fmt::format("{} is {}, but it must be 0 to 1", at.text(), value[i].dump()));
+  }
+  return depths;
 }
 
 // Either the key "coverage", or "pixels" and "fragments".
@@ -133,12 +193,14 @@ void read_drawn(const json& document, const Path& root, const Scene& scene, Rend
   const json& list = coverage != nullptr ? *coverage : wire::member(document, root, key);
   if (!list.empty() && primitives == 0)
     throw Refusal(fmt::format("/{} has elements, but the scene draws nothing", key));
-  rendering.fragments =
-      coverage != nullptr
-          ? wire::read_coverage_runs(list, {root, key},
-                                     {rendering.width, rendering.height, primitives})
-          : read_fragments(list, {root, key},
-                           {rendering.width, rendering.height, rendering.samples, primitives});
+  const Path at(root, key);
+  if (coverage != nullptr)
+    rendering.fragments =
+        wire::read_coverage_runs(list, at, {rendering.width, rendering.height, primitives});
+  else
+    read_fragments(
+        list, at, {rendering.width, rendering.height, rendering.samples, primitives, scene.details},
+        rendering);
 }
 
 Rendering read_rendering(const json& document, const Path& root, const Scene& scene) {
@@ -148,9 +210,14 @@ Rendering read_rendering(const json& document, const Path& root, const Scene& sc
   rendering.samples = scene.target.samples;
   const std::size_t area =
       static_cast<std::size_t>(rendering.width) * static_cast<std::size_t>(rendering.height);
-  if (!document.contains("coverage"))
+  if (!document.contains("coverage")) {
     rendering.pixels = read_integers<std::uint8_t>(wire::member(document, root, "pixels"),
                                                    {root, "pixels"}, 4 * area);
+    if (scene.target.depth != DepthFormat::none)
+      rendering.depths =
+          read_depths(wire::member(document, root, "depths"), {root, "depths"}, area,
+                      scene.target.depth);
+  }
   if (const json* hits = wire::optional_member(document, "hits"))
     rendering.hits = read_integers<std::uint32_t>(*hits, {root, "hits"}, area);
   read_drawn(document, root, scene, rendering);
@@ -167,8 +234,10 @@ void check_form(const json& document, const Scene& scene, bool coverage_only) {
       if (document.contains(key))
         throw Refusal(fmt::format("the line has both \"{}\" and \"{}\"", first, key));
   };
-  refuse_beside("not_run", {"pixels", "fragments", "coverage", "hits"});
-  refuse_beside("coverage", {"pixels", "fragments"});
+  refuse_beside("not_run", {"pixels", "fragments", "coverage", "depths", "hits"});
+  refuse_beside("coverage", {"pixels", "fragments", "depths"});
+  if (document.contains("depths") && scene.target.depth == DepthFormat::none)
+    throw Refusal("the line has \"depths\", but the target has no depth buffer");
   if (!document.contains("coverage")) return;
   if (!coverage_only)
     throw Refusal("the line has \"coverage\", but the request asked for a whole answer");
@@ -180,7 +249,8 @@ Answer read_answer(const json& document, const std::string& digest, const Scene&
                    bool coverage_only) {
   const Path root;
   wire::require_object(
-      document, root, {"digest", "pixels", "fragments", "coverage", "hits", "renderer", "not_run"});
+      document, root,
+      {"digest", "pixels", "fragments", "coverage", "depths", "hits", "renderer", "not_run"});
   const std::string& given =
       wire::read_string(wire::member(document, root, "digest"), {root, "digest"});
   if (given != digest)
@@ -202,9 +272,9 @@ Answer read_answer(const json& document, const std::string& digest, const Scene&
 
 std::string answer_line(const std::string& digest, const Rendering& rendering,
                         const RendererInfo* claims) {
-  return fmt::format(R"({{"digest":{},"pixels":{},"fragments":{}{}{}}})", text_of(digest),
-                     pixels_json(rendering), fragments_json(rendering), hits_member(rendering),
-                     claims_member(claims));
+  return fmt::format(R"({{"digest":{},"pixels":{},"fragments":{}{}{}{}}})", text_of(digest),
+                     pixels_json(rendering), fragments_json(rendering), depths_member(rendering),
+                     hits_member(rendering), claims_member(claims));
 }
 
 std::string coverage_line(const std::string& digest, const Rendering& rendering,

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -27,7 +28,31 @@ void write_number(Output out, double value) {
   }
 }
 
-void write_fragment(Output out, const Fragment& fragment) {
+void write_numbers(Output out, const std::array<double, 4>& numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    *out++ = i == 0 ? '[' : ',';
+    write_number(out, numbers[i]);
+  }
+  *out++ = ']';
+}
+
+void write_detail(Output out, const FragmentDetail& detail) {
+  if (detail.has_coordinates) {
+    fmt::format_to(out, ",\"coordinates\":");
+    write_numbers(out, detail.coordinates);
+  }
+  const char* before = ",\"derivatives\":{";
+  for (std::size_t i = 0; i < kDerivatives; ++i) {
+    if (!detail.has_derivative[i]) continue;
+    fmt::format_to(out, "{}\"{}\":", before, kDerivativeNames[i]);
+    write_numbers(out, detail.derivatives[i]);
+    before = ",";
+  }
+  const auto& told = detail.has_derivative;
+  if (std::find(told.begin(), told.end(), true) != told.end()) *out++ = '}';
+}
+
+void write_fragment(Output out, const Rendering& rendering, const Fragment& fragment) {
   fmt::format_to(out, R"({{"x":{},"y":{},"primitive":{},"coverage":{})", fragment.x, fragment.y,
                  fragment.primitive, fragment.coverage);
   if (fragment.has_depth) {
@@ -36,12 +61,10 @@ void write_fragment(Output out, const Fragment& fragment) {
   }
   if (fragment.has_color) {
     fmt::format_to(out, ",\"color\":");
-    for (std::size_t i = 0; i < fragment.color.size(); ++i) {
-      *out++ = i == 0 ? '[' : ',';
-      write_number(out, fragment.color[i]);
-    }
-    *out++ = ']';
+    write_numbers(out, fragment.color);
   }
+  if (fragment.detail >= 0)
+    write_detail(out, rendering.details[static_cast<std::size_t>(fragment.detail)]);
   *out++ = '}';
 }
 
@@ -53,7 +76,7 @@ std::string fragments_json(const Rendering& rendering) {
   text.push_back('[');
   for (const Fragment& fragment : rendering.fragments) {
     if (text.size() > 1) text.push_back(',');
-    write_fragment(out, fragment);
+    write_fragment(out, rendering, fragment);
   }
   text.push_back(']');
   return fmt::to_string(text);
@@ -63,12 +86,26 @@ std::string pixels_json(const Rendering& rendering) {
   return fmt::format("[{}]", fmt::join(rendering.pixels, ","));
 }
 
+std::string depths_json(const Rendering& rendering) {
+  fmt::memory_buffer text;
+  const Output out(text);
+  text.push_back('[');
+  for (double depth : rendering.depths) {
+    if (text.size() > 1) text.push_back(',');
+    write_number(out, depth);
+  }
+  text.push_back(']');
+  return fmt::to_string(text);
+}
+
 std::string rendering_json(const std::string& id, const Rendering& rendering) {
+  const std::string depths =
+      rendering.depths.empty() ? "" : ",\"depths\":" + depths_json(rendering);
   return fmt::format(
-      R"({{"id":{},"width":{},"height":{},"samples":{},"fragments":{},"pixels":{}}})",
+      R"({{"id":{},"width":{},"height":{},"samples":{},"fragments":{},"pixels":{}{}}})",
       nlohmann::json(id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace),
       rendering.width, rendering.height, rendering.samples, fragments_json(rendering),
-      pixels_json(rendering));
+      pixels_json(rendering), depths);
 }
 
 }  // namespace edgecase

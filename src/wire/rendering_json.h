@@ -3,21 +3,31 @@
 // A rendering as `edgecase render --json` writes it.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "model/rendering.h"
 
 namespace edgecase {
 
+// What a fragment's "derivatives" are called, in the order of enum Derivative: as in GLSL.
+constexpr std::array<const char*, kDerivatives> kDerivativeNames = {
+    "dFdx", "dFdy", "dFdxFine", "dFdyFine", "dFdxCoarse", "dFdyCoarse"};
+
 // One object on one line, without the line break at its end: id, width, height, samples, fragments
-// in the order of the rendering, and pixels (RGBA8, row by row from the bottom). Deterministic.
+// in the order of the rendering, pixels (RGBA8, row by row from the bottom), and depths in the same
+// order where the rendering has some. Deterministic.
 std::string rendering_json(const std::string& id, const Rendering& rendering);
 
 // The array of the rendering's fragments as JSON text; what a fragment does not tell (depth,
-// colour) is left out. Numbers that are not finite become "nan", "inf" and "-inf".
+// colour, coordinates, derivatives) is left out. Numbers that are not finite become "nan", "inf"
+// and "-inf".
 std::string fragments_json(const Rendering& rendering);
 
 // The array of the rendering's pixels as JSON text.
 std::string pixels_json(const Rendering& rendering);
+
+// The array of its depth buffer; empty where it has none.
+std::string depths_json(const Rendering& rendering);
 
 }  // namespace edgecase

@@ -6,18 +6,19 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "wire/reading.h"
+#include "wire/scene_values.h"
 
 namespace edgecase {
 
 using nlohmann::json;
+using wire::Output;
 using wire::Path;
 using wire::Refusal;
+using wire::write_number;
 
 namespace {
 
@@ -27,33 +28,18 @@ constexpr int kMaxViewport = 32768;
 constexpr int kMaxThickness = 64;
 // The value of "answer" in a request for coverage alone.
 constexpr std::string_view kCoverageAnswer = "coverage";
-
-using Output = std::back_insert_iterator<fmt::memory_buffer>;
-
-// A finite number as the shortest decimal that reads back as the same double: 1.0, not 1, so that
-// coordinates and colours look like what they are.
-void write_number(Output out, double value) {
-  std::array<char, 32> text;
-  const char* end = fmt::format_to_n(text.data(), text.size(), "{}", value).out;
-  const std::string_view digits(text.data(), static_cast<std::size_t>(end - text.data()));
-  const bool whole = digits.find_first_of(".e") == digits.npos;
-  fmt::format_to(out, "{}{}", digits, whole ? ".0" : "");
-}
-
-void write(Output out, const Color& color) {
-  for (std::size_t i = 0; i < color.size(); ++i) {
-    *out++ = i == 0 ? '[' : ',';
-    write_number(out, static_cast<double>(color[i]));
-  }
-  *out++ = ']';
-}
+// What "details" lists, in this order.
+constexpr std::string_view kCoordinates = "coordinates";
+constexpr std::string_view kDerivatives = "derivatives";
 
 void write(Output out, const Viewport& box) {
   fmt::format_to(out, "[{},{},{},{}]", box.x, box.y, box.width, box.height);
 }
 
-void write(Output out, const Vertex& vertex);
 void write(Output out, const Draw& draw);
+void write(Output out, const Vertex& vertex) {
+  wire::write_vertex(out, vertex);
+}
 
 template <class Item>
 void write_all(Output out, const std::vector<Item>& items) {
@@ -63,18 +49,6 @@ void write_all(Output out, const std::vector<Item>& items) {
     write(out, items[i]);
   }
   *out++ = ']';
-}
-
-void write(Output out, const Vertex& vertex) {
-  fmt::format_to(out, R"({{"position":[)");
-  write_number(out, vertex.position.x.to_double());
-  *out++ = ',';
-  write_number(out, vertex.position.y.to_double());
-  *out++ = ',';
-  write_number(out, vertex.z.to_double());
-  fmt::format_to(out, R"(],"color":)");
-  write(out, vertex.color);
-  *out++ = '}';
 }
 
 void write(Output out, const Draw& draw) {
@@ -94,44 +68,30 @@ void write(Output out, const Draw& draw) {
   *out++ = '}';
 }
 
+// The whole member, or nothing where no detail is asked for.
+void write_details(Output out, Details details) {
+  if (!details.any()) return;
+  std::vector<std::string> names;
+  if (details.coordinates) names.push_back(fmt::format("\"{}\"", kCoordinates));
+  if (details.derivatives) names.push_back(fmt::format("\"{}\"", kDerivatives));
+  fmt::format_to(out, R"(,"details":[{}])", fmt::join(names, ","));
+}
+
 void write(Output out, const Target& target) {
-  fmt::format_to(out, R"({{"width":{},"height":{},"samples":{},"color":"{}","surface":"{}")",
-                 target.width, target.height, target.samples, name_of(target.color),
-                 name_of(target.surface));
-  fmt::format_to(out, R"(,"clear":)");
-  write(out, target.clear);
+  fmt::format_to(out, R"({{"width":{},"height":{},"samples":{},"color":"{}")", target.width,
+                 target.height, target.samples, name_of(target.color));
+  if (target.depth != DepthFormat::none)
+    fmt::format_to(out, R"(,"depth":"{}")", name_of(target.depth));
+  fmt::format_to(out, R"(,"surface":"{}","clear":)", name_of(target.surface));
+  wire::write_color(out, target.clear);
   *out++ = '}';
-}
-
-Color read_color(const json& value, const Path& path) {
-  wire::require_array(value, path, 4);
-  Color color{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Path at(path, i);
-    const double number = wire::read_finite(value[i], at);
-    color[i] = static_cast<float>(number);
-    if (!(number >= 0 && number <= 1) || static_cast<double>(color[i]) != number)
-      throw Refusal(fmt::format("{} is {}, but it must be a float32 value of 0 to 1", at.text(),
-                                value[i].dump()));
-  }
-  return color;
-}
-
-Fixed read_fixed(const json& value, const Path& path) {
-  const double number = wire::read_finite(value, path);
-  const double raw = number * static_cast<double>(Fixed::kOne);
-  if (!(number >= -Fixed::kMaxCoordinate && number <= Fixed::kMaxCoordinate) ||
-      raw != static_cast<double>(static_cast<std::int64_t>(raw)))
-    throw Refusal(fmt::format("{} is {}, but it must be a multiple of 2^-16 of -8192 to 8192",
-                              path.text(), value.dump()));
-  return Fixed::from_raw(static_cast<std::int64_t>(raw));
 }
 
 // A line's width or a point's size.
 Fixed read_thickness(const json& draw, const Path& path, const char* key) {
   const Path at(path, key);
   const json& value = wire::member(draw, path, key);
-  const Fixed thickness = read_fixed(value, at);
+  const Fixed thickness = wire::read_fixed(value, at);
   if (thickness <= Fixed() || thickness > Fixed::from_integer(kMaxThickness))
     throw Refusal(fmt::format("{} is {}, but it must be more than 0 and at most {}", at.text(),
                               value.dump(), kMaxThickness));
@@ -153,14 +113,16 @@ Enum read_name(const json& object, const Path& path, const char* key) {
 }
 
 Target read_target(const json& value, const Path& path) {
-  wire::require_object(value, path, {"width", "height", "samples", "color", "surface", "clear"});
+  wire::require_object(value, path,
+                       {"width", "height", "samples", "color", "depth", "surface", "clear"});
   Target target;
   target.width = read_int(wire::member(value, path, "width"), {path, "width"}, 1, kMaxSize);
   target.height = read_int(wire::member(value, path, "height"), {path, "height"}, 1, kMaxSize);
   target.samples = read_int(wire::member(value, path, "samples"), {path, "samples"}, 1, 32);
   target.color = read_name<ColorFormat>(value, path, "color");
+  if (value.contains("depth")) target.depth = read_name<DepthFormat>(value, path, "depth");
   target.surface = read_name<Surface>(value, path, "surface");
-  target.clear = read_color(wire::member(value, path, "clear"), {path, "clear"});
+  target.clear = wire::read_clear_color(wire::member(value, path, "clear"), {path, "clear"});
   return target;
 }
 
@@ -173,20 +135,7 @@ Viewport read_box(const json& value, const Path& path, int smallest) {
           read_int(value[3], {path, std::size_t{3}}, smallest, kMaxViewport)};
 }
 
-Vertex read_vertex(const json& value, const Path& path) {
-  wire::require_object(value, path, {"position", "color"});
-  const json& position = wire::member(value, path, "position");
-  const Path at(path, "position");
-  wire::require_array(position, at, 3);
-  Vertex vertex;
-  vertex.position.x = read_fixed(position[0], {at, std::size_t{0}});
-  vertex.position.y = read_fixed(position[1], {at, std::size_t{1}});
-  vertex.z = read_fixed(position[2], {at, std::size_t{2}});
-  vertex.color = read_color(wire::member(value, path, "color"), {path, "color"});
-  return vertex;
-}
-
-Draw read_draw(const json& value, const Path& path) {
+Draw read_draw(const json& value, const Path& path, const Viewport& viewport) {
   wire::require_object(value, path,
                        {"primitive", "interpolation", "provoking_vertex", "line_width",
                         "point_size", "scissor", "vertices"});
@@ -205,20 +154,42 @@ Draw read_draw(const json& value, const Path& path) {
     throw Refusal(fmt::format("{} has {} vertices, which make no whole {}", at.text(),
                               vertices.size(), name_of(draw.primitive)));
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    draw.vertices.push_back(read_vertex(vertices[i], {at, i}));
+    draw.vertices.push_back(wire::read_vertex(vertices[i], {at, i}, viewport));
   return draw;
 }
 
+// Names, none of them twice; one at least, since a scene without is told by leaving out the key.
+Details read_details(const json& value, const Path& path) {
+  wire::require_array(value, path, value.size());
+  if (value.empty()) throw Refusal(path.text() + " must have an element");
+  Details details;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const Path at(path, i);
+    const std::string& name = wire::read_string(value[i], at);
+    bool* const detail = name == kCoordinates   ? &details.coordinates
+                         : name == kDerivatives ? &details.derivatives
+                                                : nullptr;
+    if (detail == nullptr)
+      throw Refusal(
+          fmt::format("{} is the unknown name \"{}\"", at.text(), wire::excerpt(name, 40)));
+    if (*detail) throw Refusal(fmt::format("{} names \"{}\" again", at.text(), name));
+    *detail = true;
+  }
+  return details;
+}
+
 Scene read_scene(const json& value, const Path& path) {
-  wire::require_object(value, path, {"target", "viewport", "draws"});
+  wire::require_object(value, path, {"target", "viewport", "details", "draws"});
   Scene scene;
   scene.target = read_target(wire::member(value, path, "target"), {path, "target"});
   scene.viewport = read_box(wire::member(value, path, "viewport"), {path, "viewport"}, 1);
+  if (const json* details = wire::optional_member(value, "details"))
+    scene.details = read_details(*details, {path, "details"});
   const json& draws = wire::member(value, path, "draws");
   const Path at(path, "draws");
   wire::require_array(draws, at, draws.size());
   for (std::size_t i = 0; i < draws.size(); ++i)
-    scene.draws.push_back(read_draw(draws[i], {at, i}));
+    scene.draws.push_back(read_draw(draws[i], {at, i}, scene.viewport));
   return scene;
 }
 
@@ -254,6 +225,7 @@ std::string scene_json(const Scene& scene) {
   write(out, scene.target);
   fmt::format_to(out, R"(,"viewport":)");
   write(out, scene.viewport);
+  write_details(out, scene.details);
   fmt::format_to(out, R"(,"draws":)");
   write_all(out, scene.draws);
   text.push_back('}');

@@ -40,6 +40,7 @@ LIBRARIES = [
     (r"OpenImageIO/", {"image"}),
     (r"(GL|EGL|KHR|GLES\d?|glad)/", {"reference"}),
     (r"glm/", {"casefile"}),
+    (r"tiny_obj_loader", {"casefile"}),
     (r"pugixml", {"reports"}),
     (r"CLI/", {"tools"}),
     (r"gtest/|gmock/", set()),

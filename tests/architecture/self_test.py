@@ -53,6 +53,7 @@ FAULTS = [
     ("tools/edgecase/a.cpp", "#include <EGL/egl.h>", "tools may not use <EGL"),
     ("src/run/a.cpp", "#include <glad/gl.h>", "run may not use <glad"),
     ("src/raster/a.cpp", "#include <glm/vec2.hpp>", "raster may not use <glm"),
+    ("reference/a.cpp", "#include <tiny_obj_loader.h>", "reference may not use <tiny_obj"),
     ("src/run/a.cpp", "#include <gtest/gtest.h>", "run may not use <gtest"),
     ("src/exact/a.h", "float x;", "float: coverage"),
     ("src/exact/fixed.h", "double to_double();\ndouble y;", "double: coverage"),

@@ -6,10 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <string>
 
+#include "casefile/clip_space.h"
 #include "casefile/loader.h"
 #include "casefile/suite.h"
 #include "casefile/viewport.h"
@@ -95,6 +97,84 @@ TEST(CaseWriter, RandomScenesComeBack) {
   }
 }
 
+TEST(CaseWriter, EveryWayToGiveAVertexComesBack) {
+  const fs::path file = fs::path(EDGECASE_ROOT) / "tests/casefile/good/values-everything.json";
+  const LoadedCases loaded = load_cases(file, "values");
+  EXPECT_GT(loaded.cases.size(), 100U);
+  for (const Case& one : loaded.cases) {
+    SCOPED_TRACE(one.id);
+    EXPECT_TRUE(one.scene.details.any());
+    expect_comes_back(one.scene, words_of(one));
+    if (HasFailure()) return;
+  }
+}
+
+// Any float32 numbers that lie inside the clip volume, on the grid of the model.
+Vertex random_clip_vertex(RandomScenes& scenes, const Viewport& viewport) {
+  const auto part = [&] {
+    return static_cast<float>(scenes.below(2000001) - 1000000) / 1000001.0F;
+  };
+  const float w = std::ldexp(1.0F + std::fabs(part()), scenes.below(40) - 20);
+  const auto coordinate = [&] { return w * part() * std::ldexp(1.0F, -scenes.below(30)); };
+  Vertex vertex;
+  vertex.clip = round_to_grid({coordinate(), coordinate(), coordinate(), w});
+  vertex.color = {part() * 1e6F, part(), part() * 1e-6F, 1};
+  place_clip_vertex(viewport, vertex);
+  return vertex;
+}
+
+TEST(CaseWriter, RandomValuesComeBack) {
+  RandomScenes scenes(5);
+  constexpr DepthFormat kFormats[] = {DepthFormat::none, DepthFormat::depth16, DepthFormat::depth24,
+                                      DepthFormat::depth32f};
+  for (int round = 0; round < 1500; ++round) {
+    Scene scene = blank_scene(1 + scenes.below(40), 1 + scenes.below(40));
+    scene.target.depth = kFormats[scenes.below(4)];
+    scene.details = {scenes.below(2) == 0, scenes.below(2) == 0};
+    scene.viewport = scenes.below(2) == 0 ? clip_viewport(scene.target) : Viewport{-3, 5, 50, 21};
+    Draw draw;
+    draw.primitive = Primitive::triangles;
+    for (int i = 0; i < 3; ++i) draw.vertices.push_back(random_clip_vertex(scenes, scene.viewport));
+    scene.draws.push_back(draw);
+    const Point points[] = {pixel_centre(0, 6)};
+    Draw other = make_draw(Primitive::points, points);
+    other.vertices[0].w = std::ldexp(1.0F, scenes.below(41) - 20);
+    if (scene.viewport.x == -3) scene.viewport = {-3, 5, 64, 16};
+    for (Vertex& vertex : scene.draws[0].vertices) place_clip_vertex(scene.viewport, vertex);
+    if (scene.viewport.y + scene.viewport.height > 6) scene.draws.push_back(other);
+    expect_comes_back(scene, some_words());
+    if (HasFailure()) return;
+  }
+}
+
+TEST(CaseWriter, WritesValuesWithAllTheirDigits) {
+  Scene scene = blank_scene(8, 8);
+  scene.target.depth = DepthFormat::depth16;
+  scene.details.coordinates = true;
+  const Point points[] = {pixel_centre(1, 1), pixel_centre(2, 2)};
+  Draw draw = make_draw(Primitive::lines, points);
+  for (Vertex& vertex : draw.vertices) vertex.color = {-1, 2.5F, 1e10F, 1};
+  draw.vertices[0].z = Fixed();
+  draw.vertices[0].w = 8;
+  draw.vertices[1].clip = ClipPosition{0.25F, -0.5F, 0, 0.7F};
+  place_clip_vertex(scene.viewport, draw.vertices[1]);
+  scene.draws = {draw};
+  EXPECT_EQ(case_text(scene, some_words()).text, R"({
+  "title": "A scene",
+  "rules": ["line.diamond-exit"],
+  "target": {"width": 8, "height": 8, "depth": "depth16", "clear": [0, 0, 0]},
+  "details": ["coordinates"],
+  "draws": [
+    {
+      "primitive": "lines",
+      "vertices": [[1.5, 1.5, 0, 8], {"clip": [0.25, -0.5, 0, 0.699999988079071044921875]}],
+      "color": [-1, 2.5, 1e+10]
+    }
+  ]
+}
+)");
+}
+
 TEST(CaseWriter, WritesAsAPersonWould) {
   Scene scene = blank_scene(8, 4);
   const Point from{Fixed::from_raw(21 * Fixed::kOne / 8), Fixed::from_integer(1)};
@@ -157,6 +237,14 @@ TEST(CaseWriter, SaysWhatACaseFileCannotSay) {
   Scene bright = scene;
   bright.target.clear[0] = 1.5F;
   EXPECT_NE(fault_of(bright).find("out of range"), std::string::npos);
+  Scene clipped = scene;
+  clipped.viewport = {0, 0, 8, 8};
+  clipped.draws[0].vertices[0].clip = ClipPosition{0, 2, 0, 1};
+  EXPECT_NE(fault_of(clipped).find("outside the clip volume"), std::string::npos);
+  clipped.draws[0].vertices[0].clip.reset();
+  clipped.draws[0].vertices[0].w = 0.1F;
+  clipped.draws[0].vertices[0].position.x = Fixed::from_raw(3 * Fixed::kOne + 12345);
+  EXPECT_NE(fault_of(clipped).find("with w = 0.1"), std::string::npos) << fault_of(clipped);
   bright.target.clear[0] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_NE(fault_of(bright), "none");
   EXPECT_NE(fault_of(Scene{}), "none");

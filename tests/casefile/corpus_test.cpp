@@ -4,6 +4,7 @@
 // folder's expected.tsv lists, in order, each with a remedy; every good file must load.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -67,8 +68,8 @@ void check_folder(const fs::path& folder, std::size_t columns) {
     EXPECT_TRUE(loaded.cases.empty());
     const auto found = expected.find(file.filename().string());
     ASSERT_NE(found, expected.end());
-    ASSERT_EQ(loaded.diagnostics.size(), found->second.size());
-    for (std::size_t i = 0; i < found->second.size(); ++i) {
+    EXPECT_EQ(loaded.diagnostics.size(), found->second.size());
+    for (std::size_t i = 0; i < std::min(loaded.diagnostics.size(), found->second.size()); ++i) {
       const Diagnostic& diagnostic = loaded.diagnostics[i];
       EXPECT_EQ(diagnostic.file, file.generic_string());
       EXPECT_EQ(diagnostic.line, found->second[i].line);

@@ -50,6 +50,18 @@ TEST(TreePointer, FindsCoordinatesInEveryForm) {
   EXPECT_EQ(find(root, "/draws/0/vertices/3/x"), nullptr);
 }
 
+TEST(TreePointer, FindsClipCoordinatesAndObjectSpace) {
+  JsonDocument document = parse_json(
+      R"({"draws": [{"vertices": [{"clip": [1, 2, 3, 4]}, {"object": [5, 6, 7]}, {"clip": [8]}]}]})",
+      "a.json");
+  JsonNode& root = *document.root;
+  EXPECT_EQ(find(root, "/draws/0/vertices/0/x")->text, "1");
+  EXPECT_EQ(find(root, "/draws/0/vertices/0/w")->text, "4");
+  EXPECT_EQ(find(root, "/draws/0/vertices/1/z")->text, "7");
+  EXPECT_EQ(find(root, "/draws/0/vertices/1/w"), nullptr);
+  EXPECT_EQ(find(root, "/draws/0/vertices/2/y"), nullptr);
+}
+
 TEST(TreePointer, CreatesMembersButNoItems) {
   JsonNode root = tree();
   EXPECT_EQ(find(root, "/draws/0/state/line_width"), nullptr);

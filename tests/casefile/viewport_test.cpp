@@ -120,6 +120,49 @@ TEST(Viewport, CarriesEveryFloat32CoordinateUnrounded) {
   }
 }
 
+// With a w, what is sent is the product: a centre is found that keeps it exact, or the check says
+// which factor has too many bits.
+TEST(Viewport, ProductsWithWAreChecked) {
+  // 65531/65536 to the left of the centre: 16 significant bits.
+  const Fixed x = Fixed::from_raw(3 * Fixed::kOne + 5);
+  EXPECT_FALSE(find_inexactness(x, {0, 8}, 'x', 1048576));
+  EXPECT_FALSE(find_inexactness(x, {0, 8}, 'x', 255));  // 16 bits and 8 make 24
+  const auto fault = find_inexactness(x, {0, 8}, 'x', 0.1F);
+  ASSERT_TRUE(fault.has_value());
+  EXPECT_NE(fault->message.find("with w = 0.1: the product has 40 significant bits"),
+            std::string::npos)
+      << fault->message;
+  EXPECT_NE(fault->remedy.find("a power of two as w, or one of 8 significant bits at most"),
+            std::string::npos)
+      << fault->remedy;
+  EXPECT_FALSE(find_depth_inexactness(Fixed::from_raw(Fixed::kOne / 2), 0.1F));
+  EXPECT_TRUE(find_depth_inexactness(Fixed::from_raw(3), 0.1F));
+}
+
+TEST(Viewport, MovesItsCentreForTheSakeOfW) {
+  // 3 (2^24 - 1) has 26 significant bits, (2^24 - 1) has 24: the centre has to be 2 pixels off.
+  Draw draw = points_at({whole(5, 5)});
+  draw.vertices[0].w = 16777215.0F / 16;
+  const auto viewport = choose_viewport(target_of(8, 16), {draw});
+  ASSERT_TRUE(viewport.has_value());
+  EXPECT_FALSE(find_inexactness(draw.vertices[0].position.x, {viewport->x, viewport->width}, 'x',
+                                draw.vertices[0].w));
+  EXPECT_FALSE(find_inexactness(draw.vertices[0].position.y, {viewport->y, viewport->height}, 'y',
+                                draw.vertices[0].w));
+  EXPECT_EQ(viewport->width, 8);    // centre 4
+  EXPECT_EQ(viewport->height, 32);  // 16 high, its centre would be 8: 3 pixels off
+}
+
+TEST(Viewport, ClipCoordinatesTakeThatOfTheTarget) {
+  Draw draw = points_at({whole(-7, 3), whole(2, 2)});
+  EXPECT_EQ(choose_viewport(target_of(8, 8), {draw})->width, 16);
+  draw.vertices[0].clip = ClipPosition{};
+  const auto viewport = choose_viewport(target_of(9, 8), {draw});
+  EXPECT_EQ(viewport->x, 0);
+  EXPECT_EQ(viewport->width, 16);
+  EXPECT_EQ(viewport->height, 8);
+}
+
 // The check speaks exactly when float32 arithmetic would move the vertex or clip it.
 TEST(Viewport, FindsInexactnessInEveryOddViewport) {
   for (int size = 1; size <= 48; ++size) {

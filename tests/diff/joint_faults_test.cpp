@@ -19,7 +19,7 @@ namespace {
 
 std::vector<JointFault> faults(const Scene& scene, const Rendering& drawn) {
   const auto primitives = primitives_of(scene);
-  return joint_faults(primitives, match_coverage(primitives.size(), drawn, drawn), scene.target);
+  return joint_faults(primitives, match_coverage(primitives.size(), drawn, drawn), scene);
 }
 
 Scene scene_with(Primitive primitive, const std::vector<Point>& points) {

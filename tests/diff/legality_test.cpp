@@ -74,8 +74,7 @@ TEST(LinesInAComparison, TellTheirSnapsTheirFirstClauseAndPlaces) {
 
 std::vector<SharedEdgeFault> faults(const Scene& scene, const Rendering& drawn) {
   const auto primitives = primitives_of(scene);
-  return shared_edge_faults(primitives, match_coverage(primitives.size(), drawn, drawn),
-                            scene.target, 8);
+  return shared_edge_faults(primitives, match_coverage(primitives.size(), drawn, drawn), scene, 8);
 }
 
 TEST(SharedEdgeFaults, ArePlacedWhereTheHoleIs) {

@@ -6,6 +6,7 @@
 
 #include "diff/compare.h"
 #include "diff/judge.h"
+#include "raster/attributes.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/rules/support.h"
@@ -183,7 +184,8 @@ Rendering compose(const Scene& scene, std::vector<Fragment> fragments) {
 }
 
 Fragment fragment_at(const Scene& scene, int primitive, int x, int y) {
-  return shade(primitives_of(scene).at(static_cast<std::size_t>(primitive)), {x, y}, {});
+  const ScenePrimitive one = primitives_of(scene).at(static_cast<std::size_t>(primitive));
+  return shade(one, attributes_of(one, {}, scene.target), {x, y});
 }
 
 Result compare_and_judge(const Scene& scene, const Rendering& rendered, int subpixel_bits) {

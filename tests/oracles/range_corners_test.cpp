@@ -6,10 +6,12 @@
 
 #include <random>
 
+#include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/line_areas.h"
 #include "rules/coverage/line_latitude.h"
 #include "rules/coverage/point_ownership.h"
 #include "rules/coverage/shared_edge.h"
+#include "rules/coverage/snap.h"
 #include "tests/oracles/areas.h"
 #include "tests/oracles/support.h"
 
@@ -101,8 +103,10 @@ TEST_F(RangeCorners, Points) {
         };
         ASSERT_EQ(point_covers(p, x, y, rule), ties.accept(where(size, ties.move)));
         // A vertex moved by less than a step: a square larger or smaller by that on every side.
-        ASSERT_EQ(point_possibly_covered(p, x, y, bits), where(size + step * 2, {0, 0}) > 0);
-        ASSERT_EQ(point_possibly_uncovered(p, x, y, bits), where(size - step * 2, {0, 0}) < 0);
+        ASSERT_EQ(point_possibly_covered(p, x, y, grid_step(bits)),
+                  where(size + step * 2, {0, 0}) > 0);
+        ASSERT_EQ(point_possibly_uncovered(p, x, y, grid_step(bits)),
+                  where(size - step * 2, {0, 0}) < 0);
         ASSERT_FALSE(explain_point(p, x, y, rule).text.empty());
       }
   }
@@ -126,11 +130,11 @@ TEST_F(RangeCorners, TrianglesAndTheirLatitude) {
     ASSERT_EQ(where, oracle::where_by_cross_products(spots, sample));
     ASSERT_EQ(where, oracle::where_by_barycentric_signs(spots, sample));
     ASSERT_EQ(triangle_covers(t, x, y, rule), ties.accept(where));
-    ASSERT_EQ(triangle_possibly_covered(t, pixel_centre(x, y), bits),
+    ASSERT_EQ(triangle_possibly_covered(t, pixel_centre(x, y), grid_step(bits)),
               oracle::coverable(spots, centre, step));
-    ASSERT_EQ(robustly_left(t[0], t[1], pixel_centre(x, y), bits),
+    ASSERT_EQ(robustly_left(t[0], t[1], pixel_centre(x, y), grid_step(bits)),
               oracle::left_however_moved(spots[0], spots[1], centre, step));
-    ASSERT_EQ(triangle_possibly_uncovered(t, pixel_centre(x, y), bits),
+    ASSERT_EQ(triangle_possibly_uncovered(t, pixel_centre(x, y), grid_step(bits)),
               oracle::leavable(spots, centre, step));
     ASSERT_FALSE(explain_triangle(t, x, y, rule).text.empty());
     on_edge += oracle::where_by_half_planes(spots, oracle::moved(centre, {0, 0})) == 0 ? 1 : 0;
@@ -159,7 +163,7 @@ TEST_F(RangeCorners, SharedEdges) {
     const bool once = !robust(left[0], left[1]) && !robust(left[1], left[0]) &&
                       robust(left[1], left[2]) && robust(left[2], left[0]) &&
                       robust(left[0], right[2]) && robust(right[2], left[1]);
-    ASSERT_EQ(must_hit_once(*edge, pixel_centre(x, y), bits), once);
+    ASSERT_EQ(must_hit_once(*edge, pixel_centre(x, y), grid_step(bits)), once);
     if (!once) continue;
     on_edge += cross(left[0], left[1], pixel_centre(x, y)) == 0 ? 1 : 0;
     for (const TieRule& rule : all_tie_rules()) {

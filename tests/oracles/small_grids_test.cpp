@@ -109,16 +109,18 @@ TEST(SmallGrids, LatitudeOfTriangles) {
             const Point sample{Fixed::from_raw(quarters * Fixed::kOne / 4), Fixed::centre_of(0)};
             const oracle::Spot p = oracle::spot(sample);
             const bool coverable = oracle::coverable(spots, p, step);
-            ASSERT_EQ(triangle_possibly_covered({a, b, c}, sample, bits), coverable)
+            ASSERT_EQ(triangle_possibly_covered({a, b, c}, sample, grid_step(bits)), coverable)
                 << describe(Segment{a, b}) << ", " << describe(Segment{b, c}) << " bits " << bits
                 << " sample " << quarters << "/4";
-            ASSERT_EQ(robustly_left(a, b, sample, bits),
+            ASSERT_EQ(robustly_left(a, b, sample, grid_step(bits)),
                       oracle::left_however_moved(spots[0], spots[1], p, step))
                 << describe(Segment{a, b}) << " bits " << bits << " sample " << quarters << "/4";
-            ASSERT_EQ(triangle_possibly_uncovered({a, b, c}, sample, bits),
+            ASSERT_EQ(triangle_possibly_uncovered({a, b, c}, sample, grid_step(bits)),
                       oracle::leavable(spots, p, step))
                 << describe(Segment{a, b}) << ", " << describe(Segment{b, c}) << " bits " << bits;
-            open += coverable && triangle_possibly_uncovered({a, b, c}, sample, bits) ? 1 : 0;
+            open += coverable && triangle_possibly_uncovered({a, b, c}, sample, grid_step(bits))
+                        ? 1
+                        : 0;
           }
         }
   EXPECT_GT(open, 1000);

@@ -11,6 +11,7 @@
 #include "profile/probe_scenes.h"
 #include "rules/coverage/line_joints.h"
 #include "rules/coverage/shared_edge.h"
+#include "rules/coverage/snap.h"
 #include "tests/profile/scene_checks.h"
 
 namespace edgecase {
@@ -120,7 +121,7 @@ int bound_samples(const std::vector<Triangle>& triangles, int size, bool closed)
     for (int y = 0; edge && y < size; ++y)
       for (int x = 0; x < size; ++x)
         if (const Point p = pixel_centre(x, y);
-            lies_between(edge->a, edge->b, p) && must_hit_once(*edge, p, 8))
+            lies_between(edge->a, edge->b, p) && must_hit_once(*edge, p, grid_step(8)))
           ++count;
   }
   return count;

@@ -93,7 +93,14 @@ INSTANTIATE_TEST_SUITE_P(Measure, KnownPolicies,
                                                  {{"point.offset", "right-down"},
                                                   {"point.ownership", "right-bottom"},
                                                   {"line.width", "shifted-triangles"},
-                                                  {"triangle.algorithm", "scan"}}}),
+                                                  {"triangle.algorithm", "scan"}}},
+                                           Known{"values",
+                                                 {{"triangle.snap", "8-half-even"},
+                                                  {"line.snap", "8-half-even"},
+                                                  {"attribute.positions", "snapped"},
+                                                  {"attribute.smooth", "major-axis"},
+                                                  {"derivative.plain", "quad-coarse-top-left"},
+                                                  {"derivative.coarse", "quad-fine"}}}),
                          [](const auto& one) {
                            std::string name = one.param.name;
                            std::replace(name.begin(), name.end(), '-', '_');

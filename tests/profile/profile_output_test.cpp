@@ -7,6 +7,7 @@
 #include "casefile/policy_reader.h"
 #include "profile/profile_json.h"
 #include "profile/profile_text.h"
+#include "profile/value_text.h"
 
 namespace edgecase {
 namespace {
@@ -23,6 +24,33 @@ Scene one_point() {
   draw.vertices = {{{Fixed::from_integer(1), Fixed::from_integer(2)}, {}, {1, 1, 1, 1}}};
   scene.draws = {draw};
   return scene;
+}
+
+// Ten numbers, seven of them correct, and a NaN; two are beyond what is permitted.
+ValueErrors far_off() {
+  ValueErrors row;
+  row.attribute = "point smooth";
+  row.fragments = 3;
+  row.components = 11;
+  row.not_numbers = 1;
+  row.correct = 7;
+  row.ulp_sum = 25;
+  row.histogram = {{-1, 1}, {3, 2}};
+  row.beyond = 2;
+  row.not_asked = 4;
+  ValueExample worst;
+  worst.id = "point smooth/00003";
+  worst.scene = one_point();
+  worst.pixel = {1, 2};
+  worst.component = 2;
+  worst.exact = 0.25;
+  worst.rendered = 0.5;
+  worst.ulp = 12.5;
+  worst.relative = 0.125;
+  row.worst_ulp = worst;
+  worst.permitted = Interval(0.125, 0.375);
+  row.smallest_beyond = worst;
+  return row;
 }
 
 Profile sample() {
@@ -48,6 +76,7 @@ Profile sample() {
   cluster.smallest_case = "point/00001";
   fbo.illegal_scenes = 5;
   fbo.clusters = {{cluster, one_point()}};
+  fbo.values = {far_off()};
   SurfaceProfile window;
   window.surface = Surface::window;
   window.unavailable = "unsupported: no windows";
@@ -79,6 +108,35 @@ TEST(ProfileText, ShowsTraitsTablesAndClusters) {
   EXPECT_THAT(text, HasSubstr("window: not measured: unsupported: no windows\n"));
 }
 
+TEST(ProfileText, ShowsErrorsOfValues) {
+  const std::string text = profile_text(sample(), 10);
+  EXPECT_THAT(text, HasSubstr("  point smooth                               3  63.63 %       2^4"
+                              "        2.5         12.5            0  2+       1\n"
+                              "    errors by 2^n ULP: -1: 1, 3: 2\n"
+                              "    largest in ULP: blue at pixel (1, 2) is 0.25, drawn 0.5; point "
+                              "smooth/00003 point (1, 2), 4x4\n"
+                              "    smallest beyond: blue at pixel (1, 2) is 0.25, drawn 0.5, "
+                              "permitted 0.125 to 0.375; point smooth/00003 point (1, 2), 4x4\n"));
+  EXPECT_THAT(text, Not(HasSubstr("*: against")));
+}
+
+TEST(ValueErrorsText, TellsWhatIsHeldAgainstTheProfileApart) {
+  ValueErrors row = far_off();
+  row.as_found = true;
+  const std::string text = value_errors_text({&row, 1});
+  EXPECT_THAT(text, HasSubstr("  point smooth * "));
+  EXPECT_THAT(text, HasSubstr("*: against the rules that the renderer is found to follow"));
+  EXPECT_EQ(value_errors_text({}), "");
+}
+
+TEST(ValueErrors, BoundsAShareOfTheErrors) {
+  const ValueErrors row = far_off();  // 0 seven times, below 1 once, 8 to 16 twice
+  EXPECT_EQ(row.log2_bound(0.7), std::nullopt);
+  EXPECT_EQ(row.log2_bound(0.8), 0);
+  EXPECT_EQ(row.log2_bound(0.81), 4);
+  EXPECT_EQ(row.mean_ulp(), 2.5);
+}
+
 TEST(ProfileText, SaysHowManyClustersItLeavesOut) {
   const std::string text = profile_text(sample(), 0);
   EXPECT_THAT(text, HasSubstr("and 1 more clusters"));
@@ -106,6 +164,15 @@ TEST(ProfileJson, HoldsEverythingAndTheSmallestSceneAsACase) {
   const auto& cluster = fbo["clusters"][0];
   EXPECT_EQ(cluster["legal"], false);
   EXPECT_EQ(cluster["case"]["draws"][0]["primitive"], "points");
+  const auto& value = fbo["values"][0];
+  EXPECT_EQ(value["attribute"], "point smooth");
+  EXPECT_EQ(value["against"], "opengl");
+  EXPECT_EQ(value["log2_ulp"]["3"], 2);
+  EXPECT_EQ(value["beyond"], 2);
+  EXPECT_EQ(value["beyond_not_asked"], 4);
+  EXPECT_EQ(value["smallest_beyond"]["permitted"], (nlohmann::json{0.125, 0.375}));
+  EXPECT_EQ(value["smallest_beyond"]["case"]["draws"][0]["primitive"], "points");
+  EXPECT_FALSE(value.contains("largest_of_range"));
   EXPECT_EQ(json["surfaces"][1]["unavailable"], "unsupported: no windows");
 }
 

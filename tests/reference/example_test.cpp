@@ -230,6 +230,79 @@ TEST(Example, ColoursAndDepth) {
   EXPECT_THAT(pixel(rendering, 0, 0), ElementsAre(255, 0, 0, 255));
 }
 
+// A line of eight pixels, the first end's w 1 and the other's 3, from 0 to 1 in red and in depth.
+Scene perspective_line(Interpolation interpolation) {
+  Scene scene = blank_scene(8, 1);
+  scene.details.coordinates = true;
+  scene.draws = {make_draw(Primitive::lines, {{0, kHalf}, {16 * kHalf, kHalf}})};
+  Draw& draw = scene.draws[0];
+  draw.interpolation = interpolation;
+  draw.vertices[0].z = Fixed::from_integer(-1);
+  draw.vertices[1].z = Fixed::from_integer(1);
+  draw.vertices[1].w = 3;
+  draw.vertices[0].color = {0, 0, 0, 1};
+  draw.vertices[1].color = {1, 0, 0, 1};
+  return scene;
+}
+
+TEST(Example, SmoothIsDividedByWAndNoperspectiveIsNot) {
+  // At 3/16 of the way, 1/w is 13/16 + 3/16 / 3 = 7/8, and (3/16 / 3) / (7/8) is 1/14. The line
+  // ends in the diamond of its last pixel, moved left.
+  Rendering rendering = render(example(), perspective_line(Interpolation::smooth));
+  ASSERT_EQ(rendering.fragments.size(), 7u);
+  EXPECT_EQ(rendering.fragments[1].color[0], 1.0 / 14);
+  EXPECT_EQ(rendering.fragments[1].depth, 3.0 / 16);
+  EXPECT_THAT(rendering.details.at(1).coordinates, ElementsAre(1.5, 0.5, 3.0 / 16, 7.0 / 8));
+  rendering = render(example(), perspective_line(Interpolation::noperspective));
+  EXPECT_EQ(rendering.fragments[1].color[0], 3.0 / 16);
+  rendering = render(example(), perspective_line(Interpolation::flat));
+  EXPECT_EQ(rendering.fragments[1].color[0], 1);
+}
+
+// Its left edge runs from (8/3, 0) to (16/3, 8), through the centres (3.5, 2.5) and (4.5, 5.5), and
+// its right one through (7.5, 1.5), (6.5, 4.5) and (5.5, 7.5). Between the nearest multiples of
+// 2^-16, the left edge would pass (3.5, 2.5) on the right.
+TEST(Example, ClipCoordinatesAreDividedExactly) {
+  Scene scene = blank_scene(8, 8);
+  scene.draws = {make_draw(Primitive::triangles, {{0, 0}, {0, 0}, {0, 0}})};
+  const ClipPosition corners[] = {{-1, -3, 0, 3}, {3, -3, 0, 3}, {1, 3, 0, 3}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vertex& vertex = scene.draws[0].vertices[i];
+    vertex.clip = corners[i];
+    vertex.w = corners[i].w;
+    vertex.position = nearest_point(window_position(corners[i], scene.viewport));
+  }
+  EXPECT_EQ(coverage(render(example(), scene)),
+            "........\n.....#..\n....##..\n....##..\n....###.\n...####.\n...####.\n...#####\n");
+  for (Vertex& vertex : scene.draws[0].vertices) {
+    vertex.clip.reset();
+    vertex.w = 1;
+  }
+  const std::string rounded = coverage(render(example(), scene));
+  EXPECT_EQ(rounded.substr(5 * 9, 8), "....###.");
+}
+
+TEST(Example, DepthBuffersRoundToTheirFormat) {
+  Scene scene = perspective_line(Interpolation::smooth);
+  scene.target.width = 9;
+  scene.target.depth = DepthFormat::depth16;
+  // 3/16 * 65535 = 12287.8125.
+  std::vector<double> depths = render(example(), scene).depths;
+  ASSERT_EQ(depths.size(), 9u);
+  EXPECT_EQ(depths[1], 12288 / 65535.0);
+  EXPECT_EQ(depths[8], 1);
+  scene.target.depth = DepthFormat::depth24;
+  // 3/16 * 16777215 = 3145727.8125.
+  EXPECT_EQ(render(example(), scene).depths[1], 3145728 / 16777215.0);
+  scene.target.depth = DepthFormat::depth32f;
+  scene.draws[0].vertices[1].z = Fixed::from_raw(1);
+  const double exact = 3.0 / 32 * (1 + 1.0 / 65536);
+  depths = render(example(), scene).depths;
+  EXPECT_EQ(depths[1], static_cast<double>(static_cast<float>(exact)));
+  scene.target.depth = DepthFormat::none;
+  EXPECT_TRUE(render(example(), scene).depths.empty());
+}
+
 TEST(Example, LaterPrimitivesAreDrawnOverEarlierOnes) {
   Scene scene = blank_scene(2, 1);
   scene.draws = {rectangle(0, 0, 512, 256, {1, 0, 0, 1}),

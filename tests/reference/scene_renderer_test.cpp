@@ -196,6 +196,7 @@ TEST_P(SceneRendererTest, SaysWhoItIs) {
   EXPECT_FALSE(info.version.empty());
   EXPECT_GE(info.subpixel_bits, 4);
   EXPECT_EQ(info.traits.at("capture"), "ssbo");
+  EXPECT_THAT(info.traits.at("derivatives"), StartsWith("plain"));
   const std::string driver = name().substr(name().find(':') + 1);
   const std::map<std::string, std::string> over = {{"zink", "zink (llvmpipe"},
                                                    {"zink-swiftshader", "zink (SwiftShader"}};

@@ -89,5 +89,30 @@ TEST(Worker, WithoutShaderStorageItRefusesEachSceneWithAReason) {
   EXPECT_THAT(failure.reason, HasSubstr("needs shader storage blocks (OpenGL 4.3)"));
 }
 
+TEST(Worker, WithoutFineDerivativesItTellsThePlainOnes) {
+  ProcessSpec spec = spec_of("osmesa:llvmpipe");
+  spec.command.environment["MESA_GL_VERSION_OVERRIDE"] = "4.3";
+  spec.command.environment["MESA_GLSL_VERSION_OVERRIDE"] = "430";
+  Scene scene = blank_scene(1, 1);
+  scene.details.derivatives = true;
+  scene.draws = {make_draw(Primitive::points, {{128, 128}})};
+  for (bool has_extension : {true, false}) {
+    if (!has_extension)
+      spec.command.environment["MESA_EXTENSION_OVERRIDE"] = "-GL_ARB_derivative_control";
+    ProcessRenderer renderer(spec);
+    const Outcome outcome = render_outcome(renderer, scene);
+    if (const auto* failure = std::get_if<Failure>(&outcome)) {
+      ASSERT_THAT(failure->reason, HasSubstr("cannot be opened"));
+      GTEST_SKIP() << failure->reason;
+    }
+    const Rendering& rendering = std::get<Rendering>(outcome);
+    EXPECT_EQ(renderer.info().traits.at("derivatives"),
+              has_extension ? "plain fine coarse" : "plain");
+    ASSERT_EQ(rendering.details.size(), 1u);
+    for (std::size_t i = 0; i < kDerivatives; ++i)
+      EXPECT_EQ(rendering.details[0].has_derivative[i], has_extension || i < 2) << i;
+  }
+}
+
 }  // namespace
 }  // namespace edgecase

@@ -81,6 +81,21 @@ TEST(Html, RenderersHoldTheirClusters) {
   EXPECT_GT(all, 3U);
 }
 
+TEST(Html, ValuesHaveTheirMeanAndTheirShareOfTheRange) {
+  const json data = json::parse(report_data(sample::results(), {}));
+  int seen = 0;
+  for (const json& one : data["cases"])
+    for (const json& answer : one["answers"])
+      for (const json& values : answer["values"]) {
+        ++seen;
+        EXPECT_EQ(values["components"], 4 * values["compared"].get<std::uint64_t>());
+        EXPECT_EQ(values["mean_ulp"], 0.375);
+        EXPECT_EQ(values["relative"], 0x1p-20);
+        EXPECT_EQ(values["worst"]["ulp"], 5.5);
+      }
+  EXPECT_GT(seen, 0);
+}
+
 TEST(Html, NoTextLeavesTheDataElement) {
   const std::string page = page_of(sample::results());
   EXPECT_EQ(data_of(page).find('<'), std::string::npos);

@@ -231,7 +231,10 @@ ValueAggregate color_values(int size) {
   values.worst_component = 1;
   values.worst_exact = 0.73828125;
   values.worst_rendered = 0.73828131;
+  values.components = 4 * values.compared;
   values.worst_ulp = 5.5;
+  values.mean_ulp = 0.375;
+  values.worst_relative = 0x1p-20;
   values.ulp_histogram = {{-1, 17}, {0, 40}, {1, 21}, {2, 3}};
   return values;
 }

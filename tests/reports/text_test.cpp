@@ -48,5 +48,23 @@ TEST(ReportText, DescribesADisagreementWithItsRule) {
             "Pixel (3, 4) differs.");
 }
 
+TEST(ReportText, DescribesValuesWithTheirMeanTheirWorstAndTheirRange) {
+  ValueAggregate values;
+  values.attribute = "dFdxFine";
+  values.compared = 40;
+  values.components = 160;
+  values.differing = {{1, 2, 0}, {3, 4, 0}};
+  values.worst = {3, 4, 0};
+  values.worst_exact = 0.5;
+  values.worst_rendered = 0.5625;
+  values.worst_ulp = 12.5;
+  values.mean_ulp = 0.375;
+  values.worst_relative = 0.0625;
+  EXPECT_EQ(describe(values),
+            "dFdxFine: 2 of 40 values differ within what is permitted, worst 12.5 ULP at pixel "
+            "(3, 4): 0.5 exact, 0.5625 rendered; mean 0.375 ULP, at most 0.0625 of the attribute's "
+            "range");
+}
+
 }  // namespace
 }  // namespace edgecase

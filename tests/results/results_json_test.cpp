@@ -59,8 +59,8 @@ void expect_disagreement(const Disagreement& a, const Disagreement& b) {
 
 void expect_values(const ValueAggregate& a, const ValueAggregate& b) {
   EXPECT_EQ(
-      std::tie(a.attribute, a.rule, a.ruling, a.compared, a.worst_component, a.ulp_histogram),
-      std::tie(b.attribute, b.rule, b.ruling, b.compared, b.worst_component, b.ulp_histogram));
+      std::tie(a.attribute, a.rule, a.ruling, a.compared, a.components, a.worst_component, a.ulp_histogram),
+      std::tie(b.attribute, b.rule, b.ruling, b.compared, b.components, b.worst_component, b.ulp_histogram));
   const auto place = [](const ValueAggregate::Place& p) {
     return std::tuple(p.x, p.y, p.primitive);
   };
@@ -71,6 +71,8 @@ void expect_values(const ValueAggregate& a, const ValueAggregate& b) {
   expect_number(a.worst_exact, b.worst_exact);
   expect_number(a.worst_rendered, b.worst_rendered);
   expect_number(a.worst_ulp, b.worst_ulp);
+  expect_number(a.mean_ulp, b.mean_ulp);
+  expect_number(a.worst_relative, b.worst_relative);
 }
 
 void expect_result(const Result& a, const Result& b) {

@@ -48,7 +48,10 @@ ValueAggregate aggregate() {
   values.worst_component = 2;
   values.worst_exact = 0.1;
   values.worst_rendered = kNaN;
+  values.components = 4 * values.compared;
   values.worst_ulp = kInfinity;
+  values.mean_ulp = 0.25;
+  values.worst_relative = 1e-7;
   values.ulp_histogram = {{-1074, 1}, {-1, 7}, {0, 9000000000}, {12, 3}};
   return values;
 }

@@ -7,6 +7,7 @@
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/point_ownership.h"
 #include "rules/coverage/shared_edge.h"
+#include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_fill.h"
 #include "tests/oracles/oracles.h"
 
@@ -112,7 +113,7 @@ TEST(CoverageExhaustive, SharedEdgesAreHitOnce) {
             for (int x = 0; x <= 1; ++x) {
               const Point sample = pixel_centre(x, y);
               if (cross(left[0], left[1], sample) == 0) ++on_edge;
-              if (!must_hit_once(*edge, sample, 8)) continue;
+              if (!must_hit_once(*edge, sample, grid_step(8))) continue;
               for (const TieRule& rule : perturbed_rules())
                 ASSERT_NE(triangle_covers(left, x, y, rule), triangle_covers(right, x, y, rule))
                     << rule.name;

@@ -10,13 +10,10 @@
 #include <limits>
 #include <random>
 
-#include "rules/values/smooth_attribute.h"
-#include "tests/rules/support.h"
+#include "tests/rules/interpolants.h"
 
 namespace edgecase {
 namespace {
-
-__extension__ using Wide = __float128;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -27,17 +24,21 @@ struct WidePoint {
 
 using WideTriangle = std::array<WidePoint, 3>;
 
+WidePoint wide(const HomogeneousPoint& p) {
+  return {static_cast<Wide>(p.x) / p.w, static_cast<Wide>(p.y) / p.w};
+}
 WidePoint wide(Point p) {
-  return {p.x.to_double(), p.y.to_double()};
+  return wide(homogeneous(p));
 }
 
 Wide cross_of(WidePoint a, WidePoint b, WidePoint p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
-Wide on_triangle(const WideTriangle& v, const std::array<double, 3>& values, WidePoint p) {
-  const Wide sum = cross_of(v[1], v[2], p) * values[0] + cross_of(v[2], v[0], p) * values[1] +
-                   cross_of(v[0], v[1], p) * values[2];
+Wide on_triangle(const WideTriangle& v, const std::array<Interval, 3>& values, WidePoint p) {
+  const Wide sum = cross_of(v[1], v[2], p) * values[0].low +
+                   cross_of(v[2], v[0], p) * values[1].low +
+                   cross_of(v[0], v[1], p) * values[2].low;
   return sum / cross_of(v[0], v[1], v[2]);
 }
 
@@ -50,7 +51,7 @@ Wide on_line(const Interpolant& f, WidePoint p) {
   Wide t = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
   if (f.line_parameter == LineParameter::major_axis)
     t = size(dx) >= size(dy) ? (p.x - a.x) / dx : (p.y - a.y) / dy;
-  return f.values[0] + t * (static_cast<Wide>(f.values[1]) - f.values[0]);
+  return f.values[0].low + t * (static_cast<Wide>(f.values[1].low) - f.values[0].low);
 }
 
 void expect_everything(Interval interval) {
@@ -73,8 +74,11 @@ class RandomInterpolants : public ::testing::Test {
   Interpolant interpolant(PrimitiveKind kind, std::int64_t limit) {
     Interpolant f;
     f.kind = kind;
-    for (Point& p : f.positions) p = {coordinate(limit), coordinate(limit)};
-    for (double& value : f.values) value = std::uniform_real_distribution<>(-2, 2)(engine_);
+    for (HomogeneousPoint& p : f.positions) {
+      const Fixed x = coordinate(limit);
+      p = homogeneous({x, coordinate(limit)});
+    }
+    for (Interval& value : f.values) value = std::uniform_real_distribution<>(-2, 2)(engine_);
     return f;
   }
   std::mt19937_64 engine_{20260201};
@@ -126,7 +130,7 @@ TEST(Interpolation, ProductsAreRoundedOutwards) {
     const Fixed left = Fixed::from_integer(-8192);
     const Fixed right = Fixed::from_integer(8192);
     const Interpolant f{PrimitiveKind::line,
-                        {Point{left, y}, Point{right, y + Fixed::from_raw(e.rise)}},
+                        {homogeneous({left, y}), homogeneous({right, y + Fixed::from_raw(e.rise)})},
                         {e.start, e.end}};
     const Point sample{right, y + Fixed::from_raw(e.sample_rise)};
     expect_at(interpolate_exact(f, sample), on_line(f, wide(sample)), 1e-14);
@@ -134,17 +138,19 @@ TEST(Interpolation, ProductsAreRoundedOutwards) {
 }
 
 TEST(Interpolation, WithoutExtentNothingIsKnown) {
-  Interpolant f{PrimitiveKind::line, {at(1, 2), at(1, 2), at(5, 5)}, {0, 1, 2}};
+  Interpolant f{
+      PrimitiveKind::line, {vertex_at(1, 2), vertex_at(1, 2), vertex_at(5, 5)}, {0, 1, 2}};
   expect_everything(interpolate_exact(f, at(1.5, 2.5)));
   f.kind = PrimitiveKind::triangle;
   expect_everything(interpolate_exact(f, at(1.5, 2.5)));
-  expect_everything(interpolate_permitted(f, at(1.5, 2.5), 8));
+  expect_everything(interpolate_permitted(f, at(1.5, 2.5), reach_of(8)));
 }
 
 TEST(Interpolation, APointHasTheValueOfItsVertex) {
-  const Interpolant f{PrimitiveKind::point, {at(1, 2), at(3, 4), at(5, 6)}, {0.25, 0.5, 0.75}};
+  const Interpolant f{
+      PrimitiveKind::point, {vertex_at(1, 2), vertex_at(3, 4), vertex_at(5, 6)}, {0.25, 0.5, 0.75}};
   for (const Interval value :
-       {interpolate_exact(f, at(1.5, 2.5)), interpolate_permitted(f, at(1.5, 2.5), 8)}) {
+       {interpolate_exact(f, at(1.5, 2.5)), interpolate_permitted(f, at(1.5, 2.5), reach_of(8))}) {
     EXPECT_EQ(value.low, 0.25);
     EXPECT_EQ(value.high, 0.25);
   }
@@ -152,10 +158,12 @@ TEST(Interpolation, APointHasTheValueOfItsVertex) {
 
 TEST(Interpolation, AllVerticesCountForAConstant) {
   // A line has two values; the third one of the array is no part of it.
-  const Interpolant line{PrimitiveKind::line, {at(0, 0), at(4, 0), {}}, {0.1, 0.1, 9}};
+  const Interpolant line{
+      PrimitiveKind::line, {vertex_at(0, 0), vertex_at(4, 0), {}}, {0.1, 0.1, 9}};
   EXPECT_EQ(interpolate_exact(line, at(1.5, 0.5)).low, 0.1);
   EXPECT_EQ(interpolate_exact(line, at(1.5, 0.5)).high, 0.1);
-  const Interpolant triangle{PrimitiveKind::triangle, {at(0, 0), at(4, 0), at(0, 4)}, {1, 1, 9}};
+  const Interpolant triangle{
+      PrimitiveKind::triangle, {vertex_at(0, 0), vertex_at(4, 0), vertex_at(0, 4)}, {1, 1, 9}};
   EXPECT_TRUE(interpolate_exact(triangle, at(0.5, 1.5)).contains(4));
 }
 
@@ -189,12 +197,13 @@ TEST_F(RandomInterpolants, PermittedIsTheHullOfAllMovesOnTriangles) {
     const Point corners[] = {at(0, 0), at(9, 1), at(2, 8)};
     for (std::size_t k = 0; k < 3; ++k) {
       const Point corner = corners[clockwise ? 2 - k : k];
-      f.positions[k] = {f.positions[k].x + corner.x, f.positions[k].y + corner.y};
+      f.positions[k].x += corner.x.raw();
+      f.positions[k].y += corner.y.raw();
     }
     const Point sample{coordinate(Fixed::kOne * 4) + Fixed::from_integer(4),
                        coordinate(Fixed::kOne * 4) + Fixed::from_integer(3)};
     const Interval hull = hull_of_moves(f, sample, 0.25);
-    const Interval permitted = interpolate_permitted(f, sample, 2);
+    const Interval permitted = interpolate_permitted(f, sample, reach_of(2));
     EXPECT_LE(permitted.low, hull.low);
     EXPECT_GE(permitted.high, hull.high);
     EXPECT_NEAR(permitted.low, hull.low, 4e-3);
@@ -204,23 +213,27 @@ TEST_F(RandomInterpolants, PermittedIsTheHullOfAllMovesOnTriangles) {
 
 TEST(Permitted, EverythingWhereAMoveTakesTheArea) {
   // Three quarters of a pixel high: moves of half a pixel at both ends turn it over.
-  const Interpolant flat{PrimitiveKind::triangle, {at(0, 0), at(8, 0), at(4, 0.75)}, {0, 1, 0.5}};
-  expect_everything(interpolate_permitted(flat, at(4.5, 0.5), 1));
-  EXPECT_LT(interpolate_permitted(flat, at(4.5, 0.5), 4).high, kInfinity);
-  const Interpolant turned{PrimitiveKind::triangle, {at(8, 0), at(0, 0), at(4, 0.75)}, {1, 0, 0.5}};
-  expect_everything(interpolate_permitted(turned, at(4.5, 0.5), 1));
-  EXPECT_GT(interpolate_permitted(turned, at(4.5, 0.5), 4).low, -kInfinity);
+  const Interpolant flat{
+      PrimitiveKind::triangle, {vertex_at(0, 0), vertex_at(8, 0), vertex_at(4, 0.75)}, {0, 1, 0.5}};
+  expect_everything(interpolate_permitted(flat, at(4.5, 0.5), reach_of(1)));
+  EXPECT_LT(interpolate_permitted(flat, at(4.5, 0.5), reach_of(4)).high, kInfinity);
+  const Interpolant turned{
+      PrimitiveKind::triangle, {vertex_at(8, 0), vertex_at(0, 0), vertex_at(4, 0.75)}, {1, 0, 0.5}};
+  expect_everything(interpolate_permitted(turned, at(4.5, 0.5), reach_of(1)));
+  EXPECT_GT(interpolate_permitted(turned, at(4.5, 0.5), reach_of(4)).low, -kInfinity);
   // Exactly none left: a height of 1, both sides moved by 1/2.
-  const Interpolant spent{PrimitiveKind::triangle, {at(0, 0), at(8, 0), at(4, 1)}, {0, 1, 0.5}};
-  expect_everything(interpolate_permitted(spent, at(4.5, 0.5), 1));
+  const Interpolant spent{
+      PrimitiveKind::triangle, {vertex_at(0, 0), vertex_at(8, 0), vertex_at(4, 1)}, {0, 1, 0.5}};
+  expect_everything(interpolate_permitted(spent, at(4.5, 0.5), reach_of(1)));
 }
 
 TEST(Permitted, SmallTrianglesKeepTheirSign) {
   // An eighth of a square pixel, far more than moves of 1/256 can take.
-  Interpolant f{
-      PrimitiveKind::triangle, {at(4.25, 4.25), at(4.75, 4.25), at(4.25, 4.75)}, {0, 1, 0}};
+  Interpolant f{PrimitiveKind::triangle,
+                {vertex_at(4.25, 4.25), vertex_at(4.75, 4.25), vertex_at(4.25, 4.75)},
+                {0, 1, 0}};
   for (int winding = 0; winding < 2; ++winding) {
-    const Interval permitted = interpolate_permitted(f, at(4.5, 4.5), 8);
+    const Interval permitted = interpolate_permitted(f, at(4.5, 4.5), reach_of(8));
     EXPECT_TRUE(permitted.contains(0.5));
     EXPECT_LT(permitted.high - permitted.low, 0.1);
     std::swap(f.positions[0], f.positions[1]);
@@ -229,10 +242,26 @@ TEST(Permitted, SmallTrianglesKeepTheirSign) {
 }
 
 TEST(Permitted, EverythingWhereASmallTriangleMayTurnOver) {
-  Interpolant f{
-      PrimitiveKind::triangle, {at(4.25, 4.25), at(4.75, 4.25), at(4.25, 4.75)}, {0, 1, 0}};
+  Interpolant f{PrimitiveKind::triangle,
+                {vertex_at(4.25, 4.25), vertex_at(4.75, 4.25), vertex_at(4.25, 4.75)},
+                {0, 1, 0}};
   for (int winding = 0; winding < 2; ++winding) {
-    expect_everything(interpolate_permitted(f, at(4.5, 4.5), 2));
+    expect_everything(interpolate_permitted(f, at(4.5, 4.5), reach_of(2)));
+    std::swap(f.positions[0], f.positions[1]);
+    std::swap(f.values[0], f.values[1]);
+  }
+}
+
+TEST(Permitted, EverythingOfTheSmallestTriangle) {
+  const double unit = 1.0 / 65536;
+  Interpolant f{
+      PrimitiveKind::triangle,
+      {vertex_at(2.25, 3.25), vertex_at(2.25 + unit, 3.25 - unit), vertex_at(2.25, 3.25 + unit)},
+      {0.1, 1, 0.3}};
+  for (int winding = 0; winding < 2; ++winding) {
+    for (const Point sample : {at(1.75, 3.375), at(2.5, 3.5), at(3.0, 3.125)})
+      for (int bits : {1, 4, 8})
+        expect_everything(interpolate_permitted(f, sample, reach_of(bits)));
     std::swap(f.positions[0], f.positions[1]);
     std::swap(f.values[0], f.values[1]);
   }
@@ -243,15 +272,17 @@ TEST(Interpolation, OfOneRawUnit) {
   const double unit = 1.0 / 65536;
   for (const double sign : {-1.0, 1.0}) {
     const Interpolant along{
-        PrimitiveKind::line, {at(4.5, 4.5), at(4.5 + sign * unit, 4.5)}, {1, 3}};
+        PrimitiveKind::line, {vertex_at(4.5, 4.5), vertex_at(4.5 + sign * unit, 4.5)}, {1, 3}};
     expect_at(interpolate_exact(along, at(4.5, 4.5)), 1, 1e-9);
-    const Interpolant up{PrimitiveKind::line, {at(4.5, 4.5), at(4.5, 4.5 + sign * unit)}, {1, 3}};
+    const Interpolant up{
+        PrimitiveKind::line, {vertex_at(4.5, 4.5), vertex_at(4.5, 4.5 + sign * unit)}, {1, 3}};
     expect_at(interpolate_exact(up, at(4.5, 4.5)), 1, 1e-9);
-    const Interpolant triangle{PrimitiveKind::triangle,
-                               {at(4.5, 4.5), at(4.5 + sign * unit, 4.5), at(4.5, 4.5 + unit)},
-                               {1, 3, 5}};
+    const Interpolant triangle{
+        PrimitiveKind::triangle,
+        {vertex_at(4.5, 4.5), vertex_at(4.5 + sign * unit, 4.5), vertex_at(4.5, 4.5 + unit)},
+        {1, 3, 5}};
     expect_at(interpolate_exact(triangle, at(4.5, 4.5)), 1, 1e-9);
-    expect_everything(interpolate_permitted(triangle, at(4.5, 4.5), 8));
+    expect_everything(interpolate_permitted(triangle, at(4.5, 4.5), reach_of(8)));
   }
 }
 
@@ -259,8 +290,8 @@ TEST(Interpolation, OfOneRawUnit) {
 TEST(Permitted, LinesByTheMajorAxis) {
   for (const bool vertical : {false, true})
     for (const bool back : {false, true}) {
-      const Point start = vertical ? at(3, 2) : at(2, 3);
-      const Point end = vertical ? at(4, 10) : at(10, 4);
+      const HomogeneousPoint start = vertical ? vertex_at(3, 2) : vertex_at(2, 3);
+      const HomogeneousPoint end = vertical ? vertex_at(4, 10) : vertex_at(10, 4);
       Interpolant f{PrimitiveKind::line, {start, end, {}}, {1, 3, 7}};
       if (back) {
         std::swap(f.positions[0], f.positions[1]);
@@ -268,7 +299,7 @@ TEST(Permitted, LinesByTheMajorAxis) {
       }
       f.line_parameter = LineParameter::major_axis;
       const Point sample = vertical ? at(3.5, 5.5) : at(5.5, 3.5);
-      const Interval permitted = interpolate_permitted(f, sample, 2);
+      const Interval permitted = interpolate_permitted(f, sample, reach_of(2));
       // 3.5 of 8 from the low end, 4.5 from the high one; each vertex moves by 1/4.
       const double low = back ? 3 - 2 * (4.75 / 7.5) : 1 + 2 * (3.25 / 8.5);
       const double high = back ? 3 - 2 * (4.25 / 8.5) : 1 + 2 * (3.75 / 7.5);
@@ -281,11 +312,13 @@ TEST(Permitted, LinesByTheMajorAxis) {
 TEST(Permitted, LinesByProjection) {
   for (const bool vertical : {false, true}) {
     const Interpolant f{PrimitiveKind::line,
-                        {vertical ? at(3, 2) : at(2, 3), vertical ? at(3, 10) : at(10, 3), {}},
+                        {vertical ? vertex_at(3, 2) : vertex_at(2, 3),
+                         vertical ? vertex_at(3, 10) : vertex_at(10, 3),
+                         {}},
                         {1, 3, 7}};
     // Half a pixel aside of the line, 3.5 along it.
     const Point sample = vertical ? at(3.5, 5.5) : at(5.5, 3.5);
-    const Interval permitted = interpolate_permitted(f, sample, 2);
+    const Interval permitted = interpolate_permitted(f, sample, reach_of(2));
     // Along: [3.25, 3.75] [7.5, 8.5]; across: [0.25, 0.75] [-0.5, 0.5]; squares: [7.5, 8.5]^2 and,
     // as an interval times itself, [-0.25, 0.25].
     const double low = 1 + 2 * (3.25 * 7.5 - 0.75 * 0.5) / (8.5 * 8.5 + 0.25);
@@ -297,17 +330,17 @@ TEST(Permitted, LinesByProjection) {
 
 // 45 degrees counts as x-major.
 TEST(Permitted, DiagonalLinesGoByX) {
-  Interpolant f{PrimitiveKind::line, {at(2, 2), at(10, 10), {}}, {1, 3, 7}};
+  Interpolant f{PrimitiveKind::line, {vertex_at(2, 2), vertex_at(10, 10), {}}, {1, 3, 7}};
   f.line_parameter = LineParameter::major_axis;
-  const Interval permitted = interpolate_permitted(f, at(5.5, 8.5), 2);
+  const Interval permitted = interpolate_permitted(f, at(5.5, 8.5), reach_of(2));
   EXPECT_NEAR(permitted.low, 1 + 2 * (3.25 / 8.5), 1e-3);
   EXPECT_NEAR(permitted.high, 1 + 2 * (3.75 / 7.5), 1e-3);
 }
 
 // Each operation may err by 1 part in 10^5, and no vertex moves: at 16 bits by 2^-16 at most.
 TEST(Permitted, RoundingIsOnePartInTenToTheFive) {
-  const Interpolant line{PrimitiveKind::line, {at(0, 0), at(4096, 0), {}}, {0, 1, 0}};
-  const Interval permitted = interpolate_permitted(line, at(2048.5, 0.5), 16);
+  const Interpolant line{PrimitiveKind::line, {vertex_at(0, 0), vertex_at(4096, 0), {}}, {0, 1, 0}};
+  const Interval permitted = interpolate_permitted(line, at(2048.5, 0.5), reach_of(16));
   const double width = permitted.high - permitted.low;
   // Some ten operations of a value near 1/2.
   EXPECT_GT(width, 2e-5);

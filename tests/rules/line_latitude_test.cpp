@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rules/coverage/diamond_exit.h"
 #include "tests/rules/support.h"
 
 namespace edgecase {

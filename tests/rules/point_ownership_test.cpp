@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rules/coverage/snap.h"
 #include "tests/rules/support.h"
 
 namespace edgecase {
@@ -19,11 +20,11 @@ TEST(PointOwnership, RightTopIsTheFloorOfTheVertex) {
 
 TEST(PointOwnership, LatitudeIsOpenWithinOneStep) {
   const double step = 1.0 / 256;
-  EXPECT_TRUE(point_possibly_covered({at(1, 0.5)}, 0, 0, 8));
-  EXPECT_TRUE(point_possibly_covered({at(1 + step / 2, 0.5)}, 0, 0, 8));
-  EXPECT_FALSE(point_possibly_covered({at(1 + step, 0.5)}, 0, 0, 8));
-  EXPECT_TRUE(point_possibly_uncovered({at(1 - step / 2, 0.5)}, 0, 0, 8));
-  EXPECT_FALSE(point_possibly_uncovered({at(1 - step, 0.5)}, 0, 0, 8));
+  EXPECT_TRUE(point_possibly_covered({at(1, 0.5)}, 0, 0, grid_step(8)));
+  EXPECT_TRUE(point_possibly_covered({at(1 + step / 2, 0.5)}, 0, 0, grid_step(8)));
+  EXPECT_FALSE(point_possibly_covered({at(1 + step, 0.5)}, 0, 0, grid_step(8)));
+  EXPECT_TRUE(point_possibly_uncovered({at(1 - step / 2, 0.5)}, 0, 0, grid_step(8)));
+  EXPECT_FALSE(point_possibly_uncovered({at(1 - step, 0.5)}, 0, 0, grid_step(8)));
 }
 
 }  // namespace

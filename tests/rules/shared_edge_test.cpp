@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "rules/coverage/snap.h"
 #include "tests/rules/support.h"
 
 namespace edgecase {
@@ -75,21 +76,23 @@ TEST(SharedEdge, AreasOfOneUnitCount) {
 TEST(SharedEdge, PromisesNothingNearTheEndsOrTheOtherEdges) {
   const SharedEdge edge{at(0, 0), at(8, 0), at(4, 8), at(4, -8)};
   const double step = 1.0 / 16;
-  EXPECT_TRUE(must_hit_once(edge, at(4, 0), 4));
-  EXPECT_TRUE(must_hit_once(edge, at(4, step / 2), 4));
-  EXPECT_TRUE(must_hit_once(edge, at(4, -step / 2), 4));
+  EXPECT_TRUE(must_hit_once(edge, at(4, 0), grid_step(4)));
+  EXPECT_TRUE(must_hit_once(edge, at(4, step / 2), grid_step(4)));
+  EXPECT_TRUE(must_hit_once(edge, at(4, -step / 2), grid_step(4)));
   // One triangle holds these, whatever moves.
-  EXPECT_FALSE(must_hit_once(edge, at(4, step), 4));
-  EXPECT_FALSE(must_hit_once(edge, at(4, -step), 4));
+  EXPECT_FALSE(must_hit_once(edge, at(4, step), grid_step(4)));
+  EXPECT_FALSE(must_hit_once(edge, at(4, -step), grid_step(4)));
   // A move of the outer edges may uncover these.
-  for (double x : {0.0, step, 8 - step, 8.0}) EXPECT_FALSE(must_hit_once(edge, at(x, 0), 4)) << x;
-  for (double x : {2 * step, 8 - 2 * step}) EXPECT_TRUE(must_hit_once(edge, at(x, 0), 4)) << x;
+  for (double x : {0.0, step, 8 - step, 8.0})
+    EXPECT_FALSE(must_hit_once(edge, at(x, 0), grid_step(4))) << x;
+  for (double x : {2 * step, 8 - 2 * step})
+    EXPECT_TRUE(must_hit_once(edge, at(x, 0), grid_step(4))) << x;
   // Each of the four outer edges by itself: the opposite corner pulled in until it comes near.
   const Point sample = at(4, 0);
-  EXPECT_FALSE(must_hit_once({at(3.9375, 0), at(8, 0), at(4, 8), at(7, -8)}, sample, 4));
-  EXPECT_FALSE(must_hit_once({at(3.9375, 0), at(8, 0), at(7, 8), at(4, -8)}, sample, 4));
-  EXPECT_FALSE(must_hit_once({at(0, 0), at(4.0625, 0), at(1, 8), at(4, -8)}, sample, 4));
-  EXPECT_FALSE(must_hit_once({at(0, 0), at(4.0625, 0), at(4, 8), at(1, -8)}, sample, 4));
+  EXPECT_FALSE(must_hit_once({at(3.9375, 0), at(8, 0), at(4, 8), at(7, -8)}, sample, grid_step(4)));
+  EXPECT_FALSE(must_hit_once({at(3.9375, 0), at(8, 0), at(7, 8), at(4, -8)}, sample, grid_step(4)));
+  EXPECT_FALSE(must_hit_once({at(0, 0), at(4.0625, 0), at(1, 8), at(4, -8)}, sample, grid_step(4)));
+  EXPECT_FALSE(must_hit_once({at(0, 0), at(4.0625, 0), at(4, 8), at(1, -8)}, sample, grid_step(4)));
 }
 
 }  // namespace

@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "rules/values/framebuffer.h"
-#include "tests/rules/support.h"
+#include "tests/rules/interpolants.h"
 
 namespace edgecase {
 namespace {
 
-const Interpolant kRamp{PrimitiveKind::triangle, {at(0, 0), at(8, 0), at(0, 8)}, {0, 1, 0}};
+const Interpolant kRamp{
+    PrimitiveKind::triangle, {vertex_at(0, 0), vertex_at(8, 0), vertex_at(0, 8)}, {0, 1, 0}};
 
 TEST(SmoothAttribute, ExactIntervalIsNarrowAndHoldsTheValue) {
   const Interval value = interpolate_exact(kRamp, at(2.5, 1.5));
@@ -18,7 +19,7 @@ TEST(SmoothAttribute, ExactIntervalIsNarrowAndHoldsTheValue) {
 }
 
 TEST(SmoothAttribute, PermittedHoldsExactAndTheMovesOfTheVertices) {
-  const Interval permitted = interpolate_permitted(kRamp, at(2.5, 1.5), 8);
+  const Interval permitted = interpolate_permitted(kRamp, at(2.5, 1.5), reach_of(8));
   EXPECT_TRUE(permitted.contains(2.5 / 8));
   // A vertex moved by almost 1/256 changes the ramp by about 1/2048.
   EXPECT_TRUE(permitted.contains(2.5 / 8 + 0.9 / 2048));
@@ -27,15 +28,17 @@ TEST(SmoothAttribute, PermittedHoldsExactAndTheMovesOfTheVertices) {
 }
 
 TEST(SmoothAttribute, ASliverPermitsMuchAndAnEmptyTriangleEverything) {
-  const Interpolant sliver{
-      PrimitiveKind::triangle, {at(0, 0), at(8, 0), at(0, 1.0 / 512)}, {0, 0, 1}};
-  EXPECT_TRUE(interpolate_permitted(sliver, at(2.5, 0.5), 8).contains(1e6));
+  const Interpolant sliver{PrimitiveKind::triangle,
+                           {vertex_at(0, 0), vertex_at(8, 0), vertex_at(0, 1.0 / 512)},
+                           {0, 0, 1}};
+  EXPECT_TRUE(interpolate_permitted(sliver, at(2.5, 0.5), reach_of(8)).contains(1e6));
 }
 
 TEST(SmoothAttribute, ConstantsStayConstantToTheBit) {
   const double value = 0.1f;
   for (PrimitiveKind kind : {PrimitiveKind::point, PrimitiveKind::line, PrimitiveKind::triangle}) {
-    const Interpolant f{kind, {at(0.25, 0.5), at(7, 3), at(2, 6)}, {value, value, value}};
+    const Interpolant f{
+        kind, {vertex_at(0.25, 0.5), vertex_at(7, 3), vertex_at(2, 6)}, {value, value, value}};
     const Interval exact = interpolate_exact(f, at(2.5, 2.5));
     EXPECT_EQ(exact.low, value);
     EXPECT_EQ(exact.high, value);
@@ -43,7 +46,7 @@ TEST(SmoothAttribute, ConstantsStayConstantToTheBit) {
 }
 
 TEST(SmoothAttribute, LinesInterpolateByProjection) {
-  const Interpolant f{PrimitiveKind::line, {at(0, 0), at(4, 4), {}}, {0, 1, 0}};
+  const Interpolant f{PrimitiveKind::line, {vertex_at(0, 0), vertex_at(4, 4), {}}, {0, 1, 0}};
   EXPECT_TRUE(interpolate_exact(f, at(2.5, 1.5)).contains(0.5));
 }
 
@@ -57,6 +60,12 @@ TEST(Framebuffer, EitherNeighbourOfAnIntermediateValue) {
   const Unorm8Range clamped = unorm8_permitted(Interval(-3, 7));
   EXPECT_EQ(clamped.low, 0);
   EXPECT_EQ(clamped.high, 255);
+  const Unorm8Range below = unorm8_permitted(Interval(-3, -2));
+  EXPECT_EQ(below.low, 0);
+  EXPECT_EQ(below.high, 0);
+  const Unorm8Range above = unorm8_permitted(Interval(2, 3));
+  EXPECT_EQ(above.low, 255);
+  EXPECT_EQ(above.high, 255);
 }
 
 }  // namespace

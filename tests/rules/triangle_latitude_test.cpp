@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_fill.h"
 #include "tests/rules/support.h"
 
@@ -61,11 +62,11 @@ TEST_F(RandomMoves, WhatAMoveDrawsIsPossiblyCovered) {
     const Point sample = pixel_centre(static_cast<int>(range(0, 1)), static_cast<int>(range(0, 1)));
     const Triangle after = move(t);
     if (closed_covers(after, sample)) {
-      ASSERT_TRUE(triangle_possibly_covered(t, sample, kBits));
+      ASSERT_TRUE(triangle_possibly_covered(t, sample, grid_step(kBits)));
       found += closed_covers(t, sample) ? 0 : 1;
     }
     if (!open_covers(after, sample)) {
-      ASSERT_TRUE(triangle_possibly_uncovered(t, sample, kBits));
+      ASSERT_TRUE(triangle_possibly_uncovered(t, sample, grid_step(kBits)));
       found += open_covers(t, sample) ? 1 : 0;
     }
   }
@@ -80,7 +81,7 @@ TEST_F(RandomMoves, WhatIsPossibleIsReachedByAMove) {
     const Triangle t = triangle();
     const Point sample = pixel_centre(0, 0);
     if (doubled_area(t) == 0 || open_covers(t, sample) ||
-        !triangle_possibly_covered(t, sample, kBits) || closed_covers(t, sample))
+        !triangle_possibly_covered(t, sample, grid_step(kBits)) || closed_covers(t, sample))
       continue;
     ++claimed;
     bool hit = false;
@@ -105,25 +106,25 @@ TEST_F(RandomMoves, WhatIsPossibleIsReachedByAMove) {
 
 TEST(TriangleLatitude, FarSamplesAreNotOpen) {
   const Triangle t{at(1, 1), at(9, 1), at(1, 9)};
-  EXPECT_FALSE(triangle_possibly_uncovered(t, at(2.5, 2.5), 8));
-  EXPECT_FALSE(triangle_possibly_covered(t, at(0.5, 0.5), 8));
-  EXPECT_FALSE(triangle_possibly_covered(t, at(9.5, 9.5), 8));
+  EXPECT_FALSE(triangle_possibly_uncovered(t, at(2.5, 2.5), grid_step(8)));
+  EXPECT_FALSE(triangle_possibly_covered(t, at(0.5, 0.5), grid_step(8)));
+  EXPECT_FALSE(triangle_possibly_covered(t, at(9.5, 9.5), grid_step(8)));
 }
 
 TEST(TriangleLatitude, ASampleOnAnEdgeMayGoEitherWay) {
   const Triangle t{at(0.5, 0.5), at(4.5, 0.5), at(0.5, 4.5)};
   for (const Point sample : {at(2.5, 0.5), at(0.5, 2.5), at(2.5, 2.5), at(0.5, 0.5)}) {
-    EXPECT_TRUE(triangle_possibly_covered(t, sample, 8));
-    EXPECT_TRUE(triangle_possibly_uncovered(t, sample, 8));
+    EXPECT_TRUE(triangle_possibly_covered(t, sample, grid_step(8)));
+    EXPECT_TRUE(triangle_possibly_uncovered(t, sample, grid_step(8)));
   }
 }
 
 TEST(TriangleLatitude, ExactlyOneStepAwayIsNotReached) {
   const double step = 1.0 / 256;
   const Triangle t{at(0.5 + step, 0), at(4, 0), at(0.5 + step, 4)};
-  EXPECT_FALSE(triangle_possibly_covered(t, at(0.5, 1.5), 8));
+  EXPECT_FALSE(triangle_possibly_covered(t, at(0.5, 1.5), grid_step(8)));
   const Triangle nearer{at(0.5 + step - 1.0 / 65536, 0), at(4, 0), at(0.5 + step - 1.0 / 65536, 4)};
-  EXPECT_TRUE(triangle_possibly_covered(nearer, at(0.5, 1.5), 8));
+  EXPECT_TRUE(triangle_possibly_covered(nearer, at(0.5, 1.5), grid_step(8)));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "rules/all_rules.h"
 #include "rules/coverage/point_ownership.h"
 #include "rules/coverage/row_order.h"
+#include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
 #include "rules/coverage/triangle_scan.h"
@@ -32,7 +33,7 @@ TEST(RobustlyLeft, IsWhatNoMoveOfTheEndsUndoes) {
               for (int k : {-1, 1})
                 for (int l : {-1, 1})
                   least = std::min(least, (ax + i) * (by + l) - (ay + j) * (bx + k));
-          ASSERT_EQ(robustly_left(raw(ax, ay), raw(bx, by), raw(0, 0), 16), least >= 0)
+          ASSERT_EQ(robustly_left(raw(ax, ay), raw(bx, by), raw(0, 0), grid_step(16)), least >= 0)
               << ax << " " << ay << " " << bx << " " << by;
           yes += least >= 0 ? 1 : 0;
         }
@@ -53,17 +54,17 @@ TEST(TriangleLatitude, AFlatTriangleIsPossiblyCoveredNearItAlone) {
   const double step = 1.0 / 16;
   for (const Triangle& t :
        {flat, Triangle{flat[2], flat[0], flat[1]}, {flat[0], flat[0], flat[2]}}) {
-    EXPECT_TRUE(triangle_possibly_covered(t, at(5, 3), 4));
+    EXPECT_TRUE(triangle_possibly_covered(t, at(5, 3), grid_step(4)));
     // The sum of the segment and an open square: 1.5 steps above or below at this slope.
-    EXPECT_TRUE(triangle_possibly_covered(t, at(5, 3 + 1.5 * step - 1.0 / 65536), 4));
-    EXPECT_FALSE(triangle_possibly_covered(t, at(5, 3 + 1.5 * step), 4));
-    EXPECT_TRUE(triangle_possibly_covered(t, at(5, 3 - 1.5 * step + 1.0 / 65536), 4));
-    EXPECT_FALSE(triangle_possibly_covered(t, at(5, 3 - 1.5 * step), 4));
-    EXPECT_TRUE(triangle_possibly_uncovered(t, at(5, 3), 4));
+    EXPECT_TRUE(triangle_possibly_covered(t, at(5, 3 + 1.5 * step - 1.0 / 65536), grid_step(4)));
+    EXPECT_FALSE(triangle_possibly_covered(t, at(5, 3 + 1.5 * step), grid_step(4)));
+    EXPECT_TRUE(triangle_possibly_covered(t, at(5, 3 - 1.5 * step + 1.0 / 65536), grid_step(4)));
+    EXPECT_FALSE(triangle_possibly_covered(t, at(5, 3 - 1.5 * step), grid_step(4)));
+    EXPECT_TRUE(triangle_possibly_uncovered(t, at(5, 3), grid_step(4)));
   }
   const Triangle dot{at(5, 3), at(5, 3), at(5, 3)};
-  EXPECT_TRUE(triangle_possibly_covered(dot, at(5, 3), 4));
-  EXPECT_TRUE(triangle_possibly_uncovered(dot, at(5, 3), 4));
+  EXPECT_TRUE(triangle_possibly_covered(dot, at(5, 3), grid_step(4)));
+  EXPECT_TRUE(triangle_possibly_uncovered(dot, at(5, 3), grid_step(4)));
 }
 
 // The square of moves ends where it ends, on each of the four sides of a triangle's box.
@@ -71,26 +72,26 @@ TEST(TriangleLatitude, TheBoxGrowsByLessThanAStep) {
   const Triangle t{at(2, 2), at(6, 2), at(4, 6)};
   const double step = 1.0 / 16;
   const double unit = 1.0 / 65536;
-  EXPECT_TRUE(triangle_possibly_covered(t, at(2 - step + unit, 2), 4));
-  EXPECT_FALSE(triangle_possibly_covered(t, at(2 - step, 2), 4));
-  EXPECT_TRUE(triangle_possibly_covered(t, at(6 + step - unit, 2), 4));
-  EXPECT_FALSE(triangle_possibly_covered(t, at(6 + step, 2), 4));
-  EXPECT_TRUE(triangle_possibly_covered(t, at(4, 2 - step + unit), 4));
-  EXPECT_FALSE(triangle_possibly_covered(t, at(4, 2 - step), 4));
-  EXPECT_TRUE(triangle_possibly_covered(t, at(4, 6 + step - unit), 4));
-  EXPECT_FALSE(triangle_possibly_covered(t, at(4, 6 + step), 4));
+  EXPECT_TRUE(triangle_possibly_covered(t, at(2 - step + unit, 2), grid_step(4)));
+  EXPECT_FALSE(triangle_possibly_covered(t, at(2 - step, 2), grid_step(4)));
+  EXPECT_TRUE(triangle_possibly_covered(t, at(6 + step - unit, 2), grid_step(4)));
+  EXPECT_FALSE(triangle_possibly_covered(t, at(6 + step, 2), grid_step(4)));
+  EXPECT_TRUE(triangle_possibly_covered(t, at(4, 2 - step + unit), grid_step(4)));
+  EXPECT_FALSE(triangle_possibly_covered(t, at(4, 2 - step), grid_step(4)));
+  EXPECT_TRUE(triangle_possibly_covered(t, at(4, 6 + step - unit), grid_step(4)));
+  EXPECT_FALSE(triangle_possibly_covered(t, at(4, 6 + step), grid_step(4)));
 }
 
 TEST(PointLatitude, IsLessThanAStepOnEitherSide) {
   const double unit = 1.0 / 65536;
   // A size of 1 at 4 bits: the boundary lies 1/2 away, a step is 1/16.
-  EXPECT_TRUE(point_possibly_covered({at(1.0625 - unit, 0.5)}, 0, 0, 4));
-  EXPECT_FALSE(point_possibly_covered({at(1.0625, 0.5)}, 0, 0, 4));
-  EXPECT_TRUE(point_possibly_uncovered({at(0.9375 + unit, 0.5)}, 0, 0, 4));
-  EXPECT_FALSE(point_possibly_uncovered({at(0.9375, 0.5)}, 0, 0, 4));
+  EXPECT_TRUE(point_possibly_covered({at(1.0625 - unit, 0.5)}, 0, 0, grid_step(4)));
+  EXPECT_FALSE(point_possibly_covered({at(1.0625, 0.5)}, 0, 0, grid_step(4)));
+  EXPECT_TRUE(point_possibly_uncovered({at(0.9375 + unit, 0.5)}, 0, 0, grid_step(4)));
+  EXPECT_FALSE(point_possibly_uncovered({at(0.9375, 0.5)}, 0, 0, grid_step(4)));
   // Steps as fine as raw units.
-  EXPECT_TRUE(point_possibly_uncovered({at(1, 0.5)}, 0, 0, 16));
-  EXPECT_FALSE(point_possibly_uncovered({at(1 - unit, 0.5)}, 0, 0, 16));
+  EXPECT_TRUE(point_possibly_uncovered({at(1, 0.5)}, 0, 0, grid_step(16)));
+  EXPECT_FALSE(point_possibly_uncovered({at(1 - unit, 0.5)}, 0, 0, grid_step(16)));
 }
 
 TEST(Unorm8, RangesOutsideAreTheEnds) {

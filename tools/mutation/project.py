@@ -59,8 +59,8 @@ def edgecase(build):
     return Project(
         ROOT, build, ("src/exact", "src/rules", "src/raster"),
         ("CMakeLists.txt", "src", "tests", "reference", "reports", "tools", "cases"),
-        ("exact", "rules", "raster", "oracles"),
-        frozenset({"RandomScenes.AMillionAgree"}))
+        ("exact", "rules", "values", "raster", "oracles"),
+        frozenset({"RandomScenes.AMillionAgree", "InterpolationOracles.AMillionTrianglesAgree"}))
 
 
 def processors():

@@ -7,6 +7,8 @@
 #include <array>
 #include <cstdlib>
 
+#include "rules/coverage/pixels_near_segment.h"
+
 namespace edgecase {
 namespace {
 
@@ -22,13 +24,19 @@ constexpr Rotated rotate(Point p) {
   return {p.x.raw() + p.y.raw(), p.x.raw() - p.y.raw()};
 }
 
+// A diamond in rotated coordinates, |u| and |v| < radius from its centre, raw.
+struct Diamond {
+  Rotated centre;
+  std::int64_t radius = kHalf;
+};
+
 // The four sides of the diamond, as functions of the sample that are positive while the point
 // lies inside: u and v grow by (1, 1) and (1, -1) as the sample moves right and up.
-bool inside_sides(Rotated low, Rotated high, Rotated centre, const TieRule& ties) {
-  return ties.positive(high.u - centre.u + kHalf, -1, -1) &&
-         ties.positive(centre.u + kHalf - low.u, 1, 1) &&
-         ties.positive(high.v - centre.v + kHalf, -1, 1) &&
-         ties.positive(centre.v + kHalf - low.v, 1, -1);
+bool inside_sides(Rotated low, Rotated high, const Diamond& d, const TieRule& ties) {
+  return ties.positive(high.u - d.centre.u + d.radius, -1, -1) &&
+         ties.positive(d.centre.u + d.radius - low.u, 1, 1) &&
+         ties.positive(high.v - d.centre.v + d.radius, -1, 1) &&
+         ties.positive(d.centre.v + d.radius - low.v, 1, -1);
 }
 
 const TieRule& open_ties() {
@@ -36,18 +44,18 @@ const TieRule& open_ties() {
   return rule;
 }
 
-// Does the segment from a to b meet the diamond whose centre is c, ties decided by a tie rule?
-bool meets_by_ties(Rotated a, Rotated b, Rotated c, const TieRule& ties) {
+// Does the segment from a to b meet the diamond, ties decided by a tie rule?
+bool meets_by_ties(Rotated a, Rotated b, const Diamond& d, const TieRule& ties) {
   const Rotated low{std::min(a.u, b.u), std::min(a.v, b.v)};
   const Rotated high{std::max(a.u, b.u), std::max(a.v, b.v)};
-  if (!inside_sides(low, high, c, ties)) return false;
+  if (!inside_sides(low, high, d, ties)) return false;
   const Int128 du = b.u - a.u;
   const Int128 dv = b.v - a.v;
   if (du == 0 && dv == 0) return true;
 
   // The segment's normal (-dv, du): the centre may lie at most half the diamond's width from it.
-  const Int128 offset = du * (c.v - a.v) - dv * (c.u - a.u);
-  const Int128 reach = ((du < 0 ? -du : du) + (dv < 0 ? -dv : dv)) * kHalf;
+  const Int128 offset = du * (d.centre.v - a.v) - dv * (d.centre.u - a.u);
+  const Int128 reach = ((du < 0 ? -du : du) + (dv < 0 ? -dv : dv)) * d.radius;
   const Int128 gradient_x = du - dv;
   const Int128 gradient_y = -du - dv;
   return ties.positive(reach + offset, gradient_x, gradient_y) &&
@@ -159,8 +167,8 @@ std::string describe_end(const Segment& s, int x, int y, const DiamondBoundary& 
 bool ends_in_diamond(const Segment& segment, int x, int y, const DiamondBoundary& boundary) {
   const Rotated end = rotate(segment.b);
   const Rotated centre = rotate(pixel_centre(x, y));
-  if (boundary.ties != nullptr) return inside_sides(end, end, centre, *boundary.ties);
-  return inside_sides(end, end, centre, open_ties()) ||
+  if (boundary.ties != nullptr) return inside_sides(end, end, {centre}, *boundary.ties);
+  return inside_sides(end, end, {centre}, open_ties()) ||
          touches_part({end, end}, centre, owned_parts(segment, boundary));
 }
 
@@ -168,9 +176,19 @@ bool meets_diamond(const Segment& segment, int x, int y, const DiamondBoundary& 
   const Rotated a = rotate(segment.a);
   const Rotated b = rotate(segment.b);
   const Rotated c = rotate(pixel_centre(x, y));
-  if (boundary.ties != nullptr) return meets_by_ties(a, b, c, *boundary.ties);
-  return meets_by_ties(a, b, c, open_ties()) ||
+  if (boundary.ties != nullptr) return meets_by_ties(a, b, {c}, *boundary.ties);
+  return meets_by_ties(a, b, {c}, open_ties()) ||
          touches_part({a, b}, c, owned_parts(segment, boundary));
+}
+
+bool meets(const Segment& segment, const SizedDiamond& diamond) {
+  const Rotated centre = rotate(pixel_centre(diamond.pixel.x, diamond.pixel.y));
+  return diamond.radius > Fixed() && meets_by_ties(rotate(segment.a), rotate(segment.b),
+                                                   {centre, diamond.radius.raw()}, diamond.ties);
+}
+
+bool ends_in(const Segment& segment, const SizedDiamond& diamond) {
+  return meets({segment.b, segment.b}, diamond);
 }
 
 bool diamond_exit_covers(const Segment& segment, int x, int y, const DiamondBoundary& boundary) {
@@ -179,37 +197,10 @@ bool diamond_exit_covers(const Segment& segment, int x, int y, const DiamondBoun
 
 std::vector<PixelPosition> diamond_exit_pixels(const Segment& segment, const PixelBounds& bounds,
                                                const DiamondBoundary& boundary) {
-  // Along the major axis, only rows within one pixel of the segment can meet it: walk the columns
-  // (rows for a y-major segment) and test the few candidates of each.
-  const bool x_major = segment.x_major();
-  const auto major = [&](Point p) { return x_major ? p.x : p.y; };
-  const auto minor = [&](Point p) { return x_major ? p.y : p.x; };
-  const auto [first, last] = std::minmax({major(segment.a), major(segment.b)});
-  const std::int64_t run = major(segment.b).raw() - major(segment.a).raw();
-  const std::int64_t rise = minor(segment.b).raw() - minor(segment.a).raw();
-
-  const int major_low = x_major ? bounds.x_min : bounds.y_min;
-  const int major_high = x_major ? bounds.x_max : bounds.y_max;
-  const int minor_low = x_major ? bounds.y_min : bounds.x_min;
-  const int minor_high = x_major ? bounds.y_max : bounds.x_max;
-
   std::vector<PixelPosition> result;
-  const auto begin = std::max<std::int64_t>(first.floor() - 1, major_low);
-  const auto end = std::min<std::int64_t>(last.floor() + 1, major_high);
-  for (std::int64_t m = begin; m <= end; ++m) {
-    // Minor coordinate at the column's centre, held to the segment; off by less than a raw unit.
-    const Fixed centre = std::clamp(Fixed::centre_of(m), first, last);
-    const Int128 along = static_cast<Int128>(centre.raw() - major(segment.a).raw()) * rise;
-    const Fixed at =
-        run == 0 ? minor(segment.a)
-                 : minor(segment.a) + Fixed::from_raw(static_cast<std::int64_t>(along / run));
-    const auto low = std::max<std::int64_t>(at.floor() - 2, minor_low);
-    const auto high = std::min<std::int64_t>(at.floor() + 2, minor_high);
-    for (std::int64_t n = low; n <= high; ++n) {
-      const PixelPosition p{static_cast<int>(x_major ? m : n), static_cast<int>(x_major ? n : m)};
-      if (diamond_exit_covers(segment, p.x, p.y, boundary)) result.push_back(p);
-    }
-  }
+  visit_pixels_near(segment, bounds, [&](PixelPosition p) {
+    if (diamond_exit_covers(segment, p.x, p.y, boundary)) result.push_back(p);
+  });
   return result;
 }
 

@@ -37,6 +37,17 @@ bool ends_in_diamond(const Segment& segment, int x, int y, const DiamondBoundary
 // Does the segment produce the fragment of pixel (x, y)?
 bool diamond_exit_covers(const Segment& segment, int x, int y, const DiamondBoundary& boundary);
 
+// A diamond of another size round the centre of a pixel: |dx| + |dy| < radius, its boundary as a
+// tie rule has it. Without a positive radius it is empty.
+struct SizedDiamond {
+  PixelPosition pixel;
+  Fixed radius;
+  const TieRule& ties;
+};
+
+bool meets(const Segment& segment, const SizedDiamond& diamond);
+bool ends_in(const Segment& segment, const SizedDiamond& diamond);
+
 // All pixels within `bounds` that the segment produces, along the major axis in ascending order.
 std::vector<PixelPosition> diamond_exit_pixels(const Segment& segment, const PixelBounds& bounds,
                                                const DiamondBoundary& boundary);

@@ -94,24 +94,6 @@ std::vector<PixelPosition> thin_pixels(const Segment& segment, const PixelBounds
   return {};
 }
 
-// Columns (rows, if y-major) of `width` pixels upon the pixels of the lowest segment. Some
-// algorithms put two of these into one column, and their columns then overlap.
-std::vector<PixelPosition> replicated(const Segment& segment, int width, const PixelBounds& bounds,
-                                      const LineChoice& choice, const TieRule& ties) {
-  const bool x_major = segment.x_major();
-  std::vector<PixelPosition> pixels;
-  for (PixelPosition base :
-       thin_pixels(lowest_segment(segment, width), bounds.grown(width), choice, ties))
-    for (int i = 0; i < width; ++i) {
-      const PixelPosition pixel =
-          x_major ? PixelPosition{base.x, base.y + i} : PixelPosition{base.x + i, base.y};
-      if (bounds.contains(pixel)) pixels.push_back(pixel);
-    }
-  std::sort(pixels.begin(), pixels.end());
-  pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
-  return pixels;
-}
-
 }  // namespace
 
 std::span<const LineAlgorithm> all_line_algorithms() {
@@ -169,19 +151,39 @@ int rounded_width(Fixed width) {
 }
 
 Segment lowest_segment(const Segment& segment, int width) {
+  return lowest_segment(segment, width, segment.x_major());
+}
+
+Segment lowest_segment(const Segment& segment, int width, bool x_major) {
   const Fixed down = Fixed::from_raw((width - 1) * Fixed::kOne / 2);
-  if (segment.x_major())
-    return {{segment.a.x, segment.a.y - down}, {segment.b.x, segment.b.y - down}};
+  if (x_major) return {{segment.a.x, segment.a.y - down}, {segment.b.x, segment.b.y - down}};
   return {{segment.a.x - down, segment.a.y}, {segment.b.x - down, segment.b.y}};
+}
+
+std::vector<PixelPosition> replicated(std::span<const PixelPosition> lowest, bool x_major,
+                                      int width, const PixelBounds& bounds) {
+  std::vector<PixelPosition> pixels;
+  for (PixelPosition base : lowest)
+    for (int i = 0; i < width; ++i) {
+      const PixelPosition pixel =
+          x_major ? PixelPosition{base.x, base.y + i} : PixelPosition{base.x + i, base.y};
+      if (bounds.contains(pixel)) pixels.push_back(pixel);
+    }
+  std::sort(pixels.begin(), pixels.end());
+  pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
+  return pixels;
 }
 
 std::vector<PixelPosition> line_pixels(const Segment& segment, Fixed width,
                                        const PixelBounds& bounds, const LineChoice& choice,
                                        const TieRule& ties) {
   if (width == Fixed::from_integer(1)) return thin_pixels(segment, bounds, choice, ties);
+  const int rounded = rounded_width(width);
   switch (choice.wide) {
     case WideLine::replicate:
-      return replicated(segment, rounded_width(width), bounds, choice, ties);
+      return replicated(
+          thin_pixels(lowest_segment(segment, rounded), bounds.grown(rounded), choice, ties),
+          segment.x_major(), rounded, bounds);
     case WideLine::rectangle:
       return line_area_pixels(segment, width, LineArea::rectangle, bounds, ties);
     case WideLine::parallelogram:
@@ -201,7 +203,10 @@ Rule line_algorithm_rule() {
   rule.id = "line.algorithm";
   rule.title = "A line of width 1 is drawn by the diamond-exit rule, or one that stays close to it";
   rule.spec = "14.5.1 (basic line segment rasterization)";
-  rule.latitude = "any algorithm that holds rulings 1 and 2";
+  rule.latitude =
+      "any algorithm that holds rulings 1 and 2; the diamond-exit rule is decided on vertices that "
+      "are quotients by w as they are, the others take them, where they are not snapped, to the "
+      "nearest multiple of 2^-16";
   rule.standard = "diamond-exit";
   for (const Entry& entry : kEntries)
     rule.alternatives.push_back({entry.name, Openness::open, entry.meaning});

@@ -71,6 +71,13 @@ int rounded_width(Fixed width);
 
 // The segment of width 1 whose fragments are the lowest of a wide line's columns.
 Segment lowest_segment(const Segment& segment, int width);
+// The same of a segment that is read as x-major, or as y-major.
+Segment lowest_segment(const Segment& segment, int width, bool x_major);
+
+// Columns (rows, if not x-major) of `width` pixels within `bounds` upon the lowest ones, each pixel
+// once. Some algorithms put two pixels into one column; their columns then overlap.
+std::vector<PixelPosition> replicated(std::span<const PixelPosition> lowest, bool x_major,
+                                      int width, const PixelBounds& bounds);
 
 // The pixels within `bounds` that a line covers, each once, in no particular order. `ties` decides
 // samples on the boundary of rectangles and parallelograms.

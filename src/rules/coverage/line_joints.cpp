@@ -7,26 +7,21 @@
 #include <cstdlib>
 #include <vector>
 
-#include "rules/coverage/diamond_exit.h"
+#include "rules/coverage/diamond_reach.h"
 
 namespace edgecase {
 namespace {
 
-// A pixel by its place along the direction of the line (growing as the line goes on) and across it.
-struct Step {
-  int along = 0;
-  int across = 0;
-};
-
+// Where a pixel lies along a line: its column (row, if y-major), growing as the line goes on.
 class Direction {
  public:
   explicit Direction(const Segment& segment)
       : x_major_(segment.x_major()),
         forward_(x_major_ ? segment.b.x > segment.a.x : segment.b.y > segment.a.y) {}
 
-  Step operator()(PixelPosition p) const {
+  int along(PixelPosition p) const {
     const int major = x_major_ ? p.x : p.y;
-    return {forward_ ? major : -major, x_major_ ? p.y : p.x};
+    return forward_ ? major : -major;
   }
   const char* column() const { return x_major_ ? "column" : "row"; }
   // The column (row) of a place along the line.
@@ -37,11 +32,12 @@ class Direction {
   bool forward_;
 };
 
-std::vector<Step> steps_of(std::span<const PixelPosition> pixels, const Direction& direction) {
-  std::vector<Step> steps;
-  for (PixelPosition p : pixels) steps.push_back(direction(p));
-  std::sort(steps.begin(), steps.end(), [](Step a, Step b) { return a.along < b.along; });
-  return steps;
+// The places of all pixels of a line, sorted.
+std::vector<int> places_along(std::span<const PixelPosition> pixels, const Direction& direction) {
+  std::vector<int> places;
+  for (PixelPosition p : pixels) places.push_back(direction.along(p));
+  std::sort(places.begin(), places.end());
+  return places;
 }
 
 std::string common_pixel(const DrawnSegment& first, const DrawnSegment& second) {
@@ -59,31 +55,35 @@ bool meet(const DrawnSegment& first, const DrawnSegment& second) {
   return false;
 }
 
-// Does the diamond-exit rule have a fragment at this place along the line which the target cannot
-// hide, not even one that lies a unit off?
-bool must_be_seen(const Segment& segment, int along, const Direction& direction,
+// Does the diamond-exit rule have a fragment at this place along the line, wherever the ends are,
+// which the target cannot hide, not even one that lies a unit off?
+bool must_be_seen(const LooseSegment& loose, int along, const Direction& direction,
                   const PixelBounds& bounds) {
-  const auto pixels =
-      diamond_exit_pixels(segment, bounds.grown(-1), *find_diamond_boundary("left-bottom"));
+  const auto pixels = certain_pixels(loose, bounds.grown(-1));
   return std::any_of(pixels.begin(), pixels.end(),
-                     [&](PixelPosition p) { return direction(p).along == along; });
+                     [&](PixelPosition p) { return direction.along(p) == along; });
 }
 
 }  // namespace
 
-bool goes_on(const Segment& first, const Segment& second) {
+bool goes_on(const Segment& first, const Segment& second, Fixed reach) {
   if (first.b != second.a || first.a == first.b || second.a == second.b) return false;
-  if (first.x_major() != second.x_major()) return false;
+  const LooseSegment one{first, reach};
+  const LooseSegment other{second, reach};
+  // A segment with a certain major axis is longer along it than its ends reach.
+  const bool same_axis = (surely_x_major(one) && surely_x_major(other)) ||
+                         (surely_y_major(one) && surely_y_major(other));
+  if (!same_axis) return false;
   return first.x_major() ? (first.b.x > first.a.x) == (second.b.x > second.a.x)
                          : (first.b.y > first.a.y) == (second.b.y > second.a.y);
 }
 
 std::string broken_joint_clause(const DrawnSegment& first, std::span<const Segment> between,
-                                const DrawnSegment& second) {
+                                const DrawnSegment& second, Fixed reach) {
   if (std::string clause = common_pixel(first, second); !clause.empty()) return clause;
   const Direction direction(first.segment);
-  const std::vector<Step> before = steps_of(first.drawn, direction);
-  const std::vector<Step> after = steps_of(second.drawn, direction);
+  const int last = places_along(first.drawn, direction).back();
+  const int next = places_along(second.drawn, direction).front();
 
   std::vector<Segment> segments{first.segment};
   segments.insert(segments.end(), between.begin(), between.end());
@@ -92,18 +92,17 @@ std::string broken_joint_clause(const DrawnSegment& first, std::span<const Segme
                            std::max(first.bounds.y_min, second.bounds.y_min),
                            std::min(first.bounds.x_max, second.bounds.x_max),
                            std::min(first.bounds.y_max, second.bounds.y_max)};
-  for (int along = before.back().along + 1; along < after.front().along; ++along)
+  for (int along = last + 1; along < next; ++along)
     for (const Segment& segment : segments)
-      if (must_be_seen(segment, along, direction, bounds))
+      if (must_be_seen({segment, reach}, along, direction, bounds))
         return fmt::format("{} {} is empty between the two segments of a joint", direction.column(),
                            direction.number_of(along));
 
-  const bool side_by_side = after.front().along <= before.back().along + 1;
+  const bool side_by_side = next <= last + 1;
   if (side_by_side && !meet(first, second))
     return fmt::format(
         "the fragments of {}s {} and {}, where a joint lies, are more than one apart",
-        direction.column(), direction.number_of(before.back().along),
-        direction.number_of(after.front().along));
+        direction.column(), direction.number_of(last), direction.number_of(next));
   return "";
 }
 

@@ -22,9 +22,9 @@ namespace edgecase {
 
 Rule line_joint_rule();
 
-// Does `second` start where `first` ends, with the same major axis and direction? A segment
-// without length has no direction.
-bool goes_on(const Segment& first, const Segment& second);
+// Does `second` start where `first` ends, with the same major axis and direction, wherever the ends
+// lie within `reach`? A segment without length has no direction.
+bool goes_on(const Segment& first, const Segment& second, Fixed reach = {});
 
 // A segment of width 1 with the pixels that were drawn of it inside `bounds`, in any order.
 struct DrawnSegment {
@@ -35,8 +35,9 @@ struct DrawnSegment {
 
 // The clause of ruling 14 that two segments break, in words; empty when every clause holds. Both
 // must have drawn pixels, and `second` must go on where `first` ends, or where a row of segments
-// ends that go on from `first` and drew nothing (`between`, in order).
+// ends that go on from `first` and drew nothing (`between`, in order). All ends are known to within
+// `reach`, see diamond_reach.h.
 std::string broken_joint_clause(const DrawnSegment& first, std::span<const Segment> between,
-                                const DrawnSegment& second);
+                                const DrawnSegment& second, Fixed reach = {});
 
 }  // namespace edgecase

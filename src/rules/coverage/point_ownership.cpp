@@ -121,14 +121,14 @@ Explanation explain_point(const SizedPoint& point, int x, int y, const TieRule& 
   return result;
 }
 
-bool point_possibly_covered(const SizedPoint& point, int x, int y, int bits) {
-  const std::int64_t step = Fixed::kOne >> bits;
-  return 2 * chebyshev_distance(point.vertex, pixel_centre(x, y)) < point.size.raw() + 2 * step;
+bool point_possibly_covered(const SizedPoint& point, int x, int y, Fixed reach) {
+  return 2 * chebyshev_distance(point.vertex, pixel_centre(x, y)) <
+         point.size.raw() + 2 * reach.raw();
 }
 
-bool point_possibly_uncovered(const SizedPoint& point, int x, int y, int bits) {
-  const std::int64_t step = Fixed::kOne >> bits;
-  return 2 * chebyshev_distance(point.vertex, pixel_centre(x, y)) > point.size.raw() - 2 * step;
+bool point_possibly_uncovered(const SizedPoint& point, int x, int y, Fixed reach) {
+  return 2 * chebyshev_distance(point.vertex, pixel_centre(x, y)) >
+         point.size.raw() - 2 * reach.raw();
 }
 
 }  // namespace edgecase

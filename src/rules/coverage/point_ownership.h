@@ -49,8 +49,8 @@ bool point_covers(const SizedPoint& point, int x, int y, const TieRule& ties);
 Explanation explain_point(const SizedPoint& point, int x, int y, const TieRule& ties);
 
 // May the specification's latitude hold the pixel covered, may it hold it uncovered? The vertex may
-// move by less than 2^-bits in x and y, and boundaries are open.
-bool point_possibly_covered(const SizedPoint& point, int x, int y, int bits);
-bool point_possibly_uncovered(const SizedPoint& point, int x, int y, int bits);
+// move by less than `reach` in x and y, and boundaries are open.
+bool point_possibly_covered(const SizedPoint& point, int x, int y, Fixed reach);
+bool point_possibly_uncovered(const SizedPoint& point, int x, int y, Fixed reach);
 
 }  // namespace edgecase

@@ -37,6 +37,10 @@ Point turned_over(Point point, int height) {
   return {point.x, Fixed::from_integer(height) - point.y};
 }
 
+HomogeneousPoint turned_over(const HomogeneousPoint& point, int height) {
+  return {point.x, height * point.w - point.y, point.w};
+}
+
 PixelBounds turned_over(const PixelBounds& bounds, int height) {
   return {bounds.x_min, height - 1 - bounds.y_max, bounds.x_max, height - 1 - bounds.y_min};
 }

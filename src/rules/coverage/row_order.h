@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "exact/fixed.h"
+#include "exact/homogeneous.h"
 #include "exact/pixel.h"
 #include "rules/rule.h"
 
@@ -28,6 +29,7 @@ Rule row_order_rule(const std::string& id);
 
 // A point and a rectangle of pixels upside down in a target of `height` rows.
 Point turned_over(Point point, int height);
+HomogeneousPoint turned_over(const HomogeneousPoint& point, int height);
 PixelBounds turned_over(const PixelBounds& bounds, int height);
 
 }  // namespace edgecase

@@ -15,14 +15,14 @@ std::optional<SharedEdge> shared_edge(const Triangle& first, const Triangle& sec
   return std::nullopt;
 }
 
-bool must_hit_once(const SharedEdge& edge, Point sample, int bits) {
+bool must_hit_once(const SharedEdge& edge, Point sample, Fixed reach) {
   // Away from the edge, the rule for single triangles decides.
-  if (robustly_left(edge.a, edge.b, sample, bits)) return false;
-  if (robustly_left(edge.b, edge.a, sample, bits)) return false;
-  return robustly_left(edge.b, edge.left, sample, bits) &&
-         robustly_left(edge.left, edge.a, sample, bits) &&
-         robustly_left(edge.a, edge.right, sample, bits) &&
-         robustly_left(edge.right, edge.b, sample, bits);
+  if (robustly_left(edge.a, edge.b, sample, reach)) return false;
+  if (robustly_left(edge.b, edge.a, sample, reach)) return false;
+  return robustly_left(edge.b, edge.left, sample, reach) &&
+         robustly_left(edge.left, edge.a, sample, reach) &&
+         robustly_left(edge.a, edge.right, sample, reach) &&
+         robustly_left(edge.right, edge.b, sample, reach);
 }
 
 Rule shared_edge_rule() {

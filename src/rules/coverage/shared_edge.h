@@ -25,8 +25,9 @@ struct SharedEdge {
 // The common edge of two triangles that lie on opposite sides of it, if they have one.
 std::optional<SharedEdge> shared_edge(const Triangle& first, const Triangle& second);
 
-// Must the sample be hit exactly once by the two triangles, for every allowed move of the vertices?
+// Must the sample be hit exactly once by the two triangles, wherever their vertices move by less
+// than `reach`?
 // True where the sample may lie on either side of the edge and strictly inside the other four.
-bool must_hit_once(const SharedEdge& edge, Point sample, int bits);
+bool must_hit_once(const SharedEdge& edge, Point sample, Fixed reach);
 
 }  // namespace edgecase

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "exact/wide.h"
+
 namespace edgecase {
 namespace {
 
@@ -41,6 +43,40 @@ std::string meaning_of(Snap snap) {
   return fmt::format("vertices are moved to a multiple of 1/{} pixel: the {}", 1 << snap.bits, how);
 }
 
+// Largest integer not above numerator/denominator; the denominator is positive.
+Int128 floor_quotient(Int128 numerator, Int128 denominator) {
+  const Int128 quotient = numerator / denominator;
+  return numerator % denominator < 0 ? quotient - 1 : quotient;
+}
+
+// Does a value round up that lies rest/whole of a step above grid line `below`?
+bool rounds_up(Rounding rounding, Int128 below, Int128 rest, Int128 whole) {
+  switch (rounding) {
+    case Rounding::half_even:
+      return 2 * rest > whole || (2 * rest == whole && (below & 1) != 0);
+    case Rounding::half_up:
+      return 2 * rest >= whole;
+    case Rounding::truncate:
+      return false;
+  }
+  return false;
+}
+
+Ruling ruling_on_division() {
+  return {
+      15,
+      "A vertex with w other than 1, or given as clip coordinates: the division by w, the scaling "
+      "to the viewport and the addition of its centre may each err by 1 part in 10^5 (2.3.1), so "
+      "that the vertex may be off, in x and in y, by (2 |x - c| + |x|)/10^5, where c is the "
+      "viewport's centre, and 2^-16 pixel. It is bit-identical to a vertex with the same clip "
+      "coordinates, or the same position and w. Points and triangles: this adds to the step of "
+      "rulings 4, 5 and 6. Lines: the ends may lie wherever the snap of ruling 1 puts vertices "
+      "that are off by so much. Rulings 1, 2 and 12 then hold against the fragments that the "
+      "diamond-exit rule has for some such ends, and count as missing only those that it has for "
+      "all of them; a line whose major axis depends on them is read either way. Ruling 14 holds "
+      "where major axis and direction do not depend on them."};
+}
+
 }  // namespace
 
 Fixed Snap::operator()(Fixed value) const {
@@ -49,11 +85,21 @@ Fixed Snap::operator()(Fixed value) const {
   const std::int64_t step = std::int64_t{1} << dropped;
   const std::int64_t below = value.raw() >> dropped;
   const std::int64_t rest = value.raw() - below * step;
-  const bool up = rounding == Rounding::half_up ? 2 * rest >= step
-                  : rounding == Rounding::half_even
-                      ? 2 * rest > step || (2 * rest == step && (below & 1) != 0)
-                      : false;
-  return Fixed::from_raw((below + (up ? 1 : 0)) * step);
+  return Fixed::from_raw((below + (rounds_up(rounding, below, rest, step) ? 1 : 0)) * step);
+}
+
+Point Snap::operator()(const HomogeneousPoint& point) const {
+  if (is_none()) return nearest_point(point);
+  if (point.w == Fixed::kOne) return (*this)(nearest_point(point));
+  const auto snapped = [&](std::int64_t coordinate) {
+    // In steps of the grid, at most 2^58 over 2^32.
+    const Int128 steps = Int128{coordinate} << bits;
+    const Int128 below = floor_quotient(steps, point.w);
+    const Int128 rest = steps - below * point.w;
+    const bool up = rounds_up(rounding, below, rest, point.w);
+    return Fixed::from_raw(static_cast<std::int64_t>(below + (up ? 1 : 0)) * grid_step(bits).raw());
+  };
+  return {snapped(point.x), snapped(point.y)};
 }
 
 std::string name_of(Snap snap) {
@@ -84,6 +130,7 @@ Rule snap_rule(const std::string& id) {
   rule.standard = "none";
   for (Snap snap : all_snaps())
     rule.alternatives.push_back({name_of(snap), Openness::open, meaning_of(snap)});
+  if (id == "subpixel.snap") rule.rulings = {ruling_on_division()};
   return rule;
 }
 

@@ -13,9 +13,15 @@
 #include <string_view>
 
 #include "exact/fixed.h"
+#include "exact/homogeneous.h"
 #include "rules/rule.h"
 
 namespace edgecase {
+
+// The distance of neighbouring lines of a grid of `bits` bits, 0 to 16: 2^-bits pixels.
+constexpr Fixed grid_step(int bits) {
+  return Fixed::from_raw(Fixed::kOne >> bits);
+}
 
 struct Snap {
   enum class Rounding {
@@ -30,6 +36,9 @@ struct Snap {
   constexpr bool is_none() const { return bits == Fixed::kFractionBits; }
   Fixed operator()(Fixed value) const;
   Point operator()(Point point) const { return {(*this)(point.x), (*this)(point.y)}; }
+  // The quotient itself is rounded, once. Without snapping: the nearest multiple of 2^-16, a tie to
+  // the right or up.
+  Point operator()(const HomogeneousPoint& point) const;
   friend constexpr bool operator==(Snap, Snap) = default;
 };
 

@@ -11,23 +11,9 @@ namespace {
 
 constexpr std::array kAlgorithms = {TriangleAlgorithm::edge_functions, TriangleAlgorithm::scan};
 
-// The part of the bounds in which a triangle's samples can lie.
-PixelBounds near(const Triangle& t, const PixelBounds& bounds) {
-  const auto [x_low, x_high] = std::minmax({t[0].x, t[1].x, t[2].x});
-  const auto [y_low, y_high] = std::minmax({t[0].y, t[1].y, t[2].y});
-  const auto low = [](int bound, Fixed value) {
-    return static_cast<int>(std::max<std::int64_t>(bound, value.floor() - 1));
-  };
-  const auto high = [](int bound, Fixed value) {
-    return static_cast<int>(std::min<std::int64_t>(bound, value.floor() + 1));
-  };
-  return {low(bounds.x_min, x_low), low(bounds.y_min, y_low), high(bounds.x_max, x_high),
-          high(bounds.y_max, y_high)};
-}
-
 std::vector<PixelPosition> by_edge_functions(const Triangle& triangle, const PixelBounds& bounds,
                                              const TieRule& ties) {
-  const PixelBounds some = near(triangle, bounds);
+  const PixelBounds some = sample_bounds(triangle, bounds);
   std::vector<PixelPosition> pixels;
   for (int y = some.y_min; y <= some.y_max; ++y)
     for (int x = some.x_min; x <= some.x_max; ++x)
@@ -64,6 +50,19 @@ bool has_tie_rule(TriangleAlgorithm algorithm) {
   return algorithm == TriangleAlgorithm::edge_functions;
 }
 
+PixelBounds sample_bounds(const Triangle& t, const PixelBounds& bounds) {
+  const auto [x_low, x_high] = std::minmax({t[0].x, t[1].x, t[2].x});
+  const auto [y_low, y_high] = std::minmax({t[0].y, t[1].y, t[2].y});
+  const auto low = [](int bound, Fixed value) {
+    return static_cast<int>(std::max<std::int64_t>(bound, value.floor() - 1));
+  };
+  const auto high = [](int bound, Fixed value) {
+    return static_cast<int>(std::min<std::int64_t>(bound, value.floor() + 1));
+  };
+  return {low(bounds.x_min, x_low), low(bounds.y_min, y_low), high(bounds.x_max, x_high),
+          high(bounds.y_max, y_high)};
+}
+
 std::vector<PixelPosition> triangle_pixels(const Triangle& triangle, const PixelBounds& bounds,
                                            TriangleAlgorithm algorithm, const TieRule& ties) {
   switch (algorithm) {
@@ -86,7 +85,9 @@ Rule triangle_algorithm_rule() {
       {"edge-functions", Openness::open, "exact; samples on an edge follow triangle.fill-rule"},
       {"scan", Openness::open,
        "scan conversion in single precision, row by row upward: edges with rounded slopes, of "
-       "samples on an edge those on right and top edges are drawn"}};
+       "samples on an edge those on right and top edges are drawn; vertices that are quotients by "
+       "w "
+       "and are not snapped are first taken to the nearest multiple of 2^-16"}};
   return rule;
 }
 

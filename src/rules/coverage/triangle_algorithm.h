@@ -31,6 +31,9 @@ bool has_tie_rule(TriangleAlgorithm algorithm);
 
 Rule triangle_algorithm_rule();
 
+// The part of the bounds in which a triangle's samples can lie, and a pixel more on each side.
+PixelBounds sample_bounds(const Triangle& triangle, const PixelBounds& bounds);
+
 // The pixels within `bounds`, each once, in no particular order. `ties` is for algorithms that have
 // a tie rule.
 std::vector<PixelPosition> triangle_pixels(const Triangle& triangle, const PixelBounds& bounds,

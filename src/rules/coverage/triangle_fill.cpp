@@ -98,10 +98,10 @@ Explanation explain_triangle(const Triangle& triangle, int x, int y, const TieRu
 }
 
 // The triangles that the moves allow have as their union the sum of the triangle and an open square
-// of half-width 2^-bits: both are convex, and conv(A u B u C) of the three moved squares is that
+// of half-width `reach`: both are convex, and conv(A u B u C) of the three moved squares is that
 // sum. A sample lies in it unless an axis or an edge's normal separates them.
-bool triangle_possibly_covered(const Triangle& triangle, Point sample, int bits) {
-  const std::int64_t step = Fixed::kOne >> bits;
+bool triangle_possibly_covered(const Triangle& triangle, Point sample, Fixed reach) {
+  const std::int64_t step = reach.raw();
   const auto [x_low, x_high] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
   const auto [y_low, y_high] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
   if (sample.x.raw() <= x_low.raw() - step || sample.x.raw() >= x_high.raw() + step) return false;
@@ -110,20 +110,20 @@ bool triangle_possibly_covered(const Triangle& triangle, Point sample, int bits)
   for (std::size_t i = 0; i < 3; ++i) {
     const Point a = t[i];
     const Point b = t[(i + 1) % 3];
-    const Int128 reach =
+    const Int128 aside =
         static_cast<Int128>(std::abs(b.x.raw() - a.x.raw()) + std::abs(b.y.raw() - a.y.raw())) *
         step;
     const Int128 side = cross(a, b, sample);
     // Without area the edges run both ways: both sides of the segment are outside.
-    if (a != b && side <= -reach) return false;
+    if (a != b && side <= -aside) return false;
   }
   return true;
 }
 
 // (a + s - p) x (b + t - p) is linear in each of the four components of the moves s and t, so over
 // the open box of moves it stays positive exactly when no corner of the box makes it negative.
-bool robustly_left(Point a, Point b, Point p, int bits) {
-  const std::int64_t step = Fixed::kOne >> bits;
+bool robustly_left(Point a, Point b, Point p, Fixed reach) {
+  const std::int64_t step = reach.raw();
   for (int corner = 0; corner < 16; ++corner) {
     const auto move = [&](int bit) { return (corner >> bit & 1) != 0 ? step : -step; };
     const Int128 ax = a.x.raw() + move(0) - p.x.raw();
@@ -135,10 +135,10 @@ bool robustly_left(Point a, Point b, Point p, int bits) {
   return true;
 }
 
-bool triangle_possibly_uncovered(const Triangle& triangle, Point sample, int bits) {
+bool triangle_possibly_uncovered(const Triangle& triangle, Point sample, Fixed reach) {
   const Triangle t = counter_clockwise(triangle);
   for (std::size_t i = 0; i < 3; ++i)
-    if (!robustly_left(t[i], t[(i + 1) % 3], sample, bits)) return true;
+    if (!robustly_left(t[i], t[(i + 1) % 3], sample, reach)) return true;
   return false;
 }
 

@@ -37,11 +37,12 @@ bool triangle_covers(const Triangle& triangle, int x, int y, const TieRule& ties
 Explanation explain_triangle(const Triangle& triangle, int x, int y, const TieRule& ties);
 
 // May the specification's latitude hold the sample covered, may it hold it uncovered? Each vertex
-// may move by less than 2^-bits in x and in y, and ties on edges go either way. bits: 1 to 16.
-bool triangle_possibly_covered(const Triangle& triangle, Point sample, int bits);
-bool triangle_possibly_uncovered(const Triangle& triangle, Point sample, int bits);
+// may move by less than `reach` in x and in y, and ties on edges go either way. reach: more than 0,
+// at most a pixel.
+bool triangle_possibly_covered(const Triangle& triangle, Point sample, Fixed reach);
+bool triangle_possibly_uncovered(const Triangle& triangle, Point sample, Fixed reach);
 
-// Does p lie strictly to the left of a -> b for every move of a and b by less than 2^-bits?
-bool robustly_left(Point a, Point b, Point p, int bits);
+// Does p lie strictly to the left of a -> b for every move of a and b by less than `reach`?
+bool robustly_left(Point a, Point b, Point p, Fixed reach);
 
 }  // namespace edgecase

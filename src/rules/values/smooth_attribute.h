@@ -1,47 +1,38 @@
 // SPDX-License-Identifier: MIT
 //
-// Smooth attributes and depth: linear interpolation (GL 4.6 core, 14.5.1 and 14.6.1).
-//
-// Inside a triangle an attribute is a weighted mean of its vertices' values, the weights being the
-// areas of the triangles that the sample forms with the opposite edges; along a line it runs with
-// t = (p - a).(b - a) / |b - a|^2. With w = 1, as here, the same holds for depth. Areas and
-// products are exact integers; only the last steps are done in interval arithmetic, which is far
-// finer than the float32 that a renderer answers in.
-//
-// What an implementation may answer is wider: each operation may err by about 1 part in 10^5 (2.3,
-// floating-point computation), and the vertices may have been moved to the sub-pixel grid. Both
-// follow the condition of the computation: a sliver's interval is wide, a large triangle's is not.
+// Smooth attributes and depth: what a policy may choose about interpolation (GL 4.6 core, 14.5.1
+// and 14.6.1). The arithmetic is in rules/values/interpolation.h.
 #pragma once
 
-#include <array>
+#include <string_view>
 
-#include "exact/fixed.h"
-#include "exact/interval.h"
 #include "model/scene.h"
 #include "rules/rule.h"
 
 namespace edgecase {
 
-Rule smooth_attribute_rule();
-Rule depth_rule();
+Rule smooth_attribute_rule();      // attribute.smooth: along a line, by which parameter
+Rule perspective_rule();           // attribute.perspective
+Rule attribute_positions_rule();   // attribute.positions
+Rule depth_rule();                 // fragment.depth
+Rule fragment_coordinates_rule();  // fragment.coordinates: gl_FragCoord
 
-// How far along a line a sample lies: by its projection onto the line, as OpenGL says, or by its
-// coordinate on the major axis alone, which is what a walk along that axis yields.
-enum class LineParameter { projection, major_axis };
-
-// One component of an attribute over one primitive; unused entries are ignored.
-struct Interpolant {
-  PrimitiveKind kind = PrimitiveKind::triangle;
-  std::array<Point, 3> positions{};
-  std::array<double, 3> values{};
-  LineParameter line_parameter = LineParameter::projection;
+// Are attributes divided by w?
+enum class PerspectiveChoice {
+  as_set,  // smooth ones are, noperspective ones are not
+  always,
+  never,
 };
 
-// A narrow interval (about 2^-48 of the largest value, before division by a tiny area) that holds
-// the exact value at the sample. Everything when the primitive has no extent.
-Interval interpolate_exact(const Interpolant& interpolant, Point sample);
+// From where are the weights of the vertices computed: where the vertices are, or where coverage
+// has snapped them to?
+enum class AttributePositions { unsnapped, snapped };
 
-// What an implementation may answer there; each vertex may have moved by less than 2^-bits.
-Interval interpolate_permitted(const Interpolant& interpolant, Point sample, int bits);
+// False when there is none of that name.
+bool parse_name(std::string_view name, PerspectiveChoice& choice);
+bool parse_name(std::string_view name, AttributePositions& choice);
+
+// Is a draw's colour divided by w under a choice? Flat ones are not interpolated at all.
+bool divides_by_w(Interpolation interpolation, PerspectiveChoice choice);
 
 }  // namespace edgecase

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// Where vertices may lie, as far as the specification leaves it open.
+//
+// Ruling 4 lets a vertex move by less than a step of the sub-pixel grid. A vertex whose w is not 1,
+// or that is given as clip coordinates, has come to the window by a division, a scaling and an
+// addition besides, each of which may err (ruling 15). Points and triangles are judged by the sum
+// of both; lines, which are read under one snap, by where that snap may put the vertex that erred.
+#pragma once
+
+#include "model/scene.h"
+#include "rules/coverage/diamond_reach.h"
+#include "rules/coverage/snap.h"
+
+namespace edgecase {
+
+// Ruling 15: how far off a vertex may be in x and in y, pixels; 0 where nothing is divided. It
+// holds the rounding of a quotient to the nearest multiple of 2^-16 too.
+Fixed division_error(const Vertex& vertex, Point position, const Viewport& viewport);
+
+// The largest of those of a primitive's vertices.
+Fixed division_error(const ScenePrimitive& primitive, const Viewport& viewport);
+
+// Rulings 4 and 15 together: each vertex may move by less than this. `bits` as in ruling 4.
+Fixed reach_of(const ScenePrimitive& primitive, const Viewport& viewport, int bits);
+
+// A line whose exact ends are snapped, and how far from there ends that erred may be snapped to.
+LooseSegment snapped_segment(const ScenePrimitive& line, Snap snap, const Viewport& viewport);
+
+// Are two vertices given by the same numbers, so that whatever is done to one is done to the other?
+bool is_bit_identical(const Vertex& a, const Vertex& b);
+
+}  // namespace edgecase

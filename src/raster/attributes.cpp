@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "raster/attributes.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include "rules/coverage/row_order.h"
+#include "rules/values/flat_attribute.h"
+
+namespace edgecase {
+namespace {
+
+// The quotient, and nothing around it where it is a double itself.
+Interval quotient(float numerator, float denominator) {
+  const auto above = static_cast<double>(numerator);
+  const auto below = static_cast<double>(denominator);
+  const double nearest = above / below;
+  if (std::fma(nearest, below, -above) == 0) return nearest;
+  return Interval(above) / below;
+}
+
+// A vertex's depth in the window, 0 to 1.
+Interval depth_of(const Vertex& vertex) {
+  if (!vertex.clip) return (vertex.z.to_double() + 1) / 2;
+  const Interval z = quotient(vertex.clip->z, vertex.clip->w);
+  if (z.low == z.high && (z.low + 1) - 1 == z.low) return (z.low + 1) / 2;
+  return (z + 1) * 0.5;
+}
+
+// Everything but the values.
+Interpolant geometry_of(const ScenePrimitive& primitive, const RuleChoices& choices,
+                        const Target& target) {
+  Interpolant f;
+  f.kind = primitive.kind;
+  f.line_parameter = choices.values.line_parameter;
+  f.perspective = false;
+  const bool snapped = choices.values.positions == AttributePositions::snapped;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(vertices_of(f.kind)); ++i) {
+    f.positions[i] = snapped ? snapped_position(primitive, i, choices.of(f.kind), target)
+                             : primitive.positions[i];
+    f.w[i] = static_cast<double>(primitive.vertices[i]->w);
+  }
+  return f;
+}
+
+template <class ValueOf>
+Interpolant with_values(Interpolant f, const ScenePrimitive& primitive, ValueOf value_of) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(vertices_of(f.kind)); ++i)
+    f.values[i] = value_of(*primitive.vertices[i]);
+  return f;
+}
+
+}  // namespace
+
+HomogeneousPoint snapped_position(const ScenePrimitive& primitive, std::size_t vertex,
+                                  const CoverageChoice& choice, const Target& target) {
+  if (choice.snap.is_none()) return primitive.positions[vertex];
+  const bool turned = choice.rows == RowOrder::top_down;
+  const HomogeneousPoint& given = primitive.positions[vertex];
+  const Point snapped = choice.snap(turned ? turned_over(given, target.height) : given);
+  return homogeneous(turned ? turned_over(snapped, target.height) : snapped);
+}
+
+QuadPixel quad_of(PixelPosition pixel, const CoverageChoice& choice, const Target& target) {
+  return in_quad(pixel, choice.rows == RowOrder::top_down, target.height);
+}
+
+PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleChoices& choices,
+                                  const Target& target) {
+  const Interpolant geometry = geometry_of(primitive, choices, target);
+  const Draw& draw = *primitive.state;
+  const bool flat = draw.interpolation == Interpolation::flat;
+  const Vertex& provoking =
+      *primitive.vertices[provoking_index(primitive, choices.values.provoking)];
+  PrimitiveAttributes result;
+  for (std::size_t c = 0; c < 4; ++c) {
+    result.color[c] = with_values(geometry, primitive, [&](const Vertex& vertex) {
+      return static_cast<double>((flat ? provoking : vertex).color[c]);
+    });
+    result.color[c].perspective = divides_by_w(draw.interpolation, choices.values.perspective);
+  }
+  result.depth = with_values(geometry, primitive, depth_of);
+  result.inverse_w =
+      with_values(geometry, primitive, [](const Vertex& vertex) { return quotient(1, vertex.w); });
+  return result;
+}
+
+double middle(Interval value) {
+  return value.low / 2 + value.high / 2;
+}
+
+Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
+               PixelPosition pixel) {
+  const Point sample = pixel_centre(pixel.x, pixel.y);
+  Fragment fragment;
+  fragment.x = pixel.x;
+  fragment.y = pixel.y;
+  fragment.primitive = primitive.index;
+  fragment.depth = middle(interpolate_exact(attributes.depth, sample));
+  for (std::size_t c = 0; c < 4; ++c)
+    fragment.color[c] = middle(interpolate_exact(attributes.color[c], sample));
+  return fragment;
+}
+
+FragmentDetail shade_details(const PrimitiveAttributes& attributes, const QuadPixel& at,
+                             const ValueChoice& choice, const Details& asked) {
+  const Point sample = pixel_centre(at.pixel.x, at.pixel.y);
+  FragmentDetail detail;
+  detail.has_coordinates = asked.coordinates;
+  if (asked.coordinates)
+    detail.coordinates = {sample.x.to_double(), sample.y.to_double(),
+                          middle(interpolate_exact(attributes.depth, sample)),
+                          middle(interpolate_exact(attributes.inverse_w, sample))};
+  if (!asked.derivatives) return detail;
+  for (std::size_t d = 0; d < kDerivatives; ++d) {
+    const auto derivative = static_cast<Derivative>(d);
+    detail.has_derivative[d] = true;
+    for (std::size_t c = 0; c < 4; ++c)
+      detail.derivatives[d][c] = middle(derivative_exact(
+          attributes.color[c], at, axis_of(derivative), choice.derivatives[form_of(derivative)]));
+  }
+  return detail;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// The exact rasterizer's shading stage: what a primitive's fragments carry, under a policy.
+#pragma once
+
+#include <array>
+
+#include "exact/pixel.h"
+#include "model/rendering.h"
+#include "model/scene.h"
+#include "rules/choices.h"
+#include "rules/values/interpolation.h"
+
+namespace edgecase {
+
+// What is interpolated over one primitive.
+struct PrimitiveAttributes {
+  // A flat colour is the same at all vertices, that of the provoking one.
+  std::array<Interpolant, 4> color;
+  Interpolant depth;      // window depth, 0 to 1
+  Interpolant inverse_w;  // 1/w, as gl_FragCoord.w has it
+};
+
+PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleChoices& choices,
+                                  const Target& target);
+
+// Where a vertex is when its primitive's coverage is decided: snapped, as the choice says, and
+// unsnapped ones exactly.
+HomogeneousPoint snapped_position(const ScenePrimitive& primitive, std::size_t vertex,
+                                  const CoverageChoice& choice, const Target& target);
+
+// The pixel within its quad, whose rows are counted as coverage counts them.
+QuadPixel quad_of(PixelPosition pixel, const CoverageChoice& choice, const Target& target);
+
+// The double nearest to the middle: the interval is narrower than what any format can hold.
+double middle(Interval value);
+
+// The fragment that a primitive has at a pixel's centre: colour and depth are the doubles nearest
+// to the exact values, to within 2^-48 of the largest vertex value.
+Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
+               PixelPosition pixel);
+
+// What a scene asks to be told of the fragment beside.
+FragmentDetail shade_details(const PrimitiveAttributes& attributes, const QuadPixel& at,
+                             const ValueChoice& choice, const Details& asked);
+
+}  // namespace edgecase

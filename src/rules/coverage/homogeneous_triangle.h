@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// Triangles whose vertices are quotients.
+//
+// An edge function is the determinant of three points, written with their w as third coordinates:
+// nothing needs to be divided to know its sign (Olano and Greer, "Triangle Scan Conversion using 2D
+// Homogeneous Coordinates", 1997). All w are positive here, so the determinant has the sign of the
+// divided triangle's, and its growth to the right and up is the edge's normal, times a positive
+// number. Ties are what they are in triangle_fill.h.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "exact/homogeneous.h"
+#include "exact/pixel.h"
+#include "rules/coverage/tie_rule.h"
+#include "rules/coverage/triangle_algorithm.h"
+
+namespace edgecase {
+
+using HomogeneousTriangle = std::array<HomogeneousPoint, 3>;
+
+// The nearest triangle whose coordinates are multiples of 2^-16.
+Triangle nearest_triangle(const HomogeneousTriangle& triangle);
+
+// Does the triangle produce the fragment of pixel (x, y)?
+bool triangle_covers(const HomogeneousTriangle& triangle, int x, int y, const TieRule& ties);
+
+// The pixels within `bounds`, each once, in no particular order. Algorithms that round get the
+// nearest triangle.
+std::vector<PixelPosition> triangle_pixels(const HomogeneousTriangle& triangle,
+                                           const PixelBounds& bounds, TriangleAlgorithm algorithm,
+                                           const TieRule& ties);
+
+}  // namespace edgecase

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "rules/values/depth_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgecase {
+namespace {
+
+double largest_of(DepthFormat format) {
+  return std::ldexp(1.0, bits_of(format)) - 1;
+}
+
+// depth * largest, and by how much the rounded product is too small.
+struct Steps {
+  double product;
+  double rest;
+};
+
+Steps steps_of(double depth, double largest) {
+  const double product = depth * largest;
+  return {product, std::fma(depth, largest, -product)};
+}
+
+double below(Steps steps) {
+  const double step = std::floor(steps.product);
+  return step == steps.product && steps.rest < 0 ? step - 1 : step;
+}
+
+double above(Steps steps) {
+  const double step = std::ceil(steps.product);
+  return step == steps.product && steps.rest > 0 ? step + 1 : step;
+}
+
+double nearest(Steps steps) {
+  const bool is_half = steps.product - std::floor(steps.product) == 0.5;
+  if (is_half && steps.rest != 0) return steps.rest > 0 ? above(steps) : below(steps);
+  return std::nearbyint(steps.product);
+}
+
+}  // namespace
+
+int bits_of(DepthFormat format) {
+  switch (format) {
+    case DepthFormat::depth16:
+      return 16;
+    case DepthFormat::depth24:
+      return 24;
+    case DepthFormat::none:
+    case DepthFormat::depth32f:
+      return 0;
+  }
+  return 0;
+}
+
+double to_depth(double depth, DepthFormat format) {
+  if (std::isnan(depth)) return 0;
+  if (bits_of(format) == 0) return static_cast<double>(static_cast<float>(depth));
+  const double clamped = std::clamp(depth, 0.0, 1.0);
+  const double largest = largest_of(format);
+  return nearest(steps_of(clamped, largest)) / largest;
+}
+
+Interval depth_permitted(Interval depth, DepthFormat format) {
+  if (bits_of(format) == 0) return {to_depth(depth.low, format), to_depth(depth.high, format)};
+  const double low = std::clamp(depth.low, 0.0, 1.0);
+  const double high = std::clamp(depth.high, 0.0, 1.0);
+  const double largest = largest_of(format);
+  return {below(steps_of(low, largest)) / largest, above(steps_of(high, largest)) / largest};
+}
+
+Rule depth_buffer_rule() {
+  return {"framebuffer.depth",
+          "A depth is stored as the nearest value of the depth buffer's format",
+          "2.3.5.2 (conversion from floating-point to normalized fixed-point)",
+          "either of the two nearest integers; the nearest is preferred; a float32 depth none",
+          "",
+          {},
+          {{18,
+            "Depth buffers of 16 and 24 bits: either integer next to 2^bits - 1 times the depth of "
+            "the last fragment, as the renderer itself tells it; where it tells none, of any depth "
+            "that ruling 9 permits. Of 32 float bits: that depth. A pixel without fragments holds "
+            "the clear value."}}};
+}
+
+}  // namespace edgecase

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "rules/values/derivative.h"
+
+#include <array>
+#include <cstddef>
+
+namespace edgecase {
+namespace {
+
+struct Entry {
+  DerivativeMethod method;
+  const char* name;
+  const char* meaning;
+};
+
+constexpr Entry kEntries[] = {
+    {DerivativeMethod::analytic, "analytic", "the derivative itself, not a difference"},
+    {DerivativeMethod::forward, "forward", "the next pixel's value less the pixel's own"},
+    {DerivativeMethod::fine, "quad-fine",
+     "the difference within the 2x2 quad, in the pixel's own row or column"},
+    {DerivativeMethod::fine_odd, "quad-fine-odd",
+     "the same, of quads that begin at odd columns and rows"},
+    {DerivativeMethod::coarse_bottom_left, "quad-coarse-bottom-left",
+     "one difference for the quad, along x in its bottom row, along y in its left column"},
+    {DerivativeMethod::coarse_bottom_right, "quad-coarse-bottom-right",
+     "one difference for the quad, along x in its bottom row, along y in its right column"},
+    {DerivativeMethod::coarse_top_left, "quad-coarse-top-left",
+     "one difference for the quad, along x in its top row, along y in its left column"},
+    {DerivativeMethod::coarse_top_right, "quad-coarse-top-right",
+     "one difference for the quad, along x in its top row, along y in its right column"},
+    {DerivativeMethod::other_row, "quad-other-row",
+     "the difference within the quad, in the row or column that the pixel is not in"}};
+
+constexpr DerivativeMethod kMethods[] = {DerivativeMethod::analytic,
+                                         DerivativeMethod::forward,
+                                         DerivativeMethod::fine,
+                                         DerivativeMethod::fine_odd,
+                                         DerivativeMethod::coarse_bottom_left,
+                                         DerivativeMethod::coarse_bottom_right,
+                                         DerivativeMethod::coarse_top_left,
+                                         DerivativeMethod::coarse_top_right,
+                                         DerivativeMethod::other_row};
+
+// Two pixels next to each other: the derivative is the second's value less the first's.
+struct Neighbours {
+  PixelPosition first;
+  PixelPosition second;
+};
+
+Neighbours from(PixelPosition first, Axis axis) {
+  return {first, axis == Axis::x ? PixelPosition{first.x + 1, first.y}
+                                 : PixelPosition{first.x, first.y + 1}};
+}
+
+// In the quad at `quad`: along x in the row `row` of its two, along y in the column `column`.
+Neighbours within(PixelPosition quad, Axis axis, int column, int row) {
+  return from(axis == Axis::x ? PixelPosition{quad.x, quad.y + row}
+                              : PixelPosition{quad.x + column, quad.y},
+              axis);
+}
+
+// Whose difference a method takes; `analytic` takes none.
+Neighbours neighbours_of(const QuadPixel& at, Axis axis, DerivativeMethod method) {
+  const int column = at.pixel.x - at.quad.x;
+  const int row = at.pixel.y - at.quad.y;
+  switch (method) {
+    case DerivativeMethod::analytic:
+    case DerivativeMethod::forward:
+      return from(at.pixel, axis);
+    case DerivativeMethod::fine:
+      return within(at.quad, axis, column, row);
+    case DerivativeMethod::fine_odd:
+      // The odd quad begins one pixel further left and down, unless the pixel is the first there.
+      return within({at.pixel.x - (1 - column), at.pixel.y - (1 - row)}, axis, 1 - column, 1 - row);
+    case DerivativeMethod::other_row:
+      return within(at.quad, axis, 1 - column, 1 - row);
+    case DerivativeMethod::coarse_bottom_left:
+      return within(at.quad, axis, 0, 0);
+    case DerivativeMethod::coarse_bottom_right:
+      return within(at.quad, axis, 1, 0);
+    case DerivativeMethod::coarse_top_left:
+      return within(at.quad, axis, 0, 1);
+    case DerivativeMethod::coarse_top_right:
+      return within(at.quad, axis, 1, 1);
+  }
+  return from(at.pixel, axis);
+}
+
+Point centre_of(PixelPosition pixel) {
+  return pixel_centre(pixel.x, pixel.y);
+}
+
+// The difference of two ranges, itself computed in floating point.
+Interval inexact_difference(Interval second, Interval first) {
+  constexpr double kOperationError = 1e-5;
+  return widened(second - first, kOperationError);
+}
+
+bool same_everywhere(const Interpolant& f) {
+  const auto count = static_cast<std::size_t>(vertices_of(f.kind));
+  for (std::size_t i = 1; i < count; ++i)
+    if (f.values[i].low != f.values[0].low || f.values[i].high != f.values[0].high) return false;
+  return true;
+}
+
+Rule rule_of(const char* id, const char* title, const char* latitude, const char* standard) {
+  Rule rule;
+  rule.id = id;
+  rule.title = title;
+  rule.spec = "GLSL 4.60, 8.14.1 (derivative functions)";
+  rule.latitude = latitude;
+  rule.standard = standard;
+  for (const Entry& entry : kEntries)
+    rule.alternatives.push_back({entry.name, Openness::open, entry.meaning});
+  return rule;
+}
+
+}  // namespace
+
+std::span<const DerivativeMethod> all_derivative_methods() {
+  return kMethods;
+}
+
+const char* name_of(DerivativeMethod method) {
+  for (const Entry& entry : kEntries)
+    if (entry.method == method) return entry.name;
+  return "?";
+}
+
+bool parse_name(std::string_view name, DerivativeMethod& method) {
+  for (const Entry& entry : kEntries) {
+    if (entry.name != name) continue;
+    method = entry.method;
+    return true;
+  }
+  return false;
+}
+
+const char* derivative_rule_of(Derivative derivative) {
+  constexpr std::array kRules{"derivative.plain", "derivative.fine", "derivative.coarse"};
+  return kRules[form_of(derivative)];
+}
+
+const char* name_of(Derivative derivative) {
+  constexpr std::array kNames{"dFdx", "dFdy", "dFdxFine", "dFdyFine", "dFdxCoarse", "dFdyCoarse"};
+  return kNames[static_cast<std::size_t>(derivative)];
+}
+
+QuadPixel in_quad(PixelPosition pixel, bool top_down, int height) {
+  // Counted from the top, the lower row of a quad is odd where the height is.
+  const int first = top_down ? height % 2 : 0;
+  return {pixel, {pixel.x - pixel.x % 2, pixel.y - (pixel.y + first) % 2}};
+}
+
+Interval derivative_exact(const Interpolant& f, const QuadPixel& at, Axis axis,
+                          DerivativeMethod method) {
+  if (same_everywhere(f)) return 0;
+  if (method == DerivativeMethod::analytic)
+    return differentiate_exact(f, centre_of(at.pixel), axis);
+  const Neighbours of = neighbours_of(at, axis, method);
+  return interpolate_exact(f, centre_of(of.second)) - interpolate_exact(f, centre_of(of.first));
+}
+
+Interval derivative_inexact(const Interpolant& f, const QuadPixel& at, Axis axis,
+                            DerivativeMethod method) {
+  if (method == DerivativeMethod::analytic)
+    return differentiate_inexact(f, centre_of(at.pixel), axis);
+  const Neighbours of = neighbours_of(at, axis, method);
+  return inexact_difference(interpolate_inexact(f, centre_of(of.second)),
+                            interpolate_inexact(f, centre_of(of.first)));
+}
+
+// The derivative itself, and the fine form: the pixel and its neighbour on either side. The others:
+// any two neighbours along the axis of the nine pixels around it. The derivative lies between the
+// differences on either side unless 1/w changes its sign between the three pixels.
+Interval derivative_permitted(const Interpolant& f, PixelPosition pixel, Derivative derivative,
+                              double reach) {
+  const Axis axis = axis_of(derivative);
+  const bool fine = derivative == Derivative::x_fine || derivative == Derivative::y_fine;
+  const int spread = fine ? 0 : 1;
+  Interval result = differentiate_permitted(f, centre_of(pixel), axis, reach);
+  for (int across = -spread; across <= spread; ++across) {
+    std::array<Interval, 3> values;
+    for (int along = -1; along <= 1; ++along) {
+      const PixelPosition at = axis == Axis::x ? PixelPosition{pixel.x + along, pixel.y + across}
+                                               : PixelPosition{pixel.x + across, pixel.y + along};
+      values[static_cast<std::size_t>(along + 1)] = interpolate_permitted(f, centre_of(at), reach);
+    }
+    result = hull(result, inexact_difference(values[1], values[0]));
+    result = hull(result, inexact_difference(values[2], values[1]));
+  }
+  return result;
+}
+
+Rule derivative_rule() {
+  Rule rule =
+      rule_of("derivative.plain", "dFdx and dFdy are differences of neighbouring fragments' values",
+              "which neighbours: the fine or the coarse form, or the derivative itself "
+              "(ruling 16)",
+              "quad-fine");
+  rule.rulings = {
+      {16,
+       "Derivatives: permitted for the fine forms is the difference between the fragment and its "
+       "neighbour on either side along the axis, for the coarse forms and for dFdx and dFdy the "
+       "difference of any two neighbours along the axis among the nine pixels around the fragment, "
+       "and for all the derivative itself; each value as ruling 9 permits it, and the subtraction "
+       "inexact as any operation. Where quads begin is open."}};
+  return rule;
+}
+
+Rule fine_derivative_rule() {
+  Rule rule =
+      rule_of("derivative.fine", "dFdxFine and dFdyFine take the fragment's own row or column",
+              "the neighbour on either side (ruling 16)", "quad-fine");
+  for (Alternative& alternative : rule.alternatives)
+    if (alternative.name != "quad-fine" && alternative.name != "quad-fine-odd" &&
+        alternative.name != "forward" && alternative.name != "analytic")
+      alternative.openness = Openness::illegal;
+  return rule;
+}
+
+Rule coarse_derivative_rule() {
+  return rule_of("derivative.coarse",
+                 "dFdxCoarse and dFdyCoarse may be the same for a whole neighbourhood",
+                 "any neighbours around the fragment (ruling 16)", "quad-coarse-bottom-left");
+}
+
+}  // namespace edgecase

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+//
+// Derivatives of an attribute along the window's axes (GLSL 4.60, 8.14.1, derivative functions).
+//
+// A shader asks for dFdx or dFdy, and for their fine or coarse forms. The specification describes
+// differences of neighbours and leaves which ones: "local differencing", forward or backward, for
+// the fine form with the fragment itself, for the coarse form of any fragments around it. Hardware
+// shades 2x2 quads and subtracts within them; software may subtract the next pixel, or know the
+// derivative.
+//
+//     quad   2 3     fine x of 0 and 1: a1 - a0, of 2 and 3: a3 - a2
+//            0 1     coarse x of all four: a1 - a0 (bottom) or a3 - a2 (top)
+//
+// Where the attribute runs linearly in the window all of these are one number; with perspective,
+// and for w that differs much, they are not. Values beyond the primitive's edges are those of the
+// plane that its vertices span: a quad's other pixels need not be covered.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "exact/pixel.h"
+#include "model/rendering.h"
+#include "rules/rule.h"
+#include "rules/values/interpolation.h"
+
+namespace edgecase {
+
+Rule derivative_rule();         // derivative.plain: dFdx and dFdy
+Rule fine_derivative_rule();    // derivative.fine
+Rule coarse_derivative_rule();  // derivative.coarse
+
+enum class DerivativeMethod {
+  analytic,
+  forward,             // a(x + 1) - a(x)
+  fine,                // within the quad, in the pixel's own row or column
+  fine_odd,            // the same, of quads that begin at odd columns and rows
+  other_row,           // within the quad, in the row or column that the pixel is not in
+  coarse_bottom_left,  // within the quad: x in its bottom row, y in its left column; and so on
+  coarse_bottom_right,
+  coarse_top_left,
+  coarse_top_right,
+};
+
+std::span<const DerivativeMethod> all_derivative_methods();
+// "analytic", "forward", "quad-fine", …
+const char* name_of(DerivativeMethod method);
+// False when there is none of that name.
+bool parse_name(std::string_view name, DerivativeMethod& method);
+
+// Which of the three rules a derivative falls under: 0 plain, 1 fine, 2 coarse.
+constexpr std::size_t form_of(Derivative derivative) {
+  return static_cast<std::size_t>(derivative) / 2;
+}
+constexpr Axis axis_of(Derivative derivative) {
+  return static_cast<std::size_t>(derivative) % 2 == 0 ? Axis::x : Axis::y;
+}
+const char* derivative_rule_of(Derivative derivative);
+// "dFdx", "dFdyFine", …
+const char* name_of(Derivative derivative);
+
+// A pixel, and the lower left pixel of the quad that it is shaded in.
+struct QuadPixel {
+  PixelPosition pixel;
+  PixelPosition quad;
+};
+
+// The quads of a target whose rows are counted from the bottom, or from the top: they begin at even
+// columns and at even rows.
+QuadPixel in_quad(PixelPosition pixel, bool top_down, int height);
+
+// The derivative by a method, per pixel: exact, and what may come out of it when every operation
+// errs (see rules/values/interpolation.h).
+Interval derivative_exact(const Interpolant& interpolant, const QuadPixel& at, Axis axis,
+                          DerivativeMethod method);
+Interval derivative_inexact(const Interpolant& interpolant, const QuadPixel& at, Axis axis,
+                            DerivativeMethod method);
+
+// What any method that the specification allows may yield, with vertices moved by less than
+// `reach` pixels (ruling 16).
+Interval derivative_permitted(const Interpolant& interpolant, PixelPosition pixel,
+                              Derivative derivative, double reach);
+
+}  // namespace edgecase

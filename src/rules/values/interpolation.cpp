@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "rules/values/interpolation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace edgecase {
+namespace {
+
+using Weights = std::array<Interval, 3>;
+
+std::size_t count_of(const Interpolant& f) {
+  return static_cast<std::size_t>(vertices_of(f.kind));
+}
+
+// Is the attribute the same at all vertices? Then it stays so to the bit, wherever the sample lies.
+bool is_constant(const Interpolant& f) {
+  return std::all_of(f.values.begin(), f.values.begin() + static_cast<std::ptrdiff_t>(count_of(f)),
+                     [&](Interval value) {
+                       return value.low == f.values[0].low && value.high == f.values[0].high;
+                     });
+}
+
+// ------------------------------------------------------------------------------------------ exact
+
+Interval from_integer(Int128 value) {
+  const auto nearest = static_cast<double>(value);
+  if (std::fabs(nearest) <= 0x1p53) return nearest;
+  return {std::nextafter(nearest, -HUGE_VAL), std::nextafter(nearest, HUGE_VAL)};
+}
+
+bool is_small(Int128 value) {
+  constexpr Int128 kLimit = Int128{1} << 62;
+  return -kLimit < value && value < kLimit;
+}
+
+// a b + c d. Factors below 2^62 are multiplied as integers: where the two products all but cancel,
+// nothing is lost.
+Interval sum_of_products(Int128 a, Int128 b, Int128 c, Int128 d) {
+  if (is_small(a) && is_small(b) && is_small(c) && is_small(d)) return from_integer(a * b + c * d);
+  return from_integer(a) * from_integer(b) + from_integer(c) * from_integer(d);
+}
+
+// A point's distance from `from`, times both denominators.
+struct Difference {
+  Int128 x;
+  Int128 y;
+};
+
+Difference difference(const HomogeneousPoint& to, const HomogeneousPoint& from) {
+  return {Int128{to.x} * from.w - Int128{from.x} * to.w,
+          Int128{to.y} * from.w - Int128{from.y} * to.w};
+}
+
+Int128 magnitude(Int128 value) {
+  return value < 0 ? -value : value;
+}
+
+// With the projection: w_1 is (p - a).(b - a), times the three denominators, and the sum of both
+// |b - a|^2, times the same.
+Weights line_weights(const Interpolant& f, const HomogeneousPoint& p) {
+  const HomogeneousPoint& a = f.positions[0];
+  const HomogeneousPoint& b = f.positions[1];
+  const Difference run = difference(b, a);
+  const Difference here = difference(p, a);
+  const Difference rest = difference(b, p);
+  if (f.line_parameter == LineParameter::major_axis) {
+    const bool x_major = magnitude(run.x) >= magnitude(run.y);
+    const bool forward = (x_major ? run.x : run.y) > 0;
+    const auto along = [&](const Difference& d) {
+      return from_integer((x_major ? d.x : d.y) * (forward ? 1 : -1));
+    };
+    return {along(rest) * static_cast<double>(a.w), along(here) * static_cast<double>(b.w), 0};
+  }
+  return {sum_of_products(rest.x, run.x, rest.y, run.y) * static_cast<double>(a.w),
+          sum_of_products(here.x, run.x, here.y, run.y) * static_cast<double>(b.w), 0};
+}
+
+// The determinant of the two other vertices and the sample is the area times all three
+// denominators but the vertex's own.
+Weights triangle_weights(const Interpolant& f, const HomogeneousPoint& p) {
+  const auto& v = f.positions;
+  const Int128 turn = cross(v[0], v[1], v[2]) < 0 ? -1 : 1;
+  Weights result;
+  for (std::size_t i = 0; i < 3; ++i)
+    result[i] =
+        from_integer(turn * cross(v[(i + 1) % 3], v[(i + 2) % 3], p)) * static_cast<double>(v[i].w);
+  return result;
+}
+
+bool has_extent(const Interpolant& f) {
+  if (f.kind == PrimitiveKind::triangle)
+    return cross(f.positions[0], f.positions[1], f.positions[2]) != 0;
+  return !same_point(f.positions[0], f.positions[1]);
+}
+
+// The sum of the weights before they are divided by w: it does not depend on the sample, and is
+// known better than by adding them.
+Interval total_of(const Interpolant& f, const HomogeneousPoint& p) {
+  const auto scale = static_cast<double>(p.w);
+  if (f.kind == PrimitiveKind::triangle)
+    return from_integer(magnitude(cross(f.positions[0], f.positions[1], f.positions[2]))) * scale;
+  const Difference run = difference(f.positions[1], f.positions[0]);
+  if (f.line_parameter == LineParameter::major_axis)
+    return from_integer(std::max(magnitude(run.x), magnitude(run.y))) * scale;
+  return sum_of_products(run.x, run.x, run.y, run.y) * scale;
+}
+
+// Positive inside the primitive.
+Weights exact_weights(const Interpolant& f, const HomogeneousPoint& p) {
+  Weights result = f.kind == PrimitiveKind::line ? line_weights(f, p) : triangle_weights(f, p);
+  if (has_perspective(f))
+    for (std::size_t i = 0; i < count_of(f); ++i) result[i] = result[i] / f.w[i];
+  return result;
+}
+
+// Numerator and denominator of the mean.
+struct Mean {
+  Interval sum;
+  Interval total;
+  Interval value() const { return sum / total; }
+};
+
+Mean mean_of(const Interpolant& f, const HomogeneousPoint& p) {
+  const Weights weights = exact_weights(f, p);
+  Mean mean{weights[0] * f.values[0], weights[0]};
+  for (std::size_t i = 1; i < count_of(f); ++i) {
+    mean.sum = mean.sum + weights[i] * f.values[i];
+    mean.total = mean.total + weights[i];
+  }
+  if (!has_perspective(f)) mean.total = total_of(f, p);
+  return mean;
+}
+
+// The point of the sample, and the one a pixel further, over the same denominator.
+HomogeneousPoint next_pixel(HomogeneousPoint p, Axis axis) {
+  (axis == Axis::x ? p.x : p.y) += p.w;
+  return p;
+}
+
+}  // namespace
+
+bool has_perspective(const Interpolant& f) {
+  if (!f.perspective) return false;
+  return std::any_of(f.w.begin(), f.w.begin() + static_cast<std::ptrdiff_t>(count_of(f)),
+                     [&](double w) { return w != f.w[0]; });
+}
+
+Interval interpolate_exact(const Interpolant& f, Point sample) {
+  if (f.kind == PrimitiveKind::point || is_constant(f)) return f.values[0];
+  if (!has_extent(f)) return Interval::everything();
+  return mean_of(f, homogeneous(sample)).value();
+}
+
+// With N / D the mean, its derivative is (N' - (N / D) D') / D. Weights are linear in the sample,
+// so N' and D' are differences over one pixel, exactly.
+Interval differentiate_exact(const Interpolant& f, Point sample, Axis axis) {
+  if (f.kind == PrimitiveKind::point || is_constant(f)) return 0;
+  if (!has_extent(f)) return Interval::everything();
+  const HomogeneousPoint p = homogeneous(sample);
+  const Weights here = exact_weights(f, p);
+  const Weights there = exact_weights(f, next_pixel(p, axis));
+  const Mean mean = mean_of(f, p);
+  const Interval value = mean.value();
+  // N' - v D' as one sum over the vertices: what cancels is the values, not the products.
+  Interval slope = 0;
+  for (std::size_t i = 0; i < count_of(f); ++i)
+    slope = slope + (there[i] - here[i]) * (f.values[i] - value);
+  return slope / mean.total;
+}
+
+}  // namespace edgecase

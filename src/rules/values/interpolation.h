@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// Interpolation: the value of an attribute at a sample of a primitive (GL 4.6
+// core, 14.5.1, 14.6.1).
+//
+// Every attribute is a mean of its vertices' values. Its weights in the window are
+//
+//   triangles  w_i = the area that the sample forms with the edge opposite to vertex i
+//   lines      w_1 = t, w_0 = 1 - t, with t = (p - a).(b - a) / |b - a|^2
+//
+// each up to a common factor, so nothing is divided until the end. An attribute that is
+// interpolated with perspective has weights w_i / (clip w of vertex i): then attribute/w and 1/w
+// are what runs linearly in the window, and the attribute is their quotient. Where all clip w are
+// equal the two are the same. Depth and noperspective attributes take the weights as they are.
+//
+// Three questions are answered, each by an interval:
+//   exact       what is the number? A few units of double precision wide.
+//   inexact     what may come out if every operation errs by 1 part in 10^5 (2.3, floating-point
+//               computation), the vertices being where they are?
+//   permitted   and if every vertex may have moved as well?
+// All follow the condition of the computation: a sliver's intervals are wide, a large triangle's
+// are not.
+#pragma once
+
+#include <array>
+
+#include "exact/fixed.h"
+#include "exact/homogeneous.h"
+#include "exact/interval.h"
+#include "model/scene.h"
+
+namespace edgecase {
+
+// How far along a line a sample lies: by its projection onto the line, as OpenGL says, or by its
+// coordinate on the major axis alone, which is what a walk along that axis yields.
+enum class LineParameter { projection, major_axis };
+
+// One component of an attribute over one primitive; entries beyond the primitive's vertices are
+// ignored.
+struct Interpolant {
+  PrimitiveKind kind = PrimitiveKind::triangle;
+  std::array<HomogeneousPoint, 3> positions{};  // in the window, exact
+  std::array<Interval, 3> values{};             // narrow: a number, or a quotient rounded outwards
+  std::array<double, 3> w{1, 1, 1};             // clip w, more than 0
+  bool perspective = true;                      // weights are divided by w
+  LineParameter line_parameter = LineParameter::projection;
+};
+
+// Are the weights divided by w, and does that change anything? Not where all w are equal.
+bool has_perspective(const Interpolant& interpolant);
+
+// A narrow interval (about 2^-48 of the largest value, before division by a tiny area) that holds
+// the exact value at the sample, which may lie outside the primitive. Everything when the primitive
+// has no extent.
+Interval interpolate_exact(const Interpolant& interpolant, Point sample);
+
+Interval interpolate_inexact(const Interpolant& interpolant, Point sample);
+
+// `reach`: each vertex may have moved by less than this many pixels in x and in y.
+Interval interpolate_permitted(const Interpolant& interpolant, Point sample, double reach);
+
+// How fast the value changes there, per pixel along x or along y: the analytic derivative.
+enum class Axis { x, y };
+Interval differentiate_exact(const Interpolant& interpolant, Point sample, Axis axis);
+Interval differentiate_inexact(const Interpolant& interpolant, Point sample, Axis axis);
+Interval differentiate_permitted(const Interpolant& interpolant, Point sample, Axis axis,
+                                 double reach);
+
+}  // namespace edgecase

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "wire/scene_values.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace edgecase::wire {
+
+using nlohmann::json;
+
+namespace {
+
+template <class Number>
+void write_numbers(Output out, const std::array<Number, 4>& numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    *out++ = i == 0 ? '[' : ',';
+    write_number(out, static_cast<double>(numbers[i]));
+  }
+  *out++ = ']';
+}
+
+// A float32 value of `low` to `high`; `wanted` says so in words.
+float read_float32(const json& value, const Path& path, double low, double high,
+                   const char* wanted) {
+  const double number = read_finite(value, path);
+  if (!(number >= low && number <= high) ||
+      static_cast<double>(static_cast<float>(number)) != number)
+    throw Refusal(fmt::format("{} is {}, but it must be {}", path.text(), value.dump(), wanted));
+  return static_cast<float>(number);
+}
+
+constexpr double kLargest = static_cast<double>(std::numeric_limits<float>::max());
+constexpr double kSmallest = static_cast<double>(std::numeric_limits<float>::denorm_min());
+
+float read_any_float32(const json& value, const Path& path) {
+  return read_float32(value, path, -kLargest, kLargest, "a float32 value");
+}
+
+float read_w(const json& value, const Path& path) {
+  return read_float32(value, path, kSmallest, kLargest, "a float32 value of more than 0");
+}
+
+Color read_vertex_color(const json& value, const Path& path) {
+  require_array(value, path, 4);
+  Color color{};
+  for (std::size_t i = 0; i < 4; ++i) color[i] = read_any_float32(value[i], {path, i});
+  return color;
+}
+
+// Is `numerator * w / divisor` a float32 number? Rounding errors of both products are seen: a fused
+// multiply-add rounds once, and only an exact zero becomes one.
+bool is_float32_quotient(double numerator, float w, double divisor) {
+  const auto quotient = static_cast<float>(numerator * static_cast<double>(w) / divisor);
+  return std::fma(numerator, static_cast<double>(w), -(static_cast<double>(quotient) * divisor)) ==
+         0;
+}
+
+void check_products(const Vertex& vertex, const Path& path, const Viewport& viewport) {
+  // Twice the distance from the viewport's centre, over its size.
+  const double x = 2 * (vertex.position.x.to_double() - viewport.x) - viewport.width;
+  const double y = 2 * (vertex.position.y.to_double() - viewport.y) - viewport.height;
+  if (!is_float32_quotient(x, vertex.w, viewport.width) ||
+      !is_float32_quotient(y, vertex.w, viewport.height) ||
+      !is_float32_quotient(vertex.z.to_double(), vertex.w, 1))
+    throw Refusal(
+        fmt::format("{} has a position whose clip coordinates are no float32 values", path.text()));
+}
+
+// x, y and z within -w to w and multiples of 2^(e-30), 2^e the power of two at or below w.
+ClipPosition read_clip(const json& value, const Path& path) {
+  require_array(value, path, 4);
+  ClipPosition clip;
+  clip.w = read_w(value[3], {path, std::size_t{3}});
+  const double w = static_cast<double>(clip.w);
+  const int exponent = std::ilogb(w);
+  float* const parts[] = {&clip.x, &clip.y, &clip.z};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Path at(path, i);
+    *parts[i] = read_float32(value[i], at, -w, w, "a float32 value of -w to w");
+    const double steps = std::ldexp(static_cast<double>(*parts[i]), 30 - exponent);
+    if (steps != std::trunc(steps))
+      throw Refusal(fmt::format("{} is {}, but it must be a multiple of 2^{}", at.text(),
+                                value[i].dump(), exponent - 30));
+  }
+  return clip;
+}
+
+// The nearest multiple of 2^-16 to z/w, a tie up.
+Fixed nearest_depth(const ClipPosition& clip) {
+  const int exponent = std::ilogb(clip.w);
+  const auto steps = [&](float value) {
+    return static_cast<std::int64_t>(std::ldexp(static_cast<double>(value), 30 - exponent));
+  };
+  return nearest_point({steps(clip.z), 0, steps(clip.w)}).x;
+}
+
+void check_position(const Vertex& vertex, const Path& path, const Viewport& viewport) {
+  const Point nearest = nearest_point(window_position(*vertex.clip, viewport));
+  const Fixed depth = nearest_depth(*vertex.clip);
+  if (vertex.position == nearest && vertex.z == depth) return;
+  throw Refusal(fmt::format("{} is [{},{},{}], but its clip coordinates make it [{},{},{}]",
+                            path.text(), vertex.position.x.to_double(),
+                            vertex.position.y.to_double(), vertex.z.to_double(),
+                            nearest.x.to_double(), nearest.y.to_double(), depth.to_double()));
+}
+
+}  // namespace
+
+void write_number(Output out, double value) {
+  std::array<char, 32> text;
+  const char* end = fmt::format_to_n(text.data(), text.size(), "{}", value).out;
+  const std::string_view digits(text.data(), static_cast<std::size_t>(end - text.data()));
+  const bool whole = digits.find_first_of(".e") == digits.npos;
+  fmt::format_to(out, "{}{}", digits, whole ? ".0" : "");
+}
+
+void write_color(Output out, const Color& color) {
+  write_numbers(out, color);
+}
+
+void write_vertex(Output out, const Vertex& vertex) {
+  fmt::format_to(out, R"({{"position":[)");
+  write_number(out, vertex.position.x.to_double());
+  *out++ = ',';
+  write_number(out, vertex.position.y.to_double());
+  *out++ = ',';
+  write_number(out, vertex.z.to_double());
+  *out++ = ']';
+  if (vertex.clip) {
+    fmt::format_to(out, R"(,"clip":)");
+    const ClipPosition& clip = *vertex.clip;
+    write_numbers(out, std::array{clip.x, clip.y, clip.z, clip.w});
+  } else if (vertex.w != 1) {
+    fmt::format_to(out, R"(,"w":)");
+    write_number(out, static_cast<double>(vertex.w));
+  }
+  fmt::format_to(out, R"(,"color":)");
+  write_color(out, vertex.color);
+  *out++ = '}';
+}
+
+Fixed read_fixed(const json& value, const Path& path) {
+  const double number = read_finite(value, path);
+  const double raw = number * static_cast<double>(Fixed::kOne);
+  if (!(number >= -Fixed::kMaxCoordinate && number <= Fixed::kMaxCoordinate) ||
+      raw != static_cast<double>(static_cast<std::int64_t>(raw)))
+    throw Refusal(fmt::format("{} is {}, but it must be a multiple of 2^-16 of -8192 to 8192",
+                              path.text(), value.dump()));
+  return Fixed::from_raw(static_cast<std::int64_t>(raw));
+}
+
+Color read_clear_color(const json& value, const Path& path) {
+  require_array(value, path, 4);
+  Color color{};
+  for (std::size_t i = 0; i < 4; ++i)
+    color[i] = read_float32(value[i], {path, i}, 0, 1, "a float32 value of 0 to 1");
+  return color;
+}
+
+Vertex read_vertex(const json& value, const Path& path, const Viewport& viewport) {
+  require_object(value, path, {"position", "w", "clip", "color"});
+  const json& position = member(value, path, "position");
+  const Path at(path, "position");
+  require_array(position, at, 3);
+  Vertex vertex;
+  vertex.position.x = read_fixed(position[0], {at, std::size_t{0}});
+  vertex.position.y = read_fixed(position[1], {at, std::size_t{1}});
+  vertex.z = read_fixed(position[2], {at, std::size_t{2}});
+  vertex.color = read_vertex_color(member(value, path, "color"), {path, "color"});
+  const json* clip = optional_member(value, "clip");
+  const json* w = optional_member(value, "w");
+  if (clip != nullptr && w != nullptr) throw Refusal(path.text() + " has both \"clip\" and \"w\"");
+  if (clip != nullptr) {
+    vertex.clip = read_clip(*clip, {path, "clip"});
+    vertex.w = vertex.clip->w;
+    check_position(vertex, at, viewport);
+  } else if (w != nullptr) {
+    vertex.w = read_w(*w, {path, "w"});
+    check_products(vertex, path, viewport);
+  }
+  return vertex;
+}
+
+}  // namespace edgecase::wire

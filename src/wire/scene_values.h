@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// The numbers, colours and vertices of a scene as JSON, for src/wire alone: request_line.h makes
+// lines of them. Writers append to a buffer; readers throw a Refusal for what model/scene.h does
+// not allow.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <nlohmann/json_fwd.hpp>
+
+#include "model/scene.h"
+#include "wire/reading.h"
+
+namespace edgecase::wire {
+
+using Output = std::back_insert_iterator<fmt::memory_buffer>;
+
+// A finite number as the shortest decimal that reads back as the same double: 1.0, not 1, so that
+// coordinates and colours look like what they are.
+void write_number(Output out, double value);
+void write_color(Output out, const Color& color);
+void write_vertex(Output out, const Vertex& vertex);
+
+// A multiple of 2^-16 of -8192 to 8192.
+Fixed read_fixed(const nlohmann::json& value, const Path& path);
+
+// Four float32 values of 0 to 1.
+Color read_clear_color(const nlohmann::json& value, const Path& path);
+
+// A vertex, with clip coordinates that are exact in float32 where its w is not 1, and a position
+// that belongs to the clip coordinates where it has some.
+Vertex read_vertex(const nlohmann::json& value, const Path& path, const Viewport& viewport);
+
+}  // namespace edgecase::wire

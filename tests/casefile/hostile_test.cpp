@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+//
+// Files that nobody wrote: sound ones with bytes changed, left out and doubled. Each is loaded or
+// refused with a place and a remedy, and what is loaded keeps the model's promises.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+
+#include "casefile/case_writer.h"
+#include "casefile/clip_space.h"
+#include "casefile/loader.h"
+
+namespace edgecase {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kGood = fs::path(EDGECASE_ROOT) / "tests" / "casefile" / "good";
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+// Exchanges one number of a text for another.
+void change_number(std::string& text, std::mt19937& random) {
+  static const std::string kNumbers[] = {"0",    "-1",     "1e308", "-0.0",   "1e-46", "65536",
+                                         "8192", "1e9999", "0.3",   "3.4e38", "1e-7",  "\"~0.7\""};
+  std::size_t at = text.find_first_of("0123456789", random() % text.size());
+  if (at == std::string::npos) return;
+  const std::size_t end = text.find_first_not_of("0123456789.e+-", at);
+  text.replace(at, end - at, kNumbers[random() % std::size(kNumbers)]);
+}
+
+void spoil(std::string& text, std::mt19937& random) {
+  const std::size_t at = random() % text.size();
+  switch (random() % 6) {
+    case 0:
+      text.erase(at, 1 + random() % 20);
+      break;
+    case 1:
+      text[at] = static_cast<char>(random());
+      break;
+    case 2:
+      text.insert(at, text.substr(random() % text.size(), random() % 30));
+      break;
+    default:
+      change_number(text, random);
+  }
+}
+
+void check_vertex(const Vertex& vertex) {
+  EXPECT_GE(vertex.w, kMinW);
+  EXPECT_LE(vertex.w, kMaxW);
+  EXPECT_TRUE(vertex.position.x.in_coordinate_range());
+  EXPECT_TRUE(vertex.position.y.in_coordinate_range());
+  EXPECT_LE(std::abs(vertex.z.raw()), Fixed::kOne);
+  for (const float component : vertex.color) EXPECT_TRUE(std::isfinite(component));
+  if (!vertex.clip) return;
+  EXPECT_FALSE(find_clip_fault(*vertex.clip, "it").has_value());
+  EXPECT_EQ(round_to_grid(*vertex.clip), *vertex.clip);
+  EXPECT_EQ(vertex.clip->w, vertex.w);
+}
+
+void check(const LoadedCases& loaded) {
+  EXPECT_EQ(loaded.cases.empty(), !loaded.diagnostics.empty());
+  for (const Diagnostic& fault : loaded.diagnostics) {
+    EXPECT_FALSE(fault.message.empty());
+    EXPECT_FALSE(fault.remedy.empty()) << fault.message;
+    EXPECT_GT(fault.line, 0) << fault.message;
+  }
+  for (const Case& one : loaded.cases)
+    for (const Draw& draw : one.scene.draws)
+      for (const Vertex& vertex : draw.vertices) check_vertex(vertex);
+}
+
+TEST(Hostile, SpoiltFilesAreLoadedOrRefused) {
+  std::mt19937 random(9);
+  int loaded_files = 0;
+  for (const char* name : {"values-everything.json", "everything.json", "sweep-everything.json"}) {
+    const std::string sound = text_of(kGood / name);
+    ASSERT_FALSE(sound.empty());
+    for (int round = 0; round < 500; ++round) {
+      std::string text = sound;
+      for (unsigned i = 0; i < 1 + random() % 3; ++i)
+        if (!text.empty()) spoil(text, random);
+      const LoadedCases loaded = load_cases_text(text, kGood / name, "hostile");
+      check(loaded);
+      loaded_files += loaded.cases.empty() ? 0 : 1;
+      if (HasFailure()) {
+        ADD_FAILURE() << text;
+        return;
+      }
+    }
+  }
+  EXPECT_GT(loaded_files, 100);
+  EXPECT_LT(loaded_files, 1400);
+}
+
+}  // namespace
+}  // namespace edgecase

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: MIT
+//
+// The measurement of values measured: the exact rasterizer under a policy must be found to follow
+// it, and what is put wrong must be named.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "profile/value_measurement.h"
+#include "raster/rasterizer.h"
+#include "rules/values/derivative.h"
+
+namespace edgecase {
+namespace {
+
+using Alter = std::function<void(const Task&, Rendering&)>;
+
+// The exact rasterizer under a policy, with something put wrong.
+class AlteredRenderer final : public Renderer {
+ public:
+  AlteredRenderer(Policy policy, Alter alter)
+      : policy_(std::move(policy)), alter_(std::move(alter)) {}
+  RendererInfo info() const override { return {"altered", "", "", "altered", 8, {}}; }
+  void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      Rendering rendering = rasterize(*tasks[i].scene, policy_);
+      if (alter_) alter_(tasks[i], rendering);
+      sink(i, std::move(rendering));
+    }
+  }
+
+ private:
+  Policy policy_;
+  Alter alter_;
+};
+
+// As measure() asks: coverage is known, attributes are not.
+ValueFindings findings_of(const Choices& rules, const Alter& alter = {}, std::uint64_t seed = 1,
+                          Surface surface = Surface::fbo) {
+  Policy policy;
+  policy.rules = rules;
+  AlteredRenderer renderer(policy, alter);
+  ValueQuestion question;
+  question.seed = seed;
+  question.surface = surface;
+  question.scenes_per_kind = 100;
+  question.found = resolve(policy, surface);
+  question.found.values = ValueChoice{};
+  question.bits = 8;
+  return measure_values(renderer, question, {}, nullptr);
+}
+
+const Trait& trait_of(const ValueFindings& findings, const std::string& id) {
+  for (const Trait& trait : findings.traits)
+    if (trait.id == id) return trait;
+  ADD_FAILURE() << "no trait " << id;
+  static const Trait none;
+  return none;
+}
+
+const ValueErrors& row_of(const ValueFindings& findings, const std::string& attribute,
+                          bool as_found = false) {
+  for (const ValueErrors& row : findings.errors)
+    if (row.attribute == attribute && row.as_found == as_found) return row;
+  ADD_FAILURE() << "no row " << attribute;
+  static const ValueErrors none;
+  return none;
+}
+
+// Found, agreed with by every sample, and by no sample less than by the runner-up.
+void expect_found(const ValueFindings& findings, const std::string& id,
+                  const std::string& alternative) {
+  const Trait& trait = trait_of(findings, id);
+  EXPECT_EQ(trait.alternative, alternative) << id;
+  EXPECT_GT(trait.rate.of, 50u) << id;
+  EXPECT_EQ(trait.rate.agreeing, trait.rate.of) << id;
+  EXPECT_LT(trait.runner_up_rate.agreeing, trait.rate.agreeing) << id;
+  EXPECT_EQ(findings.choices.at(id), alternative) << id;
+}
+
+constexpr const char* kSnap = "8-half-even";
+
+TEST(ValueMeasurement, FindsOpenGlsOwnRules) {
+  const ValueFindings findings = findings_of({{"triangle.snap", kSnap}, {"line.snap", kSnap}});
+  expect_found(findings, "attribute.perspective", "as-set");
+  expect_found(findings, "attribute.smooth", "projection");
+  expect_found(findings, "attribute.positions", "unsnapped");
+  expect_found(findings, "derivative.plain", "quad-fine");
+  expect_found(findings, "derivative.fine", "quad-fine");
+  expect_found(findings, "derivative.coarse", "quad-coarse-bottom-left");
+}
+
+TEST(ValueMeasurement, FindsSnappedPositions) {
+  for (const char* snap : {"8-half-even", "4-truncate"})
+    expect_found(
+        findings_of(
+            {{"triangle.snap", snap}, {"line.snap", snap}, {"attribute.positions", "snapped"}}),
+        "attribute.positions", "snapped");
+}
+
+TEST(ValueMeasurement, TellsNothingOfPositionsThatNothingSnaps) {
+  const ValueFindings findings = findings_of({});
+  EXPECT_EQ(trait_of(findings, "attribute.positions").rate.of, 0u);
+  EXPECT_FALSE(findings.choices.contains("attribute.positions"));
+}
+
+TEST(ValueMeasurement, FindsPerspectiveThatIsNotAsSet) {
+  for (const char* choice : {"always", "never"})
+    expect_found(findings_of({{"attribute.perspective", choice}}), "attribute.perspective", choice);
+}
+
+TEST(ValueMeasurement, FindsTheMajorAxis) {
+  expect_found(findings_of({{"attribute.smooth", "major-axis"}}), "attribute.smooth", "major-axis");
+}
+
+TEST(ValueMeasurement, SaysThatLinesAndTrianglesDiffer) {
+  Policy never;
+  never.rules = {{"attribute.perspective", "never"}};
+  const ValueFindings findings = findings_of({}, [&](const Task& task, Rendering& rendering) {
+    if (task.scene->draws[0].primitive == Primitive::lines)
+      rendering = rasterize(*task.scene, never);
+  });
+  const std::string& remark = trait_of(findings, "attribute.perspective").remark;
+  EXPECT_NE(remark.find("lines are never (100 %), triangles as-set (100 %)"), std::string::npos)
+      << remark;
+}
+
+TEST(ValueMeasurement, FindsEveryMethodOfDerivatives) {
+  const auto methods = all_derivative_methods();
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    const Choices rules{{"derivative.plain", name_of(methods[i])},
+                        {"derivative.fine", name_of(methods[(i + 1) % methods.size()])},
+                        {"derivative.coarse", name_of(methods[(i + 2) % methods.size()])}};
+    const ValueFindings findings = findings_of(rules);
+    for (const auto& [rule, method] : rules) expect_found(findings, rule, method);
+  }
+}
+
+TEST(ValueMeasurement, SaysWhereXAndYDiffer) {
+  Policy other;
+  other.rules = {{"derivative.plain", "quad-other-row"}};
+  const ValueFindings findings = findings_of({}, [&](const Task& task, Rendering& rendering) {
+    const Rendering rows = rasterize(*task.scene, other);
+    for (std::size_t i = 0; i < rendering.details.size(); ++i)
+      rendering.details[i].derivatives[1] = rows.details[i].derivatives[1];
+  });
+  const std::string& remark = trait_of(findings, "derivative.plain").remark;
+  EXPECT_NE(remark.find("y is quad-other-row (100 %)"), std::string::npos) << remark;
+}
+
+TEST(ValueMeasurement, CountsRowsOfQuadsAsTrianglesDo) {
+  const Choices rules{{"triangle.row-order", "top-down"}, {"derivative.plain", "quad-fine"}};
+  const ValueFindings findings = findings_of(rules, {}, 1, Surface::window);
+  expect_found(findings, "derivative.plain", "quad-fine");
+  EXPECT_NE(trait_of(findings, "derivative.plain").remark.find("counted as triangles' are"),
+            std::string::npos);
+}
+
+TEST(ValueMeasurement, SaysThatQuadsAreCountedOtherwise) {
+  Policy turned;
+  turned.rules = {{"triangle.row-order", "top-down"}};
+  const ValueFindings findings = findings_of({}, [&](const Task& task, Rendering& rendering) {
+    if (task.scene->details.derivatives) rendering = rasterize(*task.scene, turned);
+  });
+  const Trait& trait = trait_of(findings, "derivative.plain");
+  EXPECT_LT(trait.rate.agreeing, trait.rate.of);
+  EXPECT_NE(trait.remark.find("from the other end than triangles' rows: quad-fine"),
+            std::string::npos)
+      << trait.remark;
+}
+
+// Stores what `round` makes of the depth times the largest integer.
+Alter storing(double (*round)(double)) {
+  return [=](const Task& task, Rendering& rendering) {
+    const int bits = task.scene->target.depth == DepthFormat::depth16   ? 16
+                     : task.scene->target.depth == DepthFormat::depth24 ? 24
+                                                                        : 0;
+    if (bits == 0) return;
+    const double largest = std::ldexp(1.0, bits) - 1;
+    for (const Fragment& fragment : rendering.fragments)
+      rendering.depths[rendering.pixel_index(fragment.x, fragment.y)] =
+          round(fragment.depth * largest) / largest;
+  };
+}
+
+TEST(ValueMeasurement, FindsHowDepthsAreRounded) {
+  const std::pair<const char*, Alter> kKinds[] = {
+      {"nearest", {}},
+      {"truncate", storing([](double value) { return std::floor(value); })},
+      {"up", storing([](double value) { return std::ceil(value); })}};
+  for (const auto& [name, alter] : kKinds) {
+    const ValueFindings findings = findings_of({}, alter);
+    for (const char* format : {"depth16", "depth24"}) {
+      const Trait& trait = trait_of(findings, std::string("framebuffer.depth:") + format);
+      EXPECT_EQ(trait.alternative, name);
+      EXPECT_GT(trait.rate.of, 1000u);
+      EXPECT_EQ(trait.rate.agreeing, trait.rate.of);
+      EXPECT_EQ(trait.remark, "");
+    }
+    EXPECT_EQ(trait_of(findings, "framebuffer.depth:depth32f").alternative, "as told");
+  }
+}
+
+TEST(ValueMeasurement, SaysThatStoredDepthsAreNoNeighbours) {
+  const Trait trait =
+      trait_of(findings_of({}, storing([](double value) { return std::floor(value) - 1; })),
+               "framebuffer.depth:depth16");
+  EXPECT_NE(trait.remark.find("neither of the two neighbours"), std::string::npos);
+}
+
+TEST(ValueMeasurement, SaysWhyADepthFormatIsNotAvailable) {
+  class NoDepth final : public Renderer {
+   public:
+    RendererInfo info() const override { return {"no depth", "", "", "", 8, {}}; }
+    void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
+      for (std::size_t i = 0; i < tasks.size(); ++i) {
+        if (tasks[i].scene->target.depth == DepthFormat::depth16)
+          sink(i, Failure{FailureKind::unsupported, "no 16 bits"});
+        else
+          sink(i, rasterize(*tasks[i].scene, {}));
+      }
+    }
+  };
+  NoDepth renderer;
+  ValueQuestion question;
+  question.scenes_per_kind = 100;
+  const ValueFindings findings = measure_values(renderer, question, {}, nullptr);
+  const Trait& trait = trait_of(findings, "framebuffer.depth:depth16");
+  EXPECT_EQ(trait.alternative, "not available");
+  EXPECT_EQ(trait.remark, "unsupported: no 16 bits");
+  EXPECT_EQ(trait_of(findings, "framebuffer.depth:depth24").alternative, "nearest");
+  EXPECT_EQ(findings.not_drawn, 0u);
+}
+
+TEST(ValueMeasurement, RoundedCorrectlyIsNoError) {
+  const ValueFindings findings = findings_of({}, [](const Task&, Rendering& rendering) {
+    for (Fragment& fragment : rendering.fragments) {
+      fragment.depth = static_cast<double>(static_cast<float>(fragment.depth));
+      for (double& c : fragment.color) c = static_cast<double>(static_cast<float>(c));
+    }
+  });
+  EXPECT_EQ(findings.errors.size(), 14u);  // ten modes, depth and 1/w of both kinds
+  for (const ValueErrors& row : findings.errors) {
+    EXPECT_GT(row.components, 500u) << row.attribute;
+    EXPECT_EQ(row.correct, row.components) << row.attribute;
+    EXPECT_EQ(row.mean_ulp(), 0) << row.attribute;
+    EXPECT_TRUE(row.histogram.empty()) << row.attribute;
+    EXPECT_EQ(row.beyond, 0u) << row.attribute;
+    EXPECT_FALSE(row.worst_ulp || row.worst_relative || row.smallest_beyond) << row.attribute;
+  }
+}
+
+TEST(ValueMeasurement, NamesTheWorstFragment) {
+  PixelPosition pixel;
+  int primitive = -1;
+  const ValueFindings findings = findings_of({}, [&](const Task& task, Rendering& rendering) {
+    const bool whole = task.id == "line noperspective/00003";
+    // The line alone shows the same.
+    if ((!whole && task.id.rfind("alone/", 0) != 0) || rendering.fragments.empty()) return;
+    Fragment& fragment = rendering.fragments[rendering.fragments.size() / 2];
+    if (whole) {
+      pixel = {fragment.x, fragment.y};
+      primitive = fragment.primitive;
+      fragment.color[2] += 1e-3;
+      return;
+    }
+    for (Fragment& other : rendering.fragments)
+      if (PixelPosition{other.x, other.y} == pixel) other.color[2] += 1e-3;
+  });
+  const ValueErrors& row = row_of(findings, "line noperspective");
+  EXPECT_EQ(row.correct + 1, row.components);
+  ASSERT_TRUE(row.worst_ulp);
+  for (const ValueExample& worst : {*row.worst_ulp, *row.worst_relative}) {
+    EXPECT_EQ(worst.id, "line noperspective/00003");
+    EXPECT_EQ(worst.pixel, pixel);
+    EXPECT_EQ(worst.component, 2);
+    EXPECT_NEAR(worst.rendered - worst.exact, 1e-3, 1e-9);
+    // Alone, as it shows the same.
+    EXPECT_EQ(primitives_of(worst.scene).size(), 1u);
+    EXPECT_EQ(worst.primitive, 0);
+  }
+  EXPECT_GE(primitive, 0);
+  for (const ValueErrors& other : findings.errors)
+    if (other.attribute != row.attribute) {
+      EXPECT_EQ(other.correct, other.components);
+    }
+}
+
+TEST(ValueMeasurement, CountsWhatIsBeyondWhatIsPermitted) {
+  const ValueFindings findings = findings_of({}, [](const Task& task, Rendering& rendering) {
+    if (task.id.rfind("triangle smooth/", 0) != 0) return;
+    for (Fragment& fragment : rendering.fragments) fragment.color[0] += 1e15;
+  });
+  const ValueErrors& row = row_of(findings, "triangle smooth");
+  EXPECT_GT(row.beyond, row.fragments / 2);
+  ASSERT_TRUE(row.smallest_beyond && row.smallest_beyond->permitted);
+  EXPECT_FALSE(row.smallest_beyond->permitted->contains(row.smallest_beyond->rendered));
+  EXPECT_LE(row.smallest_beyond->scene.target.width, 16);
+}
+
+TEST(ValueMeasurement, CountsWhatIsNoNumberApart) {
+  const ValueFindings findings = findings_of({}, [](const Task& task, Rendering& rendering) {
+    if (task.id.rfind("triangle smooth/", 0) != 0 || rendering.fragments.empty()) return;
+    rendering.fragments[0].color[1] = std::numeric_limits<double>::quiet_NaN();
+    rendering.fragments[0].color[3] = std::numeric_limits<double>::infinity();
+  });
+  const ValueErrors& row = row_of(findings, "triangle smooth");
+  EXPECT_GT(row.not_numbers, 0u);
+  EXPECT_EQ(row.not_numbers, row.beyond);
+  EXPECT_EQ(row.not_asked, 0u);
+  EXPECT_EQ(row.correct + row.not_numbers, row.components);
+  EXPECT_EQ(row.mean_ulp(), 0);
+}
+
+// A flat colour of the wrong vertex is no small error: every one is beyond.
+TEST(ValueMeasurement, FlatColorsHaveNoLatitude) {
+  const ValueFindings findings = findings_of({{"attribute.provoking-vertex", "first"}});
+  const ValueErrors& row = row_of(findings, "triangle flat");
+  EXPECT_LT(row.correct, row.components);
+  EXPECT_EQ(row.correct + row.beyond, row.components);
+}
+
+TEST(ValueMeasurement, HoldsErrorsAgainstWhatIsFoundToo) {
+  const ValueFindings findings = findings_of({{"attribute.smooth", "major-axis"}});
+  EXPECT_LT(row_of(findings, "line smooth").correct, row_of(findings, "line smooth").components);
+  const ValueErrors& found = row_of(findings, "line smooth", true);
+  EXPECT_EQ(found.correct, found.components);
+  for (const ValueErrors& row : findings.errors)
+    if (row.as_found) {
+      EXPECT_EQ(row.attribute.rfind("line", 0), 0u) << row.attribute;
+    }
+}
+
+// Off by a unit in the last place where the pixel says so.
+void err(const Task&, Rendering& rendering) {
+  for (Fragment& fragment : rendering.fragments)
+    for (double& c : fragment.color)
+      c = static_cast<double>((fragment.x + fragment.y) % 3 == 0
+                                  ? std::nextafterf(static_cast<float>(c), HUGE_VALF)
+                                  : static_cast<float>(c));
+}
+
+bool same(const ValueErrors& a, const ValueErrors& b) {
+  return a.attribute == b.attribute && a.fragments == b.fragments && a.correct == b.correct &&
+         a.histogram == b.histogram && a.ulp_sum == b.ulp_sum && a.beyond == b.beyond &&
+         a.worst_ulp.has_value() == b.worst_ulp.has_value() &&
+         (!a.worst_ulp ||
+          (a.worst_ulp->id == b.worst_ulp->id && a.worst_ulp->ulp == b.worst_ulp->ulp));
+}
+
+TEST(ValueMeasurement, TheSameSeedGivesTheSame) {
+  const ValueFindings first = findings_of({}, err, 7);
+  const ValueFindings again = findings_of({}, err, 7);
+  const ValueFindings other = findings_of({}, err, 8);
+  ASSERT_EQ(first.errors.size(), again.errors.size());
+  bool any_differs = false;
+  for (std::size_t i = 0; i < first.errors.size(); ++i) {
+    EXPECT_TRUE(same(first.errors[i], again.errors[i])) << first.errors[i].attribute;
+    any_differs |= !same(first.errors[i], other.errors[i]);
+  }
+  EXPECT_TRUE(any_differs);
+}
+
+TEST(ValueMeasurement, AnotherSeedFindsTheSameRules) {
+  for (const Choices& rules :
+       {Choices{{"triangle.snap", kSnap}, {"line.snap", kSnap}, {"attribute.positions", "snapped"}},
+        Choices{{"attribute.perspective", "always"},
+                {"derivative.coarse", "quad-coarse-top-right"}},
+        Choices{{"attribute.smooth", "major-axis"}, {"derivative.plain", "forward"}}})
+    EXPECT_EQ(findings_of(rules, {}, 3).choices, findings_of(rules, {}, 4).choices);
+}
+
+}  // namespace
+}  // namespace edgecase

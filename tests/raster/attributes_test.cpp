@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+//
+// What a primitive's fragments carry, under the choices of a policy.
+#include "raster/attributes.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/raster/random_scenes.h"
+#include "tests/rules/interpolants.h"
+
+namespace edgecase {
+namespace {
+
+// Off every grid of 4 bits by half a step.
+constexpr double kHalfStep = 1.0 / 32;
+
+class Attributes : public ::testing::Test {
+ protected:
+  Attributes() {
+    const Point positions[] = {at(1 + kHalfStep, 1), at(14, 2), at(3, 13 + kHalfStep)};
+    scene_.draws = {make_draw(Primitive::triangles, positions)};
+    draw().interpolation = Interpolation::smooth;
+    for (std::size_t i = 0; i < 3; ++i) {
+      draw().vertices[i].z = Fixed::from_raw(Fixed::kOne / 4 * static_cast<int>(i));
+      draw().vertices[i].color[3] = 0.25F * static_cast<float>(i);
+    }
+    choices_.triangles.snap = *find_snap("4-half-up");
+  }
+  Draw& draw() { return scene_.draws[0]; }
+  ScenePrimitive primitive() const { return primitives_of(scene_).at(0); }
+  PrimitiveAttributes attributes() const {
+    return attributes_of(primitive(), choices_, scene_.target);
+  }
+  void give_clip(std::size_t vertex, ClipPosition clip) {
+    draw().vertices[vertex].clip = clip;
+    draw().vertices[vertex].w = clip.w;
+  }
+
+  Scene scene_ = blank_scene(16, 15);
+  RuleChoices choices_;
+};
+
+bool at_same_place(const HomogeneousPoint& a, Point b) {
+  return same_point(a, homogeneous(b));
+}
+
+TEST_F(Attributes, PositionsAreTheVerticesUnlessSnapped) {
+  for (const auto& [choice, x, y] :
+       {std::tuple{AttributePositions::unsnapped, 1 + kHalfStep, 13 + kHalfStep},
+        std::tuple{AttributePositions::snapped, 1 + 2 * kHalfStep, 13 + 2 * kHalfStep}}) {
+    choices_.values.positions = choice;
+    const PrimitiveAttributes result = attributes();
+    for (const Interpolant* f :
+         {&result.color[0], &result.color[3], &result.depth, &result.inverse_w}) {
+      EXPECT_TRUE(at_same_place(f->positions[0], at(x, 1)));
+      EXPECT_TRUE(at_same_place(f->positions[1], at(14, 2)));
+      EXPECT_TRUE(at_same_place(f->positions[2], at(3, y)));
+    }
+  }
+}
+
+TEST_F(Attributes, SnappingSeesTheRowsAsCoverageDoes) {
+  const CoverageChoice& choice = choices_.triangles;
+  EXPECT_TRUE(at_same_place(snapped_position(primitive(), 2, choice, scene_.target),
+                            at(3, 13 + 2 * kHalfStep)));
+  choices_.triangles.rows = RowOrder::top_down;
+  EXPECT_TRUE(at_same_place(snapped_position(primitive(), 2, choice, scene_.target), at(3, 13)));
+  EXPECT_TRUE(at_same_place(snapped_position(primitive(), 0, choice, scene_.target),
+                            at(1 + 2 * kHalfStep, 1)));
+  // An odd height: the lowest row is the upper one of a quad that is not there.
+  EXPECT_EQ(quad_of({4, 4}, choice, scene_.target).quad.y, 3);
+  choices_.triangles.rows = RowOrder::bottom_up;
+  EXPECT_EQ(quad_of({4, 4}, choice, scene_.target).quad.y, 4);
+}
+
+TEST_F(Attributes, UnsnappedCoverageLeavesQuotients) {
+  give_clip(1, {0.3F, -0.2F, 0.1F, 0.7F});
+  choices_.triangles.snap = Snap{};
+  choices_.values.positions = AttributePositions::snapped;
+  const ScenePrimitive one = primitive();
+  EXPECT_TRUE(same_point(attributes().depth.positions[1], one.positions[1]));
+  EXPECT_FALSE(at_same_place(one.positions[1], nearest_point(one.positions[1])));
+}
+
+TEST_F(Attributes, FlatIsTheProvokingVertexWhateverIsChosenElse) {
+  draw().interpolation = Interpolation::flat;
+  choices_.values.perspective = PerspectiveChoice::always;
+  draw().vertices[1].w = 2;
+  for (const auto& [choice, vertex] :
+       {std::pair{ProvokingChoice::first, 0}, std::pair{ProvokingChoice::last, 2}}) {
+    choices_.values.provoking = choice;
+    const Fragment fragment = shade(primitive(), attributes(), {4, 4});
+    for (std::size_t c = 0; c < 4; ++c)
+      EXPECT_EQ(fragment.color[c],
+                static_cast<double>(draw().vertices[static_cast<std::size_t>(vertex)].color[c]));
+  }
+}
+
+// The order of the vertices matters to flat attributes, and to no others.
+TEST_F(Attributes, TurningTheVerticesChangesFlatAlone) {
+  for (const Interpolation interpolation :
+       {Interpolation::flat, Interpolation::smooth, Interpolation::noperspective}) {
+    draw().interpolation = interpolation;
+    const Fragment given = shade(primitive(), attributes(), {4, 4});
+    std::rotate(draw().vertices.begin(), draw().vertices.begin() + 1, draw().vertices.end());
+    const Fragment turned = shade(primitive(), attributes(), {4, 4});
+    EXPECT_NEAR(given.depth, turned.depth, 1e-15);
+    if (interpolation == Interpolation::flat)
+      EXPECT_GT(std::fabs(given.color[0] - turned.color[0]), 1e-3);
+    else
+      EXPECT_NEAR(given.color[0], turned.color[0], 1e-15);
+  }
+}
+
+TEST_F(Attributes, SmoothIsDividedByWAndNoperspectiveIsNot) {
+  draw().vertices[2].w = 4;
+  for (const auto& [interpolation, choice, divided] :
+       {std::tuple{Interpolation::smooth, PerspectiveChoice::as_set, true},
+        std::tuple{Interpolation::noperspective, PerspectiveChoice::as_set, false},
+        std::tuple{Interpolation::noperspective, PerspectiveChoice::always, true},
+        std::tuple{Interpolation::smooth, PerspectiveChoice::never, false}}) {
+    draw().interpolation = interpolation;
+    choices_.values.perspective = choice;
+    const PrimitiveAttributes result = attributes();
+    for (const Interpolant& component : result.color) EXPECT_EQ(component.perspective, divided);
+    EXPECT_EQ(result.color[0].w, (std::array{1.0, 1.0, 4.0}));
+    // Depth and 1/w run linearly in the window whatever is chosen.
+    EXPECT_FALSE(has_perspective(result.depth));
+    EXPECT_FALSE(has_perspective(result.inverse_w));
+  }
+}
+
+TEST_F(Attributes, TheLineParameterIsTheChosenOne) {
+  choices_.values.line_parameter = LineParameter::major_axis;
+  EXPECT_EQ(attributes().color[2].line_parameter, LineParameter::major_axis);
+  EXPECT_EQ(attributes().depth.line_parameter, LineParameter::major_axis);
+}
+
+TEST_F(Attributes, DepthIsHalfOfZPlusHalf) {
+  const PrimitiveAttributes result = attributes();
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(result.depth.values[i].low, 0.5 + 0.125 * static_cast<double>(i));
+    EXPECT_EQ(result.depth.values[i].high, result.depth.values[i].low);
+    EXPECT_EQ(result.inverse_w.values[i].low, 1);
+    EXPECT_EQ(result.inverse_w.values[i].high, 1);
+  }
+}
+
+// Of clip coordinates: a number where the quotient is one, else an interval around it.
+TEST_F(Attributes, DepthOfClipCoordinatesIsTheirQuotient) {
+  give_clip(0, {0, 0, 0, 3});
+  give_clip(1, {0, 0, -1.5F, 6});
+  give_clip(2, {0.1F, 0.5F, 1, 3});
+  const PrimitiveAttributes result = attributes();
+  EXPECT_EQ(result.depth.values[0].low, 0.5);
+  EXPECT_EQ(result.depth.values[0].high, 0.5);
+  EXPECT_EQ(result.depth.values[1].low, 0.375);
+  EXPECT_EQ(result.depth.values[1].high, 0.375);
+  EXPECT_TRUE(holds(result.depth.values[2], static_cast<Wide>(2) / 3));
+  EXPECT_LT(width_of(result.depth.values[2]), 1e-15);
+  EXPECT_TRUE(holds(result.inverse_w.values[1], static_cast<Wide>(1) / 6));
+  EXPECT_LT(width_of(result.inverse_w.values[1]), 1e-16);
+}
+
+TEST_F(Attributes, TheInverseOfAPowerOfTwoIsANumber) {
+  for (const float w : {0.25F, 1.0F, 4.0F}) {
+    for (Vertex& vertex : draw().vertices) vertex.w = w;
+    const Interval inverse = attributes().inverse_w.values[1];
+    EXPECT_EQ(inverse.low, 1 / static_cast<double>(w));
+    EXPECT_EQ(inverse.high, inverse.low);
+  }
+}
+
+TEST_F(Attributes, DetailsAreOnlyWhatWasAsked) {
+  const PrimitiveAttributes given = attributes();
+  const QuadPixel pixel{{5, 4}, {4, 4}};
+  const Fragment fragment = shade(primitive(), given, pixel.pixel);
+  for (const bool coordinates : {false, true})
+    for (const bool derivatives : {false, true}) {
+      const FragmentDetail detail =
+          shade_details(given, pixel, choices_.values, {coordinates, derivatives});
+      EXPECT_EQ(detail.has_coordinates, coordinates);
+      for (const bool has : detail.has_derivative) EXPECT_EQ(has, derivatives);
+      const std::array<double, 4> expected{5.5, 4.5, fragment.depth, 1};
+      EXPECT_EQ(detail.coordinates, coordinates ? expected : (std::array<double, 4>{}));
+      EXPECT_EQ(detail.derivatives[0][0] != 0, derivatives);
+    }
+}
+
+TEST_F(Attributes, EachFormOfADerivativeFollowsItsOwnMethod) {
+  draw().vertices[2].w = 4;
+  choices_.values.derivatives = {DerivativeMethod::analytic, DerivativeMethod::forward,
+                                 DerivativeMethod::coarse_top_right};
+  const PrimitiveAttributes given = attributes();
+  const QuadPixel pixel{{5, 4}, {4, 4}};
+  const FragmentDetail detail = shade_details(given, pixel, choices_.values, {false, true});
+  EXPECT_NE(detail.derivatives[0][3], 0);
+  for (std::size_t d = 0; d < kDerivatives; ++d)
+    for (std::size_t c = 0; c < 4; ++c)
+      EXPECT_EQ(detail.derivatives[d][c],
+                middle(derivative_exact(given.color[c], pixel, d % 2 == 0 ? Axis::x : Axis::y,
+                                        choices_.values.derivatives[d / 2])));
+}
+
+TEST_F(Attributes, AFragmentIsThatOfItsPixelAndPrimitive) {
+  scene_.draws.push_back(scene_.draws[0]);
+  const ScenePrimitive second = primitives_of(scene_).at(1);
+  const PrimitiveAttributes given = attributes_of(second, choices_, scene_.target);
+  const Fragment fragment = shade(second, given, {7, 5});
+  EXPECT_EQ(fragment.x, 7);
+  EXPECT_EQ(fragment.y, 5);
+  EXPECT_EQ(fragment.primitive, 1);
+  EXPECT_EQ(fragment.depth, middle(interpolate_exact(given.depth, at(7.5, 5.5))));
+  for (std::size_t c = 0; c < 4; ++c)
+    EXPECT_EQ(fragment.color[c], middle(interpolate_exact(given.color[c], at(7.5, 5.5))));
+}
+
+TEST(Middle, LiesHalfway) {
+  EXPECT_EQ(middle(Interval(0.25, 0.75)), 0.5);
+  EXPECT_EQ(middle(Interval(-3, -1)), -2);
+  EXPECT_EQ(middle(Interval(0.1)), 0.1);
+}
+
+}  // namespace
+}  // namespace edgecase
