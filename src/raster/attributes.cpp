@@ -86,7 +86,9 @@ PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleCho
 }
 
 double middle(Interval value) {
-  return value.low / 2 + value.high / 2;
+  const bool about_zero =
+      value.contains(0) && std::isfinite(value.low) && std::isfinite(value.high);
+  return about_zero ? 0 : value.low / 2 + value.high / 2;
 }
 
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,

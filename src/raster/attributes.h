@@ -32,7 +32,8 @@ HomogeneousPoint snapped_position(const ScenePrimitive& primitive, std::size_t v
 // The pixel within its quad, whose rows are counted as coverage counts them.
 QuadPixel quad_of(PixelPosition pixel, const CoverageChoice& choice, const Target& target);
 
-// The double nearest to the middle: the interval is narrower than what any format can hold.
+// The double nearest to the middle: the interval is narrower than what any format can hold. One
+// that holds zero is zero: beside it, any other number would look exact to many places.
 double middle(Interval value);
 
 // The fragment that a primitive has at a pixel's centre: colour and depth are the doubles nearest
