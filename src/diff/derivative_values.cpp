@@ -13,7 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <span>
+#include <string>
 #include <vector>
 
 #include "diff/value_causes.h"
@@ -31,8 +31,25 @@ struct Told {
   const Fragment* fragment;
   const FragmentDetail* detail;
   Derivative derivative;
-  unsigned explained_by = 0;  // bit i: the method number i yields it
+  unsigned explained_by = 0;  // bit i: the way number i yields it
 };
+
+// A way of taking differences: a method, and from which end rows of quads are counted.
+struct Way {
+  DerivativeMethod method;
+  RowOrder rows;
+};
+
+// All ways that can differ in a target, those with the policy's rows first.
+std::vector<Way> ways_of(RowOrder chosen, const Target& target) {
+  std::vector<RowOrder> orders{chosen};
+  if (target.height % 2 != 0)
+    orders.push_back(chosen == RowOrder::bottom_up ? RowOrder::top_down : RowOrder::bottom_up);
+  std::vector<Way> ways;
+  for (const RowOrder rows : orders)
+    for (const DerivativeMethod method : all_derivative_methods()) ways.push_back({method, rows});
+  return ways;
+}
 
 const std::array<double, 4>& rendered_of(const Told& told) {
   return told.detail->derivatives[static_cast<std::size_t>(told.derivative)];
@@ -43,7 +60,8 @@ class DerivativeComparison {
  public:
   DerivativeComparison(const ValueContext& context, std::size_t form)
       : context_(context),
-        method_(context.choices.values.derivatives[form]),
+        chosen_{context.choices.values.derivatives[form], context.choices.values.quad_rows},
+        ways_(ways_of(chosen_.rows, context.scene.target)),
         kinds_{static_cast<Derivative>(2 * form), static_cast<Derivative>(2 * form + 1)},
         rule_(derivative_rule_of(kinds_[0])),
         aggregators_{ValueAggregator(name_of(kinds_[0]), rule_, kRuling),
@@ -58,7 +76,7 @@ class DerivativeComparison {
         if (detail.has_derivative[static_cast<std::size_t>(derivative)])
           sort({&f, &detail, derivative}, others);
     }
-    name_methods(std::move(others), result);
+    name_ways(std::move(others), result);
     for (ValueAggregator& aggregator : aggregators_) aggregator.flush(result);
   }
 
@@ -66,7 +84,7 @@ class DerivativeComparison {
   // What the policy's method yields is aggregated, the rest is kept.
   void sort(const Told& told, std::vector<Told>& others) {
     aggregator_of(told).count_compared(4);
-    const bool agrees = yields(told, method_);
+    const bool agrees = yields(told, chosen_);
     (agrees ? agreeing_ : others).push_back(told);
     if (agrees) aggregate(told);
   }
@@ -75,7 +93,9 @@ class DerivativeComparison {
     return aggregators_[told.derivative == kinds_[0] ? 0 : 1];
   }
 
-  QuadPixel place_of(const Told& told) const { return quad_place(context_, *told.fragment); }
+  QuadPixel place_of(const Told& told, RowOrder rows) const {
+    return in_quad({told.fragment->x, told.fragment->y}, rows, context_.scene.target.height);
+  }
 
   const std::array<Interpolant, 4>& colors_of(const Told& told) const {
     return context_.values_of(*told.fragment).chosen.color;
@@ -86,9 +106,9 @@ class DerivativeComparison {
     return context_.primitive_of(*told.fragment).state->interpolation == Interpolation::flat;
   }
 
-  bool yields(const Told& told, DerivativeMethod method) const {
+  bool yields(const Told& told, const Way& way) const {
     if (is_flat(told)) return rendered_of(told) == std::array<double, 4>{};
-    return yields_derivative(colors_of(told), place_of(told), told.derivative, method,
+    return yields_derivative(colors_of(told), place_of(told, way.rows), told.derivative, way.method,
                              rendered_of(told));
   }
 
@@ -109,8 +129,8 @@ class DerivativeComparison {
   std::array<double, 4> exact_of(const Told& told) const {
     std::array<double, 4> result;
     for (std::size_t c = 0; c < 4; ++c)
-      result[c] = middle(
-          derivative_exact(colors_of(told)[c], place_of(told), axis_of(told.derivative), method_));
+      result[c] = middle(derivative_exact(colors_of(told)[c], place_of(told, chosen_.rows),
+                                          axis_of(told.derivative), chosen_.method));
     return result;
   }
 
@@ -124,8 +144,7 @@ class DerivativeComparison {
       if (to_float(exact[c]) == to_float(rendered)) continue;
       differs = true;
       aggregator.add_error(place, {static_cast<int>(c), exact[c], rendered,
-                                   error_in_ulp(exact[c], rendered),
-                                   range_of(colors_of(told)[c])});
+                                   error_in_ulp(exact[c], rendered), range_of(colors_of(told)[c])});
     }
     if (differs) aggregator.add_place(place);
   }
@@ -135,28 +154,28 @@ class DerivativeComparison {
   }
 
   // What is permitted needs no method that is not.
-  unsigned methods_of(const Told& told) const {
+  unsigned explaining(const Told& told) const {
     unsigned open = 0;
     unsigned illegal = 0;
-    for (std::size_t i = 0; i < methods_.size(); ++i)
-      if (yields(told, methods_[i])) (is_open(methods_[i]) ? open : illegal) |= 1u << i;
+    for (std::size_t i = 0; i < ways_.size(); ++i)
+      if (yields(told, ways_[i])) (is_open(ways_[i].method) ? open : illegal) |= 1u << i;
     return illegal != 0 && !is_permitted(told) ? open | illegal : open;
   }
 
-  // The method that explains most of these; of several, the one that yields most of what agrees,
-  // too: it is one method that a renderer uses everywhere. None if none explains any.
-  std::optional<std::size_t> best_method(const std::vector<Told>& others) const {
+  // The way that explains most of these; of several, the one that yields most of what agrees, too:
+  // it is one way that a renderer goes everywhere. None if none explains any.
+  std::optional<std::size_t> best_way(const std::vector<Told>& others) const {
     const auto explained = [&](std::size_t i) {
       return std::count_if(others.begin(), others.end(),
                            [&](const Told& told) { return (told.explained_by >> i & 1u) != 0; });
     };
     const auto agreeing = [&](std::size_t i) {
       return std::count_if(agreeing_.begin(), agreeing_.end(),
-                           [&](const Told& told) { return yields(told, methods_[i]); });
+                           [&](const Told& told) { return yields(told, ways_[i]); });
     };
     std::ptrdiff_t most = 0;
     std::vector<std::size_t> tied;
-    for (std::size_t i = 0; i < methods_.size(); ++i) {
+    for (std::size_t i = 0; i < ways_.size(); ++i) {
       const std::ptrdiff_t count = explained(i);
       if (count > most) tied.clear();
       most = std::max(most, count);
@@ -170,13 +189,13 @@ class DerivativeComparison {
                                          counts.begin())];
   }
 
-  void name_methods(std::vector<Told> others, Result& result) {
-    for (Told& told : others) told.explained_by = methods_of(told);
-    while (const auto best = best_method(others)) {
+  void name_ways(std::vector<Told> others, Result& result) {
+    for (Told& told : others) told.explained_by = explaining(told);
+    while (const auto best = best_way(others)) {
       const auto rest = std::stable_partition(others.begin(), others.end(), [&](const Told& told) {
         return (told.explained_by >> *best & 1u) == 0;
       });
-      for (auto told = rest; told != others.end(); ++told) report(*told, methods_[*best], result);
+      for (auto told = rest; told != others.end(); ++told) report(*told, ways_[*best], result);
       others.erase(rest, others.end());
     }
     for (const Told& told : others) {
@@ -195,15 +214,22 @@ class DerivativeComparison {
     d.rendered.assign(rendered_of(told).begin(), rendered_of(told).end());
     d.explanation = fmt::format("{} of primitive {} is ({:.9g}) by {}; the renderer's ({:.9g}) ",
                                 name_of(told.derivative), f.primitive, fmt::join(d.exact, ", "),
-                                name_of(method_), fmt::join(d.rendered, ", "));
+                                name_of(chosen_.method), fmt::join(d.rendered, ", "));
     return d;
   }
 
-  void report(const Told& told, DerivativeMethod method, Result& result) const {
+  void report(const Told& told, const Way& way, Result& result) const {
     Disagreement d = disagreement(told);
-    d.cause = fmt::format("{}={}", rule_, name_of(method));
-    d.legal = is_open(method);
-    d.explanation += fmt::format("comes of {}", name_of(method));
+    std::vector<std::string> parts;
+    if (way.method != chosen_.method)
+      parts.push_back(fmt::format("{}={}", rule_, name_of(way.method)));
+    if (way.rows != chosen_.rows)
+      parts.push_back(fmt::format("derivative.quad-rows={}", name_of(way.rows)));
+    d.cause = fmt::format("{}", fmt::join(parts, " + "));
+    d.legal = is_open(way.method);
+    d.explanation += fmt::format("comes of {}", name_of(way.method));
+    if (way.rows != chosen_.rows)
+      d.explanation += fmt::format(", rows of quads counted {}", name_of(way.rows));
     result.disagreements.push_back(std::move(d));
   }
 
@@ -217,12 +243,12 @@ class DerivativeComparison {
   }
 
   const ValueContext& context_;
-  DerivativeMethod method_;
+  Way chosen_;
+  std::vector<Way> ways_;
   std::array<Derivative, 2> kinds_;
   const char* rule_;
   std::array<ValueAggregator, 2> aggregators_;
   std::vector<Told> agreeing_;
-  std::span<const DerivativeMethod> methods_ = all_derivative_methods();
 };
 
 }  // namespace

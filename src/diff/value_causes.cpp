@@ -80,8 +80,7 @@ std::string cause_of_derivatives(const ValueContext& context, const Fragment& fr
 }
 
 QuadPixel quad_place(const ValueContext& context, const Fragment& fragment) {
-  const CoverageChoice& choice = context.choices.of(context.primitive_of(fragment).kind);
-  return quad_of({fragment.x, fragment.y}, choice, context.scene.target);
+  return quad_of({fragment.x, fragment.y}, context.choices.values, context.scene.target);
 }
 
 bool yields_derivative(const std::array<Interpolant, 4>& color, const QuadPixel& at,

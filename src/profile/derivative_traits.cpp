@@ -38,8 +38,8 @@ std::size_t best_of(const std::array<std::size_t, kMostMethods>& counts) {
 
 class DerivativeForm {
  public:
-  DerivativeForm(Derivative x, Derivative y, const RuleChoices& found, bool turned)
-      : forms_{x, y}, found_(found), turned_(turned) {}
+  DerivativeForm(Derivative x, Derivative y, const RuleChoices& found, RowOrder rows)
+      : forms_{x, y}, found_(found), rows_(rows) {}
 
   Counts count(const std::vector<SampledScene>& scenes) const {
     Counts counts;
@@ -50,19 +50,12 @@ class DerivativeForm {
         attributes.push_back(attributes_of(primitive, found_, scene.scene.target));
       for (const SampledScene::Sample& sample : scene.samples)
         add(sample, attributes[static_cast<std::size_t>(sample.primitive)],
-            place_of(scene.scene.target, sample.pixel), counts);
+            in_quad(sample.pixel, rows_, scene.scene.target.height), counts);
     }
     return counts;
   }
 
  private:
-  QuadPixel place_of(const Target& target, PixelPosition pixel) const {
-    CoverageChoice choice = found_.triangles;
-    if (turned_)
-      choice.rows = choice.rows == RowOrder::top_down ? RowOrder::bottom_up : RowOrder::top_down;
-    return quad_of(pixel, choice, target);
-  }
-
   void add(const SampledScene::Sample& sample, const PrimitiveAttributes& attributes,
            const QuadPixel& at, Counts& counts) const {
     if (!sample.has_derivative[static_cast<std::size_t>(forms_[0])] ||
@@ -102,31 +95,22 @@ class DerivativeForm {
 
   std::array<Derivative, 2> forms_;
   const RuleChoices& found_;
-  bool turned_;
+  RowOrder rows_;
 };
 
 // What people should know of a form beside the method.
-std::string remark_of(const Counts& counts, const Counts& turned, std::size_t best) {
+std::string remark_of(const Counts& counts, std::size_t best) {
   const auto method = [](std::size_t m) { return name_of(all_derivative_methods()[m]); };
-  const std::size_t other = best_of(turned.both);
-  if (turned.both[other] > counts.both[best])
-    return fmt::format(
-        "rows of quads are counted from the other end than triangles' rows: {} then has {}",
-        method(other), percent({turned.both[other], turned.of}));
   const std::size_t x = best_of(counts.axis[0]);
   const std::size_t y = best_of(counts.axis[1]);
-  if (counts.axis[0][x] > counts.axis[0][best] || counts.axis[1][y] > counts.axis[1][best])
-    return fmt::format("x and y differ: x is {} ({}), y is {} ({})", method(x),
-                       percent({counts.axis[0][x], counts.of}), method(y),
-                       percent({counts.axis[1][y], counts.of}));
-  if (turned.both[best] < counts.both[best])
-    return fmt::format("rows of quads are counted as triangles' are; from the other end {}",
-                       percent({turned.both[best], turned.of}));
-  return "";
+  if (counts.axis[0][x] == counts.axis[0][best] && counts.axis[1][y] == counts.axis[1][best])
+    return "";
+  return fmt::format("x and y differ: x is {} ({}), y is {} ({})", method(x),
+                     percent({counts.axis[0][x], counts.of}), method(y),
+                     percent({counts.axis[1][y], counts.of}));
 }
 
-Trait trait_of(Derivative x, const Counts& counts, const Counts& turned,
-               DerivativeMethod standard) {
+Trait trait_of(Derivative x, const Counts& counts, DerivativeMethod standard) {
   std::size_t best = best_of(counts.both);
   for (std::size_t m = 0; m < method_count(); ++m)
     if (all_derivative_methods()[m] == standard && counts.both[m] == counts.both[best]) best = m;
@@ -145,7 +129,43 @@ Trait trait_of(Derivative x, const Counts& counts, const Counts& turned,
     if (m != best && counts.both[m] > counts.both[second]) second = m;
   trait.runner_up = name_of(all_derivative_methods()[second]);
   trait.runner_up_rate = {counts.both[second], counts.of};
-  trait.remark = remark_of(counts, turned, best);
+  trait.remark = remark_of(counts, best);
+  return trait;
+}
+
+constexpr std::array<std::pair<Derivative, Derivative>, 3> kForms{
+    {{Derivative::x, Derivative::y},
+     {Derivative::x_fine, Derivative::y_fine},
+     {Derivative::x_coarse, Derivative::y_coarse}}};
+
+// Of all forms, with rows of quads counted from one end.
+struct Reading {
+  RowOrder rows;
+  std::array<Counts, 3> forms;
+
+  // Of the samples, those that each form's best method yields.
+  Rate rate() const {
+    Rate rate;
+    for (const Counts& counts : forms) {
+      rate.agreeing += counts.both[best_of(counts.both)];
+      rate.of += counts.of;
+    }
+    return rate;
+  }
+};
+
+Reading read(const std::vector<SampledScene>& scenes, const RuleChoices& found, RowOrder rows) {
+  Reading reading{rows, {}};
+  for (std::size_t form = 0; form < kForms.size(); ++form)
+    reading.forms[form] =
+        DerivativeForm(kForms[form].first, kForms[form].second, found, rows).count(scenes);
+  return reading;
+}
+
+Trait rows_trait(const Reading& best, const Reading& other) {
+  Trait trait{"derivative.quad-rows", name_of(best.rows), best.rate(),
+              name_of(other.rows),    other.rate(),       ""};
+  if (trait.rate.of == 0) trait.remark = "no derivative is told";
   return trait;
 }
 
@@ -154,18 +174,17 @@ Trait trait_of(Derivative x, const Counts& counts, const Counts& turned,
 ValueTraits infer_derivatives(const std::vector<SampledScene>& scenes, const RuleChoices& found) {
   ValueTraits result;
   result.values = found.values;
-  constexpr std::array<std::pair<Derivative, Derivative>, 3> kForms{
-      {{Derivative::x, Derivative::y},
-       {Derivative::x_fine, Derivative::y_fine},
-       {Derivative::x_coarse, Derivative::y_coarse}}};
-  for (const auto& [x, y] : kForms) {
-    const Counts counts = DerivativeForm(x, y, found, false).count(scenes);
-    const Counts turned = DerivativeForm(x, y, found, true).count(scenes);
-    const std::size_t form = form_of(x);
-    const Trait trait = trait_of(x, counts, turned, ValueChoice{}.derivatives[form]);
+  Reading best = read(scenes, found, RowOrder::bottom_up);
+  Reading other = read(scenes, found, RowOrder::top_down);
+  if (other.rate().agreeing > best.rate().agreeing) std::swap(best, other);
+  result.values.quad_rows = best.rows;
+  for (std::size_t form = 0; form < kForms.size(); ++form) {
+    const Trait trait =
+        trait_of(kForms[form].first, best.forms[form], ValueChoice{}.derivatives[form]);
     parse_name(trait.alternative, result.values.derivatives[form]);
     result.traits.push_back(trait);
   }
+  result.traits.push_back(rows_trait(best, other));
   return result;
 }
 

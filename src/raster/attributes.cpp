@@ -61,8 +61,8 @@ HomogeneousPoint snapped_position(const ScenePrimitive& primitive, std::size_t v
   return homogeneous(turned ? turned_over(snapped, target.height) : snapped);
 }
 
-QuadPixel quad_of(PixelPosition pixel, const CoverageChoice& choice, const Target& target) {
-  return in_quad(pixel, choice.rows == RowOrder::top_down, target.height);
+QuadPixel quad_of(PixelPosition pixel, const ValueChoice& choice, const Target& target) {
+  return in_quad(pixel, choice.quad_rows, target.height);
 }
 
 PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleChoices& choices,

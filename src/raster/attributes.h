@@ -29,8 +29,8 @@ PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleCho
 HomogeneousPoint snapped_position(const ScenePrimitive& primitive, std::size_t vertex,
                                   const CoverageChoice& choice, const Target& target);
 
-// The pixel within its quad, whose rows are counted as coverage counts them.
-QuadPixel quad_of(PixelPosition pixel, const CoverageChoice& choice, const Target& target);
+// The pixel within its quad.
+QuadPixel quad_of(PixelPosition pixel, const ValueChoice& choice, const Target& target);
 
 // The double nearest to the middle: the interval is narrower than what any format can hold. One
 // that holds zero is zero: beside it, any other number would look exact to many places.

@@ -163,8 +163,8 @@ Rendering rasterize(const Scene& scene, const Policy& policy) {
       Fragment fragment = shade(primitive, attributes, pixel);
       if (scene.details.any()) {
         fragment.detail = static_cast<int>(rendering.details.size());
-        rendering.details.push_back(shade_details(attributes, quad_of(pixel, choice, target),
-                                                  choices.values, scene.details));
+        rendering.details.push_back(shade_details(
+            attributes, quad_of(pixel, choices.values, target), choices.values, scene.details));
       }
       write(rendering, fragment, target.depth);
     }

@@ -62,6 +62,7 @@ std::span<const Rule> all_rules() {
       derivative_rule(),
       fine_derivative_rule(),
       coarse_derivative_rule(),
+      quad_rows_rule(),
       depth_rule(),
       fragment_coordinates_rule(),
       unorm8_rule(),

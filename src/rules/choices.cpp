@@ -57,6 +57,7 @@ ValueChoice resolve_values(const Policy& policy, Surface surface) {
   for (const Derivative derivative : {Derivative::x, Derivative::x_fine, Derivative::x_coarse})
     parse_name(chosen_or_standard(policy, surface, derivative_rule_of(derivative)),
                result.derivatives[form_of(derivative)]);
+  parse_name(chosen_or_standard(policy, surface, "derivative.quad-rows"), result.quad_rows);
   return result;
 }
 

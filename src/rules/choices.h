@@ -41,6 +41,7 @@ struct ValueChoice {
   // Of the plain, the fine and the coarse forms (form_of in rules/values/derivative.h).
   std::array<DerivativeMethod, 3> derivatives{DerivativeMethod::fine, DerivativeMethod::fine,
                                               DerivativeMethod::coarse_bottom_left};
+  RowOrder quad_rows = RowOrder::bottom_up;
 };
 
 // What a policy says for one surface.

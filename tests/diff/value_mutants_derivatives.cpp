@@ -124,6 +124,13 @@ ValueMutation shaded_with(PerspectiveChoice perspective) {
   };
 }
 
+// Quads that begin at the topmost row.
+Rendering from_the_top(const Scene& scene, const Rendering& exact) {
+  RuleChoices choices;
+  choices.values.quad_rows = RowOrder::top_down;
+  return shaded_under(scene, exact, choices);
+}
+
 std::set<std::string> all_of(const std::string& cause) {
   std::set<std::string> result;
   for (const char* rule :
@@ -184,6 +191,13 @@ std::vector<ValueMutant> derivative_mutants() {
   for (const ValueMutant& more : {
            ValueMutant{"dFdy negated, as for y down", kSteepAndLevel, each(y, negated), kViolation,
                        every},
+           ValueMutant{"quads counted from the top",
+                       {"odd triangle"},
+                       from_the_top,
+                       kConvention,
+                       {"derivative.plain: derivative.quad-rows=top-down",
+                        "derivative.fine: derivative.quad-rows=top-down",
+                        "derivative.coarse: derivative.quad-rows=top-down"}},
            ValueMutant{"dFdx negated", kSteepAndLevel, each(x, negated), kViolation, every},
            ValueMutant{"dFdx and dFdy swapped", kSteepAndLevel, all_fragments(swap_axes),
                        kViolation, every},

@@ -121,6 +121,12 @@ std::string flat_name(const char* kind, ProvokingVertex convention) {
   return fmt::format("flat {} {}", kind, name_of(convention));
 }
 
+// The uppermost row is none of the target's.
+Scene of_odd_height(Scene scene) {
+  --scene.target.height;
+  return scene;
+}
+
 std::vector<ValueScene> all_value_scenes() {
   const std::vector<Corner> line = {{at(1.25 + kOff, 2.75 + kOff), 1, -1},
                                     {at(14.75 + kOff, 11.25 + kOff), 8, 1}};
@@ -130,6 +136,7 @@ std::vector<ValueScene> all_value_scenes() {
   constexpr Primitive kTriangles = Primitive::triangles;
   std::vector<ValueScene> scenes = {
       {"smooth triangle", scene_of({draw_of(kTriangles, steep_triangle(), kSmooth)})},
+      {"odd triangle", of_odd_height(scene_of({draw_of(kTriangles, steep_triangle(), kSmooth)}))},
       {"small triangle", scene_of({draw_of(kTriangles, small_triangle(), kSmooth)})},
       {"small linear triangle", scene_of({draw_of(kTriangles, level(small_triangle()), kSmooth)})},
       {"noperspective triangle", scene_of({draw_of(kTriangles, steep_triangle(), kNoPerspective)})},

@@ -21,9 +21,8 @@ Rendering shaded(const Scene& scene, Rendering rendering, const RuleChoices& cho
     f = shade(primitive, attributes, pixel);
     f.detail = detail;
     if (!with_details || detail < 0) continue;
-    rendering.details.at(static_cast<std::size_t>(detail)) =
-        shade_details(attributes, quad_of(pixel, choices.of(primitive.kind), scene.target),
-                      choices.values, scene.details);
+    rendering.details.at(static_cast<std::size_t>(detail)) = shade_details(
+        attributes, quad_of(pixel, choices.values, scene.target), choices.values, scene.details);
   }
   return stored(scene, std::move(rendering));
 }

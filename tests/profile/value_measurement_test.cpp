@@ -152,25 +152,16 @@ TEST(ValueMeasurement, SaysWhereXAndYDiffer) {
   EXPECT_NE(remark.find("y is quad-other-row (100 %)"), std::string::npos) << remark;
 }
 
-TEST(ValueMeasurement, CountsRowsOfQuadsAsTrianglesDo) {
-  const Choices rules{{"triangle.row-order", "top-down"}, {"derivative.plain", "quad-fine"}};
-  const ValueFindings findings = findings_of(rules, {}, 1, Surface::window);
-  expect_found(findings, "derivative.plain", "quad-fine");
-  EXPECT_NE(trait_of(findings, "derivative.plain").remark.find("counted as triangles' are"),
-            std::string::npos);
-}
-
-TEST(ValueMeasurement, SaysThatQuadsAreCountedOtherwise) {
-  Policy turned;
-  turned.rules = {{"triangle.row-order", "top-down"}};
-  const ValueFindings findings = findings_of({}, [&](const Task& task, Rendering& rendering) {
-    if (task.scene->details.derivatives) rendering = rasterize(*task.scene, turned);
-  });
-  const Trait& trait = trait_of(findings, "derivative.plain");
-  EXPECT_LT(trait.rate.agreeing, trait.rate.of);
-  EXPECT_NE(trait.remark.find("from the other end than triangles' rows: quad-fine"),
-            std::string::npos)
-      << trait.remark;
+TEST(ValueMeasurement, FindsFromWhichEndQuadsAreCounted) {
+  for (const char* rows : {"bottom-up", "top-down"}) {
+    for (const Surface surface : {Surface::fbo, Surface::window}) {
+      const Choices rules{{"derivative.quad-rows", rows}, {"derivative.plain", "quad-fine"}};
+      const ValueFindings findings = findings_of(rules, {}, 1, surface);
+      expect_found(findings, "derivative.plain", "quad-fine");
+      expect_found(findings, "derivative.quad-rows", rows);
+      EXPECT_FALSE(trait_of(findings, "derivative.quad-rows").is_undecided());
+    }
+  }
 }
 
 // Stores what `round` makes of the depth times the largest integer.

@@ -67,10 +67,13 @@ TEST_F(Attributes, SnappingSeesTheRowsAsCoverageDoes) {
   EXPECT_TRUE(at_same_place(snapped_position(primitive(), 2, choice, scene_.target), at(3, 13)));
   EXPECT_TRUE(at_same_place(snapped_position(primitive(), 0, choice, scene_.target),
                             at(1 + 2 * kHalfStep, 1)));
+}
+
+TEST_F(Attributes, QuadsAreCountedFromEitherEnd) {
+  EXPECT_EQ(quad_of({4, 4}, choices_.values, scene_.target).quad.y, 4);
   // An odd height: the lowest row is the upper one of a quad that is not there.
-  EXPECT_EQ(quad_of({4, 4}, choice, scene_.target).quad.y, 3);
-  choices_.triangles.rows = RowOrder::bottom_up;
-  EXPECT_EQ(quad_of({4, 4}, choice, scene_.target).quad.y, 4);
+  choices_.values.quad_rows = RowOrder::top_down;
+  EXPECT_EQ(quad_of({4, 4}, choices_.values, scene_.target).quad.y, 3);
 }
 
 TEST_F(Attributes, UnsnappedCoverageLeavesQuotients) {

@@ -98,7 +98,8 @@ TEST(Quads, BeginAtEvenColumnsAndRowsCountedFromEitherSide) {
                          Row{4, 5, true, 3}, Row{3, 5, true, 3}, Row{2, 5, true, 1},
                          Row{1, 5, true, 1}, Row{0, 5, true, -1}})
     for (const int x : {0, 1, 6, 7}) {
-      const QuadPixel at = in_quad({x, row.y}, row.top_down, row.height);
+      const QuadPixel at =
+          in_quad({x, row.y}, row.top_down ? RowOrder::top_down : RowOrder::bottom_up, row.height);
       EXPECT_EQ(at.pixel.x, x);
       EXPECT_EQ(at.pixel.y, row.y);
       EXPECT_EQ(at.quad.x, x < 2 ? 0 : 6);

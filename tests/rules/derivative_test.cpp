@@ -112,7 +112,8 @@ TEST_F(RandomDerivatives, EveryMethodIsWhatItsDefinitionSays) {
     PixelPosition pixel;
     if (!find_pixel(f, pixel)) continue;
     ++seen;
-    const QuadPixel at = in_quad(pixel, i % 2 == 0, 16 + i / 2 % 2);
+    const QuadPixel at =
+        in_quad(pixel, i % 2 == 0 ? RowOrder::top_down : RowOrder::bottom_up, 16 + i / 2 % 2);
     for (const Axis axis : kAxes)
       for (const DerivativeMethod method : all_derivative_methods()) {
         const Wide truth = by_definition(f, at, axis, method);
@@ -132,7 +133,7 @@ TEST_F(RandomDerivatives, AllMethodsAgreeWhereTheAttributeIsLinear) {
     Interpolant f = triangle(4);
     f.perspective = i % 2 == 0;
     if (f.perspective) f.w = {3, 3, 3};
-    const QuadPixel at = in_quad({i % 16, i / 16 % 16}, false, 16);
+    const QuadPixel at = in_quad({i % 16, i / 16 % 16}, RowOrder::bottom_up, 16);
     for (const Axis axis : kAxes) {
       const Interval analytic = derivative_exact(f, at, axis, DerivativeMethod::analytic);
       for (const DerivativeMethod method : all_derivative_methods()) {
@@ -159,7 +160,8 @@ TEST_F(RandomDerivatives, PermittedHoldsEveryOpenMethod) {
     PixelPosition pixel;
     if (!find_pixel(f, pixel)) continue;
     ++seen;
-    const QuadPixel at = in_quad(pixel, i / 2 % 2 == 0, 16 + i / 4 % 2);
+    const QuadPixel at =
+        in_quad(pixel, i / 2 % 2 == 0 ? RowOrder::top_down : RowOrder::bottom_up, 16 + i / 4 % 2);
     for (const Derivative derivative : kForms) {
       const Axis axis = axis_of(derivative);
       if ((axis == Axis::x) != (i % 2 == 0)) continue;
@@ -225,7 +227,7 @@ TEST(DerivativePermitted, TheOtherRowIsNoFineForm) {
   for (const Axis axis : kAxes) {
     const Interpolant f = towards_the_horizon(axis);
     const PixelPosition pixel = axis == Axis::x ? PixelPosition{0, 14} : PixelPosition{14, 0};
-    const QuadPixel at = in_quad(pixel, false, 16);
+    const QuadPixel at = in_quad(pixel, RowOrder::bottom_up, 16);
     const Interval other = derivative_inexact(f, at, axis, DerivativeMethod::other_row);
     const auto of = [&](Derivative x, Derivative y) {
       return derivative_permitted(f, pixel, axis == Axis::x ? x : y, kReach);
@@ -270,7 +272,7 @@ TEST(DerivativePermitted, BesideTheHorizonTheDerivativeItselfIsPermitted) {
         kind, {vertex_at(0, 0.5), vertex_at(4, 0.5), vertex_at(0, 4)}, {1, 0, 1}, {1, 16, 1}};
     const PixelPosition pixel{3, 0};
     const Interval permitted = derivative_permitted(f, pixel, Derivative::x_fine, kReach);
-    const QuadPixel at = in_quad(pixel, false, 8);
+    const QuadPixel at = in_quad(pixel, RowOrder::bottom_up, 8);
     const Interval analytic = derivative_exact(f, at, Axis::x, DerivativeMethod::analytic);
     EXPECT_LT(analytic.high, 0);
     EXPECT_GT(derivative_exact(f, at, Axis::x, DerivativeMethod::forward).low, 0);

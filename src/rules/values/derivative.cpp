@@ -146,9 +146,9 @@ const char* name_of(Derivative derivative) {
   return kNames[static_cast<std::size_t>(derivative)];
 }
 
-QuadPixel in_quad(PixelPosition pixel, bool top_down, int height) {
+QuadPixel in_quad(PixelPosition pixel, RowOrder rows, int height) {
   // Counted from the top, the lower row of a quad is odd where the height is.
-  const int first = top_down ? height % 2 : 0;
+  const int first = rows == RowOrder::top_down ? height % 2 : 0;
   return {pixel, {pixel.x - pixel.x % 2, pixel.y - (pixel.y + first) % 2}};
 }
 
@@ -205,6 +205,20 @@ Rule derivative_rule() {
        "difference of any two neighbours along the axis among the nine pixels around the fragment, "
        "and for all the derivative itself; each value as ruling 9 permits it, and the subtraction "
        "inexact as any operation. Where quads begin is open."}};
+  return rule;
+}
+
+Rule quad_rows_rule() {
+  Rule rule;
+  rule.id = "derivative.quad-rows";
+  rule.title = "Quads begin at even rows, counted from the bottom of the target";
+  rule.spec = "GLSL 4.60, 8.14.1 (derivative functions)";
+  rule.latitude = "where quads begin (ruling 16)";
+  rule.standard = "bottom-up";
+  rule.alternatives = {
+      {"bottom-up", Openness::open, "rows are counted from the bottom"},
+      {"top-down", Openness::open,
+       "rows are counted from the top, which differs where the target's height is odd"}};
   return rule;
 }
 

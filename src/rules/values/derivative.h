@@ -21,6 +21,7 @@
 
 #include "exact/pixel.h"
 #include "model/rendering.h"
+#include "rules/coverage/row_order.h"
 #include "rules/rule.h"
 #include "rules/values/interpolation.h"
 
@@ -29,6 +30,7 @@ namespace edgecase {
 Rule derivative_rule();         // derivative.plain: dFdx and dFdy
 Rule fine_derivative_rule();    // derivative.fine
 Rule coarse_derivative_rule();  // derivative.coarse
+Rule quad_rows_rule();          // derivative.quad-rows: from which end quads are counted
 
 enum class DerivativeMethod {
   analytic,
@@ -67,7 +69,7 @@ struct QuadPixel {
 
 // The quads of a target whose rows are counted from the bottom, or from the top: they begin at even
 // columns and at even rows.
-QuadPixel in_quad(PixelPosition pixel, bool top_down, int height);
+QuadPixel in_quad(PixelPosition pixel, RowOrder rows, int height);
 
 // The derivative by a method, per pixel: exact, and what may come out of it when every operation
 // errs (see rules/values/interpolation.h).
