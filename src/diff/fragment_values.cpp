@@ -19,12 +19,13 @@ namespace {
 // One component of a told value, with what is exact and what is permitted for it.
 struct Component {
   double exact = 0;    // the double nearest to the exact value
-  Interval correct;    // float32 values that count as correctly rounded
   Interval permitted;  // float32 values that the specification allows
   double rendered = 0;
   double range = 0;  // of the attribute over the vertices
 
-  bool is_correct() const { return correct.contains(to_float(rendered)); }
+  // Equal to what exact itself would answer. Halfway between two float32 numbers the other one is
+  // told, half a unit off.
+  bool is_correct() const { return to_float(rendered) == to_float(exact); }
   // NaN and infinity never are: where there is a primitive, there is a number.
   bool is_permitted() const {
     return std::isfinite(rendered) && permitted.contains(to_float(rendered));
@@ -61,10 +62,9 @@ class Judge {
     const Interval exact = interpolate_exact(chosen, sample_);
     Component result;
     result.exact = middle(exact);
-    result.correct = rounded_to_float(exact);
     result.rendered = rendered;
     result.range = range_of(chosen);
-    result.permitted = result.correct;
+    result.permitted = rounded_to_float(exact);
     // Under a policy without latitude what is correct is permitted, whatever its formula.
     if (result.is_correct() && (forgiving_ || !values_.differ)) return result;
     // What lies near enough without moving any vertex needs no search over their moves.

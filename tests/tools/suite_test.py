@@ -3,11 +3,12 @@
 with itself; the Python example agrees; a new case needs no build; no disagreement is lost."""
 import collections
 import json
+import struct
 import unittest
 import xml.etree.ElementTree
 
-from support import (KNOWN_NOT_RUN, MESA, ROOT, SUITE, CommandTest, component_bits, only_result,
-                     places, rendered_suite, triangle_case, verdicts)
+from support import (KNOWN_NOT_RUN, MESA, ROOT, SUITE, CommandTest, component_bits, float32,
+                     only_result, places, rendered_suite, triangle_case, verdicts)
 
 AGAINST_MESA = [word for renderer in MESA for word in ("--against", renderer)]
 FORMATS = ("json", "junit", "html")
@@ -107,6 +108,21 @@ class NewCase(CommandTest):
         self.assertIn("My own shared edge", (self.folder / "out.html").read_text(encoding="utf-8"))
 
 
+def detail_numbers(fragment):
+    """gl_FragCoord and the derivatives of a fragment, as float32 numbers, by what results call
+    them; x and y of gl_FragCoord are told with z."""
+    def nearest(value):
+        return struct.unpack("<f", float32(value))[0]
+
+    numbers = {}
+    if "coordinates" in fragment:
+        x, y, z, w = map(nearest, fragment["coordinates"])
+        numbers = {"gl_FragCoord.z": (x, y, z), "gl_FragCoord.w": w}
+    for name, components in fragment.get("derivatives", {}).items():
+        numbers[name] = tuple(map(nearest, components))
+    return numbers
+
+
 class NothingIsLost(CommandTest):
     """Results against a comparison of two `render` outputs that is written here."""
 
@@ -127,12 +143,13 @@ class NothingIsLost(CommandTest):
     def check_values(self, exact, rendered, result):
         """Every fragment with another float32 colour or depth than exact's is told; returns how
         many there are."""
-        told = {"color": set(), "depth": set(), "pixel": set()}
+        told = collections.defaultdict(set)
         for values in result["values"]:
             told[values["attribute"]] |= {tuple(place) for place in values["differing"]}
         beyond = {(*d["pixel"], d["primitive"]) for d in result["disagreements"]
                   if d["kind"] == "value"}
         truth = {(f["x"], f["y"], f["primitive"]): component_bits(f) for f in exact["fragments"]}
+        details = {(f["x"], f["y"], f["primitive"]): detail_numbers(f) for f in exact["fragments"]}
         count = 0
         for fragment in rendered["fragments"]:
             place = (fragment["x"], fragment["y"], fragment["primitive"])
@@ -141,6 +158,10 @@ class NothingIsLost(CommandTest):
             for attribute, wanted, drawn in zip(("color", "depth"), truth[place],
                                                 component_bits(fragment)):
                 if wanted != drawn:
+                    count += 1
+                    self.assertIn(place, told[attribute] | beyond, attribute)
+            for attribute, drawn in detail_numbers(fragment).items():
+                if drawn != details[place][attribute]:
                     count += 1
                     self.assertIn(place, told[attribute] | beyond, attribute)
         return count
@@ -152,6 +173,9 @@ class NothingIsLost(CommandTest):
         for index in range(exact["width"] * exact["height"]):
             part = slice(4 * index, 4 * index + 4)
             if exact["pixels"][part] != rendered["pixels"][part]:
+                self.assertIn((index % exact["width"], index // exact["width"]), told)
+        for index, pair in enumerate(zip(exact.get("depths", []), rendered.get("depths", []))):
+            if pair[0] != pair[1]:
                 self.assertIn((index % exact["width"], index // exact["width"]), told)
 
     def test_of_all_renderers(self):
