@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,11 +56,39 @@ const std::array<double, 4>& rendered_of(const Told& told) {
   return told.detail->derivatives[static_cast<std::size_t>(told.derivative)];
 }
 
+// What is permitted of the colours of each primitive.
+class PermittedColors {
+ public:
+  explicit PermittedColors(const ValueContext& context) : context_(context) {}
+
+  bool contain(const Told& told) {
+    const auto [at, is_new] = primitives_.try_emplace(told.fragment->primitive);
+    if (is_new) {
+      const PrimitiveValues& values = context_.values_of(*told.fragment);
+      for (const Interpolant& color : values.lawful.color)
+        at->second.emplace_back(color, values.reach);
+    }
+    const PixelPosition pixel{told.fragment->x, told.fragment->y};
+    for (std::size_t c = 0; c < 4; ++c) {
+      const double rendered = rendered_of(told)[c];
+      if (!std::isfinite(rendered)) return false;
+      const Interval range = at->second[c].at(pixel, told.derivative);
+      if (!rounded_to_float(range).contains(to_float(rendered))) return false;
+    }
+    return true;
+  }
+
+ private:
+  const ValueContext& context_;
+  std::map<int, std::vector<PermittedDerivatives>> primitives_;  // by the primitive's number
+};
+
 // dFdx and dFdy of one form: a policy chooses one method for both.
 class DerivativeComparison {
  public:
-  DerivativeComparison(const ValueContext& context, std::size_t form)
+  DerivativeComparison(const ValueContext& context, PermittedColors& permitted, std::size_t form)
       : context_(context),
+        permitted_(permitted),
         chosen_{context.choices.values.derivatives[form], context.choices.values.quad_rows},
         ways_(ways_of(chosen_.rows, context.scene.target)),
         kinds_{static_cast<Derivative>(2 * form), static_cast<Derivative>(2 * form + 1)},
@@ -114,16 +143,7 @@ class DerivativeComparison {
 
   bool is_permitted(const Told& told) const {
     if (is_flat(told)) return rendered_of(told) == std::array<double, 4>{};
-    const PrimitiveValues& values = context_.values_of(*told.fragment);
-    const PixelPosition pixel{told.fragment->x, told.fragment->y};
-    for (std::size_t c = 0; c < 4; ++c) {
-      const double rendered = rendered_of(told)[c];
-      if (!std::isfinite(rendered)) return false;
-      const Interval range =
-          derivative_permitted(values.lawful.color[c], pixel, told.derivative, values.reach);
-      if (!rounded_to_float(range).contains(to_float(rendered))) return false;
-    }
-    return true;
+    return permitted_.contain(told);
   }
 
   std::array<double, 4> exact_of(const Told& told) const {
@@ -243,6 +263,7 @@ class DerivativeComparison {
   }
 
   const ValueContext& context_;
+  PermittedColors& permitted_;
   Way chosen_;
   std::vector<Way> ways_;
   std::array<Derivative, 2> kinds_;
@@ -255,8 +276,9 @@ class DerivativeComparison {
 
 void compare_derivatives(const ValueContext& context, const Rendering& rendered, Result& result) {
   if (rendered.details.empty()) return;
+  PermittedColors permitted(context);
   for (std::size_t form = 0; form < kDerivatives / 2; ++form)
-    DerivativeComparison(context, form).run(rendered, result);
+    DerivativeComparison(context, permitted, form).run(rendered, result);
 }
 
 }  // namespace edgecase

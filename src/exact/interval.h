@@ -7,6 +7,12 @@
 // floating-point clause of the specification, GL 4.6 core, 2.3, "about 1 part in 10^5").
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "exact/neighbour.h"
+
 namespace edgecase {
 
 struct Interval {
@@ -18,23 +24,60 @@ struct Interval {
   constexpr Interval(double low_end, double high_end) : low(low_end), high(high_end) {}
 
   // The whole line: nothing is known.
-  static Interval everything();
+  static constexpr Interval everything() {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {-kInfinity, kInfinity};
+  }
 
   constexpr bool contains(double value) const { return low <= value && value <= high; }
-  double magnitude() const;  // largest absolute value
+  // Largest absolute value.
+  double magnitude() const { return std::max(std::fabs(low), std::fabs(high)); }
 };
 
-Interval operator+(Interval a, Interval b);
-Interval operator-(Interval a, Interval b);
-Interval operator*(Interval a, Interval b);
+// One unit in the last place outwards covers the half unit by which the hardware may have rounded.
+// An end that is no number says that nothing is known.
+inline Interval outward(double low, double high) {
+  if (std::isnan(low) || std::isnan(high)) return Interval::everything();
+  return {next_below(low), next_above(high)};
+}
+
+// The smallest interval outwards that holds four numbers.
+inline Interval outward(double a, double b, double c, double d) {
+  if (std::isnan(a) || std::isnan(b) || std::isnan(c) || std::isnan(d))
+    return Interval::everything();
+  return {next_below(std::min(std::min(a, b), std::min(c, d))),
+          next_above(std::max(std::max(a, b), std::max(c, d)))};
+}
+
+inline Interval operator+(Interval a, Interval b) {
+  return outward(a.low + b.low, a.high + b.high);
+}
+
+inline Interval operator-(Interval a, Interval b) {
+  return outward(a.low - b.high, a.high - b.low);
+}
+
+inline Interval operator*(Interval a, Interval b) {
+  return outward(a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high);
+}
+
 // Everything when b holds zero.
-Interval operator/(Interval a, Interval b);
+inline Interval operator/(Interval a, Interval b) {
+  if (b.contains(0)) return Interval::everything();
+  return outward(a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high);
+}
 
 // The smallest interval that holds both.
-Interval hull(Interval a, Interval b);
+inline Interval hull(Interval a, Interval b) {
+  return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
 
 // Grown at each end by `relative` times the magnitude: the result of one operation that may err by
 // that much.
-Interval widened(Interval value, double relative);
+inline Interval widened(Interval value, double relative) {
+  // Rounded up: where an end cancels against the margin, the margin's own error is what is left.
+  const double margin = next_above(value.magnitude() * relative);
+  return outward(value.low - margin, value.high + margin);
+}
 
 }  // namespace edgecase

@@ -78,7 +78,7 @@ TEST(Derivative, WithoutExtentNothingIsKnown) {
     const Interpolant f{kind, {vertex_at(1, 1), vertex_at(1, 1), vertex_at(3, 3)}, {3, 4, 5}};
     for (const DerivativeMethod method : all_derivative_methods())
       EXPECT_TRUE(is_everything(derivative_exact(f, {{2, 2}, {2, 2}}, Axis::y, method)));
-    EXPECT_TRUE(is_everything(derivative_permitted(f, {2, 2}, Derivative::y_fine, kReach)));
+    EXPECT_TRUE(is_everything(PermittedDerivatives(f, kReach).at({2, 2}, Derivative::y_fine)));
   }
 }
 

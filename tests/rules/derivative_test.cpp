@@ -165,7 +165,7 @@ TEST_F(RandomDerivatives, PermittedHoldsEveryOpenMethod) {
     for (const Derivative derivative : kForms) {
       const Axis axis = axis_of(derivative);
       if ((axis == Axis::x) != (i % 2 == 0)) continue;
-      const Interval permitted = derivative_permitted(f, pixel, derivative, kReach);
+      const Interval permitted = PermittedDerivatives(f, kReach).at(pixel, derivative);
       for (const DerivativeMethod method : all_derivative_methods()) {
         if (!is_open(rules[form_of(derivative)], method)) continue;
         const Interval inexact = derivative_inexact(f, at, axis, method);
@@ -200,8 +200,8 @@ TEST_F(RandomDerivatives, PermittedHoldsFloat32FromMovedVertices) {
     const AttributePlanes<float> planes(v);
     const float x = static_cast<float>(pixel.x) + 0.5F - x0;
     const float y = static_cast<float>(pixel.y) + 0.5F - y0;
-    const Interval along_x = derivative_permitted(f, pixel, Derivative::x_fine, kReach);
-    const Interval along_y = derivative_permitted(f, pixel, Derivative::y_fine, kReach);
+    const Interval along_x = PermittedDerivatives(f, kReach).at(pixel, Derivative::x_fine);
+    const Interval along_y = PermittedDerivatives(f, kReach).at(pixel, Derivative::y_fine);
     EXPECT_TRUE(along_x.contains(static_cast<double>(planes.at(x + 1, y) - planes.at(x, y))));
     EXPECT_TRUE(along_y.contains(static_cast<double>(planes.at(x, y) - planes.at(x, y - 1))));
     EXPECT_TRUE(along_x.contains(static_cast<double>(planes.slope_x(x, y))));
@@ -230,7 +230,7 @@ TEST(DerivativePermitted, TheOtherRowIsNoFineForm) {
     const QuadPixel at = in_quad(pixel, RowOrder::bottom_up, 16);
     const Interval other = derivative_inexact(f, at, axis, DerivativeMethod::other_row);
     const auto of = [&](Derivative x, Derivative y) {
-      return derivative_permitted(f, pixel, axis == Axis::x ? x : y, kReach);
+      return PermittedDerivatives(f, kReach).at(pixel, axis == Axis::x ? x : y);
     };
     const Interval fine = of(Derivative::x_fine, Derivative::y_fine);
     EXPECT_GT(other.low, fine.high);
@@ -254,7 +254,7 @@ TEST(DerivativePermitted, TwoRowsAwayIsNoForm) {
     };
     for (const Derivative derivative : kForms) {
       if (axis_of(derivative) != axis) continue;
-      const Interval permitted = derivative_permitted(f, beside(0), derivative, kReach);
+      const Interval permitted = PermittedDerivatives(f, kReach).at(beside(0), derivative);
       for (const int rows : {-2, 2})
         EXPECT_FALSE(holds(permitted, difference_at(beside(rows)))) << name_of(derivative);
       for (const int rows : {-1, 1})
@@ -271,7 +271,7 @@ TEST(DerivativePermitted, BesideTheHorizonTheDerivativeItselfIsPermitted) {
     const Interpolant f{
         kind, {vertex_at(0, 0.5), vertex_at(4, 0.5), vertex_at(0, 4)}, {1, 0, 1}, {1, 16, 1}};
     const PixelPosition pixel{3, 0};
-    const Interval permitted = derivative_permitted(f, pixel, Derivative::x_fine, kReach);
+    const Interval permitted = PermittedDerivatives(f, kReach).at(pixel, Derivative::x_fine);
     const QuadPixel at = in_quad(pixel, RowOrder::bottom_up, 8);
     const Interval analytic = derivative_exact(f, at, Axis::x, DerivativeMethod::analytic);
     EXPECT_LT(analytic.high, 0);

@@ -7,6 +7,7 @@ is the id of the case at which a failing renderer fails.
 import json
 import os
 import pathlib
+import re
 import sys
 import time
 
@@ -14,34 +15,36 @@ GREY = [70, 80, 90, 255]
 
 
 def image(truth, color):
-    return color * (truth["width"] * truth["height"])
+    """One colour everywhere, and depth 0 where there is a depth buffer."""
+    area = truth["width"] * truth["height"]
+    return {"pixels": color * area, **({"depths": [0] * area} if "depths" in truth else {})}
 
 
 def honest(truth):
-    return {"pixels": truth["pixels"], "fragments": truth["fragments"]}
+    return {key: truth[key] for key in ("pixels", "fragments", "depths") if key in truth}
 
 
 # Liars: the truth of the case and the previous answer (None at first) to an answer.
 
 def constant(color):
-    return lambda truth, _: {"pixels": image(truth, color), "fragments": []}
+    return lambda truth, _: {**image(truth, color), "fragments": []}
 
 
 def painted(truth, _):
     """A constant image, with fragments that are just right."""
-    return {"pixels": image(truth, GREY), "fragments": truth["fragments"]}
+    return {**image(truth, GREY), "fragments": truth["fragments"]}
 
 
 def first_fragments(truth, previous):
     """A constant image, with the fragments of the first case."""
     fragments = truth["fragments"] if previous is None else previous["fragments"]
-    return {"pixels": image(truth, GREY), "fragments": fragments}
+    return {**image(truth, GREY), "fragments": fragments}
 
 
 def echo(truth, previous):
     """The previous case's answer. At first, nothing drawn on grey."""
     current = honest(truth)
-    answer = echo.before or {"pixels": image(truth, GREY), "fragments": []}
+    answer = echo.before or {**image(truth, GREY), "fragments": []}
     echo.before = current
     return answer
 
@@ -49,12 +52,19 @@ def echo(truth, previous):
 echo.before = None
 
 
+def upside_down(values, width):
+    """Of rows of so many values each."""
+    rows = [values[start:start + width] for start in range(0, len(values), width)]
+    return sum(reversed(rows), [])
+
+
 def mirror(truth, _):
-    """Upside down."""
-    width, height, pixels = truth["width"], truth["height"], truth["pixels"]
-    rows = [pixels[4 * width * y:4 * width * (y + 1)] for y in range(height)]
-    fragments = [dict(f, y=height - 1 - f["y"]) for f in truth["fragments"]]
-    return {"pixels": sum(reversed(rows), []), "fragments": fragments}
+    width, height = truth["width"], truth["height"]
+    answer = {"pixels": upside_down(truth["pixels"], 4 * width),
+              "fragments": [dict(f, y=height - 1 - f["y"]) for f in truth["fragments"]]}
+    if "depths" in truth:
+        answer["depths"] = upside_down(truth["depths"], width)
+    return answer
 
 
 LIARS = {
@@ -136,6 +146,19 @@ FAILURES = {function.__name__.replace("_", "-"): function for function in (
     wrong_hits, nan_colors, nap)}
 
 
+class Truths:
+    """Renderings by id, each parsed when it is asked for: a program that a test starts again and
+    again must not read the whole suite each time."""
+
+    def __init__(self, path):
+        lines = pathlib.Path(path).read_bytes().splitlines()
+        self.lines = {json.loads(re.match(rb'{"id":("(?:[^"\\\\]|\\\\.)*")', line)[1]): line
+                      for line in lines}
+
+    def get(self, name):
+        return json.loads(self.lines[name]) if name in self.lines else None
+
+
 def answers(behaviour, truths, victim):
     previous = None
     for count, line in enumerate(sys.stdin, 1):
@@ -155,9 +178,7 @@ def answers(behaviour, truths, victim):
 
 def main():
     behaviour, path, *victim = sys.argv[1:]
-    lines = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
-    truths = {truth["id"]: truth for truth in map(json.loads, lines)}
-    for answer in answers(behaviour, truths, victim[0] if victim else ""):
+    for answer in answers(behaviour, Truths(path), victim[0] if victim else ""):
         answer.setdefault("renderer", {"device": behaviour, "subpixel_bits": 8})
         print(json.dumps(answer), flush=True)
 

@@ -170,21 +170,32 @@ Interval derivative_inexact(const Interpolant& f, const QuadPixel& at, Axis axis
                             interpolate_inexact(f, centre_of(of.first)));
 }
 
+Interval PermittedDerivatives::value_at(PixelPosition pixel) {
+  const auto [at, is_new] = values_.try_emplace(pixel);
+  if (is_new) at->second = interpolate_permitted(interpolant_, centre_of(pixel), reach_);
+  return at->second;
+}
+
+Interval PermittedDerivatives::slope_at(PixelPosition pixel, Axis axis) {
+  const auto [at, is_new] = slopes_.try_emplace({pixel, axis});
+  if (is_new) at->second = differentiate_permitted(interpolant_, centre_of(pixel), axis, reach_);
+  return at->second;
+}
+
 // The derivative itself, and the fine form: the pixel and its neighbour on either side. The others:
 // any two neighbours along the axis of the nine pixels around it. The derivative lies between the
 // differences on either side unless 1/w changes its sign between the three pixels.
-Interval derivative_permitted(const Interpolant& f, PixelPosition pixel, Derivative derivative,
-                              double reach) {
+Interval PermittedDerivatives::at(PixelPosition pixel, Derivative derivative) {
   const Axis axis = axis_of(derivative);
   const bool fine = derivative == Derivative::x_fine || derivative == Derivative::y_fine;
   const int spread = fine ? 0 : 1;
-  Interval result = differentiate_permitted(f, centre_of(pixel), axis, reach);
+  Interval result = slope_at(pixel, axis);
   for (int across = -spread; across <= spread; ++across) {
     std::array<Interval, 3> values;
     for (int along = -1; along <= 1; ++along) {
       const PixelPosition at = axis == Axis::x ? PixelPosition{pixel.x + along, pixel.y + across}
                                                : PixelPosition{pixel.x + across, pixel.y + along};
-      values[static_cast<std::size_t>(along + 1)] = interpolate_permitted(f, centre_of(at), reach);
+      values[static_cast<std::size_t>(along + 1)] = value_at(at);
     }
     result = hull(result, inexact_difference(values[1], values[0]));
     result = hull(result, inexact_difference(values[2], values[1]));

@@ -16,8 +16,10 @@
 // plane that its vertices span: a quad's other pixels need not be covered.
 #pragma once
 
+#include <map>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "exact/pixel.h"
 #include "model/rendering.h"
@@ -79,8 +81,23 @@ Interval derivative_inexact(const Interpolant& interpolant, const QuadPixel& at,
                             DerivativeMethod method);
 
 // What any method that the specification allows may yield, with vertices moved by less than
-// `reach` pixels (ruling 16).
-Interval derivative_permitted(const Interpolant& interpolant, PixelPosition pixel,
-                              Derivative derivative, double reach);
+// `reach` pixels (ruling 16). The differences of a pixel are made of the same values as those of
+// its neighbours and of the other forms, so what was needed once is kept.
+class PermittedDerivatives {
+ public:
+  PermittedDerivatives(const Interpolant& interpolant, double reach)
+      : interpolant_(interpolant), reach_(reach) {}
+
+  Interval at(PixelPosition pixel, Derivative derivative);
+
+ private:
+  Interval value_at(PixelPosition pixel);
+  Interval slope_at(PixelPosition pixel, Axis axis);
+
+  Interpolant interpolant_;
+  double reach_;
+  std::map<PixelPosition, Interval> values_;
+  std::map<std::pair<PixelPosition, Axis>, Interval> slopes_;
+};
 
 }  // namespace edgecase

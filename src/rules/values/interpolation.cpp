@@ -27,7 +27,7 @@ bool is_constant(const Interpolant& f) {
 Interval from_integer(Int128 value) {
   const auto nearest = static_cast<double>(value);
   if (std::fabs(nearest) <= 0x1p53) return nearest;
-  return {std::nextafter(nearest, -HUGE_VAL), std::nextafter(nearest, HUGE_VAL)};
+  return outward(nearest, nearest);
 }
 
 bool is_small(Int128 value) {
