@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "exact/neighbour.h"
+#include "exact/wide.h"
 
 namespace edgecase {
 
@@ -47,6 +48,14 @@ inline Interval outward(double a, double b, double c, double d) {
     return Interval::everything();
   return {next_below(std::min(std::min(a, b), std::min(c, d))),
           next_above(std::max(std::max(a, b), std::max(c, d)))};
+}
+
+// A point up to 2^53, where double holds every integer.
+inline Interval interval_of(Int128 value) {
+  constexpr Int128 kLimit = Int128{1} << 53;
+  const auto nearest = static_cast<double>(value);
+  if (-kLimit <= value && value <= kLimit) return nearest;
+  return outward(nearest, nearest);
 }
 
 inline Interval operator+(Interval a, Interval b) {

@@ -49,6 +49,13 @@ TEST(HomogeneousPoint, DeterminantsAreThoseOfFractions) {
   }
 }
 
+TEST(HomogeneousPoint, IsTheOriginAtFirst) {
+  const HomogeneousPoint origin;
+  EXPECT_EQ(origin.x, 0);
+  EXPECT_EQ(origin.y, 0);
+  EXPECT_EQ(origin.w, 1);
+}
+
 TEST(HomogeneousPoint, EqualsItsMultiples) {
   EXPECT_TRUE(same_point({1, 2, 3}, {5, 10, 15}));
   EXPECT_FALSE(same_point({1, 2, 3}, {5, 10, 14}));

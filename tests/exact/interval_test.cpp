@@ -148,6 +148,28 @@ TEST(Interval, WhatOneEndDoesNotKnowNeitherDoesTheOther) {
   EXPECT_TRUE(is_everything(Interval(0, kInfinity) + Interval(-kInfinity)));
 }
 
+TEST(Interval, ProductOfZeroAndInfinityKnowsNothingAtAnyEnd) {
+  const Interval below(-1, 0), above(0, 1);
+  for (Interval result : {above * Interval(-kInfinity, 1), above * Interval(1, kInfinity),
+                          below * Interval(-kInfinity, 1), below * Interval(1, kInfinity)})
+    EXPECT_TRUE(is_everything(result));
+}
+
+TEST(Interval, OfAnIntegerIsAPointWhereDoubleHoldsIt) {
+  const Int128 limit = Int128{1} << 53;
+  for (Int128 value : {Int128{0}, Int128{-3}, limit - 1, limit, -limit}) {
+    const Interval point = interval_of(value);
+    EXPECT_EQ(point.low, static_cast<double>(value));
+    EXPECT_EQ(point.high, static_cast<double>(value));
+  }
+  for (Int128 value : {limit + 1, -limit - 1, (Int128{1} << 100) + 1, 3 * (Int128{1} << 90) - 1}) {
+    const Interval around = interval_of(value);
+    EXPECT_TRUE(holds(around, static_cast<Wide>(value)));
+    EXPECT_LT(around.low, around.high);
+    EXPECT_LE(around.high - around.low, std::ldexp(around.magnitude(), -51));
+  }
+}
+
 TEST(Interval, OverflowAndUnderflowStayEnclosed) {
   const double largest = std::numeric_limits<double>::max();
   const Interval sum = Interval(largest) + Interval(largest);

@@ -98,5 +98,32 @@ TEST(Shade, IsNotSnapped) {
   EXPECT_EQ(found, 1);
 }
 
+TEST(Rasterize, DepthsAreOneWhereNothingIsDrawnAndThereIsABuffer) {
+  Scene scene = blank_scene(4, 2);
+  const Point corner[] = {at(0.5, 0.5)};
+  scene.draws = {make_draw(Primitive::points, corner)};
+  scene.draws[0].vertices[0].z = Fixed();
+  EXPECT_TRUE(rasterize(scene, {}).depths.empty());
+  scene.target.depth = DepthFormat::depth32f;
+  EXPECT_EQ(rasterize(scene, {}).depths, (std::vector<double>{0.5, 1, 1, 1, 1, 1, 1, 1}));
+}
+
+TEST(Rasterize, FragmentsHaveDetailsWhereASceneAsksForThem) {
+  Scene scene = blank_scene(4, 4);
+  scene.draws = {draw_of(Primitive::triangles, Interpolation::smooth, ProvokingVertex::last)};
+  const Rendering plain = rasterize(scene, {});
+  EXPECT_TRUE(plain.details.empty());
+  scene.details.coordinates = true;
+  const Rendering detailed = rasterize(scene, {});
+  ASSERT_EQ(detailed.fragments.size(), plain.fragments.size());
+  ASSERT_EQ(detailed.details.size(), plain.fragments.size());
+  for (const Fragment& fragment : detailed.fragments) {
+    ASSERT_GE(fragment.detail, 0);
+    const FragmentDetail& detail = detailed.details[static_cast<std::size_t>(fragment.detail)];
+    EXPECT_EQ(detail.coordinates[0], fragment.x + 0.5);
+    EXPECT_EQ(detail.coordinates[1], fragment.y + 0.5);
+  }
+}
+
 }  // namespace
 }  // namespace edgecase

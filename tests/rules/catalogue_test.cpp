@@ -73,6 +73,21 @@ TEST(Choices, HoldEveryAlternativeThatAPolicyNames) {
   EXPECT_EQ(choices.values.provoking, ProvokingChoice::first);
 }
 
+TEST(Choices, HoldEveryAlternativeOfValuesThatAPolicyNames) {
+  Policy policy;
+  policy.rules = {{"attribute.perspective", "never"}, {"attribute.positions", "snapped"},
+                  {"derivative.plain", "forward"},    {"derivative.fine", "quad-other-row"},
+                  {"derivative.coarse", "analytic"},  {"derivative.quad-rows", "top-down"}};
+  for (const auto& [rule, alternative] : policy.rules)
+    EXPECT_NE(find_alternative(*find_rule(rule), alternative), nullptr) << rule;
+  const ValueChoice values = resolve(policy, Surface::fbo).values;
+  EXPECT_EQ(values.perspective, PerspectiveChoice::never);
+  EXPECT_EQ(values.positions, AttributePositions::snapped);
+  EXPECT_EQ(values.derivatives, (std::array{DerivativeMethod::forward, DerivativeMethod::other_row,
+                                            DerivativeMethod::analytic}));
+  EXPECT_EQ(values.quad_rows, RowOrder::top_down);
+}
+
 TEST(Choices, ASurfaceOverridesThePolicy) {
   Policy policy;
   policy.rules = {{"triangle.fill-rule", "right-top"}};

@@ -188,5 +188,21 @@ TEST(LineJoints, ConvictNoTwoLinesWhoseEndsErredWithinTheReach) {
   EXPECT_GT(needed, 0) << "without the reach some must be convicted, or this proves nothing";
 }
 
+// Each end may move by the reach along both axes: the longer side loses two reaches where the
+// shorter one gains two.
+TEST(LooseSegment, IsMajorWhereFourReachesCannotTurnIt) {
+  const Fixed reach = Fixed::from_raw(100);
+  const auto along_x = [&](std::int64_t excess) {
+    return LooseSegment{{at(1, 1), {at(5, 1).x + Fixed::from_raw(excess), at(1, 5).y}}, reach};
+  };
+  const auto along_y = [&](std::int64_t excess) {
+    return LooseSegment{{at(1, 1), {at(5, 1).x, at(1, 5).y + Fixed::from_raw(excess)}}, reach};
+  };
+  EXPECT_TRUE(surely_x_major(along_x(400)));  // equal lengths are x-major
+  EXPECT_FALSE(surely_x_major(along_x(399)));
+  EXPECT_TRUE(surely_y_major(along_y(401)));
+  EXPECT_FALSE(surely_y_major(along_y(400)));
+}
+
 }  // namespace
 }  // namespace edgecase

@@ -50,6 +50,34 @@ TEST(SmoothAttribute, LinesInterpolateByProjection) {
   EXPECT_TRUE(interpolate_exact(f, at(2.5, 1.5)).contains(0.5));
 }
 
+TEST(SmoothAttribute, NamesOfChoicesReadAndNoOthersDo) {
+  const std::pair<const char*, PerspectiveChoice> kPerspective[] = {
+      {"as-set", PerspectiveChoice::as_set},
+      {"always", PerspectiveChoice::always},
+      {"never", PerspectiveChoice::never}};
+  for (const auto& [name, choice] : kPerspective) {
+    // Another one before, so that the name alone can have set it.
+    PerspectiveChoice read =
+        choice == PerspectiveChoice::never ? PerspectiveChoice::always : PerspectiveChoice::never;
+    EXPECT_TRUE(parse_name(name, read)) << name;
+    EXPECT_EQ(read, choice) << name;
+  }
+  const std::pair<const char*, AttributePositions> kPositions[] = {
+      {"unsnapped", AttributePositions::unsnapped}, {"snapped", AttributePositions::snapped}};
+  for (const auto& [name, choice] : kPositions) {
+    AttributePositions read = choice == AttributePositions::snapped ? AttributePositions::unsnapped
+                                                                    : AttributePositions::snapped;
+    EXPECT_TRUE(parse_name(name, read)) << name;
+    EXPECT_EQ(read, choice) << name;
+  }
+  PerspectiveChoice perspective = PerspectiveChoice::always;
+  EXPECT_FALSE(parse_name("sometimes", perspective));
+  EXPECT_EQ(perspective, PerspectiveChoice::always);
+  AttributePositions positions = AttributePositions::snapped;
+  EXPECT_FALSE(parse_name("anywhere", positions));
+  EXPECT_EQ(positions, AttributePositions::snapped);
+}
+
 TEST(Framebuffer, EitherNeighbourOfAnIntermediateValue) {
   const Unorm8Range exact = unorm8_permitted(Interval(1.0));
   EXPECT_EQ(exact.low, 255);

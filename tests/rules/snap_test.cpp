@@ -31,6 +31,15 @@ TEST(Snap, RoundingsDifferExactlyWhereTheyShould) {
   }
 }
 
+// -1/3 pixel is -85 1/3 steps of 1/256.
+TEST(Snap, QuotientsBelowZeroRoundDownAsThoseAbove) {
+  const auto steps = [](const char* name) {
+    return (*find_snap(name))(HomogeneousPoint{-1, 1, 3}).x.raw() / (Fixed::kOne / 256);
+  };
+  EXPECT_EQ(steps("8-truncate"), -86);
+  EXPECT_EQ(steps("8-half-up"), -85);
+}
+
 TEST(Snap, NamesReadBack) {
   EXPECT_EQ(all_snaps().size(), 28u);
   for (Snap snap : all_snaps()) {

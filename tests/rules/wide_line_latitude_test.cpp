@@ -159,5 +159,36 @@ TEST(WideLineLatitude, ExactIsLegalInEveryWindow) {
   }
 }
 
+// Both borders of these windows cut every run, so that nothing seen tells where one begins.
+TEST(WideLineLatitude, OneUnitIsLegalWhereBothBordersCut) {
+  std::mt19937_64 engine(20261121);
+  const auto between = [&](int low, int high) {
+    return low + static_cast<int>(engine() % static_cast<std::uint64_t>(high - low + 1));
+  };
+  int extra_columns = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    // Rows (or columns) 10 to 12 of a line at least twelve wide that lies around them.
+    const bool x_major = i % 2 == 0;
+    const int width = between(12, 16);
+    const auto along = [&] { return 0.25 * between(8, 80); };
+    const auto across = [&] { return 11.5 + 0.25 * between(-12, 12); };
+    const double a[] = {along(), across()}, b[] = {along(), across()};
+    const auto point = [&](const double* p) { return x_major ? at(p[0], p[1]) : at(p[1], p[0]); };
+    const Segment segment{point(a), point(b)};
+    if (segment.x_major() != x_major) continue;
+    const PixelBounds window = x_major ? PixelBounds{0, 10, 23, 12} : PixelBounds{10, 0, 12, 23};
+    const int moved = between(-1, 1);
+    Pixels drawn = exact(segment, width, window);
+    if (drawn.empty()) continue;
+    drawn = shifted(std::move(drawn), x_major ? moved : 0, x_major ? 0 : moved);
+    extra_columns += moved != 0;
+    ASSERT_EQ(broken(segment, drawn, width, window), "")
+        << segment.a.x.to_double() << " " << segment.a.y.to_double() << " to "
+        << segment.b.x.to_double() << " " << segment.b.y.to_double() << " width " << width
+        << " moved " << moved;
+  }
+  EXPECT_GT(extra_columns, 5000);
+}
+
 }  // namespace
 }  // namespace edgecase

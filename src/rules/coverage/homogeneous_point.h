@@ -16,7 +16,7 @@ namespace edgecase {
 // makes it.
 struct HomogeneousSizedPoint {
   HomogeneousPoint vertex;
-  Fixed size = Fixed::from_integer(1);
+  Fixed size;
 };
 
 // The vertex moved as an offset has it.

@@ -20,11 +20,14 @@ struct RuleFragments {
   std::vector<PixelPosition> possible;
   std::vector<PixelPosition> certain;
 
+  RuleFragments(const LooseSegment& loose, const PixelBounds& target)
+      : possible(possible_pixels(loose, looked_at(target))),
+        certain(loose.reach == Fixed() ? possible : certain_pixels(loose, looked_at(target))) {}
+
+ private:
   // One unit beyond the border a fragment of the rule still justifies a drawn one inside; two are
   // looked at so that emptiness is judged on more than what one step may hide.
-  RuleFragments(const LooseSegment& loose, const PixelBounds& target)
-      : possible(possible_pixels(loose, target.grown(2))),
-        certain(loose.reach == Fixed() ? possible : certain_pixels(loose, target.grown(2))) {}
+  static PixelBounds looked_at(const PixelBounds& target) { return target.grown(2); }
 };
 
 bool within_one(PixelPosition a, PixelPosition b) {

@@ -60,7 +60,7 @@ Weights line_shares(const Interpolant& f, const Positions& v, const Position& p)
   const Interval dy = op.subtract(v[1][1], v[0][1]);
   Interval t;
   if (f.line_parameter == LineParameter::major_axis) {
-    const std::size_t major = dx.magnitude() >= dy.magnitude() ? 0 : 1;
+    const std::size_t major = is_x_major(f) ? 0 : 1;
     t = op.divide(op.subtract(p[major], v[0][major]), major == 0 ? dx : dy);
   } else {
     const Interval along = op.add(op.multiply(op.subtract(p[0], v[0][0]), dx),
@@ -193,7 +193,7 @@ Weights line_slopes(const Interpolant& f, const Positions& v, Axis axis) {
   const Interval dy = op.subtract(v[1][1], v[0][1]);
   Interval slope;
   if (f.line_parameter == LineParameter::major_axis) {
-    const bool x_major = dx.magnitude() >= dy.magnitude();
+    const bool x_major = is_x_major(f);
     slope = x_major == (axis == Axis::x) ? op.divide(1, x_major ? dx : dy) : Interval(0);
   } else {
     slope = op.divide(axis == Axis::x ? dx : dy, op.add(op.multiply(dx, dx), op.multiply(dy, dy)));

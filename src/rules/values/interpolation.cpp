@@ -2,8 +2,9 @@
 #include "rules/values/interpolation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+
+#include "rules/coverage/homogeneous_line.h"
 
 namespace edgecase {
 namespace {
@@ -24,12 +25,6 @@ bool is_constant(const Interpolant& f) {
 
 // ------------------------------------------------------------------------------------------ exact
 
-Interval from_integer(Int128 value) {
-  const auto nearest = static_cast<double>(value);
-  if (std::fabs(nearest) <= 0x1p53) return nearest;
-  return outward(nearest, nearest);
-}
-
 bool is_small(Int128 value) {
   constexpr Int128 kLimit = Int128{1} << 62;
   return -kLimit < value && value < kLimit;
@@ -38,8 +33,8 @@ bool is_small(Int128 value) {
 // a b + c d. Factors below 2^62 are multiplied as integers: where the two products all but cancel,
 // nothing is lost.
 Interval sum_of_products(Int128 a, Int128 b, Int128 c, Int128 d) {
-  if (is_small(a) && is_small(b) && is_small(c) && is_small(d)) return from_integer(a * b + c * d);
-  return from_integer(a) * from_integer(b) + from_integer(c) * from_integer(d);
+  if (is_small(a) && is_small(b) && is_small(c) && is_small(d)) return interval_of(a * b + c * d);
+  return interval_of(a) * interval_of(b) + interval_of(c) * interval_of(d);
 }
 
 // A point's distance from `from`, times both denominators.
@@ -66,10 +61,10 @@ Weights line_weights(const Interpolant& f, const HomogeneousPoint& p) {
   const Difference here = difference(p, a);
   const Difference rest = difference(b, p);
   if (f.line_parameter == LineParameter::major_axis) {
-    const bool x_major = magnitude(run.x) >= magnitude(run.y);
+    const bool x_major = is_x_major(f);
     const bool forward = (x_major ? run.x : run.y) > 0;
     const auto along = [&](const Difference& d) {
-      return from_integer((x_major ? d.x : d.y) * (forward ? 1 : -1));
+      return interval_of((x_major ? d.x : d.y) * (forward ? 1 : -1));
     };
     return {along(rest) * static_cast<double>(a.w), along(here) * static_cast<double>(b.w), 0};
   }
@@ -85,7 +80,7 @@ Weights triangle_weights(const Interpolant& f, const HomogeneousPoint& p) {
   Weights result;
   for (std::size_t i = 0; i < 3; ++i)
     result[i] =
-        from_integer(turn * cross(v[(i + 1) % 3], v[(i + 2) % 3], p)) * static_cast<double>(v[i].w);
+        interval_of(turn * cross(v[(i + 1) % 3], v[(i + 2) % 3], p)) * static_cast<double>(v[i].w);
   return result;
 }
 
@@ -100,10 +95,10 @@ bool has_extent(const Interpolant& f) {
 Interval total_of(const Interpolant& f, const HomogeneousPoint& p) {
   const auto scale = static_cast<double>(p.w);
   if (f.kind == PrimitiveKind::triangle)
-    return from_integer(magnitude(cross(f.positions[0], f.positions[1], f.positions[2]))) * scale;
+    return interval_of(magnitude(cross(f.positions[0], f.positions[1], f.positions[2]))) * scale;
   const Difference run = difference(f.positions[1], f.positions[0]);
   if (f.line_parameter == LineParameter::major_axis)
-    return from_integer(std::max(magnitude(run.x), magnitude(run.y))) * scale;
+    return interval_of(std::max(magnitude(run.x), magnitude(run.y))) * scale;
   return sum_of_products(run.x, run.x, run.y, run.y) * scale;
 }
 
@@ -145,6 +140,10 @@ bool has_perspective(const Interpolant& f) {
   if (!f.perspective) return false;
   return std::any_of(f.w.begin(), f.w.begin() + static_cast<std::ptrdiff_t>(count_of(f)),
                      [&](double w) { return w != f.w[0]; });
+}
+
+bool is_x_major(const Interpolant& line) {
+  return HomogeneousSegment{line.positions[0], line.positions[1]}.x_major();
 }
 
 Interval interpolate_exact(const Interpolant& f, Point sample) {

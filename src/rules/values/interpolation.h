@@ -49,6 +49,9 @@ struct Interpolant {
 // Are the weights divided by w, and does that change anything? Not where all w are equal.
 bool has_perspective(const Interpolant& interpolant);
 
+// Is the line longer in x than in y, or as long? Decided by its vertices as they are.
+bool is_x_major(const Interpolant& line);
+
 // A narrow interval (about 2^-48 of the largest value, before division by a tiny area) that holds
 // the exact value at the sample, which may lie outside the primitive. Everything when the primitive
 // has no extent.
