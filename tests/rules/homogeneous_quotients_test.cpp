@@ -133,23 +133,23 @@ TEST(HomogeneousSegment, IsMovedExactlyForWideLines) {
   EXPECT_TRUE(same_point(steep.a, {1, 14, 6}));
 }
 
-// A line 2^-18 below the border of row 0 and row 1; the nearest multiples of 2^-16 lie on it.
+// A line 2^-18 above the border of row 0 and row 1; the nearest multiples of 2^-16 lie on it, and
+// are row 0's.
 TEST(HomogeneousSegment, IsDrawnAsItIsByTheRuleAndFromNearestMultiplesOtherwise) {
   constexpr std::int64_t kW = std::int64_t{1} << 18;
-  const HomogeneousSegment below{{kW / 4, kW - 1, kW}, {3 * kW + 3 * kW / 4, kW - 1, kW}};
+  const HomogeneousSegment above{{kW / 4, kW + 1, kW}, {3 * kW + 3 * kW / 4, kW + 1, kW}};
   const PixelBounds bounds{0, -4, 7, 4};
   const auto rows = [&](int width, LineAlgorithm algorithm, WideLine wide) {
     std::set<int> result;
     const LineChoice choice{algorithm, find_diamond_boundary("left-bottom"), wide};
     for (PixelPosition p :
-         line_pixels(below, Fixed::from_integer(width), bounds, choice, *find_tie_rule("left-top")))
+         line_pixels(above, Fixed::from_integer(width), bounds, choice, *find_tie_rule("left-top")))
       result.insert(p.y);
     return result;
   };
   for (const WideLine wide : all_wide_lines())
-    EXPECT_EQ(rows(1, LineAlgorithm::diamond_exit, wide), (std::set{0})) << name_of(wide);
-  EXPECT_EQ(rows(3, LineAlgorithm::diamond_exit, WideLine::replicate), (std::set{-1, 0, 1}));
-  EXPECT_EQ(rows(1, LineAlgorithm::midpoint, WideLine::replicate), (std::set{1}));
+    EXPECT_EQ(rows(1, LineAlgorithm::diamond_exit, wide), (std::set{1})) << name_of(wide);
+  EXPECT_EQ(rows(3, LineAlgorithm::diamond_exit, WideLine::replicate), (std::set{0, 1, 2}));
 }
 
 TEST(HomogeneousPoint, HoldsTheSamplesThatFractionsSay) {

@@ -86,7 +86,7 @@ TEST(InterpolationIntegers, ProductsBeyondTheWidestInteger) {
   };
   expect_near(interpolate_exact(line_of(far(0, 1), far(8000, 1)), at(2000, 1)), 0.25, 1e-13);
   expect_near(interpolate_exact(line_of(far(1, 0), far(1, 8000)), at(1, 6000)), 0.75, 1e-13);
-  expect_near(interpolate_exact(line_of(far(0, 0), far(8000, 4000)), at(2000, 1000)), 0.25, 1e-13);
+  expect_near(interpolate_exact(line_of(far(0, 0), far(8000, 4000)), at(1000, 3000)), 0.25, 1e-13);
   expect_near(interpolate_exact(line_of(far(0, 4000), far(8000, 0)), at(2000, 3000)), 0.25, 1e-13);
 }
 

@@ -33,10 +33,10 @@ class Slopes : public ::testing::Test {
     f.kind = PrimitiveKind::line;
     f.line_parameter = parameter;
     // Along any direction, diagonals among them.
-    const int dx = static_cast<int>(numbers_.integer(-2, 2)) * 8;
-    const int dy = static_cast<int>(numbers_.integer(-2, 2)) * 8;
-    f.positions[0] = vertex_at(16, 16);
-    f.positions[1] = dx == 0 && dy == 0 ? vertex_at(32, 16) : vertex_at(16 + dx, 16 + dy);
+    const int dx = static_cast<int>(numbers_.integer(-2, 2)) * 16;
+    const int dy = static_cast<int>(numbers_.integer(-2, 2)) * 16;
+    f.positions[0] = vertex_at(15.25, 16.5);
+    f.positions[1] = dx == 0 && dy == 0 ? vertex_at(31.25, 16.5) : vertex_at(15.25 + dx, 16.5 + dy);
     return f;
   }
   Interpolant moved(Interpolant f) {
