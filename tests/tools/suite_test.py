@@ -4,6 +4,7 @@ with itself; the Python example agrees; a new case needs no build; no disagreeme
 import collections
 import fractions
 import json
+import math
 import struct
 import unittest
 import xml.etree.ElementTree
@@ -110,10 +111,13 @@ class NewCase(CommandTest):
 
 
 def conversions(fragment):
-    """The pixel that a fragment's float32 colour is nearest to, and its depth in each format."""
+    """The pixel that a fragment's float32 colour is nearest to, and its depth in each format.
+    What is infinite is clamped like any number; what is no number stays none."""
     def nearest(value, largest):
-        exactly = fractions.Fraction(struct.unpack("<f", float32(value))[0])
-        return round(min(max(exactly, 0), 1) * largest)
+        number = struct.unpack("<f", float32(value))[0]
+        if math.isnan(number):
+            return number
+        return round(fractions.Fraction(min(max(number, 0.0), 1.0)) * largest)
 
     depth = fragment["depth"]
     return {"pixel": [nearest(c, 255) for c in fragment["color"]],
