@@ -10,7 +10,6 @@
 #include "diff/value_causes.h"
 #include "diff/value_diff.h"
 #include "rules/coverage/line_algorithm.h"
-#include "rules/coverage/segment.h"
 #include "rules/values/flat_attribute.h"
 
 namespace edgecase {
@@ -37,9 +36,7 @@ struct Component {
 Interval permitted_across(const Interpolant& interpolant, Point sample, int width, double reach) {
   Interval result = interpolate_permitted(interpolant, sample, reach);
   if (interpolant.kind != PrimitiveKind::line || width == 1) return result;
-  const bool x_major =
-      Segment{nearest_point(interpolant.positions[0]), nearest_point(interpolant.positions[1])}
-          .x_major();
+  const bool x_major = is_x_major(interpolant);
   const Fixed reach_across = Fixed::from_integer(width - 1);
   for (const Fixed offset : {reach_across, -reach_across}) {
     Point moved = sample;
