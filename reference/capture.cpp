@@ -28,6 +28,13 @@ struct DetailedRecord : Record {
 };
 static_assert(sizeof(DetailedRecord) == 144);
 
+// Two floats to a vec2, which std430 aligns to 8 bytes.
+struct TexturedRecord : DetailedRecord {
+  float texture_coordinates[2];
+  float level_of_detail[2];
+};
+static_assert(sizeof(TexturedRecord) == 160);
+
 constexpr std::size_t kHeaderSize = 32;
 constexpr std::uint32_t kFirstCapacity = 4096;
 // 16.8 million fragments of 32 bytes, a 4096 x 4096 target covered once.
@@ -67,6 +74,16 @@ FragmentDetail to_detail(const DetailedRecord& record) {
   return detail;
 }
 
+FragmentDetail to_detail(const TexturedRecord& record) {
+  FragmentDetail detail = to_detail(static_cast<const DetailedRecord&>(record));
+  detail.has_texture_coordinates = detail.has_level_of_detail = true;
+  std::copy(std::begin(record.texture_coordinates), std::end(record.texture_coordinates),
+            detail.texture_coordinates.begin());
+  std::copy(std::begin(record.level_of_detail), std::end(record.level_of_detail),
+            detail.level_of_detail.begin());
+  return detail;
+}
+
 }  // namespace
 
 Capture::Capture(const GladGLContext& gl, Form form)
@@ -103,7 +120,15 @@ std::uint32_t Capture::count() {
 }
 
 std::size_t Capture::record_size() const {
-  return form_ == Form::plain ? sizeof(Record) : sizeof(DetailedRecord);
+  switch (form_) {
+    case Form::plain:
+      return sizeof(Record);
+    case Form::detailed:
+      return sizeof(DetailedRecord);
+    case Form::textured:
+      return sizeof(TexturedRecord);
+  }
+  return sizeof(Record);
 }
 
 template <class AnyRecord>
@@ -116,18 +141,27 @@ std::vector<AnyRecord> Capture::read_records(std::uint32_t count) {
   return records;
 }
 
-void Capture::read(std::uint32_t count, Rendering& rendering) {
-  rendering.fragments.reserve(count);
-  if (form_ == Form::plain) {
-    for (const Record& record : read_records<Record>(count))
-      rendering.fragments.push_back(to_fragment(record));
-    return;
-  }
+template <class AnyRecord>
+void Capture::read_details(std::uint32_t count, Rendering& rendering) {
   rendering.details.reserve(count);
-  for (const DetailedRecord& record : read_records<DetailedRecord>(count)) {
+  for (const AnyRecord& record : read_records<AnyRecord>(count)) {
     rendering.fragments.push_back(to_fragment(record));
     rendering.fragments.back().detail = static_cast<int>(rendering.details.size());
     rendering.details.push_back(to_detail(record));
+  }
+}
+
+void Capture::read(std::uint32_t count, Rendering& rendering) {
+  rendering.fragments.reserve(count);
+  switch (form_) {
+    case Form::plain:
+      for (const Record& record : read_records<Record>(count))
+        rendering.fragments.push_back(to_fragment(record));
+      return;
+    case Form::detailed:
+      return read_details<DetailedRecord>(count, rendering);
+    case Form::textured:
+      return read_details<TexturedRecord>(count, rendering);
   }
 }
 

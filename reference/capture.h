@@ -8,6 +8,8 @@
 //
 // A record holds pixel, primitive, depth and colour, in 32 bytes. A detailed one holds gl_FragCoord
 // and six derivatives of the colour as well, in 144: it is written for scenes that ask for details.
+// A textured one, of 160 bytes, adds texture coordinates and the level of detail; its derivatives
+// are those of the attribute before anything is looked up.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +23,7 @@ namespace edgecase {
 
 class Capture {
  public:
-  enum class Form { plain, detailed };
+  enum class Form { plain, detailed, textured };
 
   // The context must be current and outlive the capture.
   Capture(const GladGLContext& gl, Form form);
@@ -38,13 +40,15 @@ class Capture {
   // Makes room for `count` fragments, of at most limit(). What was captured is lost.
   void grow(std::uint32_t count);
   // The captured fragments, sorted; all `count` of them must have had room. Of a detailed capture,
-  // every fragment has all details.
+  // every fragment has all details of its record.
   void read(std::uint32_t count, Rendering& rendering);
 
  private:
   std::size_t record_size() const;
   template <class Record>
   std::vector<Record> read_records(std::uint32_t count);
+  template <class Record>
+  void read_details(std::uint32_t count, Rendering& rendering);
 
   const GladGLContext& gl_;
   Form form_;

@@ -52,6 +52,12 @@ struct ShaderKind {
 struct ProgramKind {
   static void remove(const GladGLContext& gl, GLuint name) { gl.DeleteProgram(name); }
 };
+struct TextureKind {
+  static void remove(const GladGLContext& gl, GLuint name) { gl.DeleteTextures(1, &name); }
+};
+struct SamplerKind {
+  static void remove(const GladGLContext& gl, GLuint name) { gl.DeleteSamplers(1, &name); }
+};
 
 using GlBuffer = GlObject<BufferKind>;
 using GlVertexArray = GlObject<VertexArrayKind>;
@@ -59,6 +65,8 @@ using GlRenderbuffer = GlObject<RenderbufferKind>;
 using GlFramebuffer = GlObject<FramebufferKind>;
 using GlShader = GlObject<ShaderKind>;
 using GlProgram = GlObject<ProgramKind>;
+using GlTexture = GlObject<TextureKind>;
+using GlSampler = GlObject<SamplerKind>;
 
 inline GlBuffer make_buffer(const GladGLContext& gl) {
   GLuint name = 0;
@@ -78,6 +86,16 @@ inline GlRenderbuffer make_renderbuffer(const GladGLContext& gl) {
 inline GlFramebuffer make_framebuffer(const GladGLContext& gl) {
   GLuint name = 0;
   gl.GenFramebuffers(1, &name);
+  return {gl, name};
+}
+inline GlTexture make_texture(const GladGLContext& gl) {
+  GLuint name = 0;
+  gl.GenTextures(1, &name);
+  return {gl, name};
+}
+inline GlSampler make_sampler(const GladGLContext& gl) {
+  GLuint name = 0;
+  gl.GenSamplers(1, &name);
   return {gl, name};
 }
 

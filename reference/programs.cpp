@@ -25,19 +25,51 @@ void main() {
 }
 )";
 
-constexpr const char* kColorShader = R"(#version 430 core
+// Heads of the fragment shaders below: the version, what is switched on, and for textured scenes
+// how colours are looked up. One function serves pixels and capture, so that both have the same
+// colours.
+constexpr const char* kVersion = "#version 430 core\n";
+constexpr const char* kQuery = "#define QUERY\n";
+
+constexpr const char* kOneDimensional =
+    "#define SAMPLER sampler1D\n#define ST x\n#define DX x\n#define DY z\n";
+constexpr const char* kTwoDimensional =
+    "#define SAMPLER sampler2D\n#define ST xy\n#define DX xy\n#define DY zw\n";
+constexpr const char* kImage = R"(
+layout(location = 3) uniform float lookup_value;
+layout(location = 4) uniform vec4 gradients;
+layout(binding = 0) uniform SAMPLER image;
+)";
+constexpr const char* kUntextured = R"(#define TEXTURES
+vec4 looked_up(vec4 color) { return color; }
+vec2 queried(vec4 color) { return vec2(0.0); }
+)";
+constexpr const char* kTextured = R"(#define TEXTURES
+vec4 looked_up(vec4 color) { return LOOKUP; }
+#ifdef QUERY
+vec2 queried(vec4 color) { return textureQueryLod(image, color.ST); }
+#else
+vec2 queried(vec4 color) { return vec2(0.0); }
+#endif
+)";
+
+constexpr const char* kColorShader = R"(
 flat in vec4 flat_color;
 smooth in vec4 smooth_color;
 noperspective in vec4 noperspective_color;
 layout(location = 0) uniform int interpolation;
 layout(location = 0) out vec4 target;
 void main() {
-  target = interpolation == 0 ? flat_color
-                              : (interpolation == 1 ? smooth_color : noperspective_color);
+  vec4 color = interpolation == 0 ? flat_color
+                                  : (interpolation == 1 ? smooth_color : noperspective_color);
+#ifdef TEXTURES
+  color = looked_up(color);
+#endif
+  target = color;
 }
 )";
 
-constexpr const char* kCountShader = R"(#version 430 core
+constexpr const char* kCountShader = R"(
 layout(location = 2) uniform float hit_step;
 layout(location = 0) out vec4 target;
 void main() {
@@ -73,6 +105,10 @@ struct Record {
   vec4 dy_fine;
   vec4 dx_coarse;
   vec4 dy_coarse;
+#ifdef TEXTURES
+  vec2 texture_coordinates;
+  vec2 level_of_detail;
+#endif
 #endif
 };
 layout(std430, binding = 0) buffer Capture {
@@ -97,6 +133,13 @@ void main() {
   vec4 dx_coarse = vec4(0.0);
   vec4 dy_coarse = vec4(0.0);
 #endif
+#ifdef TEXTURES
+  vec2 texture_coordinates = color.xy;
+  vec2 level_of_detail = queried(color);
+#endif
+#endif
+#ifdef TEXTURES
+  color = looked_up(color);
 #endif
   uint slot = atomicAdd(count, 1u);
   if (slot < capacity) {
@@ -116,19 +159,44 @@ void main() {
     records[slot].dy_fine = dy_fine;
     records[slot].dx_coarse = dx_coarse;
     records[slot].dy_coarse = dy_coarse;
+#ifdef TEXTURES
+    records[slot].texture_coordinates = texture_coordinates;
+    records[slot].level_of_detail = level_of_detail;
+#endif
 #endif
   }
   target = color;
 }
 )";
 
-constexpr const char* kPlainCapture = "#version 430 core\n";
-constexpr const char* kDetailedCapture = "#version 430 core\n#define DETAILS\n";
+constexpr const char* kDetails = "#define DETAILS\n";
 // Fine and coarse derivatives are part of GLSL 4.50, and an extension before.
-constexpr const char* kFineCaptures[] = {
-    "#version 450 core\n#define DETAILS\n#define FINE_AND_COARSE\n",
+constexpr const char* kFineVersions[] = {
+    "#version 450 core\n#define FINE_AND_COARSE\n",
     "#version 430 core\n#extension GL_ARB_derivative_control : require\n"
-    "#define DETAILS\n#define FINE_AND_COARSE\n"};
+    "#define FINE_AND_COARSE\n"};
+
+const char* lookup_of(LookupKind kind) {
+  switch (kind) {
+    case LookupKind::implicit:
+      return "texture(image, color.ST)";
+    case LookupKind::bias:
+      return "texture(image, color.ST, lookup_value)";
+    case LookupKind::lod:
+      return "textureLod(image, color.ST, lookup_value)";
+    case LookupKind::gradients:
+      return "textureGrad(image, color.ST, gradients.DX, gradients.DY)";
+  }
+  return "";
+}
+
+// What comes between the version and a fragment shader that looks up.
+std::string lookup_head(LookupForm form, bool query) {
+  if (form.dimensions == 0) return kUntextured;
+  std::string head = form.dimensions == 1 ? kOneDimensional : kTwoDimensional;
+  if (query && form.kind == LookupKind::implicit) head += kQuery;
+  return head + "#define LOOKUP " + lookup_of(form.kind) + "\n" + kImage + kTextured;
+}
 
 // Compiles one shader; on failure appends the driver's words to `log`.
 GlShader compile(const GladGLContext& gl, GLenum stage, const std::string& source,
@@ -164,31 +232,55 @@ GlProgram link(const GladGLContext& gl, const std::string& fragment_source, std:
   return program;
 }
 
-GlProgram link_capture(const GladGLContext& gl, const char* head, std::string& log) {
-  return link(gl, std::string(head) + kCaptureShader, log);
+// The capture program with details, with fine and coarse derivatives where the driver takes them,
+// by trying. `head` comes after the version.
+GlProgram link_details(const GladGLContext& gl, const std::string& head, bool& fine_and_coarse,
+                       std::string& log) {
+  const std::string rest = kDetails + head + kCaptureShader;
+  for (const char* version : kFineVersions) {
+    std::string refusal;
+    GlProgram program = link(gl, version + rest, refusal);
+    fine_and_coarse = refusal.empty();
+    if (fine_and_coarse) return program;
+  }
+  return link(gl, kVersion + rest, log);
 }
 
-// With fine and coarse derivatives where the driver takes them, by trying.
-void make_details(const GladGLContext& gl, Programs& programs, std::string& log) {
-  for (const char* head : kFineCaptures) {
-    std::string refusal;
-    programs.details = link_capture(gl, head, refusal);
-    programs.fine_and_coarse = refusal.empty();
-    if (programs.fine_and_coarse) return;
-  }
-  programs.details = link_capture(gl, kDetailedCapture, log);
+std::string refusal(const std::string& log) {
+  return "the driver refuses our shaders: " + log;
 }
 
 }  // namespace
 
 std::variant<Programs, ProgramError> make_programs(const GladGLContext& gl) {
+  const std::string version = kVersion;
   std::string log;
   Programs programs;
-  programs.color = link(gl, kColorShader, log);
-  if (log.empty()) programs.count = link(gl, kCountShader, log);
-  if (log.empty()) programs.capture = link_capture(gl, kPlainCapture, log);
-  if (log.empty()) make_details(gl, programs, log);
-  if (!log.empty()) return ProgramError{"the driver refuses our shaders: " + log};
+  programs.color = link(gl, version + kColorShader, log);
+  if (log.empty()) programs.count = link(gl, version + kCountShader, log);
+  if (log.empty()) programs.capture = link(gl, version + kCaptureShader, log);
+  if (log.empty()) programs.details = link_details(gl, "", programs.fine_and_coarse, log);
+  if (!log.empty()) return ProgramError{refusal(log)};
+  return programs;
+}
+
+bool can_query_level_of_detail(const GladGLContext& gl) {
+  std::string log;
+  const std::string main = "void main() { gl_FragDepth = queried(gl_FragCoord).y; }\n";
+  compile(gl, GL_FRAGMENT_SHADER, kVersion + lookup_head({2, LookupKind::implicit}, true) + main,
+          log);
+  return log.empty();
+}
+
+std::variant<Programs, ProgramError> make_texture_programs(const GladGLContext& gl, LookupForm form,
+                                                           bool query) {
+  const std::string head = lookup_head(form, query);
+  std::string log;
+  Programs programs;
+  programs.color = link(gl, kVersion + head + kColorShader, log);
+  if (log.empty()) programs.capture = link(gl, kVersion + head + kCaptureShader, log);
+  if (log.empty()) programs.details = link_details(gl, head, programs.fine_and_coarse, log);
+  if (!log.empty()) return ProgramError{refusal(log)};
   return programs;
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The four GL programs, compiled once: a program per case would cost more than all drawing.
+// The GL programs, compiled once: a program per case would cost more than all drawing.
+//
+// Four serve every scene without textures. A scene with textures has programs by the form of each
+// draw's lookup, made when it first comes. Each has one lookup: llvmpipe compiles a shader anew
+// for each state of a sampler, and one that has every kind of lookup takes three times as long.
 //
 // All share one vertex shader, so that every pass rasterizes the same primitives. What differs from
 // draw to draw is a uniform or a vertex attribute. The primitive's number travels as a flat
@@ -8,12 +12,15 @@
 // is garbage on another.
 //
 // Derivatives are taken of the colour that the uniform chose, before anything else is done: in
-// uniform control flow, where they are defined (GLSL 4.60, 8.14.1).
+// uniform control flow, where they are defined (GLSL 4.60, 8.14.1). Of a textured draw, that
+// attribute holds s, t, 0 and 1, and the colour is looked up thereafter.
 #pragma once
 
+#include <compare>
 #include <string>
 #include <variant>
 
+#include "model/texture.h"
 #include "reference/gl_objects.h"
 
 namespace edgecase {
@@ -27,6 +34,8 @@ constexpr GLuint kPrimitiveAttribute = 2;  // int
 constexpr GLint kInterpolationUniform = 0;  // int: which of the colours below is taken
 constexpr GLint kCapacityUniform = 1;       // uint: records that the capture's buffer has room for
 constexpr GLint kStepUniform = 2;           // float: what the count program writes
+constexpr GLint kLookupValueUniform = 3;    // float: of lookups by bias and by level of detail
+constexpr GLint kGradientsUniform = 4;      // vec4: ds/dx, dt/dx, ds/dy, dt/dy
 
 constexpr GLint kFlatColor = 0;
 constexpr GLint kSmoothColor = 1;
@@ -45,12 +54,30 @@ struct Programs {
   bool fine_and_coarse = false;
 };
 
+// What a program for textured scenes looks up. The default is a draw of such a scene without a
+// texture: it has the vertices' colour, and the same records as the rest of its scene.
+struct LookupForm {
+  int dimensions = 0;  // of the texture, 1 or 2
+  LookupKind kind = LookupKind::implicit;
+  friend auto operator<=>(const LookupForm&, const LookupForm&) = default;
+};
+
 // Why there are no programs, one sentence with the driver's own words.
 struct ProgramError {
   std::string message;
 };
 
-// Compiles all four. The context must have GL 4.3 or later and be current.
+// Compiles the four of scenes without textures. The context must have GL 4.3 or later and be
+// current.
 std::variant<Programs, ProgramError> make_programs(const GladGLContext& gl);
+
+// Has the driver's GLSL textureQueryLod? By trying.
+bool can_query_level_of_detail(const GladGLContext& gl);
+
+// Compiles those of scenes with textures; `count` is left empty. The image is at the unit of
+// reference/textures.h. `query`: the detailed record holds what textureQueryLod tells of an
+// implicit lookup; else, and of other lookups, it holds zeros.
+std::variant<Programs, ProgramError> make_texture_programs(const GladGLContext& gl, LookupForm form,
+                                                           bool query);
 
 }  // namespace edgecase

@@ -29,12 +29,18 @@ GLint to_uniform(Interpolation interpolation) {
   return kFlatColor;
 }
 
-std::size_t area_of(const Rendering& rendering) {
-  return static_cast<std::size_t>(rendering.width) * static_cast<std::size_t>(rendering.height);
+LookupForm form_of(const Scene& scene, const Draw& draw) {
+  if (!draw.texture) return {};
+  return {scene.textures[draw.texture->texture]->dimensions, draw.texture->lookup.kind};
 }
 
-std::string text_of(const std::array<float, 2>& range) {
-  return fmt::format("{:g} to {:g}", range[0], range[1]);
+bool is_textured(const Scene& scene) {
+  return std::any_of(scene.draws.begin(), scene.draws.end(),
+                     [](const Draw& draw) { return draw.texture.has_value(); });
+}
+
+std::size_t area_of(const Rendering& rendering) {
+  return static_cast<std::size_t>(rendering.width) * static_cast<std::size_t>(rendering.height);
 }
 
 }  // namespace
@@ -43,7 +49,9 @@ SceneRenderer::Objects::Objects(const GladGLContext& gl, GlContext& context, Pro
     : programs(std::move(made)),
       capture(gl, Capture::Form::plain),
       detailed_capture(gl, Capture::Form::detailed),
+      textured_capture(gl, Capture::Form::textured),
       targets(gl, context),
+      textures(gl),
       vertices(make_buffer(gl)),
       vertex_array(make_vertex_array(gl)) {
   gl.BindVertexArray(vertex_array.name());
@@ -86,8 +94,7 @@ SceneRenderer::SceneRenderer(GlContext& context) {
     return;
   }
   objects_.emplace(gl_, context, std::move(std::get<Programs>(programs)));
-  info_.traits["capture"] = "ssbo";
-  info_.traits["derivatives"] = objects_->programs.fine_and_coarse ? "plain fine coarse" : "plain";
+  describe_objects();
   if (const GLenum error = take_error(gl_); error != GL_NO_ERROR)
     problem_ = fmt::format("preparing the context raised {}", name_of_error(error));
   else
@@ -97,7 +104,7 @@ SceneRenderer::SceneRenderer(GlContext& context) {
 void SceneRenderer::probe_provoking_vertices() {
   std::string names;
   for (ProvokingVertex which : {ProvokingVertex::first, ProvokingVertex::last}) {
-    bool& works = provoking_[static_cast<std::size_t>(which)];
+    bool& works = limits_.provoking[static_cast<std::size_t>(which)];
     for (Primitive primitive : {Primitive::lines, Primitive::triangles}) {
       const Scene scene = provoking_scene(primitive, which);
       const Outcome outcome = render(scene);
@@ -124,55 +131,23 @@ void SceneRenderer::describe(const GlContext& context) {
   info_.version = text(GL_VERSION);
   info_.device = text(GL_RENDERER);
   info_.subpixel_bits = integer(GL_SUBPIXEL_BITS);
-  gl_.GetIntegerv(GL_MAX_VIEWPORT_DIMS, max_viewport_);
-  max_size_ = integer(GL_MAX_RENDERBUFFER_SIZE);
-  gl_.GetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, line_widths_.data());
-  gl_.GetFloatv(GL_POINT_SIZE_RANGE, point_sizes_.data());
-  // Wide lines are deprecated, and an error in contexts that promise to do without.
-  if ((integer(GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) != 0)
-    line_widths_[1] = std::min(line_widths_[1], 1.0f);
+  limits_ = stated_limits(gl_);
   info_.traits = {{"context", context.description()},
                   {"glsl", text(GL_SHADING_LANGUAGE_VERSION)},
                   {"max_samples", std::to_string(integer(GL_MAX_SAMPLES))},
-                  {"max_viewport", fmt::format("{}x{}", max_viewport_[0], max_viewport_[1])},
-                  {"line_widths", text_of(line_widths_)},
-                  {"point_sizes", text_of(point_sizes_)},
+                  {"max_viewport", fmt::format("{}x{}", limits_.viewport[0], limits_.viewport[1])},
+                  {"line_widths", text_of_range(limits_.line_widths)},
+                  {"point_sizes", text_of_range(limits_.point_sizes)},
                   {"capture", "none"}};
 }
 
-std::string SceneRenderer::limit_exceeded_by(const Scene& scene) const {
-  const Target& target = scene.target;
-  if (target.samples != 1)
-    return fmt::format("targets with {} samples are not drawn here", target.samples);
-  if (target.width > max_size_ || target.height > max_size_)
-    return fmt::format("a {}x{} target exceeds this driver's {}", target.width, target.height,
-                       max_size_);
-  if (scene.viewport.width > max_viewport_[0] || scene.viewport.height > max_viewport_[1])
-    return fmt::format("a {}x{} viewport exceeds this driver's {}x{}", scene.viewport.width,
-                       scene.viewport.height, max_viewport_[0], max_viewport_[1]);
-  for (const Draw& draw : scene.draws)
-    if (std::string problem = limit_exceeded_by(draw); !problem.empty()) return problem;
-  return "";
-}
-
-std::string SceneRenderer::limit_exceeded_by(const Draw& draw) const {
-  const PrimitiveKind kind = kind_of(draw.primitive);
-  const double size = draw.point_size.to_double();
-  if (kind == PrimitiveKind::point &&
-      (size < static_cast<double>(point_sizes_[0]) || size > static_cast<double>(point_sizes_[1])))
-    return fmt::format("points of size {} are not drawn by this driver: it has {}", size,
-                       text_of(point_sizes_));
-  // A width is rounded to a whole number, at least 1 (GL 4.6 core, 14.5.2.1).
-  const double width = draw.line_width.to_double();
-  if (kind == PrimitiveKind::line &&
-      std::floor(width + 0.5) > std::max(1.0, static_cast<double>(line_widths_[1])))
-    return fmt::format("lines of width {} are not drawn by this driver: it has {}", width,
-                       text_of(line_widths_));
-  // A point has one vertex.
-  if (kind != PrimitiveKind::point && !provoking_[static_cast<std::size_t>(draw.provoking_vertex)])
-    return fmt::format("setting the {} vertex to provoke has no effect on this driver",
-                       name_of(draw.provoking_vertex));
-  return "";
+void SceneRenderer::describe_objects() {
+  queries_level_of_detail_ = can_query_level_of_detail(gl_);
+  info_.traits["capture"] = "ssbo";
+  info_.traits["derivatives"] = objects_->programs.fine_and_coarse ? "plain fine coarse" : "plain";
+  info_.traits["level_of_detail"] = queries_level_of_detail_ ? "query" : "none";
+  limits_.anisotropy = objects_->textures.max_anisotropy();
+  info_.traits["max_anisotropy"] = fmt::format("{:g}", limits_.anisotropy);
 }
 
 void SceneRenderer::upload(const Scene& scene) {
@@ -183,20 +158,46 @@ void SceneRenderer::upload(const Scene& scene) {
                  vertices.data(), GL_STREAM_DRAW);
 }
 
-void SceneRenderer::draw_all(const Scene& scene, const GlProgram& program) {
-  gl_.UseProgram(program.name());
-  const bool counts = program.name() == objects_->programs.count.name();
+std::string SceneRenderer::make_texture_programs(const Scene& scene) {
+  for (const Draw& draw : scene.draws) {
+    const LookupForm form = form_of(scene, draw);
+    auto& programs = objects_->texture_programs;
+    if (programs.count(form) > 0) continue;
+    auto made = edgecase::make_texture_programs(gl_, form, queries_level_of_detail_);
+    if (const auto* error = std::get_if<ProgramError>(&made)) return error->message;
+    programs.emplace(form, std::move(std::get<Programs>(made)));
+  }
+  return "";
+}
+
+void SceneRenderer::set_lookup(const Scene& scene, const Draw& draw) {
+  if (!draw.texture) return;
+  const Lookup& lookup = draw.texture->lookup;
+  objects_->textures.bind(scene.textures[draw.texture->texture], draw.texture->sampler);
+  if (lookup.kind == LookupKind::bias || lookup.kind == LookupKind::lod)
+    gl_.Uniform1f(kLookupValueUniform, lookup.value);
+  if (lookup.kind == LookupKind::gradients)
+    gl_.Uniform4f(kGradientsUniform, lookup.dx[0], lookup.dx[1], lookup.dy[0], lookup.dy[1]);
+}
+
+void SceneRenderer::draw_all(const Scene& scene, const Pass& pass) {
   GLint first = 0;
   for (const Draw& draw : scene.draws) {
+    const Programs& programs =
+        pass.looks_up ? objects_->texture_programs.at(form_of(scene, draw)) : objects_->programs;
+    gl_.UseProgram((programs.*pass.program).name());
     set_state(gl_, scene, draw);
-    if (counts) {
+    if (pass.program == &Programs::count) {
       gl_.Enable(GL_BLEND);
       gl_.BlendEquation(GL_FUNC_ADD);
       gl_.BlendFunc(GL_ONE, GL_ONE);
+      gl_.Uniform1f(kStepUniform, pass.step);
     } else {
       gl_.Disable(GL_BLEND);
       gl_.Uniform1i(kInterpolationUniform, to_uniform(draw.interpolation));
     }
+    if (pass.capture != nullptr) gl_.Uniform1ui(kCapacityUniform, pass.capture->capacity());
+    if (pass.looks_up) set_lookup(scene, draw);
     const auto count = static_cast<GLsizei>(draw.vertices.size());
     gl_.DrawArrays(mode_of(draw.primitive), first, count);
     first += count;
@@ -210,7 +211,7 @@ void SceneRenderer::clear_for(const Scene& scene, GLuint framebuffer, const Colo
 void SceneRenderer::draw_pixels(const Scene& scene, const Surfaces& surfaces,
                                 Rendering& rendering) {
   clear_for(scene, surfaces.color, scene.target.clear);
-  draw_all(scene, objects_->programs.color);
+  draw_all(scene, {&Programs::color, is_textured(scene)});
   rendering.pixels.resize(4 * area_of(rendering));
   gl_.ReadPixels(0, 0, rendering.width, rendering.height, GL_RGBA, GL_UNSIGNED_BYTE,
                  rendering.pixels.data());
@@ -220,9 +221,7 @@ void SceneRenderer::draw_pixels(const Scene& scene, const Surfaces& surfaces,
 
 void SceneRenderer::count_hits(const Scene& scene, const Surfaces& surfaces, Rendering& rendering) {
   clear_for(scene, surfaces.count, {0, 0, 0, 0});
-  gl_.UseProgram(objects_->programs.count.name());
-  gl_.Uniform1f(kStepUniform, surfaces.step);
-  draw_all(scene, objects_->programs.count);
+  draw_all(scene, {&Programs::count, false, nullptr, surfaces.step});
   std::vector<float> sums(area_of(rendering));
   gl_.ReadPixels(0, 0, rendering.width, rendering.height, GL_RED, GL_FLOAT, sums.data());
   rendering.hits.resize(sums.size());
@@ -232,17 +231,19 @@ void SceneRenderer::count_hits(const Scene& scene, const Surfaces& surfaces, Ren
 }
 
 std::optional<std::string> SceneRenderer::capture_fragments(const Scene& scene,
-                                                            const Surfaces& surfaces, bool detailed,
+                                                            const Surfaces& surfaces,
+                                                            bool coverage_only,
                                                             Rendering& rendering) {
-  Capture& capture = detailed ? objects_->detailed_capture : objects_->capture;
-  const GlProgram& program = detailed ? objects_->programs.details : objects_->programs.capture;
+  const bool looks_up = is_textured(scene) && !coverage_only;
+  const bool detailed = scene.details.any() && !coverage_only;
+  Capture& capture = !detailed  ? objects_->capture
+                     : looks_up ? objects_->textured_capture
+                                : objects_->detailed_capture;
   gl_.BindFramebuffer(GL_FRAMEBUFFER, surfaces.color);
   // A second attempt has room for what the first one counted.
   for (int attempt = 0; attempt < 2; ++attempt) {
     capture.begin();
-    gl_.UseProgram(program.name());
-    gl_.Uniform1ui(kCapacityUniform, capture.capacity());
-    draw_all(scene, program);
+    draw_all(scene, {detailed ? &Programs::details : &Programs::capture, looks_up, &capture});
     const std::uint32_t count = capture.count();
     if (count <= capture.capacity()) {
       capture.read(count, rendering);
@@ -256,15 +257,30 @@ std::optional<std::string> SceneRenderer::capture_fragments(const Scene& scene,
   return "drawing the same scene twice gave different numbers of fragments";
 }
 
-void SceneRenderer::drop_details(Details asked, Rendering& rendering) const {
-  for (FragmentDetail& detail : rendering.details) {
+void SceneRenderer::drop_details(const Scene& scene, Rendering& rendering) const {
+  if (rendering.details.empty()) return;
+  const Details& asked = scene.details;
+  const std::vector<ScenePrimitive> primitives = primitives_of(scene);
+  for (const Fragment& fragment : rendering.fragments) {
+    FragmentDetail& detail = rendering.details[static_cast<std::size_t>(fragment.detail)];
     detail.has_coordinates = asked.coordinates;
     for (std::size_t i = 0; i < kDerivatives; ++i) {
       const bool is_plain = i <= static_cast<std::size_t>(Derivative::y);
       detail.has_derivative[i] =
           asked.derivatives && (is_plain || objects_->programs.fine_and_coarse);
     }
+    if (fragment.primitive == kNoPrimitive) continue;  // a doubt, see below
+    const auto& texture = primitives[static_cast<std::size_t>(fragment.primitive)].state->texture;
+    detail.has_texture_coordinates = asked.texture && texture;
+    detail.has_level_of_detail = asked.texture && texture && queries_level_of_detail_ &&
+                                 texture->lookup.kind == LookupKind::implicit;
   }
+}
+
+void SceneRenderer::tell_mip_chains(const Scene& scene, Rendering& rendering) {
+  for (std::size_t i = 0; i < scene.textures.size(); ++i)
+    if (scene.textures[i]->generated)
+      rendering.mip_chains[i] = objects_->textures.generated_chain(scene.textures[i]);
 }
 
 std::string SceneRenderer::doubt_of(const Rendering& rendering, const Surfaces& surfaces) const {
@@ -283,7 +299,9 @@ std::string SceneRenderer::doubt_of(const Rendering& rendering, const Surfaces& 
 }
 
 Outcome SceneRenderer::render(const Scene& scene, bool coverage_only) {
-  std::string problem = problem_.empty() ? limit_exceeded_by(scene) : problem_;
+  std::string problem = problem_.empty() ? limit_exceeded_by(scene, limits_) : problem_;
+  if (problem.empty() && is_textured(scene) && !coverage_only)
+    problem = make_texture_programs(scene);
   if (!problem.empty()) return Failure{FailureKind::unsupported, problem};
   const auto found = objects_->targets.find(scene.target);
   if (const auto* reason = std::get_if<std::string>(&found)) {
@@ -297,9 +315,9 @@ Outcome SceneRenderer::render(const Scene& scene, bool coverage_only) {
   upload(scene);
   if (!coverage_only) draw_pixels(scene, surfaces, rendering);
   count_hits(scene, surfaces, rendering);
-  const bool detailed = scene.details.any() && !coverage_only;
-  const auto overflow = capture_fragments(scene, surfaces, detailed, rendering);
-  drop_details(scene.details, rendering);
+  const auto overflow = capture_fragments(scene, surfaces, coverage_only, rendering);
+  drop_details(scene, rendering);
+  if (!coverage_only) tell_mip_chains(scene, rendering);
   if (const GLenum error = take_error(gl_); error != GL_NO_ERROR)
     return Failure{error == GL_CONTEXT_LOST ? FailureKind::crashed : FailureKind::unsupported,
                    fmt::format("drawing raised {}", name_of_error(error))};

@@ -7,13 +7,14 @@
 // invocation, reference/capture.h). Pixels and hit counts go through the fixed-function end of the
 // pipeline and the capture does not, so that they check each other: whoever reads the answer
 // refuses it where they differ. Where the target has a depth buffer, all three write it, and it is
-// read after the first.
+// read after the first. A scene with a textured draw is drawn by programs that look up, but for its
+// hit counts and for coverage alone, where colours do not matter.
 //
 // It does not transform, clip or judge anything: scenes carry clip coordinates, or window ones of
 // which the loader has made sure that their clip coordinates are exact in float32.
 #pragma once
 
-#include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,10 +22,12 @@
 
 #include "model/renderer.h"
 #include "reference/capture.h"
+#include "reference/driver_limits.h"
 #include "reference/gl_context.h"
 #include "reference/gl_objects.h"
 #include "reference/programs.h"
 #include "reference/targets.h"
+#include "reference/textures.h"
 
 namespace edgecase {
 
@@ -39,8 +42,8 @@ class SceneRenderer {
 
   // A Rendering with hit counts, or a Failure: `unsupported` with the reason, or `crashed` when the
   // context is lost and the process must start again. With `coverage_only` the pass for pixels is
-  // left out, and the rendering has none, nor depths and details; fragments are captured, and hits
-  // counted, as ever.
+  // left out, and the rendering has none, nor depths, details and mip chains; fragments are
+  // captured, and hits counted, as ever.
   Outcome render(const Scene& scene, bool coverage_only = false);
 
  private:
@@ -48,28 +51,42 @@ class SceneRenderer {
   struct Objects {
     Objects(const GladGLContext& gl, GlContext& context, Programs made);
     Programs programs;
+    std::map<LookupForm, Programs> texture_programs;  // made for the first scene that needs them
     Capture capture;
     Capture detailed_capture;
+    Capture textured_capture;
     Targets targets;
+    Textures textures;
     GlBuffer vertices;
     GlVertexArray vertex_array;
   };
 
+  // What differs between the passes over a scene.
+  struct Pass {
+    GlProgram Programs::*program = nullptr;
+    bool looks_up = false;       // by the programs for textures
+    Capture* capture = nullptr;  // of the passes that capture
+    float step = 1;              // of the one that counts hits
+  };
+
   void describe(const GlContext& context);
+  void describe_objects();
   // Draws to find out which conventions for provoking vertices have an effect.
   void probe_provoking_vertices();
-  // What this driver cannot draw, as a sentence; empty: it can.
-  std::string limit_exceeded_by(const Scene& scene) const;
-  std::string limit_exceeded_by(const Draw& draw) const;
+  // Why there are no programs for textures, as a sentence; empty: there are.
+  std::string make_texture_programs(const Scene& scene);
   void upload(const Scene& scene);
-  void draw_all(const Scene& scene, const GlProgram& program);
+  void set_lookup(const Scene& scene, const Draw& draw);
+  void draw_all(const Scene& scene, const Pass& pass);
   void clear_for(const Scene& scene, GLuint framebuffer, const Color& color);
   void draw_pixels(const Scene& scene, const Surfaces& surfaces, Rendering& rendering);
   void count_hits(const Scene& scene, const Surfaces& surfaces, Rendering& rendering);
   std::optional<std::string> capture_fragments(const Scene& scene, const Surfaces& surfaces,
-                                               bool detailed, Rendering& rendering);
+                                               bool coverage_only, Rendering& rendering);
   // Takes away what the scene does not ask for, and what this driver's GLSL does not have.
-  void drop_details(Details asked, Rendering& rendering) const;
+  void drop_details(const Scene& scene, Rendering& rendering) const;
+  // The levels that the driver made of the scene's textures.
+  void tell_mip_chains(const Scene& scene, Rendering& rendering);
 
   // Why a rendering is not to be relied upon, as a sentence; empty: nothing speaks against it.
   std::string doubt_of(const Rendering& rendering, const Surfaces& surfaces) const;
@@ -77,11 +94,8 @@ class SceneRenderer {
   GladGLContext gl_{};
   RendererInfo info_;
   std::string problem_;  // why nothing can be drawn; empty: all is there
-  int max_size_ = 0;
-  int max_viewport_[2] = {0, 0};
-  std::array<bool, 2> provoking_{true, true};  // by ProvokingVertex: it has its effect
-  std::array<float, 2> line_widths_{1, 1};     // smallest and largest, pixels
-  std::array<float, 2> point_sizes_{1, 1};
+  DriverLimits limits_;
+  bool queries_level_of_detail_ = false;
   std::optional<Objects> objects_;
 };
 

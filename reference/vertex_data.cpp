@@ -20,10 +20,12 @@ ClipPosition clip_position(const Vertex& vertex, const Viewport& viewport) {
           static_cast<float>(vertex.z.to_double() * static_cast<double>(vertex.w)), vertex.w};
 }
 
-GpuVertex gpu_vertex(const Vertex& vertex, const Viewport& viewport) {
+GpuVertex gpu_vertex(const Vertex& vertex, const Draw& draw, const Viewport& viewport) {
   const ClipPosition clip = clip_position(vertex, viewport);
-  const Color& color = vertex.color;
-  return {{clip.x, clip.y, clip.z, clip.w}, {color[0], color[1], color[2], color[3]}, kNoPrimitive};
+  const auto& [s, t] = vertex.texture_coordinates;
+  const Color values = draw.texture ? Color{s, t, 0, 1} : vertex.color;
+  return {
+      {clip.x, clip.y, clip.z, clip.w}, {values[0], values[1], values[2], values[3]}, kNoPrimitive};
 }
 
 bool has_own_vertices(Primitive primitive) {
@@ -38,7 +40,8 @@ std::vector<GpuVertex> gpu_vertices(const Scene& scene) {
   std::vector<std::size_t> first_of_draw;
   for (const Draw& draw : scene.draws) {
     first_of_draw.push_back(result.size());
-    for (const Vertex& vertex : draw.vertices) result.push_back(gpu_vertex(vertex, scene.viewport));
+    for (const Vertex& vertex : draw.vertices)
+      result.push_back(gpu_vertex(vertex, draw, scene.viewport));
   }
   for (const ScenePrimitive& primitive : primitives_of(scene)) {
     const Draw& draw = *primitive.state;

@@ -18,8 +18,8 @@
 namespace edgecase {
 
 struct GpuVertex {
-  float clip[4];  // a vertex's own clip coordinates as they are, or those of its window position
-  float color[4];
+  float clip[4];   // a vertex's own clip coordinates as they are, or those of its window position
+  float color[4];  // or s, t, 0 and 1, where the draw is textured
   std::int32_t primitive;  // kNoPrimitive where the vertex provokes none
 };
 

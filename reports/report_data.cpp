@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "reports/report_data.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "reports/pixels.h"
+#include "reports/ramp.h"
 #include "results/clusters.h"
 
 namespace edgecase {
@@ -70,6 +75,7 @@ Json values_json(const ValueAggregate& v) {
   return {{"attribute", v.attribute},
           {"rule", v.rule},
           {"ruling", v.ruling},
+          {"cause", v.cause},
           {"compared", v.compared},
           {"differing", v.differing.size()},
           {"places", places},
@@ -85,6 +91,27 @@ Json values_json(const ValueAggregate& v) {
           {"mean_ulp", number(v.mean_ulp)},
           {"relative", number(v.worst_relative)},
           {"histogram", histogram}};
+}
+
+// Numbers are float32 to the bit, in as few digits as tell them apart.
+Json level(double value) {
+  if (!std::isfinite(static_cast<float>(value))) return number(static_cast<float>(value));
+  const std::string digits = fmt::format("{}", static_cast<float>(value));
+  double shortest = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), shortest);
+  return number(shortest);
+}
+
+Json ramp_json(const std::vector<Result::LevelPoint>& ramp) {
+  Json points = Json::array();
+  for (const Result::LevelPoint& p : ramp)
+    points.push_back(
+        Json::array({p.x, p.y, level(p.exact), level(p.low), level(p.high), level(p.rendered)}));
+  const RampSummary summary = summarize_ramp(ramp);
+  Json json = {
+      {"points", points}, {"words", words_of(summary)}, {"outside", Json(summary.outside)}};
+  if (summary.farthest) json["farthest"] = *summary.farthest;
+  return json;
 }
 
 // What a renderer answered, without who it was.
@@ -112,6 +139,7 @@ Json answer_json(const CaseResults& one, const Result& result) {
                         {"broken_clause", e.broken_clause}});
   json["evidence"] = std::move(evidence);
   json["illegal_line_snaps"] = result.illegal_line_snaps;
+  if (!result.ramp.empty()) json["ramp"] = ramp_json(result.ramp);
   return json;
 }
 

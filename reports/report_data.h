@@ -9,6 +9,9 @@
 // packed as pixels.h says; an answer's are the difference from exact and absent when there is none;
 // an answer without an image of exact's size is "blank".
 // A renderer holds its "clusters" (results/clusters.h) in their order.
+// An answer with levels of detail along a row of pixels has a "ramp": "points" is a list of [x, y,
+// exact, low, high, rendered], "outside" the indices of those outside the band, "farthest" the
+// index of the one farthest from exact where they are not equal, "words" a sentence (ramp.h).
 // A figure is a list of [role, closed, label, [x, y, x, y, ...]]. Numbers that JSON lacks are the
 // strings "NaN", "Infinity", "-Infinity".
 #pragma once

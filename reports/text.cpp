@@ -137,10 +137,11 @@ std::string describe(const ValueAggregate& values) {
   if (values.differing.empty())
     return fmt::format("{}: all {} values agree", values.attribute, values.compared);
   return fmt::format(
-      "{}: {} of {} values differ within what is permitted, worst {:.4g} ULP at pixel ({}, {}): "
+      "{}: {} of {} values differ {}, worst {:.4g} ULP at pixel ({}, {}): "
       "{} exact, {} rendered; mean {:.3g} ULP, at most {:.3g} of the attribute's range",
-      values.attribute, values.differing.size(), values.compared, values.worst_ulp, values.worst.x,
-      values.worst.y, values.worst_exact, values.worst_rendered, values.mean_ulp,
+      values.attribute, values.differing.size(), values.compared,
+      values.cause.empty() ? "within what is permitted" : "by " + values.cause, values.worst_ulp,
+      values.worst.x, values.worst.y, values.worst_exact, values.worst_rendered, values.mean_ulp,
       values.worst_relative);
 }
 

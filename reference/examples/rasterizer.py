@@ -8,9 +8,11 @@ Numbers are fractions, so nothing is rounded before the answer is written. Where
 moves things by an infinitesimal e, a number is a tuple (a, b, c) that stands for a + b e + c e^2;
 Python orders tuples by their first difference, which is just the order of such numbers.
 
-It leaves out derivatives, which an answer may: OpenGL allows several, and no exact one.
+It leaves out derivatives and levels of detail, which an answer may: OpenGL allows several, and no
+exact one. So it draws only those textures of which no level has to be chosen.
 """
 import json
+import math
 import struct
 import sys
 from fractions import Fraction
@@ -101,6 +103,29 @@ def perspective(weights, corners):
     return [part / sum(parts) for part in parts], sum(parts)
 
 
+# 8.14.2: the texel i of n in a row that stands at a coordinate; none where the border does.
+WRAPS = {"repeat": lambda i, n: i % n,
+         "mirrored-repeat": lambda i, n: min(i % (2 * n), 2 * n - 1 - i % (2 * n)),
+         "clamp-to-edge": lambda i, n: min(max(i, 0), n - 1),
+         "clamp-to-border": lambda i, n: i if 0 <= i < n else None}
+
+
+def nearest(texture, use, coordinates):
+    """8.14.2: the colour of the texel that these coordinates lie in, a border's clamped where the
+    format is fixed-point. A texture of one dimension has one row, wherever t is."""
+    level, most = texture["levels"][use["base_level"]], {"rgba8": 255}.get(texture["format"])
+    sizes = [level["width"], level["height"]]
+    i, j = (WRAPS[wrap](math.floor(c * n), n)
+            for wrap, c, n in zip(use["wrap"], coordinates, sizes))
+    if texture["dimensions"] == 1:
+        j = 0
+    if i is None or j is None:
+        return [min(max(Fraction(n), 0), 1) if most else Fraction(n) for n in use["border"]]
+    start = 4 * (j * sizes[0] + i)
+    texel = level.get("texel") or level["texels"][start:start + 4]
+    return [Fraction(n) / (most or 1) for n in texel]
+
+
 def stored(depth, kind):
     """What a depth buffer makes of a depth: a multiple of 1/(2^bits - 1), or a float32."""
     depth = min(max(depth, Fraction(0)), Fraction(1))
@@ -130,7 +155,8 @@ def render(scene):
         for numbers in primitives(draw["primitive"], len(draw["vertices"])):
             vertices = [draw["vertices"][n] for n in numbers]
             corners = [window(v, viewport) for v in vertices]
-            colors = [[Fraction(n) for n in v["color"]] for v in vertices]
+            key = "texture_coordinates" if "texture" in draw else "color"
+            colors = [[Fraction(n) for n in v[key]] for v in vertices]
             covers = rules[len(corners)](*corners)
             boxes = [target, draw.get("scissor", target)]
             # 13.7: lines and triangles are cut at the viewport. Of a point only the vertex is
@@ -150,6 +176,9 @@ def render(scene):
                 else:
                     parts = in_clip_space if way == "smooth" else weights
                     color = [mix(parts, values) for values in zip(*colors)]
+                if "texture" in draw:
+                    use, coordinates = draw["texture"], color
+                    color = nearest(scene["textures"][use["texture"]], use, coordinates)
                 depth = (mix(weights, [c[2] for c in corners]) + 1) / 2
                 pixels[y * width + x], depths[y * width + x] = color, depth
                 fragments.append({"x": x, "y": y, "primitive": primitive,
@@ -157,6 +186,8 @@ def render(scene):
                 if "coordinates" in scene.get("details", []):
                     fragments[-1]["coordinates"] = [x + 0.5, y + 0.5, float(depth),
                                                     float(inverse_w)]
+                if "texture" in draw and "texture" in scene.get("details", []):
+                    fragments[-1]["texture_coordinates"] = [float(n) for n in coordinates]
             primitive += 1
     # round() takes the nearest integer, and the even one of two.
     unorm = [round(255 * min(max(Fraction(n), 0), 1)) for pixel in pixels for n in pixel]
@@ -174,6 +205,14 @@ def answer(scene):
         return {"not_run": "this example draws lines of width 1"}
     if scene["target"].get("depth") not in (None, "depth16", "depth24", "depth32f"):
         return {"not_run": "this example has no such depth buffer"}
+    for use in (draw["texture"] for draw in scene["draws"] if "texture" in draw):
+        texture = scene["textures"][use["texture"]]
+        if (use["magnify"], use["minify"], use["mipmap"]) != ("nearest", "nearest", "none"):
+            return {"not_run": "this example looks up the nearest texel of one level"}
+        if texture["format"] not in ("rgba8", "rgba32f") or not WRAPS.keys() >= {*use["wrap"]}:
+            return {"not_run": "this example has no such texture"}
+        if use["base_level"] >= len(texture["levels"]):
+            return {"not_run": "this example generates no levels"}
     return render(scene)
 
 

@@ -5,13 +5,15 @@ const CaseView = {
   one: null,
   result: null,
   pictures: null,
+  ramps: null,
   list: null,
   index: -1,   // of the chosen disagreement
   parts: null,
 
   close() {
     CaseView.pictures?.destroy();
-    CaseView.one = CaseView.result = CaseView.pictures = null;
+    CaseView.ramps?.destroy();
+    CaseView.one = CaseView.result = CaseView.pictures = CaseView.ramps = null;
   },
 
   // The result to open first: the named renderer's, else the one most worth a look.
@@ -43,12 +45,13 @@ const CaseView = {
       stepper: h("span.steps", {}),
     };
     CaseView.pictures = new Pictures(one, result, CaseView.pick);
+    CaseView.ramps = new Ramps(one, result, CaseView.pickOf);
     CaseView.list = new DisagreementList(answer, (index) => CaseView.choose(index, true));
     return h("main.case", {}, caseWords(one), rendererTabs(one, result),
       h("section.card.answer", {role: "tabpanel", "aria-label": result.renderer},
         resultLine(result, CaseView.parts.stepper), CaseView.parts.finding),
-      CaseView.pictures.element, CaseView.list.element, valuesSection(answer, CaseView.pick),
-      evidenceSection(answer),
+      CaseView.pictures.element, CaseView.ramps.element, CaseView.list.element,
+      valuesSection(answer, CaseView.pick), evidenceSection(answer),
       h("section.card", {}, h("h2", {}, "Reproduce"), CaseView.parts.commands),
       h("section.card", {}, verticesOf(one.figure), h("details", {},
         h("summary", {}, "Case file ", h("code.faint", {}, one.file)),
@@ -82,6 +85,13 @@ const CaseView = {
     CaseView.pictures.select(null, {x, y});
   },
 
+  // A pixel of another renderer's answer: its disagreement is shown with that renderer.
+  pickOf(result, x, y) {
+    const index = result.answer.disagreements.findIndex((d) => d.x === x && d.y === y);
+    if (result.answer === CaseView.result.answer || index < 0) return CaseView.pick(x, y);
+    Route.go({case: CaseView.one.id, on: result.renderer, at: index + 1});
+  },
+
   step(by) {
     const count = CaseView.result ? CaseView.result.answer.disagreements.length : 0;
     if (!count) return;
@@ -99,6 +109,7 @@ const CaseView = {
       stepper(CaseView.index, count, (index) => CaseView.choose(index, true)));
     replace(CaseView.parts.commands,
       commandsFor(CaseView.one, CaseView.result, CaseView.pixel).map(commandLine));
+    CaseView.ramps.mark(CaseView.pixel);
   },
 };
 

@@ -28,7 +28,7 @@ function valuesCard(v, pick) {
     h("div", {}, h("b", {}, v.attribute), " ", ruleChip(v.rule), " ",
       v.ruling ? rulingChip(v.ruling) : null,
       h("p", {}, v.differing.toLocaleString("en") + " of " + v.compared.toLocaleString("en") +
-        " differ within what is permitted."),
+        (v.cause ? " differ, as " + v.cause + " makes them." : " differ within what is permitted.")),
       h("p", {}, "Worst: ",
         h("button.link.mono", {onclick: () => pick(worst.x, worst.y)},
           "pixel (" + worst.x + ", " + worst.y + ")"),

@@ -5,7 +5,7 @@ const KEYS = [
   ["j  \u2193", "next case"], ["k  \u2191", "previous case"], ["Enter", "open the case"],
   ["n", "next disagreement"], ["p", "previous disagreement"],
   ["[  ]", "previous, next renderer"], ["+  -", "larger, smaller"], ["0", "whole image"],
-  ["z", "close to the chosen pixel"], ["Esc", "back to the list"], ["/", "search"],
+  ["z", "close to the chosen pixel"], ["\u2190  \u2192", "along a plot of levels"], ["Esc", "back to the list"], ["/", "search"],
   ["?", "these keys"],
 ];
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "casefile/text.h"
 #include "casefile/transform.h"
@@ -13,9 +14,9 @@ namespace edgecase {
 namespace {
 
 const Keys kCaseKeys{{"title", "rules", "target", "draws"},
-                     {"$schema", "why", "spec", "origin", "tags", "details", "transform", "expect",
-                      "sweep", "variants"},
-                     {"textures"}};
+                     {"$schema", "why", "spec", "origin", "tags", "details", "textures",
+                      "transform", "expect", "sweep", "variants"},
+                     {}};
 
 bool is_word(std::string_view word, bool dashes) {
   return !word.empty() && std::all_of(word.begin(), word.end(), [&](char c) {
@@ -112,21 +113,27 @@ Details read_details(const Place& place, Findings& findings) {
   const auto asked = [&](const char* name) {
     return std::find(given.begin(), given.end(), name) != given.end();
   };
-  return {asked("coordinates"), asked("derivatives")};
+  return {asked("coordinates"), asked("derivatives"), false};
 }
 
-void read_scene(const ObjectReader& object, MeshShelf& meshes, Findings& findings,
-                CaseFields& fields) {
+void read_scene(const ObjectReader& object, MeshShelf& meshes, TextureShelf& shelf,
+                Findings& findings, CaseFields& fields) {
   if (const auto place = object.find("target")) fields.target = read_target(*place, findings);
   if (const auto place = object.find("details")) fields.details = read_details(*place, findings);
+  std::optional<TextureList> textures = TextureList{};
+  if (const auto place = object.find("textures")) textures = read_textures(*place, shelf, findings);
   const std::size_t before = findings.size();
   std::optional<Transform> transform;
   if (const auto place = object.find("transform")) transform = read_transform(*place, findings);
   if (findings.size() != before) transform.reset();
   fields.draws_place = object.find("draws");
   if (!fields.draws_place) return;
-  fields.draws =
-      read_draws(*fields.draws_place, transform ? &*transform : nullptr, meshes, findings);
+  fields.draws = read_draws(*fields.draws_place, transform ? &*transform : nullptr, textures,
+                            meshes, findings);
+  fields.details.texture =
+      std::any_of(fields.draws.begin(), fields.draws.end(),
+                  [](const DrawFields& draw) { return draw.draw.texture.has_value(); });
+  fields.textures = std::move(textures).value_or(TextureList{});
   if (fields.target.y_down && findings.empty())
     turn_y_up(fields.target, fields.draws, *fields.draws_place, findings);
 }
@@ -146,13 +153,13 @@ bool is_rule_id(std::string_view name) {
 }
 
 CaseFields read_case_fields(const JsonNode& root, std::span<const std::string> known_rules,
-                            MeshShelf& meshes, Findings& findings) {
+                            MeshShelf& meshes, TextureShelf& textures, Findings& findings) {
   CaseFields fields;
   const ObjectReader object({&root, ""}, "a case", kCaseKeys, findings);
   read_words_of_case(object, known_rules, findings, fields.words);
   if (const auto place = object.find("expect"))
     expect_kind(*place, JsonKind::array, "expect", findings);
-  read_scene(object, meshes, findings, fields);
+  read_scene(object, meshes, textures, findings, fields);
   return fields;
 }
 

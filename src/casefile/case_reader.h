@@ -11,6 +11,7 @@
 
 #include "casefile/fields.h"
 #include "casefile/scene_reader.h"
+#include "casefile/texture_reader.h"
 #include "model/case.h"
 
 namespace edgecase {
@@ -25,6 +26,7 @@ struct CaseFields {
   Case words;  // title to tags
   TargetFields target;
   Details details;
+  TextureList textures;
   std::vector<DrawFields> draws;
   std::optional<Place> draws_place;  // none: the file has no draws
 };
@@ -33,6 +35,6 @@ struct CaseFields {
 // "sweep", "variants" and "expect" only their presence is looked at.
 // Where the file counts y downwards, the result no longer does.
 CaseFields read_case_fields(const JsonNode& root, std::span<const std::string> known_rules,
-                            MeshShelf& meshes, Findings& findings);
+                            MeshShelf& meshes, TextureShelf& textures, Findings& findings);
 
 }  // namespace edgecase

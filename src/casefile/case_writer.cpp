@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <utility>
 
-#include "casefile/float_numeral.h"
 #include "casefile/json_layout.h"
 #include "casefile/loader.h"
+#include "casefile/number_pieces.h"
 #include "casefile/text.h"
+#include "casefile/texture_writer.h"
 #include "casefile/viewport.h"
 #include "exact/numeral.h"
 #include "model/scene_words.h"
@@ -20,10 +20,6 @@ namespace {
 
 using Pieces = std::vector<JsonPiece>;
 
-JsonPiece integer(int value) {
-  return json_scalar(std::to_string(value));
-}
-
 // A decimal where it is short; a fraction says what 10.01171875 hides.
 JsonPiece coordinate(Fixed value) {
   constexpr std::int64_t kReadable = Fixed::kOne / 16;
@@ -31,24 +27,10 @@ JsonPiece coordinate(Fixed value) {
   return json_string(to_fraction(value));
 }
 
-// The shortest decimal whose nearest float32 is the component; -0 is written as 0.
-JsonPiece component(float value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value + 0.0F);
-  return json_scalar(std::string(digits.data(), end.ptr));
-}
-
-JsonPiece color(const Color& value) {
-  Pieces components;
-  const std::size_t count = value[3] == 1 ? 3 : 4;  // alpha is 1 if not said
-  for (std::size_t i = 0; i < count; ++i) components.push_back(component(value[i]));
-  return json_array(std::move(components));
-}
-
 JsonPiece rectangle(const Viewport& value) {
-  return json_object({named("x", integer(value.x)), named("y", integer(value.y)),
-                      named("width", integer(value.width)),
-                      named("height", integer(value.height))});
+  return json_object({named("x", integer_piece(value.x)), named("y", integer_piece(value.y)),
+                      named("width", integer_piece(value.width)),
+                      named("height", integer_piece(value.height))});
 }
 
 JsonPiece strings(const std::vector<std::string>& words) {
@@ -66,17 +48,18 @@ bool chosen_by_loader(const Scene& scene) {
 
 JsonPiece target_piece(const Scene& scene) {
   const Target& target = scene.target;
-  Pieces members{named("width", integer(target.width)), named("height", integer(target.height))};
+  Pieces members{named("width", integer_piece(target.width)),
+                 named("height", integer_piece(target.height))};
   const Target standard;
   if (target.samples != standard.samples)
-    members.push_back(named("samples", integer(target.samples)));
+    members.push_back(named("samples", integer_piece(target.samples)));
   if (target.color != standard.color)
     members.push_back(named("color", json_string(name_of(target.color))));
   if (target.depth != standard.depth)
     members.push_back(named("depth", json_string(name_of(target.depth))));
   if (target.surface != standard.surface)
     members.push_back(named("surface", json_string(name_of(target.surface))));
-  members.push_back(named("clear", color(target.clear)));
+  members.push_back(named("clear", color_piece(target.clear)));
   if (!chosen_by_loader(scene)) members.push_back(named("viewport", rectangle(scene.viewport)));
   return json_object(std::move(members));
 }
@@ -84,30 +67,40 @@ JsonPiece target_piece(const Scene& scene) {
 JsonPiece position(const Vertex& vertex) {
   Pieces coordinates{coordinate(vertex.position.x), coordinate(vertex.position.y)};
   if (vertex.z != Fixed() || vertex.w != 1) coordinates.push_back(coordinate(vertex.z));
-  if (vertex.w != 1) coordinates.push_back(json_scalar(exact_decimal(vertex.w)));
+  if (vertex.w != 1) coordinates.push_back(exact_piece(vertex.w));
   return json_array(std::move(coordinates));
 }
 
 JsonPiece clip_piece(const ClipPosition& clip) {
-  Pieces coordinates;
-  for (const float value : {clip.x, clip.y, clip.z, clip.w})
-    coordinates.push_back(json_scalar(exact_decimal(value + 0.0F)));
-  return json_array(std::move(coordinates));
+  return exact_list(std::array{clip.x, clip.y, clip.z, clip.w});
 }
 
-JsonPiece vertex_piece(const Vertex& vertex, bool with_color) {
-  if (!with_color && !vertex.clip) return position(vertex);
+// What a draw's vertices are given beside their places.
+struct VertexParts {
+  bool color = false;
+  int texture_coordinates = 0;  // 1 or 2 where the draw is textured
+};
+
+JsonPiece vertex_piece(const Vertex& vertex, VertexParts parts) {
+  if (!parts.color && parts.texture_coordinates == 0 && !vertex.clip) return position(vertex);
   Pieces members;
   members.push_back(vertex.clip ? named("clip", clip_piece(*vertex.clip))
                                 : named("at", position(vertex)));
-  if (with_color) members.push_back(named("color", color(vertex.color)));
+  if (parts.color) members.push_back(named("color", color_piece(vertex.color)));
+  if (parts.texture_coordinates > 0)
+    members.push_back(named("uv", uv_piece(vertex.texture_coordinates, parts.texture_coordinates)));
   return json_object(std::move(members));
 }
 
-std::optional<JsonPiece> state_piece(const Draw& draw) {
+// Of the texture that a draw looks up; 0: it looks up none.
+int dimensions_of(const Draw& draw, const Scene& scene) {
+  return draw.texture ? scene.textures[draw.texture->texture]->dimensions : 0;
+}
+
+std::optional<JsonPiece> state_piece(const Draw& draw, int dimensions) {
   const Draw standard;
   Pieces members;
-  if (draw.interpolation != standard.interpolation)
+  if (draw.interpolation != (draw.texture ? Interpolation::smooth : standard.interpolation))
     members.push_back(named("interpolation", json_string(name_of(draw.interpolation))));
   if (draw.provoking_vertex != standard.provoking_vertex)
     members.push_back(named("provoking_vertex", json_string(name_of(draw.provoking_vertex))));
@@ -116,23 +109,31 @@ std::optional<JsonPiece> state_piece(const Draw& draw) {
   if (draw.point_size != standard.point_size)
     members.push_back(named("point_size", coordinate(draw.point_size)));
   if (draw.scissor) members.push_back(named("scissor", rectangle(*draw.scissor)));
+  if (draw.texture)
+    for (JsonPiece& member : texture_use_pieces(*draw.texture, dimensions))
+      members.push_back(std::move(member));
   if (members.empty()) return std::nullopt;
   return json_object(std::move(members));
 }
 
-JsonPiece draw_piece(const Draw& draw) {
+JsonPiece draw_piece(const Draw& draw, const Scene& scene) {
+  const int dimensions = dimensions_of(draw, scene);
+  const bool textured = dimensions > 0;
   const bool one_color = std::ranges::all_of(draw.vertices, [&](const Vertex& vertex) {
     return vertex.color == draw.vertices.front().color;
   });
   Pieces vertices;
-  for (const Vertex& vertex : draw.vertices) vertices.push_back(vertex_piece(vertex, !one_color));
+  for (const Vertex& vertex : draw.vertices)
+    vertices.push_back(vertex_piece(vertex, {!one_color && !textured, dimensions}));
   JsonPiece list = json_array(std::move(vertices));
-  if (one_color) list.together = static_cast<std::size_t>(vertices_of(kind_of(draw.primitive)));
+  if (one_color && !textured)
+    list.together = static_cast<std::size_t>(vertices_of(kind_of(draw.primitive)));
   Pieces members{named("primitive", json_string(name_of(draw.primitive))),
                  named("vertices", std::move(list))};
-  if (one_color && !draw.vertices.empty())
-    members.push_back(named("color", color(draw.vertices.front().color)));
-  if (auto state = state_piece(draw)) members.push_back(named("state", std::move(*state)));
+  if (one_color && !textured && !draw.vertices.empty())
+    members.push_back(named("color", color_piece(draw.vertices.front().color)));
+  if (auto state = state_piece(draw, dimensions))
+    members.push_back(named("state", std::move(*state)));
   return json_object(std::move(members));
 }
 
@@ -140,6 +141,12 @@ JsonPiece details_piece(Details details) {
   Pieces items;
   if (details.coordinates) items.push_back(json_string("coordinates"));
   if (details.derivatives) items.push_back(json_string("derivatives"));
+  return json_array(std::move(items));
+}
+
+JsonPiece textures_piece(const Scene& scene) {
+  Pieces items;
+  for (const auto& texture : scene.textures) items.push_back(texture_piece(*texture));
   return json_array(std::move(items));
 }
 
@@ -157,9 +164,11 @@ JsonPiece case_piece(const Scene& scene, const CaseWords& words) {
   add_word("origin", words.origin, members);
   if (!words.tags.empty()) members.push_back(named("tags", strings(words.tags)));
   members.push_back(named("target", target_piece(scene)));
-  if (scene.details.any()) members.push_back(named("details", details_piece(scene.details)));
+  if (scene.details.coordinates || scene.details.derivatives)
+    members.push_back(named("details", details_piece(scene.details)));
+  if (!scene.textures.empty()) members.push_back(named("textures", textures_piece(scene)));
   Pieces draws;
-  for (const Draw& draw : scene.draws) draws.push_back(draw_piece(draw));
+  for (const Draw& draw : scene.draws) draws.push_back(draw_piece(draw, scene));
   JsonPiece list = json_array(std::move(draws));
   list.broken = true;
   members.push_back(named("draws", std::move(list)));

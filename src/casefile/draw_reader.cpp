@@ -3,6 +3,7 @@
 
 #include "casefile/mesh.h"
 #include "casefile/numbers.h"
+#include "casefile/sampler_reader.h"
 #include "casefile/scene_reader.h"
 #include "casefile/transform.h"
 #include "casefile/vertex_reader.h"
@@ -11,10 +12,10 @@ namespace edgecase {
 namespace {
 
 const Keys kDrawKeys{{"primitive"}, {"vertices", "mesh", "state", "color", "transform"}, {}};
-const Keys kStateKeys{
-    {},
-    {"interpolation", "provoking_vertex", "line_width", "point_size", "scissor"},
-    {"texture", "sampler", "depth", "stencil", "blend", "cull", "polygon_offset", "sample_mask"}};
+const Keys kStateKeys{{},
+                      {"interpolation", "provoking_vertex", "line_width", "point_size", "scissor",
+                       "texture", "sampler", "lookup"},
+                      {"depth", "stencil", "blend", "cull", "polygon_offset", "sample_mask"}};
 
 const Names kPrimitiveNames{
     {"points", "lines", "line_strip", "line_loop", "triangles", "triangle_strip", "triangle_fan"},
@@ -24,7 +25,8 @@ const Names kPrimitiveNames{
 constexpr FixedRange kSizeRange{Fixed::from_raw(1), Fixed::from_integer(64)};
 constexpr Float32Range kColorRange{-kMaxColor, kMaxColor};
 
-void read_state(const Place& place, Draw& draw, Findings& findings) {
+TextureState read_state(const Place& place, const std::optional<TextureList>& textures, Draw& draw,
+                        Findings& findings) {
   const ObjectReader object(place, "a state", kStateKeys, findings);
   if (const auto interpolation = object.find("interpolation"))
     read_enum(*interpolation, "interpolation", {{"flat", "smooth", "noperspective"}, {}}, findings,
@@ -40,6 +42,11 @@ void read_state(const Place& place, Draw& draw, Findings& findings) {
         read_coordinate(*size, "point_size", kSizeRange, findings).value_or(draw.point_size);
   if (const auto scissor = object.find("scissor"))
     draw.scissor = read_rectangle(*scissor, "a scissor", 0, findings);
+  TextureState texture = read_texture_state(object, textures, findings);
+  draw.texture = texture.use;
+  // A flat lookup shows one texel all over: nobody means it who does not say so.
+  if (draw.texture && !object.find("interpolation")) draw.interpolation = Interpolation::smooth;
+  return texture;
 }
 
 // `count` vertices make no whole primitives.
@@ -57,7 +64,7 @@ void refuse_count(const Place& place, Primitive primitive, std::size_t count, Fi
 }
 
 void read_vertices(const Place& place, std::optional<Primitive> primitive,
-                   const std::optional<Color>& color, Findings& findings,
+                   const VertexDefaults& defaults, Findings& findings,
                    std::vector<VertexFields>& vertices) {
   if (!expect_kind(place, JsonKind::array, "a list of vertices", findings)) return;
   const std::size_t count = place.node->children.size();
@@ -68,24 +75,25 @@ void read_vertices(const Place& place, std::optional<Primitive> primitive,
   }
   vertices.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
-    vertices.push_back(read_vertex(place.child(i), color, findings));
+    vertices.push_back(read_vertex(place.child(i), defaults, findings));
 }
 
 // What a draw's reader needs to know of the case.
 struct Context {
   const Transform* transform = nullptr;
+  const std::optional<TextureList>& textures;
   MeshShelf& meshes;
   TransformUse use;  // of the case's transform, by the draws that have none of their own
 };
 
 void read_mesh(const Place& place, std::optional<Primitive> primitive,
-               const std::optional<Color>& color, MeshShelf& meshes, Findings& findings,
+               const VertexDefaults& defaults, MeshShelf& meshes, Findings& findings,
                std::vector<VertexFields>& vertices) {
   if (primitive && *primitive != Primitive::triangles)
     findings.add(place, fmt::format("a mesh cannot be drawn as {}", name_of(*primitive)),
                  "write \"primitive\": \"triangles\"");
   if (const Mesh* mesh = meshes.find(place, findings))
-    vertices = mesh_vertices(*mesh, place, color);
+    vertices = mesh_vertices(*mesh, place, defaults, findings);
 }
 
 // A part of a transform that has nothing to act on would pass for tested.
@@ -122,18 +130,26 @@ DrawFields read_draw(const Place& place, Context& context, Findings& findings) {
     if (read_enum(*primitive, "a primitive", kPrimitiveNames, findings, fields.draw.primitive))
       known = fields.draw.primitive;
   }
-  if (const auto state = object.find("state")) read_state(*state, fields.draw, findings);
-  std::optional<Color> color;
-  if (const auto given = object.find("color"))
-    color = read_color(*given, "a draw's colour", kColorRange, findings);
+  VertexDefaults defaults;
+  if (const auto state = object.find("state")) {
+    const TextureState texture = read_state(*state, context.textures, fields.draw, findings);
+    defaults.textured = texture.textured;
+    defaults.dimensions = texture.dimensions;
+  }
+  if (const auto given = object.find("color")) {
+    defaults.color = read_color(*given, "a draw's colour", kColorRange, findings);
+    if (defaults.textured)
+      findings.add_key(*given, "a textured draw has a colour, and its texture gives it",
+                       "remove it");
+  }
   const auto vertices = object.find("vertices");
   const auto mesh = object.find("mesh");
   if (vertices && mesh)
     findings.add(place, "a draw has both \"vertices\" and \"mesh\"", "give exactly one of the two");
   else if (vertices)
-    read_vertices(*vertices, known, color, findings, fields.vertices);
+    read_vertices(*vertices, known, defaults, findings, fields.vertices);
   else if (mesh)
-    read_mesh(*mesh, known, color, context.meshes, findings, fields.vertices);
+    read_mesh(*mesh, known, defaults, context.meshes, findings, fields.vertices);
   else if (object.valid())
     findings.add(place, "a draw lacks \"vertices\"", "add \"vertices\": [...], or a \"mesh\"");
   const auto transform = object.find("transform");
@@ -148,7 +164,8 @@ DrawFields read_draw(const Place& place, Context& context, Findings& findings) {
 }  // namespace
 
 std::vector<DrawFields> read_draws(const Place& place, const Transform* transform,
-                                   MeshShelf& meshes, Findings& findings) {
+                                   const std::optional<TextureList>& textures, MeshShelf& meshes,
+                                   Findings& findings) {
   const std::size_t before = findings.size();
   std::vector<DrawFields> draws;
   if (!expect_kind(place, JsonKind::array, "the list of draws", findings)) return draws;
@@ -157,7 +174,7 @@ std::vector<DrawFields> read_draws(const Place& place, const Transform* transfor
     findings.add(place, fmt::format("a case has {} draws", count),
                  fmt::format("write 1 to {} draws", kMaxDraws));
   }
-  Context context{transform, meshes, {}};
+  Context context{transform, textures, meshes, {}};
   std::size_t vertices = 0;
   for (std::size_t i = 0; i < count; ++i) {
     draws.push_back(read_draw(place.child(i), context, findings));

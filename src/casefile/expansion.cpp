@@ -12,6 +12,7 @@
 #include "casefile/fault_sheet.h"
 #include "casefile/mesh.h"
 #include "casefile/sweep.h"
+#include "casefile/texture_reader.h"
 #include "casefile/variants.h"
 
 namespace edgecase {
@@ -77,7 +78,8 @@ class Expansion {
         origin_(origin),
         plan_(std::move(plan)),
         findings_(findings),
-        meshes_(origin.file) {}
+        meshes_(origin.file),
+        textures_(origin.file) {}
 
   std::vector<Case> run();
   // Reads the file as it stands, for its other faults: its sweep cannot be used.
@@ -97,6 +99,7 @@ class Expansion {
   Plan plan_;
   Findings& findings_;
   MeshShelf meshes_;
+  TextureShelf textures_;
   FaultSheet sheet_;
   std::set<std::string> notes_;  // told already
   std::set<std::size_t> used_;   // drawings that hold for some case
@@ -118,7 +121,7 @@ std::vector<Case> Expansion::run() {
 }
 
 void Expansion::read_as_written() {
-  read_case_fields(root_, origin_.known_rules, meshes_, findings_);
+  read_case_fields(root_, origin_.known_rules, meshes_, textures_, findings_);
   const auto expect = member_of(root_, "expect");
   if (!expect || expect->node->kind != JsonKind::array) return;
   for (std::size_t i = 0; i < expect->node->children.size(); ++i)
@@ -129,7 +132,8 @@ void Expansion::expand(const Combination& combination) {
   JsonNode tree = scene_;
   Findings findings(findings_.file());
   substitute(plan_.sweep, combination, tree, findings);
-  const CaseFields fields = read_case_fields(tree, origin_.known_rules, meshes_, findings);
+  const CaseFields fields =
+      read_case_fields(tree, origin_.known_rules, meshes_, textures_, findings);
   if (findings.empty()) check_variants(plan_.variants, fields.draws, findings);
   Case base = make_case(fields, combination, Image{}, findings);
   const bool sound = findings.empty();
@@ -171,6 +175,7 @@ Case Expansion::make_case(const CaseFields& fields, const Combination& combinati
   if (fields.draws_place)
     result.scene = complete_scene(target, draws, result.id, *fields.draws_place, findings);
   result.scene.details = fields.details;
+  result.scene.textures = fields.textures;
   return result;
 }
 

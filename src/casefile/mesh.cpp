@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "casefile/obj_check.h"
+#include "casefile/suite_path.h"
 #include "casefile/text.h"
 #include "casefile/text_file.h"
 
@@ -17,9 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-MeshVertex vertex_of(const tinyobj::attrib_t& attributes, std::size_t index, bool has_colors) {
+MeshVertex vertex_of(const tinyobj::attrib_t& attributes, const tinyobj::index_t& corner,
+                     bool has_colors) {
   MeshVertex vertex;
+  const auto index = static_cast<std::size_t>(corner.vertex_index);
   for (std::size_t i = 0; i < 3; ++i) vertex.position[i] = attributes.vertices[3 * index + i];
+  if (corner.texcoord_index >= 0) {
+    const float* uv = &attributes.texcoords[2 * static_cast<std::size_t>(corner.texcoord_index)];
+    vertex.uv = {uv[0] + 0.0F, uv[1] + 0.0F};
+  }
   if (!has_colors) return vertex;
   Color color{0, 0, 0, 1};
   for (std::size_t i = 0; i < 3; ++i) color[i] = attributes.colors[3 * index + i] + 0.0F;
@@ -29,15 +36,6 @@ MeshVertex vertex_of(const tinyobj::attrib_t& attributes, std::size_t index, boo
 
 LoadedMesh refused(std::string message, std::string remedy) {
   return {{}, std::move(message), std::move(remedy)};
-}
-
-// The folder that meshes must lie in.
-fs::path suite_of(const fs::path& case_file) {
-  std::error_code error;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(case_file, error), error).parent_path();
-  for (fs::path at = folder; at != at.root_path() && !at.empty(); at = at.parent_path())
-    if (at.filename() == "cases") return at;
-  return folder;
 }
 
 }  // namespace
@@ -56,14 +54,14 @@ LoadedMesh parse_mesh(const std::string& obj_text) {
   const tinyobj::attrib_t& attributes = reader.GetAttrib();
   const auto is_finite = [](float value) { return std::isfinite(value); };
   if (!std::all_of(attributes.vertices.begin(), attributes.vertices.end(), is_finite) ||
+      !std::all_of(attributes.texcoords.begin(), attributes.texcoords.end(), is_finite) ||
       !std::all_of(attributes.colors.begin(), attributes.colors.end(), is_finite))
     return refused("a vertex has a number with an exponent that the library cannot read",
                    "write it without an exponent");
   LoadedMesh loaded;
   for (const tinyobj::shape_t& shape : reader.GetShapes())
     for (const tinyobj::index_t& index : shape.mesh.indices)
-      loaded.mesh.push_back(
-          vertex_of(attributes, static_cast<std::size_t>(index.vertex_index), check.has_colors));
+      loaded.mesh.push_back(vertex_of(attributes, index, check.has_colors));
   if (loaded.mesh.size() != 3 * check.triangles)
     return refused(fmt::format("the faces make {} triangles, where their corners make {}",
                                loaded.mesh.size() / 3, check.triangles),
@@ -71,23 +69,9 @@ LoadedMesh parse_mesh(const std::string& obj_text) {
   return loaded;
 }
 
-std::optional<fs::path> MeshShelf::resolve(const Place& place, Findings& findings) const {
-  const fs::path relative(place.node->text);
-  const fs::path root = suite_of(case_file_);
-  std::error_code error;
-  const fs::path folder =
-      fs::weakly_canonical(fs::absolute(case_file_, error), error).parent_path();
-  const fs::path file = fs::weakly_canonical(folder / relative, error);
-  const auto end = std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first;
-  if (!error && !relative.empty() && relative.is_relative() && end == root.end()) return file;
-  findings.add(place, fmt::format("{} leaves the folder of the cases", quote(place.node->text)),
-               "name an OBJ file of the suite, by its path from the case file");
-  return std::nullopt;
-}
-
 const Mesh* MeshShelf::find(const Place& place, Findings& findings) {
   if (!read_text(place, "a mesh", {1, 1000}, findings)) return nullptr;
-  const auto file = resolve(place, findings);
+  const auto file = find_in_suite(case_file_, place, "an OBJ file", findings);
   if (!file) return nullptr;
   const auto [entry, fresh] = meshes_.try_emplace(*file);
   LoadedMesh& loaded = entry->second;

@@ -3,9 +3,10 @@
 // Triangle meshes from OBJ files. The only user of the OBJ library, tinyobjloader.
 //
 // Triangles come in the order of the faces; faces with more corners are cut by the library, as it
-// sees fit. Texture coordinates, normals, groups and materials are left out.
+// sees fit. Normals, groups and materials are left out.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -22,6 +23,7 @@ namespace edgecase {
 struct MeshVertex {
   Vector position{};  // object space
   std::optional<Color> color;
+  std::optional<std::array<float, 2>> uv;  // texture coordinates s and t
 };
 
 // Three vertices for each triangle.
@@ -38,8 +40,7 @@ LoadedMesh parse_mesh(const std::string& obj_text);
 // The meshes that the cases of one file use, each read once.
 class MeshShelf {
  public:
-  // `case_file` is what the paths of meshes are relative to. They must stay inside the suite: the
-  // nearest folder named "cases" round the case file, or, where there is none, its own folder.
+  // `case_file` is what the paths of meshes are relative to (casefile/suite_path.h).
   explicit MeshShelf(std::filesystem::path case_file) : case_file_(std::move(case_file)) {}
 
   // The mesh that a string names; null, and a finding, where there is none, or where the cases of
@@ -48,7 +49,6 @@ class MeshShelf {
 
  private:
   static constexpr std::size_t kMost = std::size_t{2} << 20;
-  std::optional<std::filesystem::path> resolve(const Place& place, Findings& findings) const;
 
   std::filesystem::path case_file_;
   std::map<std::filesystem::path, LoadedMesh> meshes_;

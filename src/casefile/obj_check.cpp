@@ -23,7 +23,7 @@ using Words = std::vector<std::string_view>;
 
 constexpr std::size_t kMostCorners = 255;
 constexpr std::size_t kMostCharacters = 40;  // of a number
-constexpr std::string_view kLeftOut[] = {"vt", "vn", "vp", "o", "g", "s", "usemtl", "mtllib"};
+constexpr std::string_view kLeftOut[] = {"vn", "vp", "o", "g", "s", "usemtl", "mtllib"};
 
 // Lines end in LF, CR LF or CR.
 std::vector<std::string_view> lines_of(std::string_view text) {
@@ -71,9 +71,14 @@ class Checker {
  private:
   void check_line(const Words& words);
   void check_vertex(const Words& words);
+  void check_texture_coordinates(const Words& words);
   void check_face(const Words& words);
-  // The index of a vertex, from 1; none, and a fault, where the word is no corner.
-  std::optional<std::int64_t> corner_of(std::string_view word);
+  // A corner of a face, its indices counted from 1; none, and a fault, where the word is none.
+  std::optional<std::string> corner_of(std::string_view word);
+  // An index counted from 1; none, and a fault, where it leads to nothing. `what` is indexed, of
+  // which `read` have been read, and the file has `all`.
+  std::optional<std::int64_t> index_from_one(std::int64_t index, const char* what,
+                                             std::int64_t read, std::int64_t all);
   void refuse(std::string message, std::string remedy) {
     result_.line = line_;
     result_.message = std::move(message);
@@ -84,6 +89,8 @@ class Checker {
   std::size_t line_ = 0;
   std::int64_t all_vertices_ = 0;  // of the file
   std::int64_t vertices_ = 0;      // read so far
+  std::int64_t all_coordinates_ = 0;
+  std::int64_t coordinates_ = 0;
   ObjCheck result_;
 };
 
@@ -91,6 +98,7 @@ ObjCheck Checker::run() {
   for (const std::string_view line : lines_) {
     const Words words = words_of(line);
     if (!words.empty() && words[0] == "v") ++all_vertices_;
+    if (!words.empty() && words[0] == "vt") ++all_coordinates_;
   }
   for (const std::string_view line : lines_) {
     ++line_;
@@ -111,6 +119,7 @@ void Checker::check_line(const Words& words) {
   if (words.back().ends_with('\\'))
     return refuse("the line goes on in the next one", "write it as one line");
   if (words[0] == "v") return check_vertex(words);
+  if (words[0] == "vt") return check_texture_coordinates(words);
   if (words[0] == "f") return check_face(words);
   if (std::find(std::begin(kLeftOut), std::end(kLeftOut), words[0]) != std::end(kLeftOut)) return;
   if (words[0] == "l" || words[0] == "p")
@@ -146,29 +155,54 @@ void Checker::check_vertex(const Words& words) {
   result_.cleaned += '\n';
 }
 
-std::optional<std::int64_t> Checker::corner_of(std::string_view word) {
-  const std::string_view first = word.substr(0, word.find('/'));
+void Checker::check_texture_coordinates(const Words& words) {
+  const std::size_t count = words.size() - 1;
+  if (count < 1 || count > 3)
+    return refuse(fmt::format("texture coordinates have {} numbers", count), "write u and v");
+  for (std::size_t i = 1; i < words.size(); ++i)
+    if (!number_of(words[i]))
+      return refuse(fmt::format("{} is no texture coordinate", quote(words[i])),
+                    "write a decimal like 0.5, of magnitude 2^64 at most");
+  ++coordinates_;
+  result_.cleaned += fmt::format("vt {} {}\n", words[1], count > 1 ? words[2] : "0");
+}
+
+std::optional<std::int64_t> Checker::index_from_one(std::int64_t index, const char* what,
+                                                    std::int64_t read, std::int64_t all) {
+  // Negative ones count back from those read so far.
+  const std::int64_t absolute = index < 0 ? read + 1 + index : index;
+  const std::int64_t most = index < 0 ? read : all;
+  if (absolute >= 1 && absolute <= most) return absolute;
+  refuse(fmt::format("a face names {} {}, and there are {}", what, index, most),
+         fmt::format("write 1 to {}, or count back from -1", all));
+  return std::nullopt;
+}
+
+std::optional<std::string> Checker::corner_of(std::string_view word) {
+  const std::optional<std::int64_t> vertex = integer_of(word.substr(0, word.find('/')));
+  std::optional<std::int64_t> coordinates;
   std::size_t parts = 1;
   for (std::size_t at = word.find('/'); at != std::string_view::npos; at = word.find('/', at + 1)) {
     const std::size_t end = std::min(word.find('/', at + 1), word.size());
     const std::string_view part = word.substr(at + 1, end - at - 1);
+    const std::optional<std::int64_t> index = integer_of(part);
     ++parts;
     const bool may_be_empty = parts == 2 && end < word.size();  // 1//3
-    if (parts > 3 || !(integer_of(part) || (part.empty() && may_be_empty))) parts = 4;
+    if (parts > 3 || !(index || (part.empty() && may_be_empty))) parts = 4;
+    if (parts == 2) coordinates = index;
   }
-  const std::optional<std::int64_t> index = integer_of(first);
-  if (!index || parts > 3) {
+  if (!vertex || parts > 3) {
     refuse(fmt::format("{} is no corner of a face", quote(word)),
            "write the number of a vertex: 1, 1/2, 1//3 or 1/2/3");
     return std::nullopt;
   }
-  // Negative ones count back from the vertices read so far.
-  const std::int64_t absolute = *index < 0 ? vertices_ + 1 + *index : *index;
-  const std::int64_t most = *index < 0 ? vertices_ : all_vertices_;
-  if (absolute >= 1 && absolute <= most) return absolute;
-  refuse(fmt::format("a face names vertex {}, and there are {}", *index, most),
-         fmt::format("write 1 to {}, or count back from -1", all_vertices_));
-  return std::nullopt;
+  const auto first = index_from_one(*vertex, "vertex", vertices_, all_vertices_);
+  if (!first) return std::nullopt;
+  if (!coordinates) return std::to_string(*first);
+  const auto second =
+      index_from_one(*coordinates, "texture coordinates", coordinates_, all_coordinates_);
+  if (!second) return std::nullopt;
+  return fmt::format("{}/{}", *first, *second);
 }
 
 void Checker::check_face(const Words& words) {
@@ -178,7 +212,7 @@ void Checker::check_face(const Words& words) {
                   fmt::format("write 3 to {}", kMostCorners));
   result_.cleaned += 'f';
   for (std::size_t i = 1; i < words.size(); ++i) {
-    const std::optional<std::int64_t> corner = corner_of(words[i]);
+    const std::optional<std::string> corner = corner_of(words[i]);
     if (!corner) return;
     result_.cleaned += fmt::format(" {}", *corner);
   }

@@ -10,7 +10,8 @@
 namespace edgecase {
 namespace {
 
-// The vertices of all draws, with salted colours where the file gives none.
+// The vertices of all draws, with salted colours where the file gives none. Those of textured draws
+// have no use for any, and stay white.
 std::vector<Draw> fill_colors(const std::vector<DrawFields>& draws, std::uint64_t hash) {
   std::vector<Draw> result;
   std::uint64_t colors_before = 0;
@@ -20,7 +21,7 @@ std::vector<Draw> fill_colors(const std::vector<DrawFields>& draws, std::uint64_
     const auto indices = salted_indices(draw.primitive, fields.vertices.size());
     for (std::size_t i = 0; i < fields.vertices.size(); ++i) {
       Vertex vertex = fields.vertices[i].vertex;
-      if (!fields.vertices[i].has_color)
+      if (!fields.vertices[i].has_color && !draw.texture)
         vertex.color = salted_primitive(hash, colors_before + indices[i]);
       draw.vertices.push_back(vertex);
     }

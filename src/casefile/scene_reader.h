@@ -17,6 +17,7 @@
 
 #include "casefile/fields.h"
 #include "casefile/matrices.h"
+#include "casefile/texture_reader.h"
 #include "model/scene.h"
 
 namespace edgecase {
@@ -60,9 +61,11 @@ class MeshShelf;
 struct Transform;
 
 // What draws share: `transform` is the case's own, for draws without one; null: there is none.
+// `textures` are the case's; none: their list is faulty, so that no number can be judged.
 // Reads its vertices to where they are drawn, but for what depends on the viewport.
 std::vector<DrawFields> read_draws(const Place& place, const Transform* transform,
-                                   MeshShelf& meshes, Findings& findings);
+                                   const std::optional<TextureList>& textures, MeshShelf& meshes,
+                                   Findings& findings);
 
 // Joins both to a scene, with every default filled in. `id` salts the colours. Adds findings for
 // vertices that OpenGL could not be given exactly; `draws_place` is the place of the draws.

@@ -34,11 +34,12 @@ void read_pointer(const Place& place, Axis& axis, Findings& findings) {
   const std::string& text = place.node->text;
   const std::optional<Tokens> tokens = split_pointer(text);
   if (!tokens || tokens->size() < 2 ||
-      (tokens->front() != "target" && tokens->front() != "draws" &&
+      (tokens->front() != "target" && tokens->front() != "textures" && tokens->front() != "draws" &&
        tokens->front() != "transform")) {
     findings.add(
         place,
-        fmt::format("{} is no pointer into the target, the draws or the transform", quote(text)),
+        fmt::format("{} is no pointer into the target, the textures, the draws or the transform",
+                    quote(text)),
         "write one like \"/draws/0/vertices/0/x\" or \"/target/width\"");
     return;
   }

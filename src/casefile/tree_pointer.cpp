@@ -87,11 +87,19 @@ JsonNode* child_of(JsonNode& node, const std::string& token, Missing missing) {
   return &append(node, JsonKind::object, token);
 }
 
+// s or t of a vertex that has texture coordinates.
+JsonNode* texture_coordinate_of(JsonNode& vertex, std::size_t index) {
+  JsonNode* uv = vertex.kind == JsonKind::object ? find_member(vertex, "uv") : nullptr;
+  if (uv == nullptr || uv->kind != JsonKind::array) return nullptr;
+  return index < uv->children.size() ? &uv->children[index] : nullptr;
+}
+
 JsonNode* part_of_vertex(JsonNode& vertex, const std::string& token, Missing missing) {
   constexpr std::string_view kAxes = "xyzw";
   if (token.size() == 1 && kAxes.find(token[0]) != std::string_view::npos)
     return coordinate_of(vertex, kAxes.find(token[0]));
-  const bool named = token == "at" || token == "color";
+  if (token == "s" || token == "t") return texture_coordinate_of(vertex, token == "s" ? 0 : 1);
+  const bool named = token == "at" || token == "color" || token == "uv";
   if (vertex.kind == JsonKind::array && named) make_object(vertex);
   return child_of(vertex, token, missing);
 }

@@ -4,8 +4,8 @@
 //
 // A pointer addresses the normalised case. /draws/I/vertices/J/x (y, z, w) is a coordinate in
 // whatever form the vertex is written: [x, y], "at", "clip" or "object" (which has no w); z and w
-// of a window position exist even where the file leaves them out. Everything else is addressed as
-// in the file.
+// of a window position exist even where the file leaves them out. /draws/I/vertices/J/s and t are
+// its texture coordinates, where it has them. Everything else is addressed as in the file.
 #pragma once
 
 #include <optional>
@@ -34,7 +34,7 @@ JsonNode* find_position(JsonNode& vertex);
 enum class Missing { stays, is_created };
 
 // The value that a pointer addresses, or null. A vertex written as an array is made an object when
-// its "at" or "color" is asked for. The result lives until the tree is changed.
+// its "at", "color" or "uv" is asked for. The result lives until the tree is changed.
 JsonNode* find_at(JsonNode& root, const Tokens& tokens, Missing missing);
 
 }  // namespace edgecase

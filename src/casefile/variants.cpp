@@ -77,6 +77,13 @@ void turn_vertex(VertexFields& fields, int octant, const Target& target) {
   std::swap(fields.x, fields.y);
 }
 
+// Gradients that a lookup gives are changes along the window's x and y. -0 becomes 0.
+void turn_gradients(Lookup& lookup, int octant) {
+  for (float& change : lookup.dx) change = 0.0F + ((octant & 1) ? -change : change);
+  for (float& change : lookup.dy) change = 0.0F + ((octant & 2) ? -change : change);
+  if (octant & 4) std::swap(lookup.dx, lookup.dy);
+}
+
 void settle_viewport(TargetFields& target, const std::vector<DrawFields>& draws) {
   if (target.viewport) return;
   const bool any = std::any_of(draws.begin(), draws.end(), [](const DrawFields& draw) {
@@ -90,6 +97,7 @@ void turn(int octant, TargetFields& target, std::vector<DrawFields>& draws) {
   for (DrawFields& draw : draws) {
     for (VertexFields& vertex : draw.vertices) turn_vertex(vertex, octant, target.target);
     if (draw.draw.scissor) draw.draw.scissor = octant_of(*draw.draw.scissor, octant, target.target);
+    if (draw.draw.texture) turn_gradients(draw.draw.texture->lookup, octant);
   }
   if (target.viewport) target.viewport = octant_of(*target.viewport, octant, target.target);
   if (octant & 4) std::swap(target.target.width, target.target.height);

@@ -10,6 +10,7 @@
 //              exchanged, too
 //   translate  everything moved by (3, 2) pixels, the target as much larger
 //
+// Texture coordinates stay with their vertices; gradients that a lookup gives turn with the image.
 // All keep coordinates exact, since sizes of targets and steps are whole. Clip coordinates turn
 // about the viewport's centre and move with it, so where any vertex has them the viewport is
 // settled first. An image is made of what the file says; otherwise viewport and colours that it

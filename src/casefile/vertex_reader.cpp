@@ -3,21 +3,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "casefile/clip_space.h"
 #include "casefile/float_numeral.h"
 #include "casefile/numbers.h"
+#include "casefile/text.h"
 #include "exact/numeral.h"
 
 namespace edgecase {
 namespace {
 
-const Keys kVertexKeys{{}, {"at", "clip", "object", "color"}, {"uv", "attributes"}};
+const Keys kVertexKeys{{}, {"at", "clip", "object", "color", "uv"}, {"attributes"}};
 
 constexpr FixedRange kWindowRange{Fixed::from_integer(-Fixed::kMaxCoordinate),
                                   Fixed::from_integer(Fixed::kMaxCoordinate)};
 constexpr FixedRange kDepthRange{Fixed::from_integer(-1), Fixed::from_integer(1)};
 constexpr Float32Range kColorRange{-kMaxColor, kMaxColor};
-constexpr float kMaxObject = 1073741824;  // 2^30
+constexpr Float32Range kTextureRange = kColorRange;  // interpolated like colours
+constexpr float kMaxObject = 1073741824;             // 2^30
 constexpr Float32Range kObjectRange{-kMaxObject, kMaxObject};
 constexpr Float32Range kClipRange{-kMaxW, kMaxW};
 
@@ -117,6 +121,32 @@ void read_place(const Place& place, const ObjectReader& object, Findings& findin
   if (name == "object") read_object(given[0], findings, fields);
 }
 
+void refuse_without_uv(const Place& place, const VertexDefaults& defaults, Findings& findings) {
+  findings.add(place, "a vertex of a textured draw lacks \"uv\"",
+               defaults.dimensions == 1 ? "add \"uv\": [s]" : "add \"uv\": [s, t]");
+}
+
+// [s, t], or [s] of a one-dimensional texture.
+void read_texture_coordinates(const Place& place, const ObjectReader& object,
+                              const VertexDefaults& defaults, Findings& findings, Vertex& vertex) {
+  const auto uv = object.find("uv");
+  if (!uv) {
+    if (defaults.textured && object.valid()) refuse_without_uv(place, defaults, findings);
+    return;
+  }
+  if (!defaults.textured) {
+    findings.add_key(*uv, "a vertex has \"uv\", and its draw no texture",
+                     "remove it, or add \"texture\": 0 to the draw's state");
+    return;
+  }
+  if (!expect_kind(*uv, JsonKind::array, "uv", findings) || defaults.dimensions == 0) return;
+  if (!expect_count(*uv, "uv", static_cast<std::size_t>(defaults.dimensions), findings)) return;
+  for (std::size_t i = 0; i < uv->node->children.size(); ++i)
+    vertex.texture_coordinates[i] =
+        read_float32(uv->child(i), i == 0 ? "s" : "t", kTextureRange, Float32Kind::exact, findings)
+            .value_or(0);
+}
+
 // In object space, to clip coordinates; false where it cannot be drawn.
 bool project(const Transform* transform, Findings& findings, VertexFields& fields) {
   const Vector& object = *fields.object;
@@ -140,16 +170,16 @@ void move(const Transform& transform, Findings& findings, VertexFields& fields) 
 
 }  // namespace
 
-VertexFields read_vertex(const Place& place, const std::optional<Color>& draw_color,
-                         Findings& findings) {
+VertexFields read_vertex(const Place& place, const VertexDefaults& defaults, Findings& findings) {
   VertexFields fields;
   fields.place = place;
-  if (draw_color) {
-    fields.vertex.color = *draw_color;
+  if (defaults.color) {
+    fields.vertex.color = *defaults.color;
     fields.has_color = true;
   }
   if (place.node->kind == JsonKind::array) {
     read_position(place, findings, fields);
+    if (defaults.textured) refuse_without_uv(place, defaults, findings);
     return fields;
   }
   if (place.node->kind != JsonKind::object) {
@@ -160,7 +190,11 @@ VertexFields read_vertex(const Place& place, const std::optional<Color>& draw_co
   }
   const ObjectReader object(place, "a vertex", kVertexKeys, findings);
   read_place(place, object, findings, fields);
+  read_texture_coordinates(place, object, defaults, findings, fields.vertex);
   if (const auto color = object.find("color")) {
+    if (defaults.textured)
+      findings.add_key(*color, "a vertex of a textured draw has a colour, and its texture gives it",
+                       "remove it");
     fields.vertex.color = read_color(*color, "a vertex's colour", kColorRange, findings)
                               .value_or(fields.vertex.color);
     fields.has_color = true;
@@ -169,14 +203,26 @@ VertexFields read_vertex(const Place& place, const std::optional<Color>& draw_co
 }
 
 std::vector<VertexFields> mesh_vertices(const Mesh& mesh, const Place& place,
-                                        const std::optional<Color>& draw_color) {
+                                        const VertexDefaults& defaults, Findings& findings) {
+  const auto has_uv = [](const MeshVertex& vertex) { return vertex.uv.has_value(); };
+  if (defaults.textured && !std::all_of(mesh.begin(), mesh.end(), has_uv)) {
+    findings.add(
+        place, fmt::format("{}: some corners have no texture coordinates", quote(place.node->text)),
+        "give the mesh \"vt\" lines, and its faces corners like 1/1");
+    return {};
+  }
   std::vector<VertexFields> vertices(mesh.size());
   for (std::size_t i = 0; i < mesh.size(); ++i) {
     VertexFields& fields = vertices[i];
     fields.place = place;
     fields.of_mesh = true;
     fields.object = mesh[i].position;
-    const std::optional<Color> color = mesh[i].color ? mesh[i].color : draw_color;
+    if (defaults.textured) {
+      fields.vertex.texture_coordinates = *mesh[i].uv;
+      if (defaults.dimensions == 1) fields.vertex.texture_coordinates[1] = 0;
+      continue;
+    }
+    const std::optional<Color> color = mesh[i].color ? mesh[i].color : defaults.color;
     fields.has_color = color.has_value();
     if (color) fields.vertex.color = *color;
   }

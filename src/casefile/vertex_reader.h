@@ -13,13 +13,20 @@
 
 namespace edgecase {
 
-// [x, y], [x, y, z], [x, y, z, w], or an object with "at", "clip" or "object", and "color".
-VertexFields read_vertex(const Place& place, const std::optional<Color>& draw_color,
-                         Findings& findings);
+// What a draw says of its vertices.
+struct VertexDefaults {
+  std::optional<Color> color;  // of those that have none of their own
+  bool textured = false;       // all have texture coordinates, and none a colour
+  int dimensions = 0;          // of the texture: how many coordinates; 0: not known
+};
 
-// The vertices of a mesh, in object space; `place` is the mesh's in the file.
+// [x, y], [x, y, z], [x, y, z, w], or an object with "at", "clip" or "object", and "color" or "uv".
+VertexFields read_vertex(const Place& place, const VertexDefaults& defaults, Findings& findings);
+
+// The vertices of a mesh, in object space; `place` is the mesh's in the file. Of a textured draw,
+// colours are left out, and a mesh without texture coordinates is refused.
 std::vector<VertexFields> mesh_vertices(const Mesh& mesh, const Place& place,
-                                        const std::optional<Color>& draw_color);
+                                        const VertexDefaults& defaults, Findings& findings);
 
 // Which parts of a transform had vertices to act on.
 struct TransformUse {

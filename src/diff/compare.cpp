@@ -11,6 +11,7 @@
 #include "diff/coverage_diff.h"
 #include "diff/explanation.h"
 #include "diff/legality.h"
+#include "diff/texture_values.h"
 #include "diff/value_diff.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
@@ -45,6 +46,8 @@ Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
   compare_fragment_values(values, rendered, result);
   compare_coordinates(values, rendered, result);
   compare_derivatives(values, rendered, result);
+  compare_texture_lookups(values, rendered, profile ? &profile->textures : nullptr, result);
+  compare_mip_chains(values, exact, rendered, result);
   // A renderer that was asked for coverage alone has neither pixels nor depths.
   if (!rendered.pixels.empty()) compare_pixels(values, rendered, result);
   if (!rendered.depths.empty()) compare_depths(values, rendered, result);

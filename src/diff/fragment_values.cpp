@@ -94,11 +94,16 @@ bool shows(const Fragment& fragment, const Color& color) {
                     [](float a, double b) { return a == static_cast<float>(b); });
 }
 
+Color flat_attribute(const ScenePrimitive& primitive, ProvokingChoice choice) {
+  return interpolated_attribute(*primitive.state,
+                                *primitive.vertices[provoking_index(primitive, choice)]);
+}
+
 // The vertex whose colour a flat fragment shows against the scene's convention, as a cause.
 std::string wrong_provoking_vertex(const ScenePrimitive& primitive, const Fragment& fragment) {
   for (const auto& [choice, name] :
        {std::pair{ProvokingChoice::first, "first"}, std::pair{ProvokingChoice::last, "last"}}) {
-    if (shows(fragment, primitive.vertices[provoking_index(primitive, choice)]->color))
+    if (shows(fragment, flat_attribute(primitive, choice)))
       return fmt::format("attribute.provoking-vertex={}", name);
   }
   return "";
@@ -106,10 +111,8 @@ std::string wrong_provoking_vertex(const ScenePrimitive& primitive, const Fragme
 
 void compare_flat_color(const ValueContext& context, const Fragment& fragment, Result& result) {
   const ScenePrimitive& primitive = context.primitive_of(fragment);
-  const Color& color =
-      primitive.vertices[provoking_index(primitive, context.choices.values.provoking)]->color;
-  const bool legal = shows(
-      fragment, primitive.vertices[provoking_index(primitive, ProvokingChoice::as_set)]->color);
+  const Color color = flat_attribute(primitive, context.choices.values.provoking);
+  const bool legal = shows(fragment, flat_attribute(primitive, ProvokingChoice::as_set));
   const bool agrees = shows(fragment, color);
   if (agrees && (legal || context.latitude == Latitude::none)) return;
   Disagreement d =
@@ -120,10 +123,11 @@ void compare_flat_color(const ValueContext& context, const Fragment& fragment, R
   d.rendered.assign(fragment.color.begin(), fragment.color.end());
   d.cause = wrong_provoking_vertex(primitive, fragment);
   d.explanation = fmt::format(
-      "the flat colour of primitive {} is that of its {} vertex, ({:.9g}), copied without "
+      "the flat {} of primitive {} is that of its {} vertex, ({:.9g}), copied without "
       "computation; the renderer has ({:.9g}){}",
-      fragment.primitive, name_of(primitive.state->provoking_vertex), fmt::join(d.exact, ", "),
-      fmt::join(d.rendered, ", "), d.cause.empty() ? "" : ", the colour of another vertex");
+      primitive.state->texture ? "texture coordinate" : "colour", fragment.primitive,
+      name_of(primitive.state->provoking_vertex), fmt::join(d.exact, ", "),
+      fmt::join(d.rendered, ", "), d.cause.empty() ? "" : ", that of another vertex");
   result.disagreements.push_back(std::move(d));
 }
 
@@ -168,20 +172,36 @@ Disagreement* compare_components(std::span<const Component> components, const Fr
   return nullptr;
 }
 
+// The fragment with what was interpolated in the colour's place.
+Fragment interpolated(const ValueContext& context, const Rendering& rendered, Fragment fragment) {
+  if (!context.primitive_of(fragment).state->texture) return fragment;
+  const FragmentDetail* detail =
+      fragment.detail < 0 ? nullptr : &rendered.details[static_cast<std::size_t>(fragment.detail)];
+  fragment.has_color = detail != nullptr && detail->has_texture_coordinates;
+  if (fragment.has_color)
+    fragment.color = {detail->texture_coordinates[0], detail->texture_coordinates[1], 0, 1};
+  return fragment;
+}
+
 }  // namespace
 
 void compare_fragment_values(const ValueContext& context, const Rendering& rendered,
                              Result& result) {
   ValueAggregator colors("color", "attribute.smooth", 9);
+  ValueAggregator coordinates("texture coordinates", "attribute.smooth", 9);
   ValueAggregator depths("depth", "fragment.depth", 9);
-  for (const Fragment& f : rendered.fragments) {
+  for (const Fragment& told : rendered.fragments) {
+    const Fragment f = interpolated(context, rendered, told);
+    const bool textured = context.primitive_of(f).state->texture.has_value();
     const Judge judge(context, f);
     if (f.has_color && context.primitive_of(f).state->interpolation == Interpolation::flat) {
       compare_flat_color(context, f, result);
     } else if (f.has_color) {
       std::array<Component, 4> components;
       for (std::size_t c = 0; c < 4; ++c) components[c] = judge.color(c, f.color[c]);
-      Disagreement* d = compare_components(components, f, "attribute.smooth", colors, result);
+      Disagreement* d =
+          compare_components(std::span(components).first(textured ? 2 : 4), f, "attribute.smooth",
+                             textured ? coordinates : colors, result);
       if (d != nullptr) d->cause = cause_of_color(context, f);
     }
     if (f.has_depth) {
@@ -191,6 +211,7 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
     }
   }
   colors.flush(result);
+  coordinates.flush(result);
   depths.flush(result);
 }
 

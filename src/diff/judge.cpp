@@ -101,7 +101,8 @@ Verdict verdict_of(const Result& result, Latitude latitude) {
   if (result.failure) return Verdict::not_run;
   if (result.disagreements.empty() && result.values.empty()) return Verdict::agree;
   if (latitude == Latitude::none) return Verdict::violation;
-  bool all_open = result.values.empty();
+  bool all_open = std::all_of(result.values.begin(), result.values.end(),
+                              [](const ValueAggregate& v) { return is_open_choice(v.cause); });
   for (const Disagreement& d : result.disagreements) {
     if (!d.legal) return Verdict::violation;
     all_open = all_open && is_open_choice(d.cause);
@@ -120,7 +121,8 @@ std::string fingerprint_of(const Result& result) {
     lines.insert(fmt::format("{} {} {} {}\n", d.rule, name_of(d.kind), d.x, d.y));
   for (const ValueAggregate& values : result.values)
     if (result.verdict != Verdict::violation)
-      lines.insert(fmt::format("{} {} permitted\n", values.rule, values.attribute));
+      lines.insert(fmt::format("{} {} {}\n", values.rule, values.attribute,
+                               values.cause.empty() ? "permitted" : values.cause));
   if (lines.empty()) return "";
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const std::string& line : lines)

@@ -39,6 +39,11 @@ PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragme
       truth.permitted[c] = std::isnan(truth.exact[c]) ? Interval::everything() : truth.exact[c];
     return truth;
   }
+  // What a texture would have shown is judged where it is told.
+  if (context.primitive_of(fragment).state->texture) {
+    truth.permitted.fill(Interval::everything());
+    return truth;
+  }
   const PrimitiveValues& values = context.values_of(fragment);
   for (std::size_t c = 0; c < 4; ++c) {
     truth.exact[c] = middle(interpolate_exact(values.chosen.color[c], sample));

@@ -73,6 +73,8 @@ double float_ulp(double value) {
 }
 
 double error_in_ulp(double exact, double rendered) {
+  // A number for an infinity: as far off as any two numbers of different signs.
+  if (std::isinf(exact) != std::isinf(rendered)) return 0x1p24;
   return std::fabs(rendered - exact) / float_ulp(std::max(std::fabs(exact), std::fabs(rendered)));
 }
 
@@ -93,15 +95,22 @@ double range_of(const Interpolant& interpolant) {
   return range > float_ulp(hull(*least, *largest).magnitude()) ? range : 0;
 }
 
-ValueAggregator::ValueAggregator(std::string attribute, std::string rule, int ruling) {
+ValueAggregator::ValueAggregator(std::string attribute, std::string rule, int ruling,
+                                 std::string cause) {
   aggregate_.attribute = std::move(attribute);
   aggregate_.rule = std::move(rule);
   aggregate_.ruling = ruling;
+  aggregate_.cause = std::move(cause);
 }
 
 void ValueAggregator::count_compared(std::size_t components) {
   ++aggregate_.compared;
   aggregate_.components += components;
+}
+
+void ValueAggregator::count_as(const ValueAggregator& whole) {
+  aggregate_.compared = whole.aggregate_.compared;
+  aggregate_.components = whole.aggregate_.components;
 }
 
 void ValueAggregator::add_error(ValueAggregate::Place place, const Error& error) {

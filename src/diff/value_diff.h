@@ -71,7 +71,8 @@ Disagreement value_disagreement(PixelPosition pixel, int primitive, std::string 
 // Distance between neighbouring float32 values at `value`.
 double float_ulp(double value);
 // How far two numbers lie apart, in units of the last place of the larger: beside a zero crossing,
-// where the exact value has hardly any place of its own, at most 2^24.
+// where the exact value has hardly any place of its own, at most 2^24; that, too, where one of them
+// is infinite.
 double error_in_ulp(double exact, double rendered);
 // The nearest float32 value.
 double to_float(double value);
@@ -83,10 +84,12 @@ double range_of(const Interpolant& interpolant);
 // Counts the values of one attribute that differ inside the permitted range, and keeps the worst.
 class ValueAggregator {
  public:
-  ValueAggregator(std::string attribute, std::string rule, int ruling);
+  ValueAggregator(std::string attribute, std::string rule, int ruling, std::string cause = "");
 
   // A place with so many components is compared.
   void count_compared(std::size_t components);
+  // As many are compared as of another one, which a part of the values was taken from.
+  void count_as(const ValueAggregator& whole);
   // Errors of one place: add_error for each component that differs, then add_place once.
   // `range`: of the attribute, for the relative error.
   struct Error {

@@ -1,32 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "image/png.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <cstddef>
 #include <vector>
 
 #include "image/image_io.h"
+#include "image/image_library.h"
 
 namespace edgecase {
 namespace {
-
-// The function of the library beside the running program, or null with `error` set.
-WriteImageFunction* open_writer(std::string& error) {
-  std::error_code code;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", code);
-  const auto path = program.parent_path() / kImageLibrary;
-  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) {
-    error = fmt::format("cannot open the image library {}: {}; install libopenimageio2.4",
-                        path.string(), dlerror());
-    return nullptr;
-  }
-  void* symbol = dlsym(library, kWriteImageSymbol);
-  if (symbol == nullptr) error = fmt::format("{} lacks {}", path.string(), kWriteImageSymbol);
-  return reinterpret_cast<WriteImageFunction*>(symbol);
-}
 
 std::vector<std::uint8_t> flipped_and_enlarged(const ImageView& image, int scale) {
   const auto width = static_cast<std::size_t>(image.width);
@@ -48,7 +32,8 @@ std::vector<std::uint8_t> flipped_and_enlarged(const ImageView& image, int scale
 
 std::string write_png(const std::filesystem::path& path, const ImageView& image, int scale) {
   static std::string load_error;
-  static WriteImageFunction* const write = open_writer(load_error);
+  static auto* const write =
+      reinterpret_cast<WriteImageFunction*>(find_image_function(kWriteImageSymbol, load_error));
   if (write == nullptr) return load_error;
   const auto pixels = flipped_and_enlarged(image, scale);
   char error[256] = "";

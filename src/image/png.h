@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Image files. OpenImageIO does the work, in a library of its own that is opened when the first
-// file is written: loading it costs 200 ms and 128 MiB that most commands have no use for.
+// Writes PNG files. OpenImageIO does the work (image/image_library.h).
 #pragma once
 
 #include <cstdint>
@@ -18,8 +17,8 @@ struct ImageView {
 };
 
 // Writes an 8-bit RGBA PNG with every pixel enlarged to scale x scale (1 to 64). The picture's top
-// row comes first in the file: this is the one place where y is flipped. Returns an error sentence,
-// empty on success.
+// row comes first in the file: this, and reading (image/image_file.h), are the places where y is
+// flipped. Returns an error sentence, empty on success.
 std::string write_png(const std::filesystem::path& path, const ImageView& image, int scale);
 
 }  // namespace edgecase

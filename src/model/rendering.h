@@ -7,7 +7,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
+
+#include "model/texture.h"
 
 namespace edgecase {
 
@@ -20,22 +23,30 @@ struct FragmentDetail {
   std::array<double, 4> coordinates{};  // gl_FragCoord: x, y in pixels, z in 0 to 1, 1/w
   bool has_coordinates = false;
   // Of the colour's four components, per pixel: dFdx, dFdy, dFdxFine, dFdyFine, dFdxCoarse,
-  // dFdyCoarse.
+  // dFdyCoarse. Of a textured draw: of s and t, and zeros.
   std::array<std::array<double, 4>, kDerivatives> derivatives{};
   std::array<bool, kDerivatives> has_derivative{};
+  // Of a textured draw: s and t, as interpolated.
+  std::array<double, 2> texture_coordinates{};
+  bool has_texture_coordinates = false;
+  // Of a textured draw, as textureQueryLod tells them: the level that is accessed, 0 the base
+  // level, and lambda' before it is clamped.
+  std::array<double, 2> level_of_detail{};
+  bool has_level_of_detail = false;
 };
 
 // One fragment shader invocation.
 struct Fragment {
-  int x = 0;                      // pixel column, 0 to width - 1
-  int y = 0;                      // pixel row, 0 to height - 1, y up
-  int primitive = 0;              // index in drawing order, see primitives_of
-  std::uint32_t coverage = 1;     // bit s set: sample s is covered
-  double depth = 0;               // window depth, 0 to 1
-  std::array<double, 4> color{};  // before conversion to the target's format
-  bool has_depth = true;          // false: the renderer tells no depth
-  bool has_color = true;          // false: the renderer tells no per-fragment colour
-  int detail = -1;                // index into Rendering::details; -1: none was told
+  int x = 0;                   // pixel column, 0 to width - 1
+  int y = 0;                   // pixel row, 0 to height - 1, y up
+  int primitive = 0;           // index in drawing order, see primitives_of
+  std::uint32_t coverage = 1;  // bit s set: sample s is covered
+  double depth = 0;            // window depth, 0 to 1
+  std::array<double, 4>
+      color{};            // as the shader writes it, before conversion to the target's format
+  bool has_depth = true;  // false: the renderer tells no depth
+  bool has_color = true;  // false: the renderer tells no per-fragment colour
+  int detail = -1;        // index into Rendering::details; -1: none was told
 };
 
 // Orders by pixel (row, then column) and primitive: the order in which renderings are stored.
@@ -53,6 +64,9 @@ struct Rendering {
   std::vector<FragmentDetail> details;  // of the fragments that point here
   // The depth buffer, 0 to 1, row by row from the bottom; empty where the target has none.
   std::vector<double> depths;
+  // What the renderer made of the scene's textures whose levels it generates: whole chains, by the
+  // texture's number. A renderer need not tell them.
+  std::map<std::size_t, std::vector<TextureLevel>> mip_chains;
 
   std::size_t pixel_index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

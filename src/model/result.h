@@ -39,6 +39,17 @@ struct Result {
     std::string broken_clause;  // lines: what the segment as given breaks, or empty
   };
 
+  // lambda' of one fragment: exact, the least and the most that is permitted, and as the renderer
+  // tells it. Infinite where the texture does not move.
+  struct LevelPoint {
+    int x = 0;
+    int y = 0;
+    double exact = 0;
+    double low = 0;
+    double high = 0;
+    double rendered = 0;
+  };
+
   Verdict verdict = Verdict::not_run;
   std::optional<Failure> failure;  // set exactly when the verdict is not-run
   std::string fingerprint;         // of rule, kind and pixel set; empty when nothing differs
@@ -49,6 +60,9 @@ struct Result {
   // A character per alternative of the catalogue (alternative_names in diff/alternatives.h): '1'
   // where some primitive that agrees with exact would not do so under that alternative, else '0'.
   std::string refuted;
+  // Of cases that ask for it (diff/level_ramp.h): the levels of detail along a row that fragments
+  // of textured draws tell.
+  std::vector<LevelPoint> ramp;
   std::vector<std::uint8_t> pixels;  // RGBA8, bottom row first; empty when not run
   Standing standing = Standing::expected;
   std::string expectation;  // the reason that the matching expectation gives, or why none matches

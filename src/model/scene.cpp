@@ -5,14 +5,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "model/name_table.h"
+
 namespace edgecase {
 namespace {
-
-template <class Enum>
-struct Named {
-  Enum value;
-  const char* name;
-};
 
 constexpr Named<Primitive> kPrimitives[] = {{Primitive::points, "points"},
                                             {Primitive::lines, "lines"},
@@ -36,23 +32,6 @@ constexpr Named<DepthFormat> kDepthFormats[] = {{DepthFormat::none, "none"},
                                                 {DepthFormat::depth16, "depth16"},
                                                 {DepthFormat::depth24, "depth24"},
                                                 {DepthFormat::depth32f, "depth32f"}};
-
-template <class Enum, std::size_t N>
-const char* find_name(const Named<Enum> (&table)[N], Enum value) {
-  for (const auto& row : table)
-    if (row.value == value) return row.name;
-  return "?";
-}
-
-template <class Enum, std::size_t N>
-bool find_value(const Named<Enum> (&table)[N], const std::string& name, Enum& value) {
-  for (const auto& row : table) {
-    if (name != row.name) continue;
-    value = row.value;
-    return true;
-  }
-  return false;
-}
 
 }  // namespace
 
@@ -95,6 +74,11 @@ bool parse_name(const std::string& name, ColorFormat& value) {
 }
 bool parse_name(const std::string& name, DepthFormat& value) {
   return find_value(kDepthFormats, name, value);
+}
+
+Color interpolated_attribute(const Draw& draw, const Vertex& vertex) {
+  if (!draw.texture) return vertex.color;
+  return {vertex.texture_coordinates[0], vertex.texture_coordinates[1], 0, 1};
 }
 
 HomogeneousPoint window_position(const ClipPosition& clip, const Viewport& viewport) {

@@ -7,12 +7,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "exact/fixed.h"
 #include "exact/homogeneous.h"
+#include "model/texture.h"
 
 namespace edgecase {
 
@@ -54,7 +56,8 @@ struct Vertex {
   Point position;  // window coordinates, pixels, y up; of `clip`, the nearest multiple of 2^-16
   Fixed z;         // depth after the division by w, -1 (near) to 1 (far); of `clip`, the nearest
   Color color{1, 1, 1, 1};
-  float w = 1;  // clip-space w, more than 0
+  float w = 1;                                     // clip-space w, more than 0
+  std::array<float, 2> texture_coordinates{0, 0};  // s and t, finite; of a textured draw
   // Where set, this is what both sides are given, and the exact position is its quotient. Where
   // not, the exact position is `position`, and its clip coordinates are float32 numbers.
   std::optional<ClipPosition> clip = std::nullopt;
@@ -85,14 +88,22 @@ struct Draw {
   Fixed line_width = Fixed::from_integer(1);  // pixels, more than 0, at most 64
   Fixed point_size = Fixed::from_integer(1);  // pixels, more than 0, at most 64
   std::optional<Viewport> scissor;            // fragments outside are dropped; a size may be 0
+  std::optional<TextureUse> texture;          // what fragments show instead of vertices' colours
   std::vector<Vertex> vertices;               // as many as is_vertex_count allows
 };
+
+// What a draw's fragments interpolate of a vertex: its colour, or for a texture s, t, 0 and 1.
+Color interpolated_attribute(const Draw& draw, const Vertex& vertex);
 
 // What is told of each fragment beside its colour and its depth.
 struct Details {
   bool coordinates = false;  // gl_FragCoord
-  bool derivatives = false;  // of the colour: dFdx and dFdy, and their fine and coarse forms
-  bool any() const { return coordinates || derivatives; }
+  // Of the colour, or of a textured draw's texture coordinates: dFdx and dFdy, and their fine and
+  // coarse forms.
+  bool derivatives = false;
+  // Of textured draws: texture coordinates and the level of detail. Set where there is one.
+  bool texture = false;
+  bool any() const { return coordinates || derivatives || texture; }
   friend bool operator==(Details, Details) = default;
 };
 
@@ -100,6 +111,8 @@ struct Scene {
   Target target;
   Viewport viewport;
   Details details;
+  // Shared by the cases that a file expands to; none is null.
+  std::vector<std::shared_ptr<const Texture>> textures;
   std::vector<Draw> draws;
 };
 

@@ -68,6 +68,15 @@ std::string connected_words(const Draw& draw) {
   return text;
 }
 
+std::string texture_words(const TextureUse& use) {
+  const Sampler& sampler = use.sampler;
+  std::string text = std::string(" ") + name_of(sampler.wrap[0]) + " " + name_of(sampler.wrap[1]) +
+                     ", magnified " + name_of(sampler.magnify) + ", minified " +
+                     name_of(sampler.minify) + ", levels " + name_of(sampler.mipmap);
+  if (use.lookup.kind != LookupKind::implicit) text += std::string(", ") + name_of(use.lookup.kind);
+  return text;
+}
+
 std::string state_words(const Draw& draw) {
   const Fixed one = Fixed::from_integer(1);
   const Draw standard;
@@ -78,6 +87,8 @@ std::string state_words(const Draw& draw) {
     text += std::string(", ") + name_of(draw.interpolation);
   if (draw.provoking_vertex != standard.provoking_vertex)
     text += std::string(", ") + name_of(draw.provoking_vertex) + " vertex provokes";
+  if (draw.texture)
+    text += ", texture " + std::to_string(draw.texture->texture) + texture_words(*draw.texture);
   if (draw.scissor)
     text += ", scissor " + std::to_string(draw.scissor->width) + "x" +
             std::to_string(draw.scissor->height) + " at (" + std::to_string(draw.scissor->x) +
@@ -103,7 +114,12 @@ bool same_target(const Target& a, const Target& b) {
 
 bool same_vertex(const Vertex& a, const Vertex& b) {
   return a.position == b.position && a.z == b.z && a.color == b.color && a.w == b.w &&
-         a.clip == b.clip;
+         a.clip == b.clip && a.texture_coordinates == b.texture_coordinates;
+}
+
+bool same_texture(const std::shared_ptr<const Texture>& a,
+                  const std::shared_ptr<const Texture>& b) {
+  return a == b || *a == *b;
 }
 
 bool same_draw(const Draw& a, const Draw& b) {
@@ -111,7 +127,8 @@ bool same_draw(const Draw& a, const Draw& b) {
   if (a.scissor && !same_rectangle(*a.scissor, *b.scissor)) return false;
   return a.primitive == b.primitive && a.interpolation == b.interpolation &&
          a.provoking_vertex == b.provoking_vertex && a.line_width == b.line_width &&
-         a.point_size == b.point_size && std::ranges::equal(a.vertices, b.vertices, same_vertex);
+         a.point_size == b.point_size && a.texture == b.texture &&
+         std::ranges::equal(a.vertices, b.vertices, same_vertex);
 }
 
 }  // namespace
@@ -134,7 +151,8 @@ std::string scene_words(const Scene& scene) {
 
 bool same_scene(const Scene& a, const Scene& b) {
   return same_target(a.target, b.target) && same_rectangle(a.viewport, b.viewport) &&
-         a.details == b.details && std::ranges::equal(a.draws, b.draws, same_draw);
+         a.details == b.details && std::ranges::equal(a.textures, b.textures, same_texture) &&
+         std::ranges::equal(a.draws, b.draws, same_draw);
 }
 
 }  // namespace edgecase

@@ -53,6 +53,9 @@ struct ValueAggregate {
   std::string attribute;  // "color", "depth", "dFdxFine", "gl_FragCoord.w", "pixel", "depth buffer"
   std::string rule;
   int ruling = 0;
+  // The open alternatives that yield all of `differing`, as a disagreement's cause; empty: none is
+  // known to.
+  std::string cause;
   std::uint64_t compared = 0;    // fragments compared
   std::uint64_t components = 0;  // numbers compared
   std::vector<Place> differing;  // inside the permitted interval, not the correctly rounded value

@@ -16,6 +16,7 @@
 #include "profile/probe_scenes.h"
 #include "profile/probe_traits.h"
 #include "profile/random_scenes.h"
+#include "profile/texture_measurement.h"
 #include "profile/value_measurement.h"
 #include "rules/choices.h"
 
@@ -117,6 +118,7 @@ class SurfaceMeasurement {
     profile_.surface = surface;
     for (const Observations* observations : scenes_.all()) total_ += observations->size();
     total_ += value_scene_count(options.scenes_per_kind);
+    total_ += texture_scene_count(options.scenes_per_kind);
   }
 
   std::size_t total() const { return total_; }
@@ -138,6 +140,7 @@ class SurfaceMeasurement {
     infer_choices();
     ask_probes();
     ask_values(renderer, progress);
+    ask_textures(renderer, progress);
     gather_counter_examples();
   }
 
@@ -229,7 +232,23 @@ class SurfaceMeasurement {
     ValueFindings findings = measure_values(renderer, question, progress, options_.stop);
     for (Trait& trait : findings.traits) profile_.traits.push_back(std::move(trait));
     choices_.merge(findings.choices);
+    // Textures are looked up at what is interpolated so, and in the same quads.
+    Policy policy;
+    policy.rules = choices_;
+    found_.values = resolve(policy, profile_.surface).values;
     profile_.values = std::move(findings.errors);
+    profile_.scenes += findings.scenes;
+    profile_.not_drawn += findings.not_drawn;
+    if (profile_.first_failure.empty()) profile_.first_failure = findings.first_failure;
+  }
+
+  void ask_textures(Renderer& renderer, const ObservationProgress& progress) {
+    const TextureMeasureQuestion question{options_.seed, profile_.surface, options_.scenes_per_kind,
+                                          found_};
+    TextureFindings findings = measure_textures(renderer, question, progress, options_.stop);
+    for (Trait& trait : findings.traits) profile_.traits.push_back(std::move(trait));
+    choices_.merge(findings.choices);
+    profile_.levels = std::move(findings.residuals);
     profile_.scenes += findings.scenes;
     profile_.not_drawn += findings.not_drawn;
     if (profile_.first_failure.empty()) profile_.first_failure = findings.first_failure;

@@ -16,6 +16,7 @@
 #include "model/renderer.h"
 #include "model/scene.h"
 #include "profile/inference.h"
+#include "profile/texture_residuals.h"
 #include "profile/value_errors.h"
 #include "results/clusters.h"
 
@@ -65,6 +66,7 @@ struct SurfaceProfile {
   std::vector<Trait> traits;
   std::vector<OwnershipTable> tables;
   std::vector<ValueErrors> values;
+  std::vector<LevelResiduals> levels;
   std::size_t illegal_scenes = 0;        // in which something is outside the specification
   std::vector<ProfileCluster> clusters;  // of what differs from the profile, or is illegal
 };

@@ -9,6 +9,7 @@
 #include "casefile/case_writer.h"
 #include "model/scene_words.h"
 #include "profile/profile_text.h"
+#include "profile/texture_json.h"
 #include "profile/value_json.h"
 
 namespace edgecase {
@@ -93,6 +94,7 @@ Json to_json(const SurfaceProfile& surface) {
   json["traits"] = list_of(surface.traits);
   json["tables"] = list_of(surface.tables);
   json["values"] = value_errors_json(surface.values);
+  json["levels_of_detail"] = level_residuals_json(surface.levels);
   json["clusters"] = list_of(surface.clusters);
   return json;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "raster/texture_stage.h"
 #include "rules/coverage/row_order.h"
 #include "rules/values/flat_attribute.h"
 
@@ -50,6 +51,12 @@ Interpolant with_values(Interpolant f, const ScenePrimitive& primitive, ValueOf 
   return f;
 }
 
+// A component of what is interpolated: the vertices' colour, or where it is looked up: s, t, 0, 1.
+double component_of(const Vertex& vertex, std::size_t c, bool textured) {
+  if (!textured) return static_cast<double>(vertex.color[c]);
+  return c < 2 ? static_cast<double>(vertex.texture_coordinates[c]) : c == 2 ? 0 : 1;
+}
+
 }  // namespace
 
 HomogeneousPoint snapped_position(const ScenePrimitive& primitive, std::size_t vertex,
@@ -75,7 +82,7 @@ PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleCho
   PrimitiveAttributes result;
   for (std::size_t c = 0; c < 4; ++c) {
     result.color[c] = with_values(geometry, primitive, [&](const Vertex& vertex) {
-      return static_cast<double>((flat ? provoking : vertex).color[c]);
+      return component_of(flat ? provoking : vertex, c, draw.texture.has_value());
     });
     result.color[c].perspective = divides_by_w(draw.interpolation, choices.values.perspective);
   }
@@ -92,7 +99,7 @@ double middle(Interval value) {
 }
 
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
-               PixelPosition pixel) {
+               PixelPosition pixel, const ExactLookup* lookup) {
   const Point sample = pixel_centre(pixel.x, pixel.y);
   Fragment fragment;
   fragment.x = pixel.x;
@@ -100,12 +107,14 @@ Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attri
   fragment.primitive = primitive.index;
   fragment.depth = middle(interpolate_exact(attributes.depth, sample));
   for (std::size_t c = 0; c < 4; ++c)
-    fragment.color[c] = middle(interpolate_exact(attributes.color[c], sample));
+    fragment.color[c] =
+        middle(lookup ? lookup->color[c] : interpolate_exact(attributes.color[c], sample));
   return fragment;
 }
 
 FragmentDetail shade_details(const PrimitiveAttributes& attributes, const QuadPixel& at,
-                             const ValueChoice& choice, const Details& asked) {
+                             const ValueChoice& choice, const Details& asked,
+                             const ExactLookup* lookup) {
   const Point sample = pixel_centre(at.pixel.x, at.pixel.y);
   FragmentDetail detail;
   detail.has_coordinates = asked.coordinates;
@@ -113,6 +122,11 @@ FragmentDetail shade_details(const PrimitiveAttributes& attributes, const QuadPi
     detail.coordinates = {sample.x.to_double(), sample.y.to_double(),
                           middle(interpolate_exact(attributes.depth, sample)),
                           middle(interpolate_exact(attributes.inverse_w, sample))};
+  if (asked.texture && lookup) {
+    detail.has_texture_coordinates = detail.has_level_of_detail = true;
+    detail.texture_coordinates = {middle(lookup->coordinates[0]), middle(lookup->coordinates[1])};
+    detail.level_of_detail = {middle(lookup->queried[0]), middle(lookup->queried[1])};
+  }
   if (!asked.derivatives) return detail;
   for (std::size_t d = 0; d < kDerivatives; ++d) {
     const auto derivative = static_cast<Derivative>(d);

@@ -13,9 +13,12 @@
 
 namespace edgecase {
 
+struct ExactLookup;
+
 // What is interpolated over one primitive.
 struct PrimitiveAttributes {
-  // A flat colour is the same at all vertices, that of the provoking one.
+  // A flat colour is the same at all vertices, that of the provoking one. A textured draw has s, t,
+  // 0 and 1 in the colour's place.
   std::array<Interpolant, 4> color;
   Interpolant depth;      // window depth, 0 to 1
   Interpolant inverse_w;  // 1/w, as gl_FragCoord.w has it
@@ -37,12 +40,14 @@ QuadPixel quad_of(PixelPosition pixel, const ValueChoice& choice, const Target& 
 double middle(Interval value);
 
 // The fragment that a primitive has at a pixel's centre: colour and depth are the doubles nearest
-// to the exact values, to within 2^-48 of the largest vertex value.
+// to the exact values, to within 2^-48 of the largest vertex value. `lookup`: that of a textured
+// draw, whose colour is what was looked up.
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
-               PixelPosition pixel);
+               PixelPosition pixel, const ExactLookup* lookup = nullptr);
 
-// What a scene asks to be told of the fragment beside.
+// What a scene asks to be told of the fragment beside; of textures, where there is a lookup.
 FragmentDetail shade_details(const PrimitiveAttributes& attributes, const QuadPixel& at,
-                             const ValueChoice& choice, const Details& asked);
+                             const ValueChoice& choice, const Details& asked,
+                             const ExactLookup* lookup = nullptr);
 
 }  // namespace edgecase

@@ -2,10 +2,12 @@
 #include "raster/rasterizer.h"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <tuple>
 
 #include "raster/attributes.h"
+#include "raster/texture_stage.h"
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/coverage/homogeneous_point.h"
 #include "rules/coverage/homogeneous_triangle.h"
@@ -156,15 +158,23 @@ Rendering rasterize(const Scene& scene, const Policy& policy) {
   const Target& target = scene.target;
   const RuleChoices choices = resolve(policy, target.surface);
   Rendering rendering = cleared(target);
+  std::optional<TextureStage> textures;
+  if (!scene.textures.empty()) rendering.mip_chains = textures.emplace(scene, choices).chains();
   for (const ScenePrimitive& primitive : primitives_of(scene)) {
     const CoverageChoice& choice = choices.of(primitive.kind);
     const PrimitiveAttributes attributes = attributes_of(primitive, choices, target);
+    std::optional<TexturedPrimitive> textured;
+    if (primitive.state->texture) textured.emplace(textures.value(), primitive, attributes);
     for (PixelPosition pixel : covered_pixels(primitive, target, choice)) {
-      Fragment fragment = shade(primitive, attributes, pixel);
+      std::optional<ExactLookup> lookup;
+      if (textured) lookup = textured->look_up(pixel);
+      const ExactLookup* shown = lookup ? &*lookup : nullptr;
+      Fragment fragment = shade(primitive, attributes, pixel, shown);
       if (scene.details.any()) {
         fragment.detail = static_cast<int>(rendering.details.size());
-        rendering.details.push_back(shade_details(
-            attributes, quad_of(pixel, choices.values, target), choices.values, scene.details));
+        rendering.details.push_back(shade_details(attributes,
+                                                  quad_of(pixel, choices.values, target),
+                                                  choices.values, scene.details, shown));
       }
       write(rendering, fragment, target.depth);
     }

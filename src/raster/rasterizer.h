@@ -3,7 +3,8 @@
 // The exact rasterizer, plain path: stages over the primitives of a scene, each decision taken by
 // the predicate of its rule. It knows no OpenGL and compares nothing.
 //
-//   primitives_of -> snap -> coverage (rules/coverage) -> attributes (rules/values) -> pixels
+//   primitives_of -> snap -> coverage (rules/coverage) -> attributes (rules/values)
+//     -> textures (rules/textures) -> pixels
 #pragma once
 
 #include <vector>

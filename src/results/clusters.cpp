@@ -121,7 +121,8 @@ void gather_values(const SizedCase& place, const Result& result, Gatherer& gathe
   const char* const kind = name_of(DisagreementKind::value);
   for (const ValueAggregate& values : result.values) {
     if (values.differing.empty()) continue;
-    const Key key{"", place.one->surface, true, values.rule, kind, "", values.attribute};
+    Key key{values.cause, place.one->surface, true, values.rule, kind, "", values.attribute};
+    if (!values.cause.empty()) key.rule = key.kind = key.attribute = "";
     const ValueAggregate::Place& worst = values.worst;
     gatherer.add(key, place,
                  {values.rule, kind, values.differing.size(), worst.x, worst.y, worst.primitive});

@@ -56,8 +56,11 @@ std::string reason_from(const Result& result) {
     text += causes.empty() ? "; no catalogued alternative draws this"
                            : "; some follow no catalogued alternative";
   for (const ValueAggregate& values : result.values)
-    text += fmt::format("{}{} rounded otherwise than exactly, within what is permitted",
-                        text.empty() ? "" : "; ", values.attribute);
+    text +=
+        values.cause.empty()
+            ? fmt::format("{}{} rounded otherwise than exactly, within what is permitted",
+                          text.empty() ? "" : "; ", values.attribute)
+            : fmt::format("{}{} by {}", text.empty() ? "" : "; ", values.attribute, values.cause);
   return text;
 }
 

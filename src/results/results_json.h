@@ -11,6 +11,9 @@
 //    "disagreements": […], "values": […], …}}}], "diagnostics": […], "summary",
 //    "clusters": {RENDERER: […]}}
 //
+// A result's "ramp", absent where it is empty, is a list of [x, y, exact, low, high, rendered]:
+// levels of detail along a row of pixels (Result::ramp).
+//
 // Clusters (results/clusters.h) and the summary are counted from the cases, and not read back.
 #pragma once
 

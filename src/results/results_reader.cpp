@@ -116,6 +116,7 @@ ValueAggregate to_values(const Json& json) {
   values.attribute = json.at("attribute");
   values.rule = json.at("rule");
   values.ruling = json.at("ruling");
+  values.cause = json.value("cause", "");
   values.compared = json.at("compared");
   values.components = json.at("components");
   values.worst = to_place(json.at("worst"));
@@ -140,6 +141,15 @@ Result::Evidence to_evidence(const Json& json) {
   return evidence;
 }
 
+Result::LevelPoint to_level(const Json& json) {
+  return {json.at(0),
+          json.at(1),
+          to_number(json.at(2)),
+          to_number(json.at(3)),
+          to_number(json.at(4)),
+          to_number(json.at(5))};
+}
+
 Result to_result(const Json& json, const CaseResults& exact) {
   Result result;
   result.verdict = to_enum(json.at("verdict"), Verdict::agree, Verdict::not_run);
@@ -158,6 +168,7 @@ Result to_result(const Json& json, const CaseResults& exact) {
   result.evidence = to_list<Result::Evidence>(json.at("evidence"), to_evidence);
   result.illegal_line_snaps = json.at("illegal_line_snaps").get<std::vector<std::string>>();
   result.refuted = json.at("refuted");
+  if (json.contains("ramp")) result.ramp = to_list<Result::LevelPoint>(json.at("ramp"), to_level);
   if (json.contains("pixels")) {
     const std::string pixels = json.at("pixels");
     result.pixels = pixels == "exact" ? exact.pixels : to_pixels(pixels, exact.width, exact.height);

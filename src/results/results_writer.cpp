@@ -51,12 +51,8 @@ Json figure_json(const Figure& figure) {
 }
 
 Json disagreement_json(const Disagreement& d) {
-  Json object = {{"pixel", {d.x, d.y}},
-                 {"sample", d.sample},
-                 {"primitive", d.primitive},
-                 {"kind", name_of(d.kind)},
-                 {"rule", d.rule},
-                 {"legal", d.legal},
+  Json object = {{"pixel", {d.x, d.y}},     {"sample", d.sample}, {"primitive", d.primitive},
+                 {"kind", name_of(d.kind)}, {"rule", d.rule},     {"legal", d.legal},
                  {"cause", d.cause}};
   if (!d.situation.empty()) object["situation"] = d.situation;
   if (d.policy_agrees) object["policy_agrees"] = true;
@@ -78,27 +74,35 @@ Json values_json(const ValueAggregate& values) {
   Json histogram = Json::object();
   for (const auto& [bucket, count] : values.ulp_histogram)
     histogram[std::to_string(bucket)] = count;
-  return {{"attribute", values.attribute},
-          {"rule", values.rule},
-          {"ruling", values.ruling},
-          {"compared", values.compared},
-          {"components", values.components},
-          {"worst", place_json(values.worst)},
-          {"worst_component", values.worst_component},
-          {"worst_exact", number(values.worst_exact)},
-          {"worst_rendered", number(values.worst_rendered)},
-          {"worst_ulp", number(values.worst_ulp)},
-          {"mean_ulp", number(values.mean_ulp)},
-          {"worst_relative", number(values.worst_relative)},
-          {"ulp_histogram", std::move(histogram)},
-          {"differing", std::move(differing)}};
+  Json object = {{"attribute", values.attribute},
+                 {"rule", values.rule},
+                 {"ruling", values.ruling},
+                 {"compared", values.compared},
+                 {"components", values.components},
+                 {"worst", place_json(values.worst)},
+                 {"worst_component", values.worst_component},
+                 {"worst_exact", number(values.worst_exact)},
+                 {"worst_rendered", number(values.worst_rendered)},
+                 {"worst_ulp", number(values.worst_ulp)},
+                 {"mean_ulp", number(values.mean_ulp)},
+                 {"worst_relative", number(values.worst_relative)},
+                 {"ulp_histogram", std::move(histogram)},
+                 {"differing", std::move(differing)}};
+  if (!values.cause.empty()) object["cause"] = values.cause;
+  return object;
 }
 
 Json evidence_json(const Result::Evidence& evidence) {
   Json object = {{"primitive", evidence.primitive}, {"causes", evidence.causes}};
-  if (!evidence.illegal_line_snaps.empty()) object["illegal_line_snaps"] = evidence.illegal_line_snaps;
+  if (!evidence.illegal_line_snaps.empty())
+    object["illegal_line_snaps"] = evidence.illegal_line_snaps;
   if (!evidence.broken_clause.empty()) object["broken_clause"] = evidence.broken_clause;
   return object;
+}
+
+Json level_json(const Result::LevelPoint& point) {
+  return Json::array({point.x, point.y, number(point.exact), number(point.low), number(point.high),
+                      number(point.rendered)});
 }
 
 template <class Range, class Convert>
@@ -121,6 +125,7 @@ Json result_json(const Result& result, const CaseResults& exact) {
   object["evidence"] = list(result.evidence, evidence_json);
   object["illegal_line_snaps"] = result.illegal_line_snaps;
   object["refuted"] = result.refuted;
+  if (!result.ramp.empty()) object["ramp"] = list(result.ramp, level_json);
   // Equal pictures are said to be so, not stored twice.
   if (!result.failure)
     object["pixels"] = result.pixels == exact.pixels ? "exact" : hex(result.pixels);

@@ -13,6 +13,13 @@
 #include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
+#include "rules/textures/anisotropy.h"
+#include "rules/textures/level_of_detail.h"
+#include "rules/textures/level_selection.h"
+#include "rules/textures/log2_method.h"
+#include "rules/textures/mip_chain.h"
+#include "rules/textures/texel_filter.h"
+#include "rules/textures/wrap.h"
 #include "rules/values/depth_buffer.h"
 #include "rules/values/derivative.h"
 #include "rules/values/flat_attribute.h"
@@ -65,6 +72,21 @@ std::span<const Rule> all_rules() {
       quad_rows_rule(),
       depth_rule(),
       fragment_coordinates_rule(),
+      texel_filter_rule(),
+      texel_grid_rule(),
+      wrap_rule(),
+      scale_factor_rule(),
+      log2_rule(),
+      level_derivatives_rule(),
+      lod_bias_rule(),
+      crossover_rule(),
+      nearest_level_rule(),
+      level_weight_rule(),
+      anisotropy_rule(),
+      level_count_rule(),
+      mipmap_filter_rule(),
+      mipmap_rounding_rule(),
+      mipmap_srgb_rule(),
       unorm8_rule(),
       depth_buffer_rule(),
       order_rule(),

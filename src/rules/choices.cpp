@@ -61,6 +61,28 @@ ValueChoice resolve_values(const Policy& policy, Surface surface) {
   return result;
 }
 
+TextureChoice resolve_textures(const Policy& policy, Surface surface) {
+  TextureChoice result;
+  const auto resolve_rule = [&](const char* rule, auto& choice) {
+    parse_name(chosen_or_standard(policy, surface, rule), choice);
+  };
+  resolve_rule("texture.wrap", result.wrap);
+  resolve_rule("texture.texel-grid", result.texel_grid);
+  resolve_rule("texture.scale-factor", result.scale_factor);
+  resolve_rule("texture.log2", result.log2);
+  resolve_rule("texture.derivatives", result.derivatives);
+  resolve_rule("texture.lod-bias", result.bias);
+  resolve_rule("texture.crossover", result.crossover);
+  resolve_rule("texture.nearest-level", result.nearest_level);
+  resolve_rule("texture.level-weight", result.level_weight);
+  resolve_rule("texture.anisotropy", result.anisotropy);
+  resolve_rule("mipmap.level-count", result.level_count);
+  resolve_rule("mipmap.filter", result.mipmap.filter);
+  resolve_rule("mipmap.rounding", result.mipmap.rounding);
+  result.mipmap.linear_srgb = chosen_or_standard(policy, surface, "mipmap.srgb") == "linear";
+  return result;
+}
+
 }  // namespace
 
 const CoverageChoice& RuleChoices::of(PrimitiveKind kind) const {
@@ -115,7 +137,7 @@ RuleChoices resolve(const Policy& policy, Surface surface) {
   return {resolve_primitive(policy, surface, PrimitiveKind::point),
           resolve_primitive(policy, surface, PrimitiveKind::line),
           resolve_primitive(policy, surface, PrimitiveKind::triangle),
-          resolve_values(policy, surface)};
+          resolve_values(policy, surface), resolve_textures(policy, surface)};
 }
 
 }  // namespace edgecase

@@ -15,6 +15,7 @@
 #include "rules/coverage/snap.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/coverage/triangle_algorithm.h"
+#include "rules/textures/texture_choice.h"
 #include "rules/values/derivative.h"
 #include "rules/values/flat_attribute.h"
 #include "rules/values/interpolation.h"
@@ -50,6 +51,7 @@ struct RuleChoices {
   CoverageChoice lines;
   CoverageChoice triangles;
   ValueChoice values;
+  TextureChoice textures;
 
   const CoverageChoice& of(PrimitiveKind kind) const;
 };

@@ -27,12 +27,18 @@ Scene empty_scene() {
 }
 
 // Room for a thousand fragments in each pixel of a small target, for several in each of a large
-// one.
+// one; and for the chains of textures whose levels the renderer generates, 32 bytes a number.
 std::size_t longest_answer(const Scene& scene) {
   constexpr std::size_t kBase = std::size_t{1} << 26;
   constexpr std::size_t kPerPixel = 1024;
-  return std::min(kMaxLineLength, kBase + kPerPixel * static_cast<std::size_t>(scene.target.width) *
-                                              static_cast<std::size_t>(scene.target.height));
+  // A chain has at most twice the numbers of its first level.
+  constexpr std::size_t kPerNumber = 2 * 32;
+  std::size_t chains = 0;
+  for (const auto& texture : scene.textures)
+    if (texture->generated) chains += kPerNumber * texture->levels[0].texels.size();
+  return std::min(kMaxLineLength, kBase + chains +
+                                      kPerPixel * static_cast<std::size_t>(scene.target.width) *
+                                          static_cast<std::size_t>(scene.target.height));
 }
 
 // The end of a text as one line of printable characters.

@@ -12,6 +12,7 @@
 
 #include "diff/compare.h"
 #include "diff/judge.h"
+#include "diff/level_ramp.h"
 #include "raster/rasterizer.h"
 #include "run/expectation_check.h"
 
@@ -122,9 +123,14 @@ class Run {
     if (auto* failure = std::get_if<Failure>(&outcome)) return not_run(std::move(*failure));
     const RendererInfo info = renderer.info();
     const auto profile = options_.profiles.find(info.name);
-    return compare(
-        suite_.cases[index].scene, options_.policy, exact_[index], std::get<Rendering>(outcome),
-        {info.subpixel_bits, profile != options_.profiles.end() ? &profile->second : nullptr});
+    const Case& one = suite_.cases[index];
+    const auto& rendering = std::get<Rendering>(outcome);
+    const RendererFacts facts{info.subpixel_bits,
+                              profile != options_.profiles.end() ? &profile->second : nullptr};
+    Result result = compare(one.scene, options_.policy, exact_[index], rendering, facts);
+    if (std::ranges::find(one.tags, kRampTag) != one.tags.end())
+      result.ramp = level_ramp(one.scene, options_.policy, rendering, facts);
+    return result;
   }
 
   void report_progress() {

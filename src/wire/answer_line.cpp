@@ -10,6 +10,7 @@
 #include "wire/coverage_runs.h"
 #include "wire/reading.h"
 #include "wire/rendering_json.h"
+#include "wire/texture_values.h"
 
 namespace edgecase {
 
@@ -46,6 +47,10 @@ std::string depths_member(const Rendering& rendering) {
   return rendering.depths.empty() ? "" : ",\"depths\":" + depths_json(rendering);
 }
 
+std::string mip_chains_member(const Rendering& rendering) {
+  return rendering.mip_chains.empty() ? "" : ",\"mip_chains\":" + mip_chains_json(rendering);
+}
+
 RendererInfo read_claims(const json& value, const Path& path) {
   wire::require_object(value, path, {"vendor", "version", "device", "subpixel_bits", "traits"});
   RendererInfo claims;
@@ -73,15 +78,14 @@ struct Bounds {
   int width;
   int height;
   int samples;
-  int primitives;
-  Details details;  // what was asked for
+  std::vector<bool> textured;  // by primitive: is its draw?
+  Details details;             // what was asked for
 };
 
-std::array<double, 4> read_four(const json& value, const Path& path) {
-  wire::require_array(value, path, 4);
-  std::array<double, 4> numbers{};
-  for (std::size_t i = 0; i < 4; ++i) numbers[i] = wire::read_number(value[i], {path, i});
-  return numbers;
+template <std::size_t N>
+void read_numbers(const json& value, const Path& path, std::array<double, N>& numbers) {
+  wire::require_array(value, path, N);
+  for (std::size_t i = 0; i < N; ++i) numbers[i] = wire::read_number(value[i], {path, i});
 }
 
 void read_derivatives(const json& value, const Path& path, FragmentDetail& detail) {
@@ -91,34 +95,45 @@ void read_derivatives(const json& value, const Path& path, FragmentDetail& detai
   for (std::size_t i = 0; i < kDerivatives; ++i) {
     const json* four = wire::optional_member(value, kDerivativeNames[i]);
     if (four == nullptr) continue;
-    detail.derivatives[i] = read_four(*four, {path, kDerivativeNames[i]});
+    read_numbers(*four, {path, kDerivativeNames[i]}, detail.derivatives[i]);
     detail.has_derivative[i] = true;
   }
 }
 
 // What a fragment tells beside colour and depth; none where it tells nothing of the kind.
-std::optional<FragmentDetail> read_detail(const json& value, const Path& path, Details asked) {
-  const auto find = [&](const char* key, bool is_asked) {
+std::optional<FragmentDetail> read_detail(const json& value, const Path& path, Details asked,
+                                          bool is_textured) {
+  const auto find = [&](const char* key, bool is_asked, bool is_there = true) {
     const json* found = wire::optional_member(value, key);
     if (found != nullptr && !is_asked)
       throw Refusal(
           fmt::format("{} has \"{}\", which the request does not ask for", path.text(), key));
+    if (found != nullptr && !is_there)
+      throw Refusal(fmt::format("{} has \"{}\", but its draw has no texture", path.text(), key));
     return found;
   };
   const json* coordinates = find("coordinates", asked.coordinates);
   const json* derivatives = find("derivatives", asked.derivatives);
-  if (coordinates == nullptr && derivatives == nullptr) return std::nullopt;
+  const json* texture = find("texture_coordinates", asked.texture, is_textured);
+  const json* level = find("level_of_detail", asked.texture, is_textured);
+  if (coordinates == nullptr && derivatives == nullptr && texture == nullptr && level == nullptr)
+    return std::nullopt;
   FragmentDetail detail;
-  detail.has_coordinates = coordinates != nullptr;
-  if (coordinates != nullptr) detail.coordinates = read_four(*coordinates, {path, "coordinates"});
+  const auto read = [&](const json* found, const char* key, auto& numbers) {
+    if (found != nullptr) read_numbers(*found, {path, key}, numbers);
+    return found != nullptr;
+  };
+  detail.has_coordinates = read(coordinates, "coordinates", detail.coordinates);
+  detail.has_texture_coordinates = read(texture, "texture_coordinates", detail.texture_coordinates);
+  detail.has_level_of_detail = read(level, "level_of_detail", detail.level_of_detail);
   if (derivatives != nullptr) read_derivatives(*derivatives, {path, "derivatives"}, detail);
   return detail;
 }
 
 Fragment read_fragment(const json& value, const Path& path, const Bounds& bounds) {
-  wire::require_object(
-      value, path,
-      {"x", "y", "primitive", "coverage", "depth", "color", "coordinates", "derivatives"});
+  wire::require_object(value, path,
+                       {"x", "y", "primitive", "coverage", "depth", "color", "coordinates",
+                        "derivatives", "texture_coordinates", "level_of_detail"});
   const auto read_index = [&](const char* key, int count) {
     return static_cast<int>(
         wire::read_integer(wire::member(value, path, key), {path, key}, 0, count - 1));
@@ -126,7 +141,7 @@ Fragment read_fragment(const json& value, const Path& path, const Bounds& bounds
   Fragment fragment;
   fragment.x = read_index("x", bounds.width);
   fragment.y = read_index("y", bounds.height);
-  fragment.primitive = read_index("primitive", bounds.primitives);
+  fragment.primitive = read_index("primitive", static_cast<int>(bounds.textured.size()));
   if (const json* coverage = wire::optional_member(value, "coverage"))
     fragment.coverage = static_cast<std::uint32_t>(wire::read_integer(
         *coverage, {path, "coverage"}, 1, (std::int64_t{1} << bounds.samples) - 1));
@@ -135,7 +150,7 @@ Fragment read_fragment(const json& value, const Path& path, const Bounds& bounds
   if (depth != nullptr) fragment.depth = wire::read_number(*depth, {path, "depth"});
   const json* color = wire::optional_member(value, "color");
   fragment.has_color = color != nullptr;
-  if (color != nullptr) fragment.color = read_four(*color, {path, "color"});
+  if (color != nullptr) read_numbers(*color, {path, "color"}, fragment.color);
   return fragment;
 }
 
@@ -150,8 +165,11 @@ std::vector<Integer> read_integers(const json& value, const Path& path, std::siz
   return result;
 }
 
-int count_primitives(const Scene& scene) {
-  return static_cast<int>(primitives_of(scene).size());
+std::vector<bool> textured_primitives(const Scene& scene) {
+  std::vector<bool> textured;
+  for (const ScenePrimitive& primitive : primitives_of(scene))
+    textured.push_back(primitive.state->texture.has_value());
+  return textured;
 }
 
 void read_fragments(const json& value, const Path& path, const Bounds& bounds,
@@ -161,7 +179,8 @@ void read_fragments(const json& value, const Path& path, const Bounds& bounds,
   for (std::size_t i = 0; i < value.size(); ++i) {
     const Path at(path, i);
     Fragment fragment = read_fragment(value[i], at, bounds);
-    if (const auto detail = read_detail(value[i], at, bounds.details)) {
+    const bool is_textured = bounds.textured[static_cast<std::size_t>(fragment.primitive)];
+    if (const auto detail = read_detail(value[i], at, bounds.details, is_textured)) {
       fragment.detail = static_cast<int>(rendering.details.size());
       rendering.details.push_back(*detail);
     }
@@ -187,20 +206,20 @@ std::vector<double> read_depths(const json& value, const Path& path, std::size_t
 
 // Either the key "coverage", or "pixels" and "fragments".
 void read_drawn(const json& document, const Path& root, const Scene& scene, Rendering& rendering) {
-  const int primitives = count_primitives(scene);
+  const std::vector<bool> textured = textured_primitives(scene);
   const json* coverage = wire::optional_member(document, "coverage");
   const char* key = coverage != nullptr ? "coverage" : "fragments";
   const json& list = coverage != nullptr ? *coverage : wire::member(document, root, key);
-  if (!list.empty() && primitives == 0)
+  if (!list.empty() && textured.empty())
     throw Refusal(fmt::format("/{} has elements, but the scene draws nothing", key));
   const Path at(root, key);
   if (coverage != nullptr)
-    rendering.fragments =
-        wire::read_coverage_runs(list, at, {rendering.width, rendering.height, primitives});
+    rendering.fragments = wire::read_coverage_runs(
+        list, at, {rendering.width, rendering.height, static_cast<int>(textured.size())});
   else
-    read_fragments(
-        list, at, {rendering.width, rendering.height, rendering.samples, primitives, scene.details},
-        rendering);
+    read_fragments(list, at,
+                   {rendering.width, rendering.height, rendering.samples, textured, scene.details},
+                   rendering);
 }
 
 Rendering read_rendering(const json& document, const Path& root, const Scene& scene) {
@@ -214,12 +233,13 @@ Rendering read_rendering(const json& document, const Path& root, const Scene& sc
     rendering.pixels = read_integers<std::uint8_t>(wire::member(document, root, "pixels"),
                                                    {root, "pixels"}, 4 * area);
     if (scene.target.depth != DepthFormat::none)
-      rendering.depths =
-          read_depths(wire::member(document, root, "depths"), {root, "depths"}, area,
-                      scene.target.depth);
+      rendering.depths = read_depths(wire::member(document, root, "depths"), {root, "depths"}, area,
+                                     scene.target.depth);
   }
   if (const json* hits = wire::optional_member(document, "hits"))
     rendering.hits = read_integers<std::uint32_t>(*hits, {root, "hits"}, area);
+  if (const json* chains = wire::optional_member(document, "mip_chains"))
+    rendering.mip_chains = wire::read_mip_chains(*chains, {root, "mip_chains"}, scene);
   read_drawn(document, root, scene, rendering);
   sort_fragments(rendering);
   if (auto contradiction = contradiction_of_hits(rendering)) throw Refusal(*contradiction);
@@ -234,8 +254,8 @@ void check_form(const json& document, const Scene& scene, bool coverage_only) {
       if (document.contains(key))
         throw Refusal(fmt::format("the line has both \"{}\" and \"{}\"", first, key));
   };
-  refuse_beside("not_run", {"pixels", "fragments", "coverage", "depths", "hits"});
-  refuse_beside("coverage", {"pixels", "fragments", "depths"});
+  refuse_beside("not_run", {"pixels", "fragments", "coverage", "depths", "mip_chains", "hits"});
+  refuse_beside("coverage", {"pixels", "fragments", "depths", "mip_chains"});
   if (document.contains("depths") && scene.target.depth == DepthFormat::none)
     throw Refusal("the line has \"depths\", but the target has no depth buffer");
   if (!document.contains("coverage")) return;
@@ -248,9 +268,9 @@ void check_form(const json& document, const Scene& scene, bool coverage_only) {
 Answer read_answer(const json& document, const std::string& digest, const Scene& scene,
                    bool coverage_only) {
   const Path root;
-  wire::require_object(
-      document, root,
-      {"digest", "pixels", "fragments", "coverage", "depths", "hits", "renderer", "not_run"});
+  wire::require_object(document, root,
+                       {"digest", "pixels", "fragments", "coverage", "depths", "mip_chains", "hits",
+                        "renderer", "not_run"});
   const std::string& given =
       wire::read_string(wire::member(document, root, "digest"), {root, "digest"});
   if (given != digest)
@@ -272,9 +292,9 @@ Answer read_answer(const json& document, const std::string& digest, const Scene&
 
 std::string answer_line(const std::string& digest, const Rendering& rendering,
                         const RendererInfo* claims) {
-  return fmt::format(R"({{"digest":{},"pixels":{},"fragments":{}{}{}{}}})", text_of(digest),
+  return fmt::format(R"({{"digest":{},"pixels":{},"fragments":{}{}{}{}{}}})", text_of(digest),
                      pixels_json(rendering), fragments_json(rendering), depths_member(rendering),
-                     hits_member(rendering), claims_member(claims));
+                     mip_chains_member(rendering), hits_member(rendering), claims_member(claims));
 }
 
 std::string coverage_line(const std::string& digest, const Rendering& rendering,

@@ -27,9 +27,10 @@ struct Answer {
 std::string answer_line(const std::string& digest, const Rendering& rendering,
                         const RendererInfo* claims);
 
-// The line that answers with coverage alone, for a request that asked for no more: pixels, depths
-// and colours are left out, and so are hit counts that agree with the fragments. Those that
-// contradict them are told, so that the reader refuses the answer as it would refuse a whole one.
+// The line that answers with coverage alone, for a request that asked for no more: pixels, depths,
+// colours and mip chains are left out, and so are hit counts that agree with the fragments. Those
+// that contradict them are told, so that the reader refuses the answer as it would refuse a whole
+// one.
 std::string coverage_line(const std::string& digest, const Rendering& rendering,
                           const RendererInfo* claims);
 

@@ -84,6 +84,15 @@ std::int64_t read_integer(const json& value, const Path& path, std::int64_t low,
   return number;
 }
 
+int read_int(const json& value, const Path& path, int low, int high) {
+  return static_cast<int>(read_integer(value, path, low, high));
+}
+
+bool read_bool(const json& value, const Path& path) {
+  if (!value.is_boolean()) refuse_type(value, path, "true or false");
+  return value.get<bool>();
+}
+
 double read_finite(const json& value, const Path& path) {
   if (!value.is_number()) refuse_type(value, path, "a number");
   return value.get<double>();
@@ -100,6 +109,10 @@ double read_number(const json& value, const Path& path) {
 const std::string& read_string(const json& value, const Path& path) {
   if (!value.is_string()) refuse_type(value, path, "a string");
   return value.get_ref<const std::string&>();
+}
+
+void refuse_name(const std::string& name, const Path& path) {
+  throw Refusal(fmt::format("{} is the unknown name \"{}\"", path.text(), excerpt(name, 40)));
 }
 
 std::string excerpt(std::string_view text, std::size_t limit) {

@@ -57,6 +57,11 @@ const nlohmann::json* optional_member(const nlohmann::json& object, const char* 
 std::int64_t read_integer(const nlohmann::json& value, const Path& path, std::int64_t low,
                           std::int64_t high);
 
+// The same, for limits of an int.
+int read_int(const nlohmann::json& value, const Path& path, int low, int high);
+
+bool read_bool(const nlohmann::json& value, const Path& path);
+
 // A finite number.
 double read_finite(const nlohmann::json& value, const Path& path);
 
@@ -64,6 +69,21 @@ double read_finite(const nlohmann::json& value, const Path& path);
 double read_number(const nlohmann::json& value, const Path& path);
 
 const std::string& read_string(const nlohmann::json& value, const Path& path);
+
+[[noreturn]] void refuse_name(const std::string& name, const Path& path);
+
+// A name of an enumeration for which there is a parse_name; and the member `key` that is one.
+template <class Enum>
+Enum read_name(const nlohmann::json& value, const Path& path) {
+  const std::string& name = read_string(value, path);
+  Enum result{};
+  if (!parse_name(name, result)) refuse_name(name, path);
+  return result;
+}
+template <class Enum>
+Enum read_name(const nlohmann::json& object, const Path& path, const char* key) {
+  return read_name<Enum>(member(object, path, key), {path, key});
+}
 
 // The first characters of `text`, printable, at most `limit`, with "..." where something was cut.
 std::string excerpt(std::string_view text, std::size_t limit);

@@ -7,28 +7,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
+
+#include "wire/texture_values.h"
 
 namespace edgecase {
 
 namespace {
 
-using Output = std::back_insert_iterator<fmt::memory_buffer>;
+using wire::Output;
 
 // A double as the shortest decimal that reads back as the same double.
 void write_number(Output out, double value) {
-  if (std::isnan(value)) {
-    fmt::format_to(out, "\"nan\"");
-  } else if (std::isinf(value)) {
-    fmt::format_to(out, "\"{}inf\"", value > 0 ? "" : "-");
-  } else {
-    fmt::format_to(out, "{}", value);
-  }
+  if (!wire::write_not_finite(out, value)) fmt::format_to(out, "{}", value);
 }
 
-void write_numbers(Output out, const std::array<double, 4>& numbers) {
+template <std::size_t N>
+void write_numbers(Output out, const std::array<double, N>& numbers) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     *out++ = i == 0 ? '[' : ',';
     write_number(out, numbers[i]);
@@ -50,6 +45,14 @@ void write_detail(Output out, const FragmentDetail& detail) {
   }
   const auto& told = detail.has_derivative;
   if (std::find(told.begin(), told.end(), true) != told.end()) *out++ = '}';
+  if (detail.has_texture_coordinates) {
+    fmt::format_to(out, ",\"texture_coordinates\":");
+    write_numbers(out, detail.texture_coordinates);
+  }
+  if (detail.has_level_of_detail) {
+    fmt::format_to(out, ",\"level_of_detail\":");
+    write_numbers(out, detail.level_of_detail);
+  }
 }
 
 void write_fragment(Output out, const Rendering& rendering, const Fragment& fragment) {
@@ -98,14 +101,32 @@ std::string depths_json(const Rendering& rendering) {
   return fmt::to_string(text);
 }
 
+std::string mip_chains_json(const Rendering& rendering) {
+  fmt::memory_buffer text;
+  const Output out(text);
+  text.push_back('{');
+  for (const auto& [texture, levels] : rendering.mip_chains) {
+    fmt::format_to(out, "{}\"{}\":[", text.size() > 1 ? "," : "", texture);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      if (i > 0) text.push_back(',');
+      wire::write_level(out, levels[i]);
+    }
+    text.push_back(']');
+  }
+  text.push_back('}');
+  return fmt::to_string(text);
+}
+
 std::string rendering_json(const std::string& id, const Rendering& rendering) {
   const std::string depths =
       rendering.depths.empty() ? "" : ",\"depths\":" + depths_json(rendering);
+  const std::string chains =
+      rendering.mip_chains.empty() ? "" : ",\"mip_chains\":" + mip_chains_json(rendering);
   return fmt::format(
-      R"({{"id":{},"width":{},"height":{},"samples":{},"fragments":{},"pixels":{}{}}})",
+      R"({{"id":{},"width":{},"height":{},"samples":{},"fragments":{},"pixels":{}{}{}}})",
       nlohmann::json(id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace),
       rendering.width, rendering.height, rendering.samples, fragments_json(rendering),
-      pixels_json(rendering), depths);
+      pixels_json(rendering), depths, chains);
 }
 
 }  // namespace edgecase

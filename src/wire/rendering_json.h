@@ -15,12 +15,12 @@ constexpr std::array<const char*, kDerivatives> kDerivativeNames = {
     "dFdx", "dFdy", "dFdxFine", "dFdyFine", "dFdxCoarse", "dFdyCoarse"};
 
 // One object on one line, without the line break at its end: id, width, height, samples, fragments
-// in the order of the rendering, pixels (RGBA8, row by row from the bottom), and depths in the same
-// order where the rendering has some. Deterministic.
+// in the order of the rendering, pixels (RGBA8, row by row from the bottom), and where the
+// rendering has some, depths in the same order and mip chains. Deterministic.
 std::string rendering_json(const std::string& id, const Rendering& rendering);
 
 // The array of the rendering's fragments as JSON text; what a fragment does not tell (depth,
-// colour, coordinates, derivatives) is left out. Numbers that are not finite become "nan", "inf"
+// colour, each detail) is left out. Numbers that are not finite become "nan", "inf"
 // and "-inf".
 std::string fragments_json(const Rendering& rendering);
 
@@ -29,5 +29,8 @@ std::string pixels_json(const Rendering& rendering);
 
 // The array of its depth buffer; empty where it has none.
 std::string depths_json(const Rendering& rendering);
+
+// The object of its mip chains, arrays of levels by the texture's number; empty where it has none.
+std::string mip_chains_json(const Rendering& rendering);
 
 }  // namespace edgecase

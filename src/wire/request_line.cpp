@@ -6,17 +6,21 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "wire/reading.h"
 #include "wire/scene_values.h"
+#include "wire/texture_values.h"
 
 namespace edgecase {
 
 using nlohmann::json;
 using wire::Output;
 using wire::Path;
+using wire::read_int;
+using wire::read_name;
 using wire::Refusal;
 using wire::write_number;
 
@@ -31,22 +35,18 @@ constexpr std::string_view kCoverageAnswer = "coverage";
 // What "details" lists, in this order.
 constexpr std::string_view kCoordinates = "coordinates";
 constexpr std::string_view kDerivatives = "derivatives";
+constexpr std::string_view kTexture = "texture";
 
 void write(Output out, const Viewport& box) {
   fmt::format_to(out, "[{},{},{},{}]", box.x, box.y, box.width, box.height);
 }
 
-void write(Output out, const Draw& draw);
-void write(Output out, const Vertex& vertex) {
-  wire::write_vertex(out, vertex);
-}
-
-template <class Item>
-void write_all(Output out, const std::vector<Item>& items) {
+template <class Item, class Write>
+void write_all(Output out, const std::vector<Item>& items, Write write_item) {
   *out++ = '[';
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (i > 0) *out++ = ',';
-    write(out, items[i]);
+    write_item(items[i]);
   }
   *out++ = ']';
 }
@@ -63,8 +63,14 @@ void write(Output out, const Draw& draw) {
     fmt::format_to(out, R"(,"scissor":)");
     write(out, *draw.scissor);
   }
+  if (draw.texture) {
+    fmt::format_to(out, R"(,"texture":)");
+    wire::write_texture_use(out, *draw.texture);
+  }
   fmt::format_to(out, R"(,"vertices":)");
-  write_all(out, draw.vertices);
+  write_all(out, draw.vertices, [&](const Vertex& vertex) {
+    wire::write_vertex(out, vertex, draw.texture.has_value());
+  });
   *out++ = '}';
 }
 
@@ -74,7 +80,17 @@ void write_details(Output out, Details details) {
   std::vector<std::string> names;
   if (details.coordinates) names.push_back(fmt::format("\"{}\"", kCoordinates));
   if (details.derivatives) names.push_back(fmt::format("\"{}\"", kDerivatives));
+  if (details.texture) names.push_back(fmt::format("\"{}\"", kTexture));
   fmt::format_to(out, R"(,"details":[{}])", fmt::join(names, ","));
+}
+
+// The whole member, or nothing where there are none.
+void write_textures(Output out, const Scene& scene) {
+  if (scene.textures.empty()) return;
+  fmt::format_to(out, R"(,"textures":)");
+  write_all(out, scene.textures, [&](const std::shared_ptr<const Texture>& texture) {
+    wire::write_texture(out, *texture);
+  });
 }
 
 void write(Output out, const Target& target) {
@@ -96,20 +112,6 @@ Fixed read_thickness(const json& draw, const Path& path, const char* key) {
     throw Refusal(fmt::format("{} is {}, but it must be more than 0 and at most {}", at.text(),
                               value.dump(), kMaxThickness));
   return thickness;
-}
-
-int read_int(const json& value, const Path& path, int low, int high) {
-  return static_cast<int>(wire::read_integer(value, path, low, high));
-}
-
-template <class Enum>
-Enum read_name(const json& object, const Path& path, const char* key) {
-  const Path at(path, key);
-  const std::string& name = wire::read_string(wire::member(object, path, key), at);
-  Enum value{};
-  if (!parse_name(name, value))
-    throw Refusal(fmt::format("{} is the unknown name \"{}\"", at.text(), wire::excerpt(name, 40)));
-  return value;
 }
 
 Target read_target(const json& value, const Path& path) {
@@ -135,10 +137,11 @@ Viewport read_box(const json& value, const Path& path, int smallest) {
           read_int(value[3], {path, std::size_t{3}}, smallest, kMaxViewport)};
 }
 
-Draw read_draw(const json& value, const Path& path, const Viewport& viewport) {
+// A draw of a scene whose viewport and textures have been read.
+Draw read_draw(const json& value, const Path& path, const Scene& scene) {
   wire::require_object(value, path,
                        {"primitive", "interpolation", "provoking_vertex", "line_width",
-                        "point_size", "scissor", "vertices"});
+                        "point_size", "scissor", "texture", "vertices"});
   Draw draw;
   draw.primitive = read_name<Primitive>(value, path, "primitive");
   draw.interpolation = read_name<Interpolation>(value, path, "interpolation");
@@ -147,6 +150,8 @@ Draw read_draw(const json& value, const Path& path, const Viewport& viewport) {
   draw.point_size = read_thickness(value, path, "point_size");
   if (const json* scissor = wire::optional_member(value, "scissor"))
     draw.scissor = read_box(*scissor, {path, "scissor"}, 0);
+  if (const json* texture = wire::optional_member(value, "texture"))
+    draw.texture = wire::read_texture_use(*texture, {path, "texture"}, scene);
   const json& vertices = wire::member(value, path, "vertices");
   const Path at(path, "vertices");
   wire::require_array(vertices, at, vertices.size());
@@ -154,7 +159,8 @@ Draw read_draw(const json& value, const Path& path, const Viewport& viewport) {
     throw Refusal(fmt::format("{} has {} vertices, which make no whole {}", at.text(),
                               vertices.size(), name_of(draw.primitive)));
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    draw.vertices.push_back(wire::read_vertex(vertices[i], {at, i}, viewport));
+    draw.vertices.push_back(
+        wire::read_vertex(vertices[i], {at, i}, scene.viewport, draw.texture.has_value()));
   return draw;
 }
 
@@ -168,28 +174,37 @@ Details read_details(const json& value, const Path& path) {
     const std::string& name = wire::read_string(value[i], at);
     bool* const detail = name == kCoordinates   ? &details.coordinates
                          : name == kDerivatives ? &details.derivatives
+                         : name == kTexture     ? &details.texture
                                                 : nullptr;
-    if (detail == nullptr)
-      throw Refusal(
-          fmt::format("{} is the unknown name \"{}\"", at.text(), wire::excerpt(name, 40)));
+    if (detail == nullptr) wire::refuse_name(name, at);
     if (*detail) throw Refusal(fmt::format("{} names \"{}\" again", at.text(), name));
     *detail = true;
   }
   return details;
 }
 
+void read_textures(const json& value, const Path& path, Scene& scene) {
+  wire::require_array(value, path, value.size());
+  if (value.empty()) throw Refusal(path.text() + " must have an element");
+  for (std::size_t i = 0; i < value.size(); ++i)
+    scene.textures.push_back(
+        std::make_shared<const Texture>(wire::read_texture(value[i], {path, i})));
+}
+
 Scene read_scene(const json& value, const Path& path) {
-  wire::require_object(value, path, {"target", "viewport", "details", "draws"});
+  wire::require_object(value, path, {"target", "viewport", "details", "textures", "draws"});
   Scene scene;
   scene.target = read_target(wire::member(value, path, "target"), {path, "target"});
   scene.viewport = read_box(wire::member(value, path, "viewport"), {path, "viewport"}, 1);
   if (const json* details = wire::optional_member(value, "details"))
     scene.details = read_details(*details, {path, "details"});
+  if (const json* textures = wire::optional_member(value, "textures"))
+    read_textures(*textures, {path, "textures"}, scene);
   const json& draws = wire::member(value, path, "draws");
   const Path at(path, "draws");
   wire::require_array(draws, at, draws.size());
   for (std::size_t i = 0; i < draws.size(); ++i)
-    scene.draws.push_back(read_draw(draws[i], {at, i}, scene.viewport));
+    scene.draws.push_back(read_draw(draws[i], {at, i}, scene));
   return scene;
 }
 
@@ -226,8 +241,9 @@ std::string scene_json(const Scene& scene) {
   fmt::format_to(out, R"(,"viewport":)");
   write(out, scene.viewport);
   write_details(out, scene.details);
+  write_textures(out, scene);
   fmt::format_to(out, R"(,"draws":)");
-  write_all(out, scene.draws);
+  write_all(out, scene.draws, [&](const Draw& draw) { write(out, draw); });
   text.push_back('}');
   return fmt::to_string(text);
 }

@@ -13,8 +13,8 @@ using nlohmann::json;
 
 namespace {
 
-template <class Number>
-void write_numbers(Output out, const std::array<Number, 4>& numbers) {
+template <std::size_t N>
+void write_numbers(Output out, const std::array<float, N>& numbers) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     *out++ = i == 0 ? '[' : ',';
     write_number(out, static_cast<double>(numbers[i]));
@@ -22,25 +22,12 @@ void write_numbers(Output out, const std::array<Number, 4>& numbers) {
   *out++ = ']';
 }
 
-// A float32 value of `low` to `high`; `wanted` says so in words.
-float read_float32(const json& value, const Path& path, double low, double high,
-                   const char* wanted) {
-  const double number = read_finite(value, path);
-  if (!(number >= low && number <= high) ||
-      static_cast<double>(static_cast<float>(number)) != number)
-    throw Refusal(fmt::format("{} is {}, but it must be {}", path.text(), value.dump(), wanted));
-  return static_cast<float>(number);
-}
-
+constexpr const char* kTextureCoordinates = "texture_coordinates";
 constexpr double kLargest = static_cast<double>(std::numeric_limits<float>::max());
 constexpr double kSmallest = static_cast<double>(std::numeric_limits<float>::denorm_min());
 
-float read_any_float32(const json& value, const Path& path) {
-  return read_float32(value, path, -kLargest, kLargest, "a float32 value");
-}
-
 float read_w(const json& value, const Path& path) {
-  return read_float32(value, path, kSmallest, kLargest, "a float32 value of more than 0");
+  return read_float32(value, path, {kSmallest, kLargest, "a float32 value of more than 0"});
 }
 
 Color read_vertex_color(const json& value, const Path& path) {
@@ -48,6 +35,12 @@ Color read_vertex_color(const json& value, const Path& path) {
   Color color{};
   for (std::size_t i = 0; i < 4; ++i) color[i] = read_any_float32(value[i], {path, i});
   return color;
+}
+
+void read_texture_coordinates(const json& value, const Path& path, Vertex& vertex) {
+  require_array(value, path, 2);
+  for (std::size_t i = 0; i < 2; ++i)
+    vertex.texture_coordinates[i] = read_any_float32(value[i], {path, i});
 }
 
 // Is `numerator * w / divisor` a float32 number? Rounding errors of both products are seen: a fused
@@ -79,7 +72,7 @@ ClipPosition read_clip(const json& value, const Path& path) {
   float* const parts[] = {&clip.x, &clip.y, &clip.z};
   for (std::size_t i = 0; i < 3; ++i) {
     const Path at(path, i);
-    *parts[i] = read_float32(value[i], at, -w, w, "a float32 value of -w to w");
+    *parts[i] = read_float32(value[i], at, {-w, w, "a float32 value of -w to w"});
     const double steps = std::ldexp(static_cast<double>(*parts[i]), 30 - exponent);
     if (steps != std::trunc(steps))
       throw Refusal(fmt::format("{} is {}, but it must be a multiple of 2^{}", at.text(),
@@ -121,7 +114,13 @@ void write_color(Output out, const Color& color) {
   write_numbers(out, color);
 }
 
-void write_vertex(Output out, const Vertex& vertex) {
+bool write_not_finite(Output out, double value) {
+  if (std::isfinite(value)) return false;
+  fmt::format_to(out, "\"{}\"", std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf");
+  return true;
+}
+
+void write_vertex(Output out, const Vertex& vertex, bool is_textured) {
   fmt::format_to(out, R"({{"position":[)");
   write_number(out, vertex.position.x.to_double());
   *out++ = ',';
@@ -139,7 +138,24 @@ void write_vertex(Output out, const Vertex& vertex) {
   }
   fmt::format_to(out, R"(,"color":)");
   write_color(out, vertex.color);
+  if (is_textured) {
+    fmt::format_to(out, R"(,"texture_coordinates":)");
+    write_numbers(out, vertex.texture_coordinates);
+  }
   *out++ = '}';
+}
+
+float read_float32(const json& value, const Path& path, const FloatRange& range) {
+  const double number = read_finite(value, path);
+  if (!(number >= range.low && number <= range.high) ||
+      static_cast<double>(static_cast<float>(number)) != number)
+    throw Refusal(
+        fmt::format("{} is {}, but it must be {}", path.text(), value.dump(), range.wanted));
+  return static_cast<float>(number);
+}
+
+float read_any_float32(const json& value, const Path& path) {
+  return read_float32(value, path, {-kLargest, kLargest, "a float32 value"});
 }
 
 Fixed read_fixed(const json& value, const Path& path) {
@@ -156,12 +172,13 @@ Color read_clear_color(const json& value, const Path& path) {
   require_array(value, path, 4);
   Color color{};
   for (std::size_t i = 0; i < 4; ++i)
-    color[i] = read_float32(value[i], {path, i}, 0, 1, "a float32 value of 0 to 1");
+    color[i] = read_float32(value[i], {path, i}, {0, 1, "a float32 value of 0 to 1"});
   return color;
 }
 
-Vertex read_vertex(const json& value, const Path& path, const Viewport& viewport) {
-  require_object(value, path, {"position", "w", "clip", "color"});
+Vertex read_vertex(const json& value, const Path& path, const Viewport& viewport,
+                   bool is_textured) {
+  require_object(value, path, {"position", "w", "clip", "color", kTextureCoordinates});
   const json& position = member(value, path, "position");
   const Path at(path, "position");
   require_array(position, at, 3);
@@ -181,6 +198,11 @@ Vertex read_vertex(const json& value, const Path& path, const Viewport& viewport
     vertex.w = read_w(*w, {path, "w"});
     check_products(vertex, path, viewport);
   }
+  if (is_textured)
+    read_texture_coordinates(member(value, path, kTextureCoordinates), {path, kTextureCoordinates},
+                             vertex);
+  else if (value.contains(kTextureCoordinates))
+    throw Refusal(path.text() + " has \"texture_coordinates\", but its draw has no texture");
   return vertex;
 }
 

@@ -41,6 +41,7 @@ LIBRARIES = [
     (r"(GL|EGL|KHR|GLES\d?|glad)/", {"reference"}),
     (r"glm/", {"casefile"}),
     (r"tiny_obj_loader", {"casefile"}),
+    (r"boost/multiprecision/", {"exact"}),
     (r"pugixml", {"reports"}),
     (r"CLI/", {"tools"}),
     (r"gtest/|gmock/", set()),
@@ -58,7 +59,7 @@ FLOATING = {
     "src/rules/coverage/point_ownership.cpp": {"explain_point": "figure"},
     "src/rules/coverage/triangle_fill.cpp": {"distance_inside": "people"},
 }
-FLOATING_FILES = {"src/exact/interval.h", "src/exact/neighbour.h"}
+FLOATING_FILES = {"src/exact/interval.h", "src/exact/neighbour.h", "src/exact/rational.h"}
 
 MAX_LINES = 400
 CODE = {".h", ".cpp", ".js", ".py"}

@@ -63,10 +63,24 @@ void check_vertex(const Vertex& vertex) {
   EXPECT_TRUE(vertex.position.y.in_coordinate_range());
   EXPECT_LE(std::abs(vertex.z.raw()), Fixed::kOne);
   for (const float component : vertex.color) EXPECT_TRUE(std::isfinite(component));
+  for (const float component : vertex.texture_coordinates) EXPECT_TRUE(std::isfinite(component));
   if (!vertex.clip) return;
   EXPECT_FALSE(find_clip_fault(*vertex.clip, "it").has_value());
   EXPECT_EQ(round_to_grid(*vertex.clip), *vertex.clip);
   EXPECT_EQ(vertex.clip->w, vertex.w);
+}
+
+void check_texture(const Texture* texture) {
+  ASSERT_NE(texture, nullptr);
+  ASSERT_FALSE(texture->levels.empty());
+  const TextureLevel& base = texture->levels[0];
+  for (std::size_t k = 0; k < texture->levels.size(); ++k) {
+    const TextureLevel& level = texture->levels[k];
+    EXPECT_EQ(level.width, level_size(base.width, static_cast<int>(k)));
+    EXPECT_EQ(level.height, level_size(base.height, static_cast<int>(k)));
+    EXPECT_EQ(level.texels.size(), level.index(0, level.height));
+    for (const float number : level.texels) EXPECT_TRUE(std::isfinite(number));
+  }
 }
 
 void check(const LoadedCases& loaded) {
@@ -76,15 +90,22 @@ void check(const LoadedCases& loaded) {
     EXPECT_FALSE(fault.remedy.empty()) << fault.message;
     EXPECT_GT(fault.line, 0) << fault.message;
   }
-  for (const Case& one : loaded.cases)
-    for (const Draw& draw : one.scene.draws)
+  for (const Case& one : loaded.cases) {
+    for (const auto& texture : one.scene.textures) check_texture(texture.get());
+    for (const Draw& draw : one.scene.draws) {
       for (const Vertex& vertex : draw.vertices) check_vertex(vertex);
+      if (!draw.texture) continue;
+      EXPECT_LT(draw.texture->texture, one.scene.textures.size());
+      EXPECT_TRUE(one.scene.details.texture);
+    }
+  }
 }
 
 TEST(Hostile, SpoiltFilesAreLoadedOrRefused) {
   std::mt19937 random(9);
   int loaded_files = 0;
-  for (const char* name : {"values-everything.json", "everything.json", "sweep-everything.json"}) {
+  for (const char* name : {"values-everything.json", "everything.json", "sweep-everything.json",
+                           "textures-everything.json"}) {
     const std::string sound = text_of(kGood / name);
     ASSERT_FALSE(sound.empty());
     for (int round = 0; round < 500; ++round) {
@@ -101,7 +122,7 @@ TEST(Hostile, SpoiltFilesAreLoadedOrRefused) {
     }
   }
   EXPECT_GT(loaded_files, 100);
-  EXPECT_LT(loaded_files, 1400);
+  EXPECT_LT(loaded_files, 1900);
 }
 
 }  // namespace

@@ -29,12 +29,15 @@ Mesh mesh_of(const std::string& text) {
 TEST(Mesh, ReadsFacesInEveryForm) {
   for (const char* face : {"f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//1 3//1", "f 1/1/1 2/2/1 3/3/1",
                            "f -4 -3 -2", "f 1 2 3\r", "  f\t1  2 3 "}) {
-    const Mesh mesh = mesh_of(std::string("# a comment\nmtllib a.mtl\no square\n") + kSquare +
-                              "vt 0 0\nvn 0 0 1\nusemtl red\ns off\ng one two\n" + face);
+    const Mesh mesh =
+        mesh_of(std::string("# a comment\nmtllib a.mtl\no square\n") + kSquare +
+                "vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\nusemtl red\ns off\ng one two\n" + face);
     ASSERT_EQ(mesh.size(), 3U) << face;
     EXPECT_EQ(mesh[1].position, (Vector{1, 0, 0}));
     EXPECT_EQ(mesh[2].position, (Vector{1, 1, 0}));
     EXPECT_FALSE(mesh[0].color.has_value());
+    const bool has_uv = std::string(face).find("1/1") != std::string::npos;
+    EXPECT_EQ(mesh[2].uv, has_uv ? std::optional(std::array{1.0F, 1.0F}) : std::nullopt) << face;
   }
 }
 

@@ -62,6 +62,22 @@ TEST(TreePointer, FindsClipCoordinatesAndObjectSpace) {
   EXPECT_EQ(find(root, "/draws/0/vertices/2/y"), nullptr);
 }
 
+TEST(TreePointer, FindsTextureCoordinates) {
+  JsonDocument document = parse_json(
+      R"({"draws": [{"vertices": [{"at": [1, 2], "uv": [3, 4]}, {"at": [1, 2], "uv": [5]}, [6, 7]]}],
+          "textures": [{"noise": {"seed": 8}}]})",
+      "a.json");
+  JsonNode& root = *document.root;
+  EXPECT_EQ(find(root, "/draws/0/vertices/0/s")->text, "3");
+  EXPECT_EQ(find(root, "/draws/0/vertices/0/t")->text, "4");
+  EXPECT_EQ(find(root, "/draws/0/vertices/1/s")->text, "5");
+  EXPECT_EQ(find(root, "/draws/0/vertices/1/t"), nullptr);
+  EXPECT_EQ(find(root, "/draws/0/vertices/2/s", Missing::is_created), nullptr);
+  EXPECT_EQ(find(root, "/textures/0/noise/seed")->text, "8");
+  ASSERT_NE(find(root, "/draws/0/vertices/2/uv", Missing::is_created), nullptr);
+  EXPECT_EQ(find(root, "/draws/0/vertices/2/y")->text, "7");
+}
+
 TEST(TreePointer, CreatesMembersButNoItems) {
   JsonNode root = tree();
   EXPECT_EQ(find(root, "/draws/0/state/line_width"), nullptr);

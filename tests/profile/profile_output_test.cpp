@@ -98,7 +98,8 @@ TEST(Percent, RoundsDownSoThatOneOfManyShows) {
 TEST(ProfileText, ShowsTraitsTablesAndClusters) {
   const std::string text = profile_text(sample(), 10);
   EXPECT_THAT(
-      text, HasSubstr("8-half-even                 99.96 % (2999 of 3000)    8-half-up 96.66 %\n"));
+      text,
+      HasSubstr("8-half-even                      99.96 % (2999 of 3000)    8-half-up 96.66 %\n"));
   EXPECT_THAT(text, HasSubstr("12-truncate 100 % (as good)\n"));
   EXPECT_THAT(text, HasSubstr("    2 joints with a gap\n"));
   EXPECT_THAT(text, HasSubstr("    inside                  #.? \n"));

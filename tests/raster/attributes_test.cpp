@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "raster/texture_stage.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/rules/interpolants.h"
 
@@ -203,6 +204,48 @@ TEST_F(Attributes, EachFormOfADerivativeFollowsItsOwnMethod) {
       EXPECT_EQ(detail.derivatives[d][c],
                 middle(derivative_exact(given.color[c], pixel, d % 2 == 0 ? Axis::x : Axis::y,
                                         choices_.values.derivatives[d / 2])));
+}
+
+TEST_F(Attributes, TexturedDrawsInterpolateWhereTheyAreLookedUp) {
+  for (std::size_t v = 0; v < 3; ++v)
+    draw().vertices[v].texture_coordinates = {1 + static_cast<float>(v), 7 - static_cast<float>(v)};
+  EXPECT_EQ(attributes().color[0].values[1].low, static_cast<double>(draw().vertices[1].color[0]));
+  draw().texture.emplace();
+  for (const Interpolation interpolation : {Interpolation::smooth, Interpolation::flat}) {
+    draw().interpolation = interpolation;
+    const PrimitiveAttributes given = attributes();
+    for (std::size_t v = 0; v < 3; ++v) {
+      const auto shown = static_cast<double>(interpolation == Interpolation::flat ? 2 : v);
+      const std::array<double, 4> expected{1 + shown, 7 - shown, 0, 1};
+      for (std::size_t c = 0; c < 4; ++c) {
+        EXPECT_EQ(given.color[c].values[v].low, expected[c]);
+        EXPECT_EQ(given.color[c].values[v].high, expected[c]);
+      }
+    }
+  }
+}
+
+TEST_F(Attributes, LookupsAreToldWhereAskedFor) {
+  ExactLookup lookup;
+  lookup.coordinates = {Interval(0.25), Interval(3)};
+  lookup.queried = {2, 2.5};
+  lookup.color = {Interval(0.125), Interval(0.5, 0.75), Interval(7), Interval(1)};
+  const PrimitiveAttributes given = attributes();
+  const QuadPixel pixel{{5, 4}, {4, 4}};
+  EXPECT_EQ(shade(primitive(), given, pixel.pixel, &lookup).color,
+            (std::array<double, 4>{0.125, 0.625, 7, 1}));
+  for (const bool asked : {false, true})
+    for (const bool textured : {false, true}) {
+      const FragmentDetail detail = shade_details(
+          given, pixel, choices_.values, {false, false, asked}, textured ? &lookup : nullptr);
+      const bool told = asked && textured;
+      EXPECT_EQ(detail.has_texture_coordinates, told);
+      EXPECT_EQ(detail.has_level_of_detail, told);
+      EXPECT_EQ(detail.texture_coordinates,
+                told ? (std::array<double, 2>{0.25, 3}) : (std::array<double, 2>{}));
+      EXPECT_EQ(detail.level_of_detail,
+                told ? (std::array<double, 2>{2, 2.5}) : (std::array<double, 2>{}));
+    }
 }
 
 TEST_F(Attributes, AFragmentIsThatOfItsPixelAndPrimitive) {

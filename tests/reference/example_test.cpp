@@ -6,22 +6,12 @@
 
 #include <map>
 
-#include "tests/reference/drawings.h"
+#include "tests/reference/example.h"
 
 namespace edgecase {
 namespace {
 
 using ::testing::ElementsAre;
-
-Renderer& example() {
-  static ProcessRenderer renderer([] {
-    ProcessSpec spec;
-    spec.name = "exec:example";
-    spec.command.argv = {EDGECASE_PYTHON, EDGECASE_ROOT "/reference/examples/rasterizer.py"};
-    return spec;
-  }());
-  return renderer;
-}
 
 std::string drawing(int width, int height, const Draw& draw) {
   Scene scene = blank_scene(width, height);

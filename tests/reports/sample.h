@@ -7,6 +7,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "reports/html.h"
 #include "results/results.h"
@@ -19,6 +20,9 @@ extern const std::string kHostile;
 // Four renderers, about 60 cases, sorted by id.
 Results results();
 ReportTexts texts();
+
+// Those of the cases that have levels of detail along a row of pixels.
+std::vector<CaseResults> ramp_cases();
 
 // One disagreement at (x, y) without figure.
 Disagreement disagreement(int x, int y, DisagreementKind kind, bool legal);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reports/text.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -64,6 +65,9 @@ TEST(ReportText, DescribesValuesWithTheirMeanTheirWorstAndTheirRange) {
             "dFdxFine: 2 of 40 values differ within what is permitted, worst 12.5 ULP at pixel "
             "(3, 4): 0.5 exact, 0.5625 rendered; mean 0.375 ULP, at most 0.0625 of the attribute's "
             "range");
+  values.cause = "texture.log2=mantissa-8";
+  EXPECT_THAT(describe(values),
+              testing::StartsWith("dFdxFine: 2 of 40 values differ by texture.log2=mantissa-8, "));
 }
 
 }  // namespace

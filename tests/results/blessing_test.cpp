@@ -68,6 +68,9 @@ TEST(PlanBlessing, MakesAReasonOfWhatWasFound) {
   EXPECT_EQ(changes[2].after->reason, "crashed: signal 11");
   EXPECT_EQ(changes[3].after->reason,
             "color rounded otherwise than exactly, within what is permitted");
+  results.cases[3].results[0].values[0].cause = "texture.log2=mantissa-8";
+  EXPECT_EQ(plan_blessing(results, 0, {}, "")[3].after->reason,
+            "color by texture.log2=mantissa-8");
 }
 
 // Blessed and read back, the same results are expected; blessing again changes nothing.

@@ -74,6 +74,10 @@ TEST(BrokenResults, DamageIsNamedWithItsCase) {
       {"\"-1074\":1", "\"often\":1", "\"often\""},
       {"\"results\":{\"osmesa:llvmpipe\"", "\"results\":{\"osmesa:softpipe\"", "osmesa:llvmpipe"},
       {"\"pixel\":[3,1]", "\"pixel\":[3]", "array index 1"},
+      {"\"ramp\":[[0,0,", "\"ramp\":[[0,\"0\",", "number"},
+      {"\"ramp\":[[0,0,0.1,", "\"ramp\":[[0,0,\"much\",", "\"much\""},
+      {",\"inf\",\"nan\"]", ",\"inf\"]", "array index 5"},
+      {"\"ramp\":[", "\"ramp\":7,\"x\":[", "list"},
       {"\"disagreements\":[{", "\"disagreements\":[7,{", "number"},
   };
   for (const Damage& damage : damages) {

@@ -138,13 +138,17 @@ TEST(Clusters, TheUnexplainedAndIllegalComeFirstAndThenTheLargest) {
   ValueAggregate none = values;
   none.attribute = "depth";
   none.differing.clear();
-  results.cases[0].results[0].values = {values, none};
+  ValueAggregate caused = values;
+  caused.cause = "c=3";
+  caused.differing.resize(60);
+  results.cases[0].results[0].values = {values, none, caused};
   const auto clusters = clusters_of(results, 0);
   EXPECT_EQ(
       titles(clusters),
       (Titles{"line.diamond-exit missing, twice, fbo", "line.diamond-exit missing, once a, fbo",
               "line.diamond-exit missing, once z, fbo", "line.diamond-exit missing, legal, fbo",
-              "attribute.smooth color within what is permitted, fbo", "c=2, fbo", "c=1, fbo"}));
+              "attribute.smooth color within what is permitted, fbo", "c=3, fbo", "c=2, fbo",
+              "c=1, fbo"}));
   EXPECT_EQ(clusters[4].disagreements, 50U);
   EXPECT_EQ(clusters[4].x, 2);
   EXPECT_EQ(clusters[4].y, 3);

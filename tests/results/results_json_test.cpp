@@ -59,8 +59,8 @@ void expect_disagreement(const Disagreement& a, const Disagreement& b) {
 
 void expect_values(const ValueAggregate& a, const ValueAggregate& b) {
   EXPECT_EQ(
-      std::tie(a.attribute, a.rule, a.ruling, a.compared, a.components, a.worst_component, a.ulp_histogram),
-      std::tie(b.attribute, b.rule, b.ruling, b.compared, b.components, b.worst_component, b.ulp_histogram));
+      std::tie(a.attribute, a.rule, a.ruling, a.cause, a.compared, a.components, a.worst_component, a.ulp_histogram),
+      std::tie(b.attribute, b.rule, b.ruling, b.cause, b.compared, b.components, b.worst_component, b.ulp_histogram));
   const auto place = [](const ValueAggregate::Place& p) {
     return std::tuple(p.x, p.y, p.primitive);
   };
@@ -75,8 +75,19 @@ void expect_values(const ValueAggregate& a, const ValueAggregate& b) {
   expect_number(a.worst_relative, b.worst_relative);
 }
 
+void expect_ramp(const std::vector<Result::LevelPoint>& a,
+                 const std::vector<Result::LevelPoint>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(std::tie(a[i].x, a[i].y), std::tie(b[i].x, b[i].y));
+    expect_numbers({a[i].exact, a[i].low, a[i].high, a[i].rendered},
+                   {b[i].exact, b[i].low, b[i].high, b[i].rendered});
+  }
+}
+
 void expect_result(const Result& a, const Result& b) {
   EXPECT_EQ(a.refuted, b.refuted);
+  expect_ramp(a.ramp, b.ramp);
   EXPECT_EQ(
       std::tie(a.verdict, a.fingerprint, a.illegal_line_snaps, a.pixels, a.standing, a.expectation),
       std::tie(b.verdict, b.fingerprint, b.illegal_line_snaps, b.pixels, b.standing,
@@ -147,6 +158,15 @@ TEST(ResultsJson, SameResultsGiveTheSameBytes) {
 
 TEST(ResultsJson, EmptyResultsReadBack) {
   expect_results(Results{}, read(written(Results{})));
+}
+
+TEST(ResultsJson, ARampIsCompactAndAbsentWhereItIsEmpty) {
+  Results results = full_results();
+  EXPECT_NE(written(results).find(R"("ramp":[[0,0,0.1,-0.0,)"), std::string::npos);
+  EXPECT_NE(written(results).find(R"(,[1,0,"-inf","-inf","inf","nan"],)"), std::string::npos);
+  for (CaseResults& one : results.cases)
+    for (Result& result : one.results) result.ramp.clear();
+  EXPECT_EQ(written(results).find("\"ramp\""), std::string::npos);
 }
 
 TEST(ResultsJson, EachCaseStandsOnALineOfItsOwn) {

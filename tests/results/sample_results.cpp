@@ -42,6 +42,7 @@ ValueAggregate aggregate() {
   values.attribute = "color";
   values.rule = "attribute.smooth";
   values.ruling = 9;
+  values.cause = "texture.log2=mantissa-8";
   values.compared = 123456789012345;
   values.differing = {{1, 2, 0}, {3, 1, -1}};
   values.worst = {3, 1, -1};
@@ -65,6 +66,9 @@ Result full_result() {
   result.evidence = {{4, {"a=b", "c=d + e=f"}, {"none", "8-half-even"}, "column 3 holds two"}, {}};
   result.illegal_line_snaps = {"none", "8-truncate"};
   result.refuted = "0110";
+  result.ramp = {{0, 0, 0.1, -0.0, 1.0 / 3, 5e-324},
+                 {1, 0, -kInfinity, -kInfinity, kInfinity, kNaN},
+                 {1, 3, kNaN, kNaN, kNaN, 1.7976931348623157e308}};
   result.pixels = {9, 8, 7, 6, 5, 4, 3, 255};
   result.standing = Standing::changed;
   result.expectation = kHostile;

@@ -83,11 +83,12 @@ class Texts(CommandTest):
         results = self.results(SUITE, "--against", "osmesa:softpipe", expect=None)
         clusters = results["clusters"]["osmesa:softpipe"]
         told = [d for case in results["cases"] for d in only_result(case)["disagreements"]]
-        values = sum(len(v["differing"]) for case in results["cases"]
-                     for v in only_result(case)["values"])
-        self.assertEqual(sum(c["disagreements"] for c in clusters), len(told) + values)
+        values = [v for case in results["cases"] for v in only_result(case)["values"]]
+        self.assertEqual(sum(c["disagreements"] for c in clusters),
+                         len(told) + sum(len(v["differing"]) for v in values))
         self.assertEqual(sum(c["disagreements"] for c in clusters if "cause" in c),
-                         sum(1 for d in told if d["cause"]))
+                         sum(1 for d in told if d["cause"]) +
+                         sum(len(v["differing"]) for v in values if "cause" in v))
         causes = ["cause" in cluster for cluster in clusters]
         self.assertEqual(causes, sorted(causes), "those without cause come first")
 

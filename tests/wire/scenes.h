@@ -3,6 +3,9 @@
 // Scenes for the tests of src/wire.
 #pragma once
 
+#include <cstdint>
+#include <memory>
+
 #include "model/scene.h"
 
 namespace edgecase {
@@ -33,6 +36,47 @@ inline Scene small_scene() {
   line.scissor = Viewport{-1, 0, 3, 0};
   line.vertices = {vertex(-32768, 32768, {1, 1, 1, 1}), vertex(163840, 98304, {1, 1, 1, 1})};
   scene.draws = {triangle, line};
+  return scene;
+}
+
+// Texels that differ: codes, or of rgba32f numbers that are none.
+inline TextureLevel texture_level(int width, int height, TextureFormat format) {
+  TextureLevel level;
+  level.width = width;
+  level.height = height;
+  for (std::size_t i = 0; i < level.index(0, height); ++i) {
+    const auto value = static_cast<float>(i * 37 % 256);
+    level.texels.push_back(format == TextureFormat::rgba32f ? value / 3 - 7 : value);
+  }
+  return level;
+}
+
+// One level, or a whole chain.
+inline Texture make_texture(int width, int height, TextureFormat format, bool whole = false) {
+  Texture texture;
+  texture.dimensions = height == 1 ? 1 : 2;
+  texture.format = format;
+  for (int level = 0; level < (whole ? level_count(width, height) : 1); ++level)
+    texture.levels.push_back(
+        texture_level(level_size(width, level), level_size(height, level), format));
+  return texture;
+}
+
+// small_scene with three textures, a whole chain of 5x3, a single level of 4x1 and generated ones
+// of 2x2: the triangle looks up the first, the line nothing.
+inline Scene textured_scene() {
+  Scene scene = small_scene();
+  scene.details.texture = true;
+  Texture generated = make_texture(2, 2, TextureFormat::srgb8);
+  generated.generated = true;
+  scene.textures = {std::make_shared<const Texture>(make_texture(5, 3, TextureFormat::rgba8, true)),
+                    std::make_shared<const Texture>(make_texture(4, 1, TextureFormat::rgba32f)),
+                    std::make_shared<const Texture>(generated)};
+  Draw& draw = scene.draws[0];
+  draw.texture = TextureUse();
+  draw.vertices[0].texture_coordinates = {-0.5f, 0.1f};
+  draw.vertices[1].texture_coordinates = {1e-30f, 1e30f};
+  draw.vertices[2].texture_coordinates = {3, -0.0f};
   return scene;
 }
 

@@ -73,10 +73,11 @@ void print_disagreement(const Disagreement& d) {
 
 void print_values(const ValueAggregate& values) {
   fmt::print(
-      "  {}: {} of {} differ inside what ruling {} permits; worst {:.3g} ULP at ({}, {}), "
+      "  {}: {} of {} differ inside what ruling {} permits{}; worst {:.3g} ULP at ({}, {}), "
       "exactly {:.9g}, rendered {:.9g}; mean {:.3g} ULP, at most {:.3g} of the attribute's range\n",
-      values.attribute, values.differing.size(), values.compared, values.ruling, values.worst_ulp,
-      values.worst.x, values.worst.y, values.worst_exact, values.worst_rendered, values.mean_ulp,
+      values.attribute, values.differing.size(), values.compared, values.ruling,
+      values.cause.empty() ? "" : ", by " + values.cause, values.worst_ulp, values.worst.x,
+      values.worst.y, values.worst_exact, values.worst_rendered, values.mean_ulp,
       values.worst_relative);
 }
 

@@ -41,12 +41,6 @@ constexpr DerivativeMethod kMethods[] = {DerivativeMethod::analytic,
                                          DerivativeMethod::coarse_top_right,
                                          DerivativeMethod::other_row};
 
-// Two pixels next to each other: the derivative is the second's value less the first's.
-struct Neighbours {
-  PixelPosition first;
-  PixelPosition second;
-};
-
 Neighbours from(PixelPosition first, Axis axis) {
   return {first, axis == Axis::x ? PixelPosition{first.x + 1, first.y}
                                  : PixelPosition{first.x, first.y + 1}};
@@ -57,33 +51,6 @@ Neighbours within(PixelPosition quad, Axis axis, int column, int row) {
   return from(axis == Axis::x ? PixelPosition{quad.x, quad.y + row}
                               : PixelPosition{quad.x + column, quad.y},
               axis);
-}
-
-// Whose difference a method takes; `analytic` takes none.
-Neighbours neighbours_of(const QuadPixel& at, Axis axis, DerivativeMethod method) {
-  const int column = at.pixel.x - at.quad.x;
-  const int row = at.pixel.y - at.quad.y;
-  switch (method) {
-    case DerivativeMethod::analytic:
-    case DerivativeMethod::forward:
-      return from(at.pixel, axis);
-    case DerivativeMethod::fine:
-      return within(at.quad, axis, column, row);
-    case DerivativeMethod::fine_odd:
-      // The odd quad begins one pixel further left and down, unless the pixel is the first there.
-      return within({at.pixel.x - (1 - column), at.pixel.y - (1 - row)}, axis, 1 - column, 1 - row);
-    case DerivativeMethod::other_row:
-      return within(at.quad, axis, 1 - column, 1 - row);
-    case DerivativeMethod::coarse_bottom_left:
-      return within(at.quad, axis, 0, 0);
-    case DerivativeMethod::coarse_bottom_right:
-      return within(at.quad, axis, 1, 0);
-    case DerivativeMethod::coarse_top_left:
-      return within(at.quad, axis, 0, 1);
-    case DerivativeMethod::coarse_top_right:
-      return within(at.quad, axis, 1, 1);
-  }
-  return from(at.pixel, axis);
 }
 
 Point centre_of(PixelPosition pixel) {
@@ -150,6 +117,32 @@ QuadPixel in_quad(PixelPosition pixel, RowOrder rows, int height) {
   // Counted from the top, the lower row of a quad is odd where the height is.
   const int first = rows == RowOrder::top_down ? height % 2 : 0;
   return {pixel, {pixel.x - pixel.x % 2, pixel.y - (pixel.y + first) % 2}};
+}
+
+Neighbours neighbours_of(const QuadPixel& at, Axis axis, DerivativeMethod method) {
+  const int column = at.pixel.x - at.quad.x;
+  const int row = at.pixel.y - at.quad.y;
+  switch (method) {
+    case DerivativeMethod::analytic:
+    case DerivativeMethod::forward:
+      return from(at.pixel, axis);
+    case DerivativeMethod::fine:
+      return within(at.quad, axis, column, row);
+    case DerivativeMethod::fine_odd:
+      // The odd quad begins one pixel further left and down, unless the pixel is the first there.
+      return within({at.pixel.x - (1 - column), at.pixel.y - (1 - row)}, axis, 1 - column, 1 - row);
+    case DerivativeMethod::other_row:
+      return within(at.quad, axis, 1 - column, 1 - row);
+    case DerivativeMethod::coarse_bottom_left:
+      return within(at.quad, axis, 0, 0);
+    case DerivativeMethod::coarse_bottom_right:
+      return within(at.quad, axis, 1, 0);
+    case DerivativeMethod::coarse_top_left:
+      return within(at.quad, axis, 0, 1);
+    case DerivativeMethod::coarse_top_right:
+      return within(at.quad, axis, 1, 1);
+  }
+  return from(at.pixel, axis);
 }
 
 Interval derivative_exact(const Interpolant& f, const QuadPixel& at, Axis axis,

@@ -73,6 +73,15 @@ struct QuadPixel {
 // columns and at even rows.
 QuadPixel in_quad(PixelPosition pixel, RowOrder rows, int height);
 
+// Two pixels next to each other: the derivative is the second's value less the first's.
+struct Neighbours {
+  PixelPosition first;
+  PixelPosition second;
+};
+
+// Whose difference a method takes; `analytic` takes none, and the answer is that of `forward`.
+Neighbours neighbours_of(const QuadPixel& at, Axis axis, DerivativeMethod method);
+
 // The derivative by a method, per pixel: exact, and what may come out of it when every operation
 // errs (see rules/values/interpolation.h).
 Interval derivative_exact(const Interpolant& interpolant, const QuadPixel& at, Axis axis,

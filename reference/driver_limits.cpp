@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "reference/driver_limits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgecase {
+
+namespace {
+
+std::string target_limit(const Scene& scene, const DriverLimits& limits) {
+  const Target& target = scene.target;
+  if (target.samples != 1)
+    return fmt::format("targets with {} samples are not drawn here", target.samples);
+  if (target.width > limits.size || target.height > limits.size)
+    return fmt::format("a {}x{} target exceeds this driver's {}", target.width, target.height,
+                       limits.size);
+  if (scene.viewport.width > limits.viewport[0] || scene.viewport.height > limits.viewport[1])
+    return fmt::format("a {}x{} viewport exceeds this driver's {}x{}", scene.viewport.width,
+                       scene.viewport.height, limits.viewport[0], limits.viewport[1]);
+  return "";
+}
+
+std::string size_limit(const Draw& draw, const DriverLimits& limits) {
+  const PrimitiveKind kind = kind_of(draw.primitive);
+  const double size = draw.point_size.to_double();
+  if (kind == PrimitiveKind::point && (size < static_cast<double>(limits.point_sizes[0]) ||
+                                       size > static_cast<double>(limits.point_sizes[1])))
+    return fmt::format("points of size {} are not drawn by this driver: it has {}", size,
+                       text_of_range(limits.point_sizes));
+  // A width is rounded to a whole number, at least 1 (GL 4.6 core, 14.5.2.1).
+  const double width = draw.line_width.to_double();
+  if (kind == PrimitiveKind::line &&
+      std::floor(width + 0.5) > std::max(1.0, static_cast<double>(limits.line_widths[1])))
+    return fmt::format("lines of width {} are not drawn by this driver: it has {}", width,
+                       text_of_range(limits.line_widths));
+  return "";
+}
+
+std::string draw_limit(const Draw& draw, const DriverLimits& limits) {
+  if (std::string problem = size_limit(draw, limits); !problem.empty()) return problem;
+  const float anisotropy = draw.texture ? draw.texture->sampler.max_anisotropy : 1;
+  if (anisotropy > limits.anisotropy)
+    return limits.anisotropy > 1 ? fmt::format("an anisotropy of {:g} exceeds this driver's {:g}",
+                                               anisotropy, limits.anisotropy)
+                                 : "this driver has no anisotropic filtering";
+  // A point has one vertex.
+  if (kind_of(draw.primitive) != PrimitiveKind::point &&
+      !limits.provoking[static_cast<std::size_t>(draw.provoking_vertex)])
+    return fmt::format("setting the {} vertex to provoke has no effect on this driver",
+                       name_of(draw.provoking_vertex));
+  return "";
+}
+
+}  // namespace
+
+DriverLimits stated_limits(const GladGLContext& gl) {
+  DriverLimits limits;
+  gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, limits.viewport.data());
+  gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limits.size);
+  gl.GetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, limits.line_widths.data());
+  gl.GetFloatv(GL_POINT_SIZE_RANGE, limits.point_sizes.data());
+  // Wide lines are deprecated, and an error in contexts that promise to do without.
+  GLint flags = 0;
+  gl.GetIntegerv(GL_CONTEXT_FLAGS, &flags);
+  if ((flags & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) != 0)
+    limits.line_widths[1] = std::min(limits.line_widths[1], 1.0f);
+  return limits;
+}
+
+std::string limit_exceeded_by(const Scene& scene, const DriverLimits& limits) {
+  if (std::string problem = target_limit(scene, limits); !problem.empty()) return problem;
+  for (const Draw& draw : scene.draws)
+    if (std::string problem = draw_limit(draw, limits); !problem.empty()) return problem;
+  return "";
+}
+
+std::string text_of_range(const std::array<float, 2>& range) {
+  return fmt::format("{:g} to {:g}", range[0], range[1]);
+}
+
+}  // namespace edgecase

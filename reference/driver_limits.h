@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// What a driver can draw, by its own word or by trying, and what of a scene is beyond it. A driver
+// would draw such a scene otherwise than asked, without an error.
+#pragma once
+
+#include <glad/gl.h>
+
+#include <array>
+#include <string>
+
+#include "model/scene.h"
+
+namespace edgecase {
+
+struct DriverLimits {
+  int size = 0;                               // of a target, pixels along either side
+  std::array<GLint, 2> viewport{0, 0};        // width and height, pixels
+  std::array<float, 2> line_widths{1, 1};     // smallest and largest, pixels
+  std::array<float, 2> point_sizes{1, 1};     // likewise
+  float anisotropy = 1;                       // 1: there is no anisotropic filtering
+  std::array<bool, 2> provoking{true, true};  // by ProvokingVertex: setting it has its effect
+};
+
+// What the context says of itself; the last two members are left as they are.
+DriverLimits stated_limits(const GladGLContext& gl);
+
+// What a driver with these limits cannot draw, as a sentence; empty: it can draw all.
+std::string limit_exceeded_by(const Scene& scene, const DriverLimits& limits);
+
+// "1 to 255"
+std::string text_of_range(const std::array<float, 2>& range);
+
+}  // namespace edgecase

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// Rational: an exact quotient of integers without a bound on their size.
+//
+// Intervals answer nearly every question about values. Some are questions of yes or no, and the
+// exact number lies on the border: which texel holds a point, which level a scale factor selects.
+// Those are asked again here. It is slow (a microsecond where an interval takes a nanosecond), and
+// its header costs every user seconds: include it where it is needed.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "exact/interval.h"
+#include "exact/neighbour.h"
+#include "exact/wide.h"
+
+namespace edgecase {
+
+using Integer = boost::multiprecision::cpp_int;
+using Rational = boost::multiprecision::cpp_rational;
+
+inline Integer integer_of(Int128 value) {
+  return Integer(value);
+}
+
+// above / below, of a denominator of either sign but 0. (The constructor takes positive ones alone.)
+inline Rational quotient_of(const Integer& above, const Integer& below) {
+  return below < 0 ? Rational(Integer(-above), Integer(-below)) : Rational(above, below);
+}
+
+// 2^exponent, of an exponent of either sign.
+inline Rational power_of_two(int exponent) {
+  const Integer power = Integer(1) << std::abs(exponent);
+  return exponent < 0 ? Rational(Integer(1), power) : Rational(power);
+}
+
+// The number itself, which must be finite.
+inline Rational rational_of(double value) {
+  int exponent = 0;
+  auto digits = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
+  if (digits == 0) return 0;
+  exponent -= 53;
+  const int zeros = std::countr_zero(static_cast<std::uint64_t>(digits));
+  digits >>= zeros;
+  exponent += zeros;
+  if (exponent >= 0) return Rational(Integer(digits) << exponent);
+  return Rational(Integer(digits), Integer(1) << -exponent);
+}
+inline Rational rational_of(float value) {
+  return rational_of(static_cast<double>(value));
+}
+inline Rational rational_of(Int128 value) {
+  return Rational(integer_of(value));
+}
+
+// The largest integer not above the number.
+inline Integer floor_of(const Rational& value) {
+  Integer quotient, rest;
+  divide_qr(numerator(value), denominator(value), quotient, rest);
+  if (rest < 0) --quotient;
+  return quotient;
+}
+
+inline bool is_whole(const Rational& value) {
+  return denominator(value) == 1;
+}
+
+// The narrowest interval that holds the number: a point where it is a double, else two neighbours,
+// the last of which may be infinite.
+inline Interval interval_of(const Rational& value) {
+  if (value < 0) {
+    const Interval positive = interval_of(Rational(-value));
+    return {-positive.high, -positive.low};
+  }
+  if (value == 0) return 0;
+  const Integer above = numerator(value), below = denominator(value);
+  // At least 53 digits before the point; what lies below the smallest double is cut off.
+  const int scale =
+      std::min(54 + static_cast<int>(msb(below)) - static_cast<int>(msb(above)), 1074);
+  Integer digits, rest;
+  divide_qr(scale > 0 ? Integer(above << scale) : above,
+            scale < 0 ? Integer(below << -scale) : below, digits, rest);
+  const int spare = digits == 0 ? 0 : std::max(static_cast<int>(msb(digits)) - 52, 0);
+  const auto kept = static_cast<std::int64_t>(digits >> spare);
+  const bool is_exact = rest == 0 && (Integer(kept) << spare) == digits;
+  const double low = std::ldexp(static_cast<double>(kept), spare - scale);
+  if (std::isinf(low)) return {std::numeric_limits<double>::max(), low};
+  return is_exact ? Interval(low) : Interval(low, next_above(low));
+}
+
+}  // namespace edgecase

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// Texture: images that a scene looks up, and how. Passive, like the scene that holds it.
+//
+// Texel (0, 0) lies at texture coordinates (0, 0): rows run from the bottom, t upwards, as in GL.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace edgecase {
+
+// What a level of a texture holds per texel. srgb8: red, green and blue are coded by the sRGB
+// curve, alpha is linear.
+enum class TextureFormat { rgba8, srgb8, rgba32f };
+// What stands where coordinates leave the image (GL 4.6 core, 8.14.2).
+enum class Wrap { repeat, mirrored_repeat, clamp_to_edge, clamp_to_border };
+// How texels make a colour within a level.
+enum class Filter { nearest, linear };
+// How levels make one: the base level alone, the nearest, or a mean of the two nearest.
+enum class MipFilter { none, nearest, linear };
+
+// One image of a mip chain.
+struct TextureLevel {
+  int width = 1;   // texels, 1 to kMaxTextureSize
+  int height = 1;  // 1 for a one-dimensional texture
+  // Red, green, blue, alpha of each texel, row by row from the bottom, 4 * width * height numbers
+  // as the format stores them: whole numbers of 0 to 255, or any float32 number of rgba32f.
+  std::vector<float> texels;
+
+  std::size_t index(int i, int j) const {
+    return 4 * (static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(i));
+  }
+  friend bool operator==(const TextureLevel&, const TextureLevel&) = default;
+};
+
+constexpr int kMaxTextureSize = 1024;
+
+struct Texture {
+  int dimensions = 2;  // 1 or 2
+  TextureFormat format = TextureFormat::rgba8;
+  // Level 0 first, as many as the scene gives: one, or a whole chain down to 1x1 whose sizes are
+  // those of level_size.
+  std::vector<TextureLevel> levels;
+  // Are the levels beyond 0 made by the renderer (glGenerateMipmap)? Then `levels` has one.
+  bool generated = false;
+
+  friend bool operator==(const Texture&, const Texture&) = default;
+};
+
+// The parameters of a texture and its sampler (GL 4.6 core, 8.10, table 23.18).
+struct Sampler {
+  std::array<Wrap, 2> wrap{Wrap::repeat, Wrap::repeat};  // of s and t
+  Filter magnify = Filter::linear;
+  Filter minify = Filter::nearest;
+  MipFilter mipmap = MipFilter::none;
+  float lod_bias = 0;  // -16 to 16
+  float min_lod = -1000;
+  float max_lod = 1000;
+  int base_level = 0;    // 0 to 10, a level of the texture
+  int max_level = 1000;  // at least base_level
+  std::array<float, 4> border{0, 0, 0, 0};
+  float max_anisotropy = 1;  // 1 to 16
+
+  friend bool operator==(const Sampler&, const Sampler&) = default;
+};
+
+// How the shader asks: texture(), texture() with a bias, textureLod(), textureGrad().
+enum class LookupKind { implicit, bias, lod, gradients };
+
+struct Lookup {
+  LookupKind kind = LookupKind::implicit;
+  float value = 0;            // of bias and lod, in levels
+  std::array<float, 2> dx{};  // of gradients: of (s, t) per pixel along x
+  std::array<float, 2> dy{};  // and along y
+  friend bool operator==(const Lookup&, const Lookup&) = default;
+};
+
+// A draw's texture: its fragments' colour is looked up at their vertices' texture coordinates,
+// interpolated as the draw says.
+struct TextureUse {
+  std::size_t texture = 0;  // of the scene
+  Sampler sampler;
+  Lookup lookup;
+  friend bool operator==(const TextureUse&, const TextureUse&) = default;
+};
+
+// The size of a level of a chain whose level 0 has `size` texels along an axis: halved `level`
+// times, rounded down, at least 1 (GL 4.6 core, 8.14.3).
+int level_size(int size, int level);
+// How many levels a whole chain has: floor(log2(larger side)) + 1.
+int level_count(int width, int height);
+
+// The names that case files, JSON and reports use.
+const char* name_of(TextureFormat);
+const char* name_of(Wrap);
+const char* name_of(Filter);
+const char* name_of(MipFilter);
+const char* name_of(LookupKind);
+
+// The inverse: false when `name` names none, `value` then untouched.
+bool parse_name(const std::string& name, TextureFormat& value);
+bool parse_name(const std::string& name, Wrap& value);
+bool parse_name(const std::string& name, Filter& value);
+bool parse_name(const std::string& name, MipFilter& value);
+bool parse_name(const std::string& name, LookupKind& value);
+
+}  // namespace edgecase

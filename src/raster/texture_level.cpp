@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "raster/texture_level.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace edgecase {
+namespace {
+
+using Vector = std::array<Rational, 2>;
+
+Rational squared_length(const Vector& v) {
+  return v[0] * v[0] + v[1] * v[1];
+}
+
+Rational square(const Rational& value) {
+  return value * value;
+}
+
+// By their squares.
+const Rational& longer(const Rational& a, const Rational& b) {
+  return a < b ? b : a;
+}
+
+// How many borders lie from one level to the next: those of the nearest level and of the crossover
+// at halves, and those of weights that are rounded to 8 bits or fewer.
+double borders_per_level(LevelWeight weight) {
+  const bool is_continuous = weight == LevelWeight::exact || weight == LevelWeight::narrow ||
+                             weight == LevelWeight::one_at_ties;
+  return is_continuous ? 2 : 512;
+}
+
+// The first border of the interval; none in it where it is not finite.
+std::optional<double> border_in(Interval value, LevelWeight weight) {
+  if (!std::isfinite(value.low) || !std::isfinite(value.high)) return std::nullopt;
+  const double per_level = borders_per_level(weight);
+  const double border = std::ceil(value.low * per_level) / per_level;
+  if (border > value.high) return std::nullopt;
+  return border;
+}
+
+// The square of the scale factor whose logarithm is `base`; none where it is irrational.
+std::optional<Rational> squared_power(const Rational& base, Log2Method method) {
+  if (method == Log2Method::linear_mantissa) {
+    const Integer exponent = floor_of(base);
+    return square(power_of_two(static_cast<int>(exponent)) * (1 + base - exponent));
+  }
+  const Rational doubled = base * 2;
+  if (method == Log2Method::linear_mantissa_of_square) {
+    const Integer exponent = floor_of(doubled);
+    return power_of_two(static_cast<int>(exponent)) * (1 + doubled - exponent);
+  }
+  if (!is_whole(doubled)) return std::nullopt;
+  return power_of_two(static_cast<int>(numerator(doubled)));
+}
+
+}  // namespace
+
+RationalFootprint in_texels(const RationalFootprint& given, int width, int height) {
+  RationalFootprint result = given;
+  for (Vector* v : {&result.dx, &result.dy}) {
+    (*v)[0] *= width;
+    (*v)[1] *= height;
+  }
+  return result;
+}
+
+Footprint intervals_of(const RationalFootprint& f) {
+  return {{interval_of(f.dx[0]), interval_of(f.dx[1])},
+          {interval_of(f.dy[0]), interval_of(f.dy[1])},
+          f.dimensions};
+}
+
+Rational squared_scale_factor(const RationalFootprint& f, ScaleFactor method) {
+  const Rational u_x = abs(f.dx[0]), v_x = abs(f.dx[1]);
+  const Rational u_y = abs(f.dy[0]), v_y = abs(f.dy[1]);
+  const Rational m_u = std::max(u_x, u_y), m_v = std::max(v_x, v_y);
+  switch (method) {
+    case ScaleFactor::lengths:
+      return longer(squared_length(f.dx), squared_length(f.dy));
+    case ScaleFactor::largest_partial:
+      return square(std::max(m_u, m_v));
+    case ScaleFactor::sum_of_partials:
+      return square(m_u + m_v);
+    case ScaleFactor::length_of_sum:
+      return squared_length({f.dx[0] + f.dy[0], f.dx[1] + f.dy[1]});
+    case ScaleFactor::length_of_both:
+      return squared_length(f.dx) + squared_length(f.dy);
+    case ScaleFactor::sum:
+      return square(u_x + v_x + u_y + v_y);
+    case ScaleFactor::x_only:
+      return squared_length(f.dx);
+    case ScaleFactor::y_only:
+      return squared_length(f.dy);
+  }
+  return 0;
+}
+
+bool is_anisotropic(const Sampler& sampler, const TextureChoice& choice) {
+  return sampler.max_anisotropy > 1 && choice.anisotropy != Anisotropy::none;
+}
+
+ProbeRow exact_probes(const RationalFootprint& f, const Sampler& sampler,
+                      const TextureChoice& choice) {
+  const auto row_of = [&](const RationalFootprint& footprint) {
+    return probes(intervals_of(footprint), sampler.max_anisotropy, choice.anisotropy,
+                  choice.scale_factor);
+  };
+  ProbeRow row = row_of(f);
+  if (choice.anisotropy != Anisotropy::extension || row.probes.size() < 2) return row;
+  // Of rounded lengths the quotient may come out above a whole number that it is, and a probe be
+  // added for nothing. A vector that is shorter by next to nothing has one fewer.
+  const auto fewer = static_cast<int>(row.probes.size()) - 1;
+  const Rational x = squared_length(f.dx), y = squared_length(f.dy);
+  if (std::max(x, y) != std::min(x, y) * fewer * fewer) return row;
+  RationalFootprint shorter = f;
+  for (Rational& part : row.along_x ? shorter.dx : shorter.dy) part *= 1 - power_of_two(-40);
+  ProbeRow result = row_of(shorter);
+  result.scale_factor = row.scale_factor * static_cast<double>(fewer + 1) / fewer;
+  return result;
+}
+
+std::vector<std::array<Rational, 2>> ways_to(const ProbeRow& row, const RationalFootprint& f,
+                                             Anisotropy choice) {
+  // Offsets are multiples of 1/5, or of half of 1/(N + 1).
+  const int parts =
+      choice == Anisotropy::gaussian_5 ? 5 : 2 * static_cast<int>(row.probes.size()) + 2;
+  const Vector& along = row.along_x ? f.dx : f.dy;
+  std::vector<Vector> ways;
+  for (const Probe& probe : row.probes) {
+    const Rational offset(static_cast<int>(std::lround(probe.offset * parts)), parts);
+    ways.push_back({along[0] * offset, along[1] * offset});
+  }
+  return ways;
+}
+
+Rational squared_scale_factor(const RationalFootprint& f, const ProbeRow& row,
+                              const Sampler& sampler, const TextureChoice& choice) {
+  if (!is_anisotropic(sampler, choice)) return squared_scale_factor(f, choice.scale_factor);
+  const Rational x = squared_length(f.dx), y = squared_length(f.dy);
+  const Rational most = std::max(x, y), least = std::min(x, y);
+  if (choice.anisotropy == Anisotropy::gaussian_5) return std::max(least, Rational(most / 25));
+  const auto count = static_cast<int>(row.probes.size());
+  return most / (count * count);
+}
+
+bool is_level_open(Interval lambda_prime, LevelWeight weight) {
+  return border_in(lambda_prime, weight).has_value();
+}
+
+Interval decided_level(Interval prime, const Rational& squared, Interval bias, Log2Method log2,
+                       LevelWeight weight) {
+  // A step of a table may end on a border exactly.
+  if (prime.low == prime.high) return prime;
+  const std::optional<double> border = border_in(prime, weight);
+  if (!border) return prime;
+  // A bias that is no double is no multiple of any border's distance either.
+  const std::optional<Rational> there =
+      bias.low == bias.high ? squared_power(rational_of(*border) - rational_of(bias.low), log2)
+                            : std::nullopt;
+  if (there && squared == *there) return *border;
+  const bool is_below = there ? squared < *there : prime.low / 2 + prime.high / 2 < *border;
+  return is_below ? Interval(std::min(prime.low, next_below(*border)), next_below(*border))
+                  : Interval(next_above(*border), std::max(prime.high, next_above(*border)));
+}
+
+}  // namespace edgecase

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "raster/texture_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+
+#include "rules/textures/directed.h"
+
+namespace edgecase {
+namespace {
+
+void add(std::vector<Texel>& boxes, const Texel& box) {
+  for (const Texel& known : boxes)
+    if (same_box(known, box)) return;
+  boxes.push_back(box);
+}
+
+// (1 - weight) a + weight b, rounded one way: down or up, as its arithmetic is.
+template <class Rounding>
+double mean(double a, double b, double weight) {
+  const auto with = [&](double rest) {
+    return Rounding::sum(Rounding::product(rest, a), Rounding::product(weight, b));
+  };
+  const double low = with(Down::sum(1, -weight)), high = with(Up::sum(1, -weight));
+  return std::is_same_v<Rounding, Down> ? std::min(low, high) : std::max(low, high);
+}
+
+// The mean grows with a and with b, and is linear in the weight: what bounds it are its values at
+// the ends. It never leaves what lies between a and b.
+Interval mixed(Interval a, Interval b, Interval weight) {
+  if (weight.high == 0) return a;
+  if (weight.low == 1) return b;
+  const Interval between = hull(a, b);
+  const double low =
+      std::min(mean<Down>(a.low, b.low, weight.low), mean<Down>(a.low, b.low, weight.high));
+  const double high =
+      std::max(mean<Up>(a.high, b.high, weight.low), mean<Up>(a.high, b.high, weight.high));
+  // Infinite numbers of opposite signs have no mean: it may be anything between them.
+  if (std::isnan(low) || std::isnan(high)) return between;
+  return {std::max(low, between.low), std::min(high, between.high)};
+}
+
+// What one pick of levels yields.
+class PickedColors {
+ public:
+  PickedColors(const DecodedTexture& decoded, const TexelLookup& lookup, const TexturePoint& point)
+      : decoded_(decoded), lookup_(lookup), point_(point) {}
+
+  void collect(const LevelPick& pick, std::vector<Texel>& boxes) const {
+    const std::vector<Texel> first = colors(pick, pick.level);
+    if (pick.next == pick.level) {
+      for (const Texel& color : first) add(boxes, color);
+      return;
+    }
+    std::vector<Texel> second = colors(pick, pick.next);
+    constexpr std::size_t kManyPairs = 1000;
+    if (first.size() * second.size() > kManyPairs) second = {hull_of(second)};
+    for (const Texel& a : first)
+      for (const Texel& b : second) add(boxes, mixed(a, b, pick.weight));
+  }
+
+ private:
+  std::vector<Texel> colors(const LevelPick& pick, int level) const {
+    const auto at = std::min(static_cast<std::size_t>(level), decoded_.levels.size() - 1);
+    return filter_level(decoded_.levels[at], decoded_.dimensions, decoded_.format, pick.filter,
+                        point_, lookup_);
+  }
+
+  const DecodedTexture& decoded_;
+  const TexelLookup& lookup_;
+  const TexturePoint& point_;
+};
+
+}  // namespace
+
+bool same_box(const Texel& a, const Texel& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), [](Interval left, Interval right) {
+    return left.low == right.low && left.high == right.high;
+  });
+}
+
+Texel mixed(const Texel& a, const Texel& b, Interval weight) {
+  Texel result;
+  for (std::size_t c = 0; c < 4; ++c) result[c] = mixed(a[c], b[c], weight);
+  return result;
+}
+
+Texel hull_of(const std::vector<Texel>& boxes) {
+  Texel result = boxes.at(0);
+  for (const Texel& box : boxes)
+    for (std::size_t c = 0; c < 4; ++c) result[c] = hull(result[c], box[c]);
+  return result;
+}
+
+int last_level_of(const DecodedTexture& decoded, const Sampler& sampler, const Texture& texture) {
+  return std::min(last_level(sampler, texture), static_cast<int>(decoded.levels.size()) - 1);
+}
+
+std::vector<Texel> sample(const DecodedTexture& decoded, const Texture& texture,
+                          const Sampler& sampler, const TextureChoice& choice,
+                          const TextureSample& at, const SampleLatitude& latitude) {
+  const bool is_number = !std::isnan(at.lambda.low) && !std::isnan(at.lambda.high);
+  const LevelRules rules{choice.crossover, choice.nearest_level, choice.level_weight,
+                         latitude.any_tie, latitude.weight};
+  const TexelLookup lookup{sampler.wrap, sampler.border, choice.wrap, choice.texel_grid,
+                           latitude.texel};
+  const PickedColors colors(decoded, lookup, at.point);
+  std::vector<Texel> boxes;
+  for (const LevelPick& pick : pick_levels(is_number ? at.lambda : Interval(0), sampler,
+                                           last_level_of(decoded, sampler, texture), rules))
+    colors.collect(pick, boxes);
+  return boxes;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "rules/textures/anisotropy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rules/alternative_table.h"
+#include "rules/textures/directed.h"
+
+namespace edgecase {
+namespace {
+
+constexpr TabledAlternative<Anisotropy> kChoices[] = {
+    {Anisotropy::extension, "extension", Openness::open,
+     "up to max_anisotropy lookups of equal weight along the longer vector, in the level of its "
+     "length divided by their number: the example of EXT_texture_filter_anisotropic"},
+    {Anisotropy::gaussian_5, "gaussian-5", Openness::open,
+     "five lookups with Gaussian weights along the longer vector, in the level of the shorter one "
+     "or of a fifth of the longer one"},
+    {Anisotropy::none, "none", Openness::open, "one lookup, whatever the sampler says"}};
+
+struct Axes {
+  bool along_x;  // is the vector along x the longer one?
+  Interval longer;
+  Interval shorter;
+};
+
+double middle(Interval value) {
+  return std::isinf(value.high) ? value.high : value.low + (value.high - value.low) / 2;
+}
+
+Axes axes_of(const Footprint& footprint) {
+  const auto [x, y] = lengths(footprint);
+  if (middle(x) > middle(y)) return {true, x, y};
+  return {false, y, x};
+}
+
+Interval divided(Interval value, double by) {
+  return {Down::quotient(value.low, by), Up::quotient(value.high, by)};
+}
+
+// How many lookups: a whole number of at least 1, also where max_anisotropy is none.
+int probe_count(const Axes& axes, float max_anisotropy) {
+  const double longer = middle(axes.longer);
+  const double shorter = middle(axes.shorter);
+  const double most = std::floor(static_cast<double>(max_anisotropy));
+  if (longer == shorter) return 1;
+  return static_cast<int>(std::min(std::ceil(longer / shorter), most));
+}
+
+ProbeRow equal_probes(const Axes& axes, float max_anisotropy) {
+  const int count = probe_count(axes, max_anisotropy);
+  ProbeRow row{axes.along_x, divided(axes.longer, count), {}};
+  for (int i = 1; i <= count; ++i)
+    row.probes.push_back({static_cast<double>(i) / (count + 1) - 0.5, divided(1, count)});
+  return row;
+}
+
+ProbeRow gaussian_probes(const Axes& axes) {
+  constexpr int kCount = 5;
+  const Interval fifth = divided(axes.longer, kCount);
+  ProbeRow row{axes.along_x,
+               {std::max(axes.shorter.low, fifth.low), std::max(axes.shorter.high, fifth.high)},
+               {}};
+  Interval sum = 0;
+  for (int i = -2; i <= 2; ++i) {
+    const Interval weight = around(std::exp(-8.0 * i * i / (kCount * kCount)), kPlacesOfLibrary);
+    row.probes.push_back({static_cast<double>(i) / kCount, weight});
+    sum = sum + weight;
+  }
+  for (Probe& probe : row.probes) probe.weight = probe.weight / sum;
+  return row;
+}
+
+}  // namespace
+
+const char* name_of(Anisotropy choice) {
+  return name_in(kChoices, choice);
+}
+
+bool parse_name(std::string_view name, Anisotropy& choice) {
+  return find_in(kChoices, name, choice);
+}
+
+ProbeRow probes(const Footprint& footprint, float max_anisotropy, Anisotropy choice,
+                ScaleFactor isotropic) {
+  const Axes axes = axes_of(footprint);
+  if (choice == Anisotropy::none || !(max_anisotropy > 1))
+    return {axes.along_x, scale_factor(footprint, isotropic), {{0, 1}}};
+  return choice == Anisotropy::extension ? equal_probes(axes, max_anisotropy)
+                                         : gaussian_probes(axes);
+}
+
+Rule anisotropy_rule() {
+  Rule rule;
+  rule.id = "texture.anisotropy";
+  rule.title = "Anisotropic filters look up several times along the longer vector of a footprint";
+  rule.spec = "8.14.1, with EXT_texture_filter_anisotropic";
+  rule.latitude = "everything: the method is the implementation's (ruling 23)";
+  rule.standard = "extension";
+  rule.alternatives = alternatives_in(kChoices);
+  rule.rulings = {
+      {23,
+       "Anisotropy: the maximum that a sampler sets is a wish, and the method an example. Where it "
+       "is more than 1, no colour and no level of detail is a violation; which catalogued method "
+       "comes closest is told."}};
+  return rule;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// Anisotropic filters: several lookups along the longer vector of a footprint, each of a level
+// finer than that vector by itself asks for (GL 4.6 core, 8.14.1, with the text of
+// EXT_texture_filter_anisotropic). OpenGL gives one way as an example and lets implementations take
+// another: nothing of it is ever a violation. With Pmax and Pmin the vectors' lengths:
+//
+//   extension   N = min(ceil(Pmax / Pmin), max_anisotropy) lookups of equal weight at
+//               i / (N + 1) - 1/2 of the longer vector, i = 1 to N, in the level log2(Pmax / N); N
+//               is rounded down where max_anisotropy is no whole number
+//   gaussian-5  a course's: five lookups at -2/5, -1/5, 0, 1/5, 2/5 of the longer vector, weights
+//               proportional to exp(-2 (2x)^2) at x of it, in the level log2(max(Pmin, Pmax / 5))
+//
+// Where the vectors are of one length the one along y counts as the longer, as in the extension.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "exact/interval.h"
+#include "rules/rule.h"
+#include "rules/textures/level_of_detail.h"
+
+namespace edgecase {
+
+Rule anisotropy_rule();  // texture.anisotropy
+
+enum class Anisotropy {
+  extension,
+  gaussian_5,
+  none,  // as if max_anisotropy were 1
+};
+const char* name_of(Anisotropy choice);
+bool parse_name(std::string_view name, Anisotropy& choice);
+
+// One lookup: how far along the longer vector from the footprint's centre, -1/2 to 1/2, and its
+// share of the colour.
+struct Probe {
+  double offset = 0;
+  Interval weight;
+};
+
+struct ProbeRow {
+  bool along_x = true;        // the longer vector is that along x
+  Interval scale_factor;      // texels per pixel; its logarithm is lambda_base
+  std::vector<Probe> probes;  // from -1/2 on; one at 0, of weight 1, where nothing is anisotropic
+};
+
+// Where the lengths are known only as intervals, their middles decide which is longer and how many
+// lookups there are. `max_anisotropy` is 1 to 16; of 1, and under `none`, the scale factor is that
+// of `isotropic`.
+ProbeRow probes(const Footprint& footprint, float max_anisotropy, Anisotropy choice,
+                ScaleFactor isotropic);
+
+}  // namespace edgecase

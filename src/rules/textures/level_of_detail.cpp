@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "rules/textures/level_of_detail.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rules/alternative_table.h"
+#include "rules/textures/directed.h"
+#include "rules/values/derivative.h"
+
+namespace edgecase {
+namespace {
+
+constexpr TabledAlternative<ScaleFactor> kScaleFactors[] = {
+    {ScaleFactor::lengths, "lengths", Openness::open,
+     "the longer of the two vectors by which a pixel spans the texture"},
+    {ScaleFactor::largest_partial, "largest-partial", Openness::open,
+     "the largest of the partial derivatives, the least that is allowed"},
+    {ScaleFactor::sum_of_partials, "sum-of-partials", Openness::open,
+     "the larger partial derivative of u plus the larger one of v, the most that is allowed"},
+    {ScaleFactor::length_of_sum, "length-of-sum", Openness::illegal,
+     "the length of the sum of the two vectors, which is 0 where they are opposite"},
+    {ScaleFactor::length_of_both, "length-of-both", Openness::illegal,
+     "the root of the sum of all squares, up to half a level more than the longer vector"},
+    {ScaleFactor::sum, "sum", Openness::illegal, "the sum of all four partial derivatives"},
+    {ScaleFactor::x_only, "x-only", Openness::illegal,
+     "the length of the vector along x, whatever happens along y"},
+    {ScaleFactor::y_only, "y-only", Openness::illegal, "the length of the vector along y"}};
+constexpr auto kAllScaleFactors = values_in(kScaleFactors);
+
+constexpr TabledAlternative<BiasChoice> kBiasChoices[] = {
+    {BiasChoice::as_set, "as-set", Openness::open, "the sampler's bias plus the shader's"},
+    {BiasChoice::sampler_nearest_8, "sampler-nearest-8", Openness::open,
+     "the sampler's bias rounded to a multiple of 1/256, half away from 0, plus the shader's"},
+    {BiasChoice::unclamped, "unclamped", Openness::illegal,
+     "the sum of both, even beyond GL_MAX_TEXTURE_LOD_BIAS"},
+    {BiasChoice::not_of_gradients, "not-of-gradients", Openness::illegal,
+     "lookups with gradients leave the sampler's bias out"},
+    {BiasChoice::half_a_level_more, "half-a-level-more", Openness::illegal,
+     "half a level more than both"}};
+constexpr auto kAllBiasChoices = values_in(kBiasChoices);
+
+// One end of the absolute values of all partials.
+struct Partials {
+  double ux, vx, uy, vy;
+};
+
+struct Range {
+  Partials low, high;
+};
+
+// Partials in v of one dimension are 0.
+Interval in_v(const Footprint& footprint, Interval partial) {
+  return footprint.dimensions == 1 ? Interval(0) : known(partial);
+}
+
+Range range_of(const Footprint& f) {
+  const Interval ux = magnitudes(known(f.dx[0]));
+  const Interval vx = magnitudes(in_v(f, f.dx[1]));
+  const Interval uy = magnitudes(known(f.dy[0]));
+  const Interval vy = magnitudes(in_v(f, f.dy[1]));
+  return {{ux.low, vx.low, uy.low, vy.low}, {ux.high, vx.high, uy.high, vy.high}};
+}
+
+// Rounded one way; every method but length_of_sum grows with each absolute value.
+template <class Rounding>
+double scale_factor_of(const Partials& p, ScaleFactor method) {
+  const double along_x = root_of_squares<Rounding>({p.ux, p.vx});
+  const double along_y = root_of_squares<Rounding>({p.uy, p.vy});
+  const double u = std::max(p.ux, p.uy);
+  const double v = std::max(p.vx, p.vy);
+  switch (method) {
+    case ScaleFactor::largest_partial:
+      return std::max(u, v);
+    case ScaleFactor::sum_of_partials:
+      return Rounding::sum(u, v);
+    case ScaleFactor::length_of_both:
+      return root_of_squares<Rounding>({p.ux, p.vx, p.uy, p.vy});
+    case ScaleFactor::sum:
+      return Rounding::sum(Rounding::sum(p.ux, p.uy), Rounding::sum(p.vx, p.vy));
+    case ScaleFactor::x_only:
+      return along_x;
+    case ScaleFactor::y_only:
+      return along_y;
+    case ScaleFactor::lengths:
+    case ScaleFactor::length_of_sum:
+      return std::max(along_x, along_y);
+  }
+  return along_x;
+}
+
+// Of length_of_sum: what is left of a footprint whose vectors have been added.
+Footprint summed(const Footprint& f) {
+  const Interval u = exact_sum(known(f.dx[0]), known(f.dy[0]));
+  const Interval v = exact_sum(in_v(f, f.dx[1]), in_v(f, f.dy[1]));
+  return {{u, v}, {0, 0}, f.dimensions};
+}
+
+Interval sampler_bias(const Sampler& sampler, const Lookup& lookup, BiasChoice choice) {
+  const auto bias = static_cast<double>(sampler.lod_bias);
+  if (choice == BiasChoice::not_of_gradients && lookup.kind == LookupKind::gradients) return 0;
+  return known(choice == BiasChoice::sampler_nearest_8 ? std::round(bias * 256) / 256 : bias);
+}
+
+Interval shader_bias(const Lookup& lookup) {
+  return lookup.kind == LookupKind::bias ? known(static_cast<double>(lookup.value)) : Interval(0);
+}
+
+}  // namespace
+
+std::span<const ScaleFactor> all_scale_factors() {
+  return kAllScaleFactors;
+}
+
+const char* name_of(ScaleFactor method) {
+  return name_in(kScaleFactors, method);
+}
+
+bool parse_name(std::string_view name, ScaleFactor& method) {
+  return find_in(kScaleFactors, name, method);
+}
+
+std::span<const BiasChoice> all_bias_choices() {
+  return kAllBiasChoices;
+}
+
+const char* name_of(BiasChoice choice) {
+  return name_in(kBiasChoices, choice);
+}
+
+bool parse_name(std::string_view name, BiasChoice& choice) {
+  return find_in(kBiasChoices, name, choice);
+}
+
+Footprint footprint(const IntervalPair& dx, const IntervalPair& dy, int width, int height,
+                    int dimensions) {
+  const auto in_texels = [&](const IntervalPair& vector) {
+    return IntervalPair{exact_product(known(vector[0]), width),
+                        dimensions == 1 ? Interval(0) : exact_product(known(vector[1]), height)};
+  };
+  return {in_texels(dx), in_texels(dy), dimensions};
+}
+
+IntervalPair lengths(const Footprint& footprint) {
+  return {scale_factor(footprint, ScaleFactor::x_only),
+          scale_factor(footprint, ScaleFactor::y_only)};
+}
+
+Interval scale_factor(const Footprint& footprint, ScaleFactor method) {
+  const bool sum = method == ScaleFactor::length_of_sum;
+  const Range range = range_of(sum ? summed(footprint) : footprint);
+  return {scale_factor_of<Down>(range.low, method), scale_factor_of<Up>(range.high, method)};
+}
+
+Interval permitted_scale_factor(const Footprint& footprint) {
+  return {scale_factor(footprint, ScaleFactor::largest_partial).low,
+          scale_factor(footprint, ScaleFactor::sum_of_partials).high};
+}
+
+Interval with_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup,
+                   BiasChoice choice) {
+  const Interval sum = known(exact_sum(sampler_bias(sampler, lookup, choice), shader_bias(lookup)));
+  const Interval bias = choice == BiasChoice::unclamped
+                            ? sum
+                            : Interval(std::clamp(sum.low, -kMaxLodBias, kMaxLodBias),
+                                       std::clamp(sum.high, -kMaxLodBias, kMaxLodBias));
+  const Interval lambda_prime = known(exact_sum(known(lambda_base), bias));
+  return choice == BiasChoice::half_a_level_more ? exact_sum(lambda_prime, 0.5) : lambda_prime;
+}
+
+Interval clamped(Interval lambda_prime, const Sampler& sampler) {
+  const auto clamp = [&](double lambda) {
+    const double at_least = std::max(lambda, static_cast<double>(sampler.min_lod));
+    return std::min(at_least, static_cast<double>(sampler.max_lod));
+  };
+  lambda_prime = known(lambda_prime);
+  return {clamp(lambda_prime.low), clamp(lambda_prime.high)};
+}
+
+Rule scale_factor_rule() {
+  Rule rule;
+  rule.id = "texture.scale-factor";
+  rule.title =
+      "The scale factor is the longer of the two vectors by which a pixel spans the texture";
+  rule.spec = "8.14.1, scale factor and the conditions on its approximations";
+  rule.latitude =
+      "any function between the largest partial derivative and the sum of the largest of u and of "
+      "v (ruling 19)";
+  rule.standard = "lengths";
+  rule.alternatives = alternatives_in(kScaleFactors);
+  rule.rulings = {
+      {19,
+       "Scale factor: permitted is any value from the least that max(m_u, m_v) to the most that "
+       "m_u + m_v can be over the derivatives that ruling 16 permits for dFdx and dFdy, where m_u "
+       "is the larger absolute derivative of u along x and y and m_v that of v, in texels of the "
+       "base level. That the function is one and the same for all fragments, and grows with each "
+       "partial, is not judged of single fragments."}};
+  return rule;
+}
+
+Rule level_derivatives_rule() {
+  Rule rule = derivative_rule();
+  rule.id = "texture.derivatives";
+  rule.title = "The scale factor is made of derivatives of the texture coordinates";
+  rule.spec = "8.14.1, with GLSL 4.60, 8.14.1 (derivative functions)";
+  rule.latitude = "which derivatives: any that dFdx and dFdy may be (rulings 16 and 19)";
+  rule.rulings.clear();
+  return rule;
+}
+
+Rule lod_bias_rule() {
+  Rule rule;
+  rule.id = "texture.lod-bias";
+  rule.title = "The bias of the sampler and that of the shader are added to the level of detail";
+  rule.spec = "8.14.1, level of detail";
+  rule.latitude =
+      "the precision of the sampler's bias, and from which sum on, 2 at least, it is clamped "
+      "(GL_MAX_TEXTURE_LOD_BIAS); we clamp at 16";
+  rule.standard = "as-set";
+  rule.alternatives = alternatives_in(kBiasChoices);
+  rule.rulings = {
+      {26,
+       "Bias: OpenGL does not say to how many bits a sampler keeps its bias. One that is rounded "
+       "to "
+       "a multiple of 2^-8 is a convention, as weights between levels are (ruling 22)."}};
+  return rule;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+//
+// Level of detail: how much a texture shrinks at a fragment (GL 4.6 core, 8.14.1).
+//
+// The footprint of a pixel in the base level is spanned by two vectors, how far the point in the
+// texture moves from a pixel to the next along x and along y:
+//
+//     dx = (du/dx, dv/dx)      dy = (du/dy, dv/dy)      in texels of the base level
+//
+// The scale factor rho is ideally the longer of the two. An implementation may take any f that is
+// continuous, grows with the absolute value of each partial, and lies within
+//
+//     max(m_u, m_v) <= f <= m_u + m_v      m_u = max(|du/dx|, |du/dy|), m_v likewise
+//
+// In one dimension m_v is 0, which leaves m_u alone. From rho to lambda, which selects levels:
+//
+//     lambda_base = log2(rho), or what the shader gives in its place
+//     lambda'     = lambda_base + bias      what textureQueryLod tells
+//     lambda      = lambda' clamped to min_lod and max_lod
+//
+// Intervals go in and bounds outwards come out; exact numbers stay exact as long as results are
+// doubles (rules/textures/directed.h), so that a footprint of 2^k by 0 has the level k. Where an
+// input is no number nothing is known, and the result is everything that it can be.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "exact/interval.h"
+#include "model/texture.h"
+#include "rules/rule.h"
+#include "rules/textures/log2_method.h"
+
+namespace edgecase {
+
+Rule scale_factor_rule();       // texture.scale-factor: its alternatives are ScaleFactor's
+Rule level_derivatives_rule();  // texture.derivatives: alternatives as of derivative.plain
+Rule lod_bias_rule();           // texture.lod-bias
+
+enum class ScaleFactor {
+  lengths,          // the longer of the two vectors: OpenGL's own
+  largest_partial,  // max(m_u, m_v), the least that OpenGL allows
+  sum_of_partials,  // m_u + m_v, the most
+  length_of_sum,    // |dx + dy|, not within the bounds
+  length_of_both,   // sqrt(|dx|^2 + |dy|^2), not within the bounds
+  sum,              // |du/dx| + |dv/dx| + |du/dy| + |dv/dy|, not within the bounds
+  x_only,           // |dx|: fixture GLideN64 2203
+  y_only,           // |dy|
+};
+std::span<const ScaleFactor> all_scale_factors();
+const char* name_of(ScaleFactor method);
+bool parse_name(std::string_view name, ScaleFactor& method);
+
+enum class BiasChoice {
+  as_set,
+  sampler_nearest_8,  // the sampler's bias rounded to 1/256, half away from 0
+  unclamped,          // the sum of the two biases however large
+  not_of_gradients,   // the sampler's bias is left out of textureGrad()
+  half_a_level_more,
+};
+std::span<const BiasChoice> all_bias_choices();
+const char* name_of(BiasChoice choice);
+bool parse_name(std::string_view name, BiasChoice& choice);
+
+// Of u and v, or of s and t.
+using IntervalPair = std::array<Interval, 2>;
+
+struct Footprint {
+  IntervalPair dx;  // du/dx and dv/dx; dv is ignored in one dimension
+  IntervalPair dy;  // du/dy and dv/dy
+  int dimensions = 2;
+};
+
+// From derivatives of (s, t) per pixel, by the size of the base level.
+Footprint footprint(const IntervalPair& dx, const IntervalPair& dy, int width, int height,
+                    int dimensions);
+
+// The lengths of dx and of dy, texels per pixel.
+IntervalPair lengths(const Footprint& footprint);
+
+// Texels per pixel, 0 or more: what a method yields of the footprint.
+Interval scale_factor(const Footprint& footprint, ScaleFactor method);
+// What any f may yield: from max(m_u, m_v) to m_u + m_v.
+Interval permitted_scale_factor(const Footprint& footprint);
+
+// The largest sum of biases, either way. OpenGL asks for 2 at least and lets a renderer say more
+// (GL_MAX_TEXTURE_LOD_BIAS).
+constexpr double kMaxLodBias = 16;
+
+// lambda': with the sampler's bias, and with the lookup's where that is of kind `bias`; their sum
+// is clamped to kMaxLodBias. The sampler's also moves a lod that the shader gives, which stands in
+// the place of lambda_base.
+Interval with_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup,
+                   BiasChoice choice);
+// lambda: clamped to min_lod and max_lod.
+Interval clamped(Interval lambda_prime, const Sampler& sampler);
+
+}  // namespace edgecase

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "rules/textures/level_selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "rules/alternative_table.h"
+#include "rules/textures/directed.h"
+
+namespace edgecase {
+namespace {
+
+constexpr TabledAlternative<Crossover> kCrossovers[] = {
+    {Crossover::zero, "zero", Openness::mandated, "a level of detail of 0, whatever the filters"},
+    {Crossover::by_filters, "by-filters", Openness::illegal,
+     "1/2 from LINEAR magnification to NEAREST_MIPMAP_NEAREST or NEAREST_MIPMAP_LINEAR, else 0: "
+     "versions 1.0 to 3.0 asked for it, 3.1 to 4.4 allowed it"}};
+constexpr auto kAllCrossovers = values_in(kCrossovers);
+
+constexpr TabledAlternative<NearestLevel> kNearestLevels[] = {
+    {NearestLevel::down_at_ties, "down-at-ties", Openness::open,
+     "the larger image where two levels are equally near"},
+    {NearestLevel::up_at_ties, "up-at-ties", Openness::open,
+     "the smaller image where two levels are equally near"},
+    {NearestLevel::even_at_ties, "even-at-ties", Openness::open,
+     "the level with an even number, counted from the base, where two are equally near"}};
+constexpr auto kAllNearestLevels = values_in(kNearestLevels);
+
+constexpr TabledAlternative<LevelWeight> kLevelWeights[] = {
+    {LevelWeight::exact, "exact", Openness::open, "the fraction of the level of detail"},
+    {LevelWeight::floor_8, "floor-8", Openness::open, "the fraction cut to 8 bits"},
+    {LevelWeight::nearest_8, "nearest-8", Openness::open,
+     "the fraction rounded to 8 bits, half up"},
+    {LevelWeight::floor_4, "floor-4", Openness::open, "the fraction cut to 4 bits"},
+    {LevelWeight::nearest_4, "nearest-4", Openness::open,
+     "the fraction rounded to 4 bits, half up"},
+    {LevelWeight::floor_3, "floor-3", Openness::illegal, "the fraction cut to 3 bits"},
+    {LevelWeight::nearest_3, "nearest-3", Openness::illegal,
+     "the fraction rounded to 3 bits, half up"},
+    {LevelWeight::narrow, "narrow", Openness::illegal,
+     "0 for fractions up to 7/16, 1 from 9/16 on, linear between them"},
+    {LevelWeight::one_at_ties, "one-at-ties", Openness::illegal,
+     "1 for a fraction of 1/2, half a level too far; else the fraction"}};
+constexpr auto kAllLevelWeights = values_in(kLevelWeights);
+
+double crossover_of(const Sampler& sampler, Crossover crossover) {
+  const bool sharper_minified = sampler.magnify == Filter::linear &&
+                                sampler.minify == Filter::nearest &&
+                                sampler.mipmap != MipFilter::none;
+  return crossover == Crossover::by_filters && sharper_minified ? 0.5 : 0;
+}
+
+// Of a lambda of 0 or more. No sum with 1/2 is formed, which would round just below a tie.
+double nearest_level(double lambda, NearestLevel choice) {
+  const double below = std::floor(lambda);
+  const double fraction = lambda - below;
+  if (fraction < 0.5) return below;
+  if (fraction > 0.5) return below + 1;
+  switch (choice) {
+    case NearestLevel::down_at_ties:
+      return below;
+    case NearestLevel::up_at_ties:
+      return below + 1;
+    case NearestLevel::even_at_ties:
+      return std::fmod(below, 2) == 0 ? below : below + 1;
+  }
+  return below;
+}
+
+// The nearest levels of an interval from 0 to `most`: all whole numbers between the two ends.
+Interval nearest_levels(Interval lambda, double most, const LevelRules& rules) {
+  const auto lowest = rules.any_tie ? NearestLevel::down_at_ties : rules.nearest;
+  const auto highest = rules.any_tie ? NearestLevel::up_at_ties : rules.nearest;
+  return {std::min(nearest_level(lambda.low, lowest), most),
+          std::min(nearest_level(lambda.high, highest), most)};
+}
+
+// Exact: `steps` is a power of two.
+double on_grid(double fraction, double steps, bool to_nearest) {
+  const double scaled = fraction * steps;
+  const double below = std::floor(scaled);
+  return (to_nearest && scaled - below >= 0.5 ? below + 1 : below) / steps;
+}
+
+// Of a fraction of less than 1. Grows with it, but for one_at_ties.
+double weight_of(double fraction, LevelWeight choice) {
+  switch (choice) {
+    case LevelWeight::exact:
+      return fraction;
+    case LevelWeight::floor_8:
+      return on_grid(fraction, 256, false);
+    case LevelWeight::nearest_8:
+      return on_grid(fraction, 256, true);
+    case LevelWeight::floor_4:
+      return on_grid(fraction, 16, false);
+    case LevelWeight::nearest_4:
+      return on_grid(fraction, 16, true);
+    case LevelWeight::floor_3:
+      return on_grid(fraction, 8, false);
+    case LevelWeight::nearest_3:
+      return on_grid(fraction, 8, true);
+    case LevelWeight::narrow:
+      return std::clamp((fraction - 0.4375) * 8, 0.0, 1.0);
+    case LevelWeight::one_at_ties:
+      return fraction == 0.5 ? 1 : fraction;
+  }
+  return fraction;
+}
+
+Interval weights_of(Interval fraction, LevelWeight choice) {
+  const bool holds_tie = fraction.low < fraction.high && fraction.contains(0.5);
+  if (choice == LevelWeight::one_at_ties && holds_tie)
+    return {fraction.low, weight_of(0.5, choice)};
+  return {weight_of(fraction.low, choice), weight_of(fraction.high, choice)};
+}
+
+// Of the lambdas of an interval that lie from a level to the next. Where lambda begins below the
+// level its fraction is negative, and so is the weight until it is clamped.
+Interval weights_between(Interval lambda, double level, const LevelRules& rules) {
+  const bool reaches_next = lambda.high >= level + 1;
+  const double high = reaches_next ? next_below(1.0) : lambda.high - level;
+  Interval weights = weights_of({lambda.low - level, high}, rules.weight);
+  // The fraction itself comes as near to 1 as lambda comes to the next level.
+  if (reaches_next) weights.high = next_above(weights.high);
+  return {std::max(Down::sum(weights.low, -rules.slack), 0.0),
+          std::min(Up::sum(weights.high, rules.slack), 1.0)};
+}
+
+std::vector<LevelPick> nearest_picks(Interval lambda, const Sampler& sampler, int last,
+                                     const LevelRules& rules) {
+  const int most = last - sampler.base_level;
+  const Interval levels = nearest_levels(lambda, most, rules);
+  std::vector<LevelPick> picks;
+  for (int d = static_cast<int>(levels.low); d <= static_cast<int>(levels.high); ++d)
+    picks.push_back({sampler.minify, sampler.base_level + d, sampler.base_level + d, 0, false});
+  return picks;
+}
+
+std::vector<LevelPick> linear_picks(Interval lambda, const Sampler& sampler, int last,
+                                    const LevelRules& rules) {
+  const int most = last - sampler.base_level;
+  const auto whole = [&](double end) {
+    return static_cast<int>(std::min<double>(std::floor(end), most));
+  };
+  std::vector<LevelPick> picks;
+  for (int d = whole(lambda.low); d <= whole(lambda.high); ++d) {
+    const int level = sampler.base_level + d;
+    if (d == most)
+      picks.push_back({sampler.minify, last, last, 0, false});
+    else
+      picks.push_back({sampler.minify, level, level + 1, weights_between(lambda, d, rules), false});
+  }
+  return picks;
+}
+
+// Of a lambda of 0 or more.
+std::vector<LevelPick> minified_picks(Interval lambda, const Sampler& sampler, int last,
+                                      const LevelRules& rules) {
+  switch (sampler.mipmap) {
+    case MipFilter::none:
+      break;
+    case MipFilter::nearest:
+      return nearest_picks(lambda, sampler, last, rules);
+    case MipFilter::linear:
+      return linear_picks(lambda, sampler, last, rules);
+  }
+  return {{sampler.minify, sampler.base_level, sampler.base_level, 0, false}};
+}
+
+}  // namespace
+
+std::span<const Crossover> all_crossovers() {
+  return kAllCrossovers;
+}
+
+const char* name_of(Crossover crossover) {
+  return name_in(kCrossovers, crossover);
+}
+
+bool parse_name(std::string_view name, Crossover& crossover) {
+  return find_in(kCrossovers, name, crossover);
+}
+
+std::span<const NearestLevel> all_nearest_levels() {
+  return kAllNearestLevels;
+}
+
+const char* name_of(NearestLevel choice) {
+  return name_in(kNearestLevels, choice);
+}
+
+bool parse_name(std::string_view name, NearestLevel& choice) {
+  return find_in(kNearestLevels, name, choice);
+}
+
+std::span<const LevelWeight> all_level_weights() {
+  return kAllLevelWeights;
+}
+
+const char* name_of(LevelWeight choice) {
+  return name_in(kLevelWeights, choice);
+}
+
+bool parse_name(std::string_view name, LevelWeight& choice) {
+  return find_in(kLevelWeights, name, choice);
+}
+
+int last_level(const Sampler& sampler, const Texture& texture) {
+  const bool single = texture.levels.size() <= 1 && !texture.generated;
+  if (single || texture.levels.empty()) return sampler.base_level;
+  const TextureLevel& first = texture.levels.front();
+  const int end_of_chain = level_count(first.width, first.height) - 1;
+  return std::max(std::min(end_of_chain, sampler.max_level), sampler.base_level);
+}
+
+std::vector<LevelPick> pick_levels(Interval lambda, const Sampler& sampler, int last,
+                                   const LevelRules& rules) {
+  lambda = known(lambda);
+  const double crossover = crossover_of(sampler, rules.crossover);
+  std::vector<LevelPick> picks;
+  if (lambda.low <= crossover)
+    picks.push_back({sampler.magnify, sampler.base_level, sampler.base_level, 0, true});
+  const double first_minified = rules.any_tie ? crossover : next_above(crossover);
+  if (lambda.high < first_minified) return picks;
+  lambda.low = std::max(lambda.low, first_minified);
+  for (const LevelPick& pick : minified_picks(lambda, sampler, last, rules)) picks.push_back(pick);
+  return picks;
+}
+
+Interval accessed_level(Interval lambda, const Sampler& sampler, int last,
+                        const LevelRules& rules) {
+  if (sampler.mipmap == MipFilter::none) return 0;
+  const double most = std::max(last - sampler.base_level, 0);
+  lambda = known(lambda);
+  lambda = {std::clamp(lambda.low, 0.0, most), std::clamp(lambda.high, 0.0, most)};
+  if (sampler.mipmap == MipFilter::nearest) return nearest_levels(lambda, most, rules);
+  const double first = std::floor(lambda.low);
+  const double second = std::floor(lambda.high);
+  const double low = first + weights_between(lambda, first, rules).low;
+  const double high = second + (second == most ? 0 : weights_between(lambda, second, rules).high);
+  return {std::min(low, most), high};
+}
+
+Rule crossover_rule() {
+  Rule rule;
+  rule.id = "texture.crossover";
+  rule.title = "A texture is magnified up to a level of detail of 0 and minified beyond";
+  rule.spec = "8.14, as corrected in 2018 (KhronosGroup/OpenGL-API, issue 34), and 8.15";
+  rule.latitude = "none";
+  rule.standard = "zero";
+  rule.alternatives = alternatives_in(kCrossovers);
+  return rule;
+}
+
+Rule nearest_level_rule() {
+  Rule rule;
+  rule.id = "texture.nearest-level";
+  rule.title = "NEAREST_MIPMAP_NEAREST and LINEAR_MIPMAP_NEAREST take the nearest level";
+  rule.spec = "8.14.3, nearest mipmap selection";
+  rule.latitude = "which of two equally near levels (ruling 21)";
+  rule.standard = "down-at-ties";
+  rule.alternatives = alternatives_in(kNearestLevels);
+  rule.rulings = {
+      {21,
+       "Ties of levels: where the level of detail lies halfway between two levels, or just at the "
+       "crossover between magnification and minification, either is permitted, each by itself: "
+       "the least error of a logarithm decides. The formulas take the larger image, and "
+       "magnify."}};
+  return rule;
+}
+
+Rule level_weight_rule() {
+  Rule rule;
+  rule.id = "texture.level-weight";
+  rule.title = "NEAREST_MIPMAP_LINEAR and LINEAR_MIPMAP_LINEAR weigh two levels by the fraction";
+  rule.spec = "8.14.3, linear mipmap filters";
+  rule.latitude = "the precision of the weight (ruling 22)";
+  rule.standard = "exact";
+  rule.alternatives = alternatives_in(kLevelWeights);
+  rule.rulings = {
+      {22,
+       "Weight of the second level: OpenGL states no number of bits for it. Hardware has 8, and "
+       "Vulkan asks for 4 at least (mipmapPrecisionBits). Permitted is a weight that is off by "
+       "less than 2^-8; a fraction of 4 bits, cut or rounded, is a convention; anything coarser "
+       "is a violation."}};
+  return rule;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+//
+// Which filter and which levels a level of detail selects (GL 4.6 core, 8.14, 8.14.3 and 8.15).
+//
+//   lambda <= c     the texture is magnified: the base level, under the filter for magnification
+//   lambda > c      it is minified, under the other filter, and the filter between levels takes
+//     none            the base level
+//     nearest         the level ceil(lambda + 1/2) - 1 beyond the base, at most q
+//     linear          the levels floor(lambda) and floor(lambda) + 1 beyond, the second weighted by
+//                     the fraction of lambda; from q on q alone
+//
+// q is the last level that is used: floor(log2(larger side of the base level)) beyond the base, at
+// most max_level.
+//
+// c is 0 since version 4.5 (KhronosGroup/OpenGL-API, issue 34). Versions 1.0 to 3.0 asked for 1/2
+// where the filter for magnification is linear and that for minification NEAREST_MIPMAP_NEAREST or
+// NEAREST_MIPMAP_LINEAR, that is, nearest within a level and any filter between levels;
+// versions 3.1 to 4.4 let implementations choose between that and 0.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "exact/interval.h"
+#include "model/texture.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+Rule crossover_rule();      // texture.crossover
+Rule nearest_level_rule();  // texture.nearest-level
+Rule level_weight_rule();   // texture.level-weight
+
+enum class Crossover {
+  zero,        // c = 0 whatever the filters
+  by_filters,  // c = 1/2 for the filters above
+};
+std::span<const Crossover> all_crossovers();
+const char* name_of(Crossover crossover);
+bool parse_name(std::string_view name, Crossover& crossover);
+
+// Where lambda lies halfway between two levels.
+enum class NearestLevel {
+  down_at_ties,  // the larger image, as the formula says
+  up_at_ties,    // the smaller one, as round() may
+  even_at_ties,  // the level whose number beyond the base is even
+};
+std::span<const NearestLevel> all_nearest_levels();
+const char* name_of(NearestLevel choice);
+bool parse_name(std::string_view name, NearestLevel& choice);
+
+// The fraction of lambda that weighs the second level.
+enum class LevelWeight {
+  exact,
+  floor_8,    // a multiple of 1/256, rounded down
+  nearest_8,  // to the nearest, half up
+  floor_4,    // of 1/16
+  nearest_4,
+  floor_3,  // of 1/8
+  nearest_3,
+  narrow,       // 0 below 7/16, 1 above 9/16, linear between: fixture gpuweb 4818
+  one_at_ties,  // 1 at a fraction of 1/2: half a level off there, exact elsewhere
+};
+std::span<const LevelWeight> all_level_weights();
+const char* name_of(LevelWeight choice);
+bool parse_name(std::string_view name, LevelWeight& choice);
+
+// A way to make a colour: one level under a filter, or two of them, the second by its weight.
+struct LevelPick {
+  Filter filter = Filter::nearest;
+  int level = 0;    // index into the texture's levels, base_level included
+  int next = 0;     // the second level; as `level` where there is one
+  Interval weight;  // of the second, 0 to 1
+  bool magnified = false;
+};
+
+struct LevelRules {
+  Crossover crossover = Crossover::zero;
+  NearestLevel nearest = NearestLevel::down_at_ties;
+  LevelWeight weight = LevelWeight::exact;
+  bool any_tie = false;  // both levels at a tie, either side of the crossover at its value
+  // How much more or less than its fraction the weight may be; as texel_filter.h's slack.
+  double slack = 0;
+};
+
+// The last level that a sampler uses, q: an index into the texture's levels, or those that are
+// generated. Of a texture that has a single level and generates none, the base level.
+int last_level(const Sampler& sampler, const Texture& texture);
+
+// Every pick that a lambda of the interval yields, from its low end to its high end: one, of an
+// exact lambda, unless any_tie finds two. Infinite ends are levels far away; an end that is no
+// number is the infinite one on its side.
+std::vector<LevelPick> pick_levels(Interval lambda, const Sampler& sampler, int last,
+                                   const LevelRules& rules);
+
+// What textureQueryLod tells as the level accessed (GLSL 4.60, 8.9.1), 0 the base level: of no
+// filter between levels 0, of nearest the level's number, of linear lambda within 0 to q with its
+// fraction as `weight` makes it. Magnification does not come into it.
+Interval accessed_level(Interval lambda, const Sampler& sampler, int last, const LevelRules& rules);
+
+}  // namespace edgecase

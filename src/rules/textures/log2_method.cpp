@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "rules/textures/log2_method.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rules/alternative_table.h"
+#include "rules/textures/directed.h"
+
+namespace edgecase {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr TabledAlternative<Log2Method> kMethods[] = {
+    {Log2Method::exact, "exact", Openness::open, "the logarithm itself"},
+    {Log2Method::linear_mantissa, "linear-mantissa", Openness::open,
+     "the exponent plus the mantissa less 1: up to 0.0861 too small"},
+    {Log2Method::linear_mantissa_of_square, "linear-mantissa-of-square", Openness::open,
+     "half of what linear-mantissa makes of the square: up to 0.0431 too small"},
+    {Log2Method::linear_mantissa_of_fourth_power, "linear-mantissa-of-fourth-power", Openness::open,
+     "a quarter of what linear-mantissa makes of the fourth power: up to 0.0216 too small"},
+    {Log2Method::mantissa_8, "mantissa-8", Openness::open,
+     "the logarithm of the mantissa rounded to 8 bits: up to 0.0029 off"}};
+constexpr auto kValues = values_in(kMethods);
+
+// (1 + fraction) * 2^exponent, for finite numbers above 0; the fraction is 0 to 1 and a double.
+struct Parts {
+  int exponent;
+  double fraction;
+};
+
+Parts parts_of(double value) {
+  const int exponent = std::ilogb(value);
+  return {exponent, std::scalbn(value, -exponent) - 1};
+}
+
+// Between the whole numbers on either side the logarithm stays, whatever the error.
+Interval exact_log2(double value) {
+  const Parts parts = parts_of(value);
+  if (parts.fraction == 0) return parts.exponent;
+  const Interval bounds = around(std::log2(value), kPlacesOfLibrary);
+  return {std::max<double>(bounds.low, parts.exponent),
+          std::min<double>(bounds.high, parts.exponent + 1)};
+}
+
+Interval linear_mantissa(double value) {
+  const Parts parts = parts_of(value);
+  return exact_sum(parts.exponent, parts.fraction);
+}
+
+// Of 0 or more; what is too small to be told from 0 may come out below it.
+Interval square(Interval value) {
+  return {Down::product(value.low, value.low), Up::product(value.high, value.high)};
+}
+
+// The sum with 1/2 is exact: a multiple of 2^-44 below 257.
+Interval mantissa_8(double value) {
+  const Parts parts = parts_of(value);
+  const double steps = std::floor(parts.fraction * 256 + 0.5);
+  return exact_sum(parts.exponent, exact_log2(1 + steps / 256));
+}
+
+Interval log2_of_point(double value, Log2Method method) {
+  if (value <= 0) return -kInfinity;
+  if (std::isinf(value)) return kInfinity;
+  switch (method) {
+    case Log2Method::exact:
+      break;
+    case Log2Method::linear_mantissa:
+      return linear_mantissa(value);
+    case Log2Method::linear_mantissa_of_square:
+      return exact_product(log2_of(square(value), Log2Method::linear_mantissa), 0.5);
+    case Log2Method::linear_mantissa_of_fourth_power:
+      return exact_product(log2_of(square(square(value)), Log2Method::linear_mantissa), 0.25);
+    case Log2Method::mantissa_8:
+      return mantissa_8(value);
+  }
+  return exact_log2(value);
+}
+
+}  // namespace
+
+std::span<const Log2Method> all_log2_methods() {
+  return kValues;
+}
+
+const char* name_of(Log2Method method) {
+  return name_in(kMethods, method);
+}
+
+bool parse_name(std::string_view name, Log2Method& method) {
+  return find_in(kMethods, name, method);
+}
+
+Interval log2_of(Interval value, Log2Method method) {
+  value = known(value);
+  return {log2_of_point(value.low, method).low, log2_of_point(value.high, method).high};
+}
+
+Rule log2_rule() {
+  Rule rule;
+  rule.id = "texture.log2";
+  rule.title = "The level of detail is the base-2 logarithm of the scale factor";
+  rule.spec = "8.14.1, level of detail";
+  rule.latitude = "the precision, of which nothing is said (ruling 20)";
+  rule.standard = "exact";
+  rule.alternatives = alternatives_in(kMethods);
+  rule.rulings = {
+      {20,
+       "Logarithm: OpenGL states no precision for that of the scale factor. Permitted is what the "
+       "logarithm yields of any scale factor that ruling 19 permits; what a catalogued "
+       "approximation yields is a convention; anything else beyond is a violation. The "
+       "logarithm of 0 is told as any number of -16 or less, which no bias leads out of "
+       "magnification."}};
+  return rule;
+}
+
+}  // namespace edgecase

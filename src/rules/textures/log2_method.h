@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// Logarithms: how the level of detail is made of the scale factor, lambda_base = log2(rho)
+// (GL 4.6 core, 8.14.1).
+//
+// A logarithm is dear, and a level of detail wants eight bits of it, so renderers approximate. A
+// floating-point number (1 + f) 2^e has the whole part e for nothing; what is left is the logarithm
+// of 1 + f, for which there are a straight line and a table. The line is closer the higher the
+// power of the number that it is taken of, since the result is divided by as much:
+//
+//                                     largest error, levels
+//     exact                            0
+//     linear-mantissa                 -0.0861   e + f
+//     linear-mantissa-of-square       -0.0431   half of that of the square: it needs no root
+//     linear-mantissa-of-fourth-power -0.0216   a quarter of that of the fourth power
+//     mantissa-8                      +-0.0029  e + log2(1 + f), f rounded to 1/256, half up
+//
+// All of them are exact at powers of two, those of powers of the number also at the roots.
+// Renderers compute them in float32; these are the formulas.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "exact/interval.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+Rule log2_rule();  // texture.log2
+
+// Ways to compute a logarithm, all of them monotonic.
+enum class Log2Method {
+  exact,
+  linear_mantissa,
+  linear_mantissa_of_square,
+  linear_mantissa_of_fourth_power,
+  mantissa_8,
+};
+std::span<const Log2Method> all_log2_methods();
+const char* name_of(Log2Method method);
+bool parse_name(std::string_view name, Log2Method& method);
+
+// Bounds of what a method makes of the numbers of 0 or more in an interval; minus infinity of 0.
+// Powers of two are exact. Where a logarithm has to be taken, its bounds are wider than the C
+// library's log2 by more than that may be off (rules/textures/directed.h). Where nothing is known
+// of the value, the result is everything.
+Interval log2_of(Interval value, Log2Method method);
+
+}  // namespace edgecase

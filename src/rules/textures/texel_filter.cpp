@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+#include "rules/textures/texel_filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "rules/alternative_table.h"
+#include "rules/textures/directed.h"
+
+namespace edgecase {
+namespace {
+
+constexpr TabledAlternative<TexelGrid> kGrids[] = {
+    {TexelGrid::none, "none", Openness::open, "coordinates in texels are taken as they are"},
+    {TexelGrid::floor_8, "floor-8", Openness::open,
+     "they are moved to the largest multiple of 1/256 texel that is not above"},
+    {TexelGrid::nearest_8, "nearest-8", Openness::open,
+     "they are moved to the nearest multiple of 1/256 texel, a tie to the right or up"},
+    {TexelGrid::linear_even_8, "linear-even-8", Openness::open,
+     "under linear filters of rgba8 textures they are moved to the nearest multiple of 1/256 "
+     "texel, a tie to the even one; elsewhere they are taken as they are"}};
+constexpr auto kAllGrids = values_in(kGrids);
+
+// Does a coordinate that lies `rest` of a step above step `below` move up?
+bool moves_up(double below, double rest, TexelGrid grid) {
+  switch (grid) {
+    case TexelGrid::none:
+    case TexelGrid::floor_8:
+      return false;
+    case TexelGrid::nearest_8:
+      return rest >= 0.5;
+    case TexelGrid::linear_even_8:
+      return rest > 0.5 || (rest == 0.5 && std::fmod(below, 2) != 0);
+  }
+  return false;
+}
+
+double on_grid(double coordinate, TexelGrid grid) {
+  constexpr double kSteps = 256;
+  constexpr double kFar = 0x1p44;  // from here on every double is on the grid
+  if (grid == TexelGrid::none || !(std::fabs(coordinate) < kFar)) return coordinate;
+  const double steps = coordinate * kSteps;
+  const double below = std::floor(steps);
+  return (below + (moves_up(below, steps - below, grid) ? 1 : 0)) / kSteps;
+}
+
+// The grid that takes effect.
+TexelGrid effective(TexelGrid grid, Filter filter, TextureFormat format) {
+  const bool applies = grid != TexelGrid::linear_even_8 ||
+                       (filter == Filter::linear && format == TextureFormat::rgba8);
+  return applies ? grid : TexelGrid::none;
+}
+
+// One axis of the image, as a lookup sees it.
+struct Axis {
+  int size;
+  Wrap wrap;  // that takes effect
+  TexelGrid grid;
+  double slack;
+
+  bool is_periodic() const { return wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat; }
+  // In texels: with it every wrap mode begins anew.
+  int period() const { return 2 * size; }
+  // All there is, in texels: from the centre of a texel to that of the one a period further.
+  Interval everywhere() const { return {0.5, period() + 0.5}; }
+};
+
+// What a coordinate that is no number stands for.
+Interval defined(Interval s) {
+  const bool is_point = s.low == s.high || (std::isnan(s.low) && std::isnan(s.high));
+  if (is_point) return std::isfinite(s.low) ? s : Interval(0);
+  return known(s);
+}
+
+// By whole periods, each of two images; the range is less wide than that. Where it reaches 4, both
+// its ends are multiples of 2^-51, and so is what is left of them, less than 4: nothing is rounded.
+Interval brought_near(Interval s) {
+  constexpr double kFar = 4;
+  if (s.magnitude() < kFar) return s;
+  const double images = 2 * std::floor(s.low / 2);
+  return {s.low - images, s.high - images};
+}
+
+// A coordinate in texels, not far from the image. What its high end is rounded to: downwards
+// where whole texels or steps of a grid are asked for, since the integer below a number is that
+// below the number rounded down, but not that below the number rounded up.
+Interval in_texels(Interval s, const Axis& axis, bool whole) {
+  s = defined(s);
+  if (axis.is_periodic()) {
+    if (s.high - s.low >= 2) return axis.everywhere();
+    s = brought_near(s);
+  }
+  Interval u{Down::product(s.low, axis.size),
+             whole ? Down::product(s.high, axis.size) : Up::product(s.high, axis.size)};
+  if (axis.slack > 0) u = u + Interval(-axis.slack, axis.slack);
+  if (axis.is_periodic()) {
+    if (u.high - u.low >= axis.period()) return axis.everywhere();
+  } else {
+    // A texel and a half beyond an edge there is nothing but the edge or the border.
+    const double last = axis.size + 1.5;
+    u = {std::clamp(u.low, -1.5, last), std::clamp(u.high, -1.5, last)};
+  }
+  return on_grid(u, axis.grid);
+}
+
+constexpr int kBorder = -1;
+
+// Two texels of an axis, or twice the same, and the weight of the second.
+struct Cell {
+  int first = 0;
+  int second = 0;
+  double least = 0;
+  double most = 0;
+  friend auto operator<=>(const Cell&, const Cell&) = default;
+};
+using Cells = std::vector<Cell>;
+
+int texel_at(std::int64_t texel, const Axis& axis) {
+  return wrapped(texel, axis.size, axis.wrap, WrapChoice::as_set).value_or(kBorder);
+}
+
+Cells nearest_cells(Interval u, const Axis& axis) {
+  Cells cells;
+  const auto last = static_cast<std::int64_t>(std::floor(u.high));
+  for (auto texel = static_cast<std::int64_t>(std::floor(u.low)); texel <= last; ++texel) {
+    const int at = texel_at(texel, axis);
+    cells.push_back({at, at, 0, 0});
+  }
+  return cells;
+}
+
+// The last cell is the one that ends at the high end rather than the one that begins there.
+Cells linear_cells(Interval u, const Axis& axis) {
+  const Interval v{Down::sum(u.low, -0.5), Up::sum(u.high, -0.5)};
+  const auto first = static_cast<std::int64_t>(std::floor(v.low));
+  const auto last = std::max(first, static_cast<std::int64_t>(std::ceil(v.high)) - 1);
+  Cells cells;
+  for (std::int64_t texel = first; texel <= last; ++texel) {
+    const auto begin = static_cast<double>(texel);
+    cells.push_back({texel_at(texel, axis), texel_at(texel + 1, axis),
+                     texel == first ? Down::sum(v.low, -begin) : 0,
+                     texel == last ? Up::sum(v.high, -begin) : 1});
+  }
+  return cells;
+}
+
+// The colours of one axis' cells, and whether they are one point's but for rounding.
+struct AxisCells {
+  Cells cells;
+  bool is_narrow = true;
+};
+
+AxisCells cells_of(Interval s, const Axis& axis, Filter filter) {
+  constexpr double kNarrow = 0x1p-20;
+  const bool nearest = filter == Filter::nearest;
+  const Interval u = in_texels(s, axis, nearest || axis.grid != TexelGrid::none);
+  Cells cells = nearest ? nearest_cells(u, axis) : linear_cells(u, axis);
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return {std::move(cells), u.high - u.low < kNarrow};
+}
+
+// The mean of two colours, `weight` that of b. It never leaves what lies between them: the mean of
+// equal numbers is that number.
+Interval mean(Interval a, Interval b, double weight) {
+  if (weight == 0) return a;
+  if (weight == 1) return b;
+  const Interval rest{Down::sum(1, -weight), Up::sum(1, -weight)};
+  const Interval sum = rest * a + Interval(weight) * b;
+  const Interval between = hull(a, b);
+  return {std::max(sum.low, between.low), std::min(sum.high, between.high)};
+}
+
+Texel mean(const Texel& a, const Texel& b, double weight) {
+  Texel result;
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] = mean(a[k], b[k], weight);
+  return result;
+}
+
+// The hull of no colours.
+constexpr Interval kNothing{std::numeric_limits<double>::infinity(),
+                            -std::numeric_limits<double>::infinity()};
+
+void extend(Texel& box, const Texel& by) {
+  for (std::size_t k = 0; k < box.size(); ++k) box[k] = hull(box[k], by[k]);
+}
+
+struct Image {
+  const DecodedLevel& level;
+  Texel border;
+
+  const Texel& at(int i, int j) const {
+    return i == kBorder || j == kBorder ? border : level.at(i, j);
+  }
+};
+
+// The mean of four texels is linear in either weight, so that the corners of the ranges bound it.
+Texel quad_colour(const Image& image, const Cell& s, const Cell& t) {
+  const auto corner = [&](double a, double b) {
+    return mean(mean(image.at(s.first, t.first), image.at(s.second, t.first), a),
+                mean(image.at(s.first, t.second), image.at(s.second, t.second), a), b);
+  };
+  Texel box = corner(s.least, t.least);
+  if (s.most > s.least) extend(box, corner(s.most, t.least));
+  if (t.most > t.least) extend(box, corner(s.least, t.most));
+  if (s.most > s.least && t.most > t.least) extend(box, corner(s.most, t.most));
+  return box;
+}
+
+using Ends = std::array<double, 8>;
+
+Ends ends_of(const Texel& box) {
+  return {box[0].low, box[0].high, box[1].low, box[1].high,
+          box[2].low, box[2].high, box[3].low, box[3].high};
+}
+
+void drop_equal(std::vector<Texel>& boxes) {
+  std::sort(boxes.begin(), boxes.end(),
+            [](const Texel& a, const Texel& b) { return ends_of(a) < ends_of(b); });
+  const auto equal = [](const Texel& a, const Texel& b) { return ends_of(a) == ends_of(b); };
+  boxes.erase(std::unique(boxes.begin(), boxes.end(), equal), boxes.end());
+}
+
+// So many cells of each axis share a box that there are at most `kMostBoxes`.
+std::size_t cells_per_box(std::size_t columns, std::size_t rows) {
+  const auto boxes = [&](std::size_t cells) {
+    return ((columns + cells - 1) / cells) * ((rows + cells - 1) / cells);
+  };
+  std::size_t cells = 1;
+  while (boxes(cells) > kMostBoxes) ++cells;
+  return cells;
+}
+
+std::vector<Texel> boxes_of(const Image& image, const Cells& s, const Cells& t,
+                            std::size_t per_box) {
+  std::vector<Texel> boxes;
+  for (std::size_t j0 = 0; j0 < t.size(); j0 += per_box)
+    for (std::size_t i0 = 0; i0 < s.size(); i0 += per_box) {
+      Texel box;
+      box.fill(kNothing);
+      for (std::size_t j = j0; j < std::min(j0 + per_box, t.size()); ++j)
+        for (std::size_t i = i0; i < std::min(i0 + per_box, s.size()); ++i)
+          extend(box, quad_colour(image, s[i], t[j]));
+      boxes.push_back(box);
+    }
+  return boxes;
+}
+
+}  // namespace
+
+std::span<const TexelGrid> all_texel_grids() {
+  return kAllGrids;
+}
+
+const char* name_of(TexelGrid grid) {
+  return name_in(kGrids, grid);
+}
+
+bool parse_name(std::string_view name, TexelGrid& grid) {
+  return find_in(kGrids, name, grid);
+}
+
+Interval on_grid(Interval coordinate, TexelGrid grid) {
+  return {on_grid(coordinate.low, grid), on_grid(coordinate.high, grid)};
+}
+
+std::vector<Texel> filter_level(const DecodedLevel& level, int dimensions, TextureFormat format,
+                                Filter filter, const TexturePoint& point,
+                                const TexelLookup& lookup) {
+  const TexelGrid grid = effective(lookup.grid, filter, format);
+  const auto axis = [&](std::size_t k, int size) {
+    return Axis{size, effective(lookup.wrap[k], lookup.choice), grid, lookup.slack};
+  };
+  const AxisCells s = cells_of(point.s, axis(0, level.width), filter);
+  const AxisCells t =
+      dimensions == 1 ? AxisCells{{Cell{}}} : cells_of(point.t, axis(1, level.height), filter);
+  const Image image{level, decode_border(lookup.border, format)};
+  // Beside a texel's centre a rounded coordinate touches two cells whose colours there are one.
+  const bool is_one = filter == Filter::linear && s.is_narrow && t.is_narrow;
+  const std::size_t per_box = is_one ? std::max(s.cells.size(), t.cells.size())
+                                     : cells_per_box(s.cells.size(), t.cells.size());
+  std::vector<Texel> boxes = boxes_of(image, s.cells, t.cells, per_box);
+  drop_equal(boxes);
+  return boxes;
+}
+
+Rule texel_filter_rule() {
+  return {
+      "texture.filter",
+      "A lookup takes the texel that holds the point, or the mean of the four around it",
+      "8.14.2 (coordinate wrapping and texel selection) and 8.14.3 (mipmapping)",
+      "positions within a texel have no stated precision, nor have the weights that are made of "
+      "them; textures of 8 bits may be filtered in 8 bits (ruling 24)",
+      "",
+      {},
+      {{24,
+        "Texels: which one holds a point, and how those around it are weighted, follows the "
+        "coordinates that the renderer itself interpolated. OpenGL does not say to how many bits "
+        "positions within a texel are kept (Vulkan asks for 4, hardware has 8): a coordinate in "
+        "texels may be off by less than 2^-8 and 1 part in 10^5 of itself (2.3.1). Nearest: so "
+        "near a border either texel; exactly on it, the upper or right one is what the formula "
+        "says. Linear: any weights that such coordinates yield. A filter of a format of 8 bits may "
+        "compute in 8 bits: each mean that it takes, along s, along t and between levels, may "
+        "round to a code and be off by half of one. Numbers may besides be off by 1 part in 10^5 "
+        "of the texture's largest. Where the renderer tells the level of detail, its colour must fit "
+        "that level. A coordinate that is infinite or not a number may yield any colour, and so "
+        "may levels that the renderer generated and does not tell."}}};
+}
+
+Rule texel_grid_rule() {
+  return {"texture.texel-grid",
+          "Texels and weights are taken from coordinates as they are",
+          "8.14.2 (coordinate wrapping and texel selection)",
+          "coordinates in texels may be kept to some bits (ruling 24)",
+          "none",
+          alternatives_in(kGrids),
+          {}};
+}
+
+}  // namespace edgecase

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//
+// Filters within one level (GL 4.6 core, 8.14.2 and 8.14.3): nearest takes the texel that holds the
+// point, linear the mean of the four (two, in one dimension) whose centres are around it.
+//
+//     u in texels of the level     0     1     2     3
+//                                  |--0--|--1--|--2--|
+//     nearest  floor(u)
+//     linear   i = floor(u - 1/2), weights 1 - a of i and a of i + 1, a = frac(u - 1/2)
+//
+// Coordinates come as intervals, and all that any point of them yields goes out: exact ones yield
+// one colour; where a coordinate is only known to lie somewhere about a texel's border, two.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "exact/interval.h"
+#include "model/texture.h"
+#include "rules/rule.h"
+#include "rules/textures/texture_image.h"
+#include "rules/textures/wrap.h"
+
+namespace edgecase {
+
+Rule texel_filter_rule();  // texture.filter: nearest and linear; its rulings on weights
+Rule texel_grid_rule();    // texture.texel-grid
+
+// On which grid are texel coordinates put before texels and weights are taken from them?
+enum class TexelGrid {
+  none,
+  floor_8,        // multiples of 1/256, rounded down
+  nearest_8,      // to the nearest, half up
+  linear_even_8,  // to the nearest, half to even, under linear filters of rgba8 textures alone
+};
+std::span<const TexelGrid> all_texel_grids();
+const char* name_of(TexelGrid grid);
+bool parse_name(std::string_view name, TexelGrid& grid);
+
+// A coordinate in texels, put on the grid.
+Interval on_grid(Interval coordinate, TexelGrid grid);
+
+// A point of a texture, the image's lower left corner (0, 0) and its upper right one (1, 1). A
+// coordinate that is a single point, but infinite or not a number, is taken as 0: OpenGL defines
+// nothing for it. An interval with an end that is not a number knows nothing on that side.
+struct TexturePoint {
+  Interval s;
+  Interval t;  // ignored in one dimension
+};
+
+struct TexelLookup {
+  const std::array<Wrap, 2>& wrap;
+  const std::array<float, 4>& border;  // taken as it is, in linear numbers, clamped to the format's
+                                       // range unless the texture is of floats
+  WrapChoice choice = WrapChoice::as_set;
+  TexelGrid grid = TexelGrid::none;
+  // How much a coordinate in texels may be off, in either direction; 0: not at all.
+  double slack = 0;
+};
+
+// Beyond this many colours those of neighbouring texels share a box.
+constexpr std::size_t kMostBoxes = 4096;
+
+// Colours that a level may yield, each a box in which the true colour may be; no two of them equal,
+// at least one and at most kMostBoxes. One, where the coordinates are exact; and under a linear
+// filter where they are exact but for rounding, less than 2^-20 texels wide. The work is bounded by
+// the number of texels, however wide the coordinates.
+std::vector<Texel> filter_level(const DecodedLevel& level, int dimensions, TextureFormat format,
+                                Filter filter, const TexturePoint& point,
+                                const TexelLookup& lookup);
+
+}  // namespace edgecase

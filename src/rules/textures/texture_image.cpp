@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "rules/textures/texture_image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "rules/textures/directed.h"
+
+namespace edgecase {
+namespace {
+
+constexpr int kCodes = 256;
+
+using CodeTable = std::array<Interval, kCodes>;
+
+// A float32 number; what is none may be any.
+Interval number_of(float value) {
+  if (std::isnan(value)) return Interval::everything();
+  return static_cast<double>(value);
+}
+
+// How each component of a stored texel becomes a number.
+class Decoder {
+ public:
+  explicit Decoder(TextureFormat format) : format_(format) {}
+
+  Interval operator()(float stored, std::size_t component) const {
+    constexpr std::size_t kAlpha = 3;
+    if (format_ == TextureFormat::rgba32f) return number_of(stored);
+    const bool coded = format_ == TextureFormat::srgb8 && component != kAlpha;
+    return (coded ? linear_ : numbers_)[code_of(stored)];
+  }
+
+ private:
+  static CodeTable table_of(Interval (*number)(int)) {
+    CodeTable table;
+    for (int code = 0; code < kCodes; ++code) table[static_cast<std::size_t>(code)] = number(code);
+    return table;
+  }
+  // Within the table, whatever a renderer may tell of its levels.
+  static std::size_t code_of(float stored) {
+    return stored > 0 ? static_cast<std::size_t>(std::min(stored, 255.0F)) : 0;
+  }
+
+  static inline const CodeTable numbers_ = table_of(unorm8_to_number);
+  static inline const CodeTable linear_ = table_of(srgb_to_linear);
+  TextureFormat format_;
+};
+
+}  // namespace
+
+Interval unorm8_to_number(int code) {
+  return {Down::quotient(code, 255), Up::quotient(code, 255)};
+}
+
+// Both pieces over whole numbers: s/12.92 is 5 code/16473, and (s + 0.055)/1.055 is
+// (40 code + 561)/10761.
+//
+// The error of the power, in units of 2^-53 of the result: the quotient is off by 1, which the
+// power makes 2.4; the double next to 2.4 by 2^-53, times a logarithm of less than 2.4 in
+// magnitude: 2.4; the C library's pow by 2, one unit in the last place, as glibc's manual states.
+// All of it is less than 8 of them, 2^-50.
+Interval srgb_to_linear(int code) {
+  if (code == 255) return 1;
+  constexpr int kLastOfLine = 10;  // 10/255 < 0.04045 < 11/255
+  if (code <= kLastOfLine)
+    return {Down::quotient(5.0 * code, 16473), Up::quotient(5.0 * code, 16473)};
+  constexpr double kError = 0x1p-50;
+  const double power = std::pow((40.0 * code + 561) / 10761, 2.4);
+  return {Down::product(power, 1 - kError), Up::product(power, 1 + kError)};
+}
+
+Texel decode_border(const std::array<float, 4>& border, TextureFormat format) {
+  Texel texel;
+  for (std::size_t k = 0; k < texel.size(); ++k) {
+    const float value = border[k];
+    if (format == TextureFormat::rgba32f)
+      texel[k] = number_of(value);
+    else
+      texel[k] = value > 0 ? std::min(static_cast<double>(value), 1.0) : 0.0;
+  }
+  return texel;
+}
+
+DecodedLevel decode(const TextureLevel& level, TextureFormat format) {
+  const Decoder number(format);
+  DecodedLevel decoded{level.width, level.height, {}};
+  decoded.texels.resize(level.texels.size() / 4);
+  for (std::size_t i = 0; i < decoded.texels.size(); ++i)
+    for (std::size_t k = 0; k < 4; ++k) decoded.texels[i][k] = number(level.texels[4 * i + k], k);
+  return decoded;
+}
+
+DecodedTexture decode(const Texture& texture, const std::vector<TextureLevel>& levels) {
+  DecodedTexture decoded{texture.dimensions, texture.format, {}};
+  for (const TextureLevel& level : levels.empty() ? texture.levels : levels)
+    decoded.levels.push_back(decode(level, texture.format));
+  return decoded;
+}
+
+}  // namespace edgecase

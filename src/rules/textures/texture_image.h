@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// What texels mean: numbers that filters take means of (GL 4.6 core, 8.24 for sRGB, 2.3.5 for
+// normalized integers). A code of 8 bits is c/255, which is no double: intervals hold it.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "exact/interval.h"
+#include "model/texture.h"
+
+namespace edgecase {
+
+// Red, green, blue and alpha; linear.
+using Texel = std::array<Interval, 4>;
+
+struct DecodedLevel {
+  int width = 1;
+  int height = 1;
+  std::vector<Texel> texels;  // row by row from the bottom
+
+  const Texel& at(int i, int j) const {
+    return texels[static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(i)];
+  }
+};
+
+struct DecodedTexture {
+  int dimensions = 2;
+  TextureFormat format = TextureFormat::rgba8;
+  std::vector<DecodedLevel> levels;  // level 0 first
+};
+
+// c/255, a code of 0 to 255: the narrowest interval of doubles, 0 and 1 as they are.
+Interval unorm8_to_number(int code);
+
+// The linear number of an sRGB code of 0 to 255 (8.24), s = code/255: s/12.92 up to 0.04045, else
+// ((s + 0.055)/1.055)^2.4. Less than 2^-48 of itself wide; 0 and 1 as they
+// are.
+Interval srgb_to_linear(int code);
+
+// A colour of four float32 numbers, as a texture of this format holds a border's: 0 to 1 unless the
+// format is of floats, and linear, also where texels are coded. What is not a number is 0 there,
+// and anything in a texture of floats.
+Texel decode_border(const std::array<float, 4>& border, TextureFormat format);
+
+DecodedLevel decode(const TextureLevel& level, TextureFormat format);
+// `levels`: a chain to take in place of the texture's own; none: the texture's own.
+DecodedTexture decode(const Texture& texture, const std::vector<TextureLevel>& levels);
+
+}  // namespace edgecase

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+//
+// Renderers that follow an alternative about textures exactly: each is told by name.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <map>
+
+#include "diff/cause.h"
+#include "raster/rasterizer.h"
+#include "rules/all_rules.h"
+#include "tests/diff/texture_judging.h"
+
+namespace edgecase {
+namespace {
+
+using Causes = std::set<std::string>;
+
+// Every alternative of the rules about textures but OpenGL's own, as "rule=alternative".
+std::vector<std::string> all_choices() {
+  std::vector<std::string> choices;
+  for (const Rule& rule : all_rules()) {
+    if (!rule.id.starts_with("texture.") && !rule.id.starts_with("mipmap.")) continue;
+    for (const Alternative& alternative : rule.alternatives)
+      if (alternative.name != rule.standard) choices.push_back(rule.id + "=" + alternative.name);
+  }
+  return choices;
+}
+
+Verdict verdict_for(const std::string& choice) {
+  return is_open_choice(choice) ? Verdict::convention : Verdict::violation;
+}
+
+// A colour that is looked up in the levels that another rule's fault leads to is told beside it.
+bool is_exactly(const Result& result, const std::string& choice) {
+  const std::string rule = choice.substr(0, choice.find('='));
+  if (result.verdict != verdict_for(choice)) return false;
+  for (const Disagreement& d : result.disagreements)
+    if (d.legal != is_open_choice(choice) || d.rule != rule || d.cause != choice) return false;
+  for (const ValueAggregate& values : result.values)
+    if (is_open_choice(choice) && (values.rule != rule || values.cause != choice)) return false;
+  return true;
+}
+
+TEST(TextureAlternatives, EachIsNamedAsTheOnlyCause) {
+  int named = 0;
+  for (const std::string& choice : all_choices()) {
+    std::string told;
+    bool is_named = false;
+    for (const TexturedScene& one : judged_textures()) {
+      const Result result = judge_follower(one.scene, {choice});
+      if (result.verdict == Verdict::agree) continue;
+      is_named = is_named || is_exactly(result, choice);
+      told += one.name + ": " + describe_textures(result) + "\n";
+    }
+    EXPECT_TRUE(is_named) << choice << "\n" << told;
+    named += is_named ? 1 : 0;
+  }
+  std::printf("%d alternatives\n", named);
+  EXPECT_GE(named, 40);
+}
+
+// In no scene is a choice that OpenGL leaves open a fault, nor is one that it forbids a convention;
+// where one is inside what is permitted by chance, nothing is said against it.
+TEST(TextureAlternatives, OpenOnesAreFaultsNowhere) {
+  int differing = 0;
+  for (const std::string& choice : all_choices())
+    for (const TexturedScene& one : judged_textures()) {
+      const Result result = judge_follower(one.scene, {choice});
+      if (result.verdict == Verdict::agree) continue;
+      ++differing;
+      if (is_open_choice(choice)) {
+        EXPECT_NE(result.verdict, Verdict::violation) << choice << " / " << one.name << "\n"
+                                                      << describe_textures(result);
+      } else if (result.verdict == Verdict::violation) {
+        for (const Disagreement& d : result.disagreements)
+          EXPECT_EQ(d.legal, is_open_choice(d.cause)) << choice << " / " << one.name;
+      }
+    }
+  EXPECT_GT(differing, 100);
+}
+
+// The same numbers rounded to float32, as a GPU tells them, change nothing of it.
+TEST(TextureAlternatives, AreNamedInFloat32) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"texture.log2=linear-mantissa", "floor"},
+      {"texture.log2=linear-mantissa-of-square", "floor"},
+      {"texture.log2=linear-mantissa-of-fourth-power", "floor"},
+      {"texture.scale-factor=x-only", "floor"},
+      {"texture.scale-factor=length-of-sum", "floor"},
+      {"texture.derivatives=quad-other-row", "floor"},
+      {"texture.level-weight=floor-3", "floor"},
+      {"texture.level-weight=one-at-ties", "ties between levels"},
+      {"texture.wrap=mirrored-as-repeat", "mirrored"},
+      {"texture.lod-bias=half-a-level-more", "floor"},
+      {"texture.nearest-level=even-at-ties", "ties of levels"},
+      {"texture.crossover=by-filters", "crossover"}};
+  for (const auto& [choice, name] : cases) {
+    const Scene& scene = textures_named(name);
+    const Rendering rendered = in_float32(scene, rasterize(scene, policy_of({choice})));
+    const Result result = judge_textures(scene, rendered);
+    Causes causes = causes_of(result);
+    causes.erase("");  // what lies within what the exact way may err, or is permitted by chance
+    EXPECT_EQ(causes, Causes{choice}) << name << "\n" << describe_textures(result);
+  }
+}
+
+TEST(TextureAlternatives, WhoAnswersExactAgreesWithoutASingleAggregate) {
+  for (const TexturedScene& one : judged_textures()) {
+    const Rendering exact = rasterize(one.scene, {});
+    const Result result = judge_textures(one.scene, exact);
+    EXPECT_EQ(result.verdict, Verdict::agree) << one.name << "\n" << describe_textures(result);
+    EXPECT_TRUE(result.values.empty() && result.disagreements.empty()) << one.name;
+    // Float32 numbers are what is compared.
+    const Result rounded = judge_textures(one.scene, in_float32(one.scene, exact));
+    EXPECT_EQ(rounded.verdict, Verdict::agree) << one.name << "\n" << describe_textures(rounded);
+  }
+}
+
+TEST(TextureAlternatives, WhoeverFollowsAPolicyAgreesWithItByItself) {
+  for (const std::string& choice : all_choices()) {
+    Policy policy = policy_of({choice});
+    policy.latitude = Latitude::none;
+    for (const TexturedScene& one : judged_textures()) {
+      const Result result = judge_textures(one.scene, rasterize(one.scene, policy), policy);
+      EXPECT_EQ(result.verdict, Verdict::agree) << choice << " / " << one.name << "\n"
+                                                << describe_textures(result);
+    }
+  }
+}
+
+// OpenGL judges a policy and its followers alike.
+TEST(TextureAlternatives, APolicyExcusesNothingThatOpenGlForbids) {
+  int judged = 0;
+  for (const std::string& choice : all_choices()) {
+    if (is_open_choice(choice)) continue;
+    const Policy policy = policy_of({choice});
+    for (const TexturedScene& one : judged_textures()) {
+      const Rendering rendered = rasterize(one.scene, policy);
+      const bool is_fault = judge_textures(one.scene, rendered).verdict == Verdict::violation;
+      const Result own = judge_textures(one.scene, rendered, policy);
+      EXPECT_EQ(own.verdict == Verdict::violation, is_fault) << choice << " / " << one.name << "\n"
+                                                             << describe_textures(own);
+      for (const Disagreement& d : own.disagreements) {
+        EXPECT_TRUE(d.policy_agrees);
+        EXPECT_EQ(d.cause, choice);
+      }
+      // One who does as OpenGL says is not at fault for leaving the policy.
+      const Result lawful = judge_textures(one.scene, rasterize(one.scene, {}), policy);
+      EXPECT_NE(lawful.verdict, Verdict::violation) << choice << " / " << one.name << "\n"
+                                                    << describe_textures(lawful);
+      judged += is_fault ? 1 : 0;
+    }
+  }
+  EXPECT_GT(judged, 30);
+}
+
+}  // namespace
+}  // namespace edgecase

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "exact/rational.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace edgecase {
+namespace {
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+
+Rational fraction(std::int64_t above, std::int64_t below) {
+  return Rational(Integer(above), Integer(below));
+}
+
+double any_double(std::mt19937_64& random) {
+  while (true) {
+    const auto value = std::bit_cast<double>(random());
+    if (std::isfinite(value)) return value;
+  }
+}
+
+TEST(Rational, OfADoubleIsThatDouble) {
+  EXPECT_EQ(rational_of(0.0), 0);
+  EXPECT_EQ(rational_of(-0.0), 0);
+  EXPECT_EQ(rational_of(0.75), fraction(3, 4));
+  EXPECT_EQ(rational_of(-2.5F), fraction(-5, 2));
+  EXPECT_EQ(rational_of(0x1p60), Rational(Integer(1) << 60));
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20'000; ++i) {
+    const double value = i == 0 ? kLargest : i == 1 ? kSmallest : any_double(random);
+    const Rational exact = rational_of(value);
+    // Digits after the point by hand: the number is a multiple of 2^-1074.
+    int exponent = 0;
+    const double digits = std::ldexp(std::frexp(value, &exponent), 53);
+    ASSERT_EQ(exact * power_of_two(1200),
+              Rational(Integer(static_cast<std::int64_t>(digits)) << (exponent - 53 + 1200)));
+    const Interval back = interval_of(exact);
+    ASSERT_EQ(back.low, value);
+    ASSERT_EQ(back.high, value);
+  }
+}
+
+TEST(Rational, OfAnInt128) {
+  const Int128 large = (Int128{1} << 100) + 3;
+  EXPECT_EQ(integer_of(large), (Integer(1) << 100) + 3);
+  EXPECT_EQ(rational_of(Int128{-large}), -Rational((Integer(1) << 100) + 3));
+}
+
+TEST(Rational, QuotientsHaveEitherSign) {
+  EXPECT_EQ(quotient_of(6, -4), fraction(-3, 2));
+  EXPECT_EQ(quotient_of(-6, -4), fraction(3, 2));
+  EXPECT_EQ(quotient_of(-6, 4), fraction(-3, 2));
+}
+
+TEST(Rational, FloorIsBelowWhateverTheSign) {
+  EXPECT_EQ(floor_of(fraction(7, 2)), 3);
+  EXPECT_EQ(floor_of(fraction(-7, 2)), -4);
+  EXPECT_EQ(floor_of(fraction(-8, 2)), -4);
+  EXPECT_EQ(floor_of(Rational(0)), 0);
+  EXPECT_TRUE(is_whole(fraction(-8, 2)));
+  EXPECT_FALSE(is_whole(fraction(1, 3)));
+}
+
+TEST(Rational, PowersOfTwoOfEitherSign) {
+  EXPECT_EQ(power_of_two(-2), fraction(1, 4));
+  EXPECT_EQ(power_of_two(0), 1);
+  EXPECT_EQ(power_of_two(70) * power_of_two(-69), 2);
+}
+
+// No narrower interval of doubles holds the number: its ends are neighbours, or one point.
+void expect_narrowest(const Rational& value) {
+  const Interval interval = interval_of(value);
+  if (interval.low == interval.high) {
+    ASSERT_EQ(rational_of(interval.low), value);
+    return;
+  }
+  ASSERT_EQ(next_above(interval.low), interval.high);
+  if (!std::isinf(interval.low)) {
+    ASSERT_LT(rational_of(interval.low), value);
+  }
+  if (!std::isinf(interval.high)) {
+    ASSERT_GT(rational_of(interval.high), value);
+  }
+}
+
+TEST(Rational, IntervalsAreTheNarrowest) {
+  EXPECT_EQ(interval_of(Rational(0)).low, 0);
+  EXPECT_EQ(interval_of(Rational(0)).high, 0);
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 20'000; ++i) {
+    const auto above = static_cast<std::int64_t>(random() >> (random() % 63));
+    const auto below = static_cast<std::int64_t>(random() >> (1 + random() % 62)) + 1;
+    const Rational value = fraction(i % 2 == 0 ? above / 2 : -(above / 2), below);
+    expect_narrowest(value);
+    expect_narrowest(value * power_of_two(static_cast<int>(random() % 2400) - 1200));
+  }
+}
+
+TEST(Rational, IntervalsBesideDoublesAndBeyondThem) {
+  const Rational tiny = power_of_two(-2000);
+  for (const double value : {1.0, 0x1p-1022, kSmallest, 0x1.fffffffffffffp-1, -3.0}) {
+    const Interval above = interval_of(Rational(rational_of(value) + tiny));
+    EXPECT_EQ(above.low, value);
+    EXPECT_EQ(above.high, next_above(value));
+    const Interval below = interval_of(Rational(rational_of(value) - tiny));
+    EXPECT_EQ(below.low, next_below(value));
+    EXPECT_EQ(below.high, value);
+  }
+  EXPECT_EQ(interval_of(tiny).low, 0);
+  EXPECT_EQ(interval_of(tiny).high, kSmallest);
+  EXPECT_EQ(interval_of(Rational(-tiny)).low, -kSmallest);
+  EXPECT_EQ(interval_of(power_of_two(5000)).low, kLargest);
+  EXPECT_TRUE(std::isinf(interval_of(power_of_two(5000)).high));
+  EXPECT_EQ(interval_of(Rational(-power_of_two(1024))).high, -kLargest);
+}
+
+}  // namespace
+}  // namespace edgecase

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: MIT
+//
+// Scale factors: every footprint whose four partials are multiples of 1/2 from -4 to 4, against
+// their squares in whole numbers; then biases and clamps.
+#include "rules/textures/level_of_detail.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <set>
+
+#include "rules/values/derivative.h"
+#include "tests/rules/interpolants.h"
+
+namespace edgecase {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// Partials in halves of a texel: du/dx, dv/dx, du/dy, dv/dy.
+using Halves = std::array<int, 4>;
+
+Footprint footprint_of(const Halves& h) {
+  return {{h[0] / 2.0, h[1] / 2.0}, {h[2] / 2.0, h[3] / 2.0}, 2};
+}
+
+template <class Visit>
+void for_each_footprint(Visit visit) {
+  for (int a = -8; a <= 8; ++a)
+    for (int b = -8; b <= 8; ++b)
+      for (int c = -8; c <= 8; ++c)
+        for (int d = -8; d <= 8; ++d) visit(Halves{a, b, c, d});
+}
+
+int largest_of(int a, int b) {
+  return std::max(std::abs(a), std::abs(b));
+}
+
+// The square of the scale factor, in quarters.
+int literal_square(const Halves& h, ScaleFactor method) {
+  const auto [ux, vx, uy, vy] = h;
+  const auto square = [](int value) { return value * value; };
+  const int along_x = square(ux) + square(vx);
+  const int along_y = square(uy) + square(vy);
+  switch (method) {
+    case ScaleFactor::lengths:
+      return std::max(along_x, along_y);
+    case ScaleFactor::largest_partial:
+      return square(std::max(largest_of(ux, uy), largest_of(vx, vy)));
+    case ScaleFactor::sum_of_partials:
+      return square(largest_of(ux, uy) + largest_of(vx, vy));
+    case ScaleFactor::length_of_sum:
+      return square(ux + uy) + square(vx + vy);
+    case ScaleFactor::length_of_both:
+      return along_x + along_y;
+    case ScaleFactor::sum:
+      return square(std::abs(ux) + std::abs(vx) + std::abs(uy) + std::abs(vy));
+    case ScaleFactor::x_only:
+      return along_x;
+    case ScaleFactor::y_only:
+      return along_y;
+  }
+  return 0;
+}
+
+bool is_square(int value) {
+  const int root = static_cast<int>(std::lround(std::sqrt(value)));
+  return root * root == value;
+}
+
+Wide squared(double value) {
+  return static_cast<Wide>(value) * static_cast<Wide>(value);
+}
+
+TEST(ScaleFactors, AreTheNarrowestIntervalsAroundTheFormulas) {
+  for_each_footprint([](const Halves& h) {
+    for (const ScaleFactor method : all_scale_factors()) {
+      const Interval result = scale_factor(footprint_of(h), method);
+      const int quarters = literal_square(h, method);
+      const Wide expected = static_cast<Wide>(quarters) / 4;
+      ASSERT_LE(squared(result.low), expected);
+      ASSERT_GE(squared(result.high), expected);
+      ASSERT_EQ(result.high, is_square(quarters) ? result.low : next_above(result.low));
+    }
+  });
+}
+
+TEST(ScaleFactors, PermittedIsFromTheLargestPartialToTheSum) {
+  for_each_footprint([](const Halves& h) {
+    const Interval permitted = permitted_scale_factor(footprint_of(h));
+    const int m_u = largest_of(h[0], h[2]);
+    const int m_v = largest_of(h[1], h[3]);
+    ASSERT_EQ(permitted.low, std::max(m_u, m_v) / 2.0);
+    ASSERT_EQ(permitted.high, (m_u + m_v) / 2.0);
+  });
+}
+
+bool conforms(ScaleFactor method) {
+  for (const Alternative& alternative : scale_factor_rule().alternatives)
+    if (alternative.name == name_of(method)) return alternative.openness != Openness::illegal;
+  return false;
+}
+
+// The two conditions of 8.14.1, over the whole grid: an alternative is open where it keeps both,
+// illegal where it breaks one.
+TEST(ScaleFactors, AreOpenWhereTheyKeepTheConditions) {
+  for (const ScaleFactor method : all_scale_factors()) {
+    bool within = true;
+    bool monotonic = true;
+    for_each_footprint([&](const Halves& h) {
+      const int square = literal_square(h, method);
+      within = within && literal_square(h, ScaleFactor::largest_partial) <= square &&
+               square <= literal_square(h, ScaleFactor::sum_of_partials);
+      for (std::size_t i = 0; i < 4; ++i) {
+        Halves more = h;
+        more[i] += h[i] < 0 ? -1 : 1;
+        monotonic = monotonic && literal_square(more, method) >= square;
+      }
+    });
+    EXPECT_EQ(within && monotonic, conforms(method)) << name_of(method);
+    EXPECT_EQ(monotonic, method != ScaleFactor::length_of_sum) << name_of(method);
+  }
+}
+
+TEST(ScaleFactors, OneFootprintTellsAllApart) {
+  std::set<double> results;
+  for (const ScaleFactor method : all_scale_factors())
+    results.insert(scale_factor(footprint_of({5, 2, 1, 4}), method).low);
+  // Here the vector along x is the longer one; where it is not, y-only is.
+  EXPECT_EQ(results.size(), all_scale_factors().size() - 1);
+  EXPECT_EQ(scale_factor(footprint_of({5, 2, 1, 4}), ScaleFactor::x_only).low,
+            scale_factor(footprint_of({5, 2, 1, 4}), ScaleFactor::lengths).low);
+  EXPECT_LT(scale_factor(footprint_of({1, 4, 5, 2}), ScaleFactor::x_only).high,
+            scale_factor(footprint_of({1, 4, 5, 2}), ScaleFactor::lengths).low);
+}
+
+double drawn_in(RandomNumbers& random, Interval interval) {
+  switch (random.integer(0, 3)) {
+    case 0:
+      return interval.low;
+    case 1:
+      return interval.high;
+    default:
+      return random.real(interval.low, interval.high);
+  }
+}
+
+Interval drawn_interval(RandomNumbers& random) {
+  const double a = random.attribute(20);
+  const double b = random.one_in(3) ? a : random.attribute(20);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+TEST(ScaleFactors, OfIntervalsHoldThoseOfTheirPoints) {
+  RandomNumbers random(3);
+  for (int i = 0; i < 20'000; ++i) {
+    const Footprint box = {{drawn_interval(random), drawn_interval(random)},
+                           {drawn_interval(random), drawn_interval(random)},
+                           random.one_in(3) ? 1 : 2};
+    const Interval permitted = permitted_scale_factor(box);
+    for (int k = 0; k < 4; ++k) {
+      const Footprint point = {{drawn_in(random, box.dx[0]), drawn_in(random, box.dx[1])},
+                               {drawn_in(random, box.dy[0]), drawn_in(random, box.dy[1])},
+                               box.dimensions};
+      for (const ScaleFactor method : all_scale_factors()) {
+        const Interval result = scale_factor(point, method);
+        ASSERT_TRUE(holds(scale_factor(box, method), result)) << name_of(method);
+        if (!conforms(method)) continue;
+        ASSERT_LE(result.low, permitted.high) << name_of(method);
+        ASSERT_GE(result.high, permitted.low) << name_of(method);
+      }
+    }
+  }
+}
+
+// Both ends are reached: at the corner of least absolute values, and at that of the largest.
+TEST(ScaleFactors, OfIntervalsReachTheirEnds) {
+  const Footprint box = {{Interval(-3, 1), Interval(2, 4)}, {Interval(-5, -1), Interval(0, 2)}, 2};
+  const Footprint least = {{0, 2}, {1, 0}, 2};
+  const Footprint most = {{3, 4}, {5, 2}, 2};
+  for (const ScaleFactor method : all_scale_factors()) {
+    if (method == ScaleFactor::length_of_sum) continue;
+    EXPECT_EQ(scale_factor(box, method).low, scale_factor(least, method).low) << name_of(method);
+    EXPECT_EQ(scale_factor(box, method).high, scale_factor(most, method).high) << name_of(method);
+  }
+  // du = -8 to 0, dv = 2 to 6.
+  EXPECT_EQ(scale_factor(box, ScaleFactor::length_of_sum).low, 2);
+  EXPECT_EQ(scale_factor(box, ScaleFactor::length_of_sum).high, 10);
+}
+
+TEST(ScaleFactors, InOneDimensionAreTheLargerPartial) {
+  const Footprint line = {{-3, 100}, {2, kNone}, 1};
+  for (const ScaleFactor method :
+       {ScaleFactor::lengths, ScaleFactor::largest_partial, ScaleFactor::sum_of_partials}) {
+    EXPECT_EQ(scale_factor(line, method).low, 3) << name_of(method);
+    EXPECT_EQ(scale_factor(line, method).high, 3) << name_of(method);
+  }
+  EXPECT_EQ(permitted_scale_factor(line).low, 3);
+  EXPECT_EQ(permitted_scale_factor(line).high, 3);
+  EXPECT_EQ(scale_factor(line, ScaleFactor::length_of_sum).high, 1);
+  EXPECT_EQ(scale_factor(line, ScaleFactor::sum).high, 5);
+}
+
+TEST(ScaleFactors, AreDefinedForEverything) {
+  for (const ScaleFactor method : all_scale_factors()) {
+    const Interval unknown = scale_factor({{kNone, kNone}, {kNone, kNone}, 2}, method);
+    EXPECT_EQ(unknown.low, 0) << name_of(method);
+    EXPECT_EQ(unknown.high, kInfinity) << name_of(method);
+    const Interval endless =
+        scale_factor({{kInfinity, kInfinity}, {kInfinity, kInfinity}, 2}, method);
+    EXPECT_EQ(endless.low, kInfinity) << name_of(method);
+    EXPECT_EQ(endless.high, kInfinity) << name_of(method);
+    EXPECT_EQ(scale_factor({}, method).high, 0) << name_of(method);
+  }
+  const Interval opposite =
+      scale_factor({{kInfinity, 0}, {-kInfinity, 0}, 2}, ScaleFactor::length_of_sum);
+  EXPECT_EQ(opposite.low, 0);
+  EXPECT_EQ(opposite.high, kInfinity);
+}
+
+TEST(Footprints, AreInTexelsOfTheBaseLevel) {
+  const Footprint f = footprint({0.25, -0.5}, {Interval(0, 1), kNone}, 64, 16, 2);
+  EXPECT_EQ(f.dx[0].low, 16);
+  EXPECT_EQ(f.dx[1].low, -8);
+  EXPECT_EQ(f.dy[0].low, 0);
+  EXPECT_EQ(f.dy[0].high, 64);
+  EXPECT_TRUE(is_everything(f.dy[1]));
+  const Footprint line = footprint({0.25, 7}, {1, kNone}, 64, 1, 1);
+  EXPECT_EQ(line.dx[1].high, 0);
+  EXPECT_EQ(line.dy[1].high, 0);
+}
+
+// A footprint of 2^k texels along an axis has the level k and nothing beside it.
+TEST(Footprints, OfPowersOfTwoHaveWholeLevels) {
+  for (int k = -10; k <= 10; ++k) {
+    const double side = std::ldexp(1.0 / 256, k);
+    for (const Footprint& f : {footprint({side, 0}, {0, side}, 256, 256, 2),
+                               footprint({0, -side}, {side / 2, 0}, 256, 256, 2)}) {
+      const Interval level = log2_of(scale_factor(f, ScaleFactor::lengths), Log2Method::exact);
+      EXPECT_EQ(level.low, k);
+      EXPECT_EQ(level.high, k);
+    }
+  }
+}
+
+Sampler biased(float bias) {
+  Sampler sampler;
+  sampler.lod_bias = bias;
+  return sampler;
+}
+
+Lookup lookup_of(LookupKind kind, float value) {
+  Lookup lookup;
+  lookup.kind = kind;
+  lookup.value = value;
+  return lookup;
+}
+
+double lambda_prime(float sampler_bias, const Lookup& lookup, BiasChoice choice) {
+  const Interval result = with_bias(1.25, biased(sampler_bias), lookup, choice);
+  EXPECT_EQ(result.low, result.high);
+  return result.low;
+}
+
+TEST(Bias, IsTheSamplersAndTheShaders) {
+  const BiasChoice as_set = BiasChoice::as_set;
+  EXPECT_EQ(lambda_prime(0.5F, lookup_of(LookupKind::implicit, 9), as_set), 1.75);
+  EXPECT_EQ(lambda_prime(0.5F, lookup_of(LookupKind::bias, 2), as_set), 3.75);
+  EXPECT_EQ(lambda_prime(0.5F, lookup_of(LookupKind::lod, 9), as_set), 1.75);
+  EXPECT_EQ(lambda_prime(0.5F, lookup_of(LookupKind::gradients, 9), as_set), 1.75);
+}
+
+TEST(Bias, IsClampedAsASum) {
+  const BiasChoice as_set = BiasChoice::as_set;
+  EXPECT_EQ(lambda_prime(15, lookup_of(LookupKind::bias, 1), as_set), 17.25);
+  EXPECT_EQ(lambda_prime(15, lookup_of(LookupKind::bias, 2), as_set), 17.25);
+  EXPECT_EQ(lambda_prime(-15, lookup_of(LookupKind::bias, -2), as_set), -14.75);
+  EXPECT_EQ(lambda_prime(16, lookup_of(LookupKind::bias, -20), as_set), -2.75);
+  EXPECT_EQ(lambda_prime(15, lookup_of(LookupKind::bias, 2), BiasChoice::unclamped), 18.25);
+}
+
+TEST(Bias, AlternativesDiffer) {
+  const Lookup none;
+  const Lookup gradients = lookup_of(LookupKind::gradients, 0);
+  const BiasChoice more = BiasChoice::half_a_level_more;
+  EXPECT_EQ(lambda_prime(0.25F, none, more), 2);
+  EXPECT_EQ(lambda_prime(16, lookup_of(LookupKind::bias, 16), more), 17.75);
+  EXPECT_EQ(lambda_prime(0.25F, none, BiasChoice::not_of_gradients), 1.5);
+  EXPECT_EQ(lambda_prime(0.25F, gradients, BiasChoice::not_of_gradients), 1.25);
+  // 0.3 is 76.8 steps; halves go away from 0.
+  const BiasChoice rounded = BiasChoice::sampler_nearest_8;
+  EXPECT_EQ(lambda_prime(0.3F, none, rounded), 1.25 + 77.0 / 256);
+  EXPECT_EQ(lambda_prime(15.3F, none, rounded), 1.25 + 3917.0 / 256);
+  EXPECT_EQ(lambda_prime(2.5F / 256, none, rounded), 1.25 + 3.0 / 256);
+  EXPECT_EQ(lambda_prime(-2.5F / 256, none, rounded), 1.25 - 3.0 / 256);
+  EXPECT_EQ(lambda_prime(0, lookup_of(LookupKind::bias, 0.3F), rounded),
+            lambda_prime(0, lookup_of(LookupKind::bias, 0.3F), BiasChoice::as_set));
+  EXPECT_EQ(all_bias_choices().size(), lod_bias_rule().alternatives.size());
+}
+
+TEST(Bias, RoundsOutwards) {
+  RandomNumbers random(4);
+  for (int i = 0; i < 20'000; ++i) {
+    const double base = random.real(-8, 8);
+    const auto of_sampler = static_cast<float>(random.attribute(7));
+    const auto of_shader = static_cast<float>(random.attribute(7));
+    const Interval result = with_bias(base, biased(of_sampler),
+                                      lookup_of(LookupKind::bias, of_shader), BiasChoice::as_set);
+    const Wide sum =
+        static_cast<Wide>(base) + static_cast<Wide>(of_sampler) + static_cast<Wide>(of_shader);
+    ASSERT_TRUE(holds(result, sum));
+    ASSERT_LE(width_of(result), 0x1p-48);
+  }
+}
+
+TEST(Bias, IsDefinedForEverything) {
+  const auto none = static_cast<float>(kNone);
+  for (const BiasChoice choice : all_bias_choices()) {
+    EXPECT_TRUE(is_everything(with_bias(kNone, biased(1), {}, choice)));
+    EXPECT_EQ(with_bias(-kInfinity, biased(1), {}, choice).high, -kInfinity);
+    EXPECT_EQ(with_bias(kInfinity, biased(1), {}, choice).low, kInfinity);
+    EXPECT_FALSE(
+        std::isnan(with_bias(0, biased(none), lookup_of(LookupKind::bias, none), choice).low));
+  }
+  EXPECT_EQ(with_bias(0, biased(none), {}, BiasChoice::as_set).low, -16);
+  EXPECT_EQ(with_bias(0, biased(none), {}, BiasChoice::as_set).high, 16);
+}
+
+TEST(Clamp, IsToMinAndMax) {
+  Sampler sampler;
+  sampler.min_lod = -1.5F;
+  sampler.max_lod = 3.25F;
+  EXPECT_EQ(clamped(-2, sampler).high, -1.5);
+  EXPECT_EQ(clamped(-1.25, sampler).low, -1.25);
+  EXPECT_EQ(clamped(4, sampler).low, 3.25);
+  EXPECT_EQ(clamped({-9, 9}, sampler).low, -1.5);
+  EXPECT_EQ(clamped({-9, 9}, sampler).high, 3.25);
+  EXPECT_EQ(clamped(-kInfinity, sampler).low, -1.5);
+  EXPECT_EQ(clamped(kInfinity, sampler).high, 3.25);
+  EXPECT_EQ(clamped(kNone, sampler).low, -1.5);
+  EXPECT_EQ(clamped(kNone, sampler).high, 3.25);
+}
+
+template <class Enum, class Values>
+void expect_names_lead_back(const Values& values, const Rule& rule) {
+  ASSERT_EQ(values.size(), rule.alternatives.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(rule.alternatives[i].name, name_of(values[i]));
+    Enum parsed{};
+    EXPECT_TRUE(parse_name(name_of(values[i]), parsed));
+    EXPECT_EQ(parsed, values[i]);
+    EXPECT_FALSE(parse_name("?", parsed));
+  }
+}
+
+TEST(LevelOfDetailRules, NamesLeadBack) {
+  expect_names_lead_back<ScaleFactor>(all_scale_factors(), scale_factor_rule());
+  expect_names_lead_back<BiasChoice>(all_bias_choices(), lod_bias_rule());
+}
+
+TEST(LevelOfDetailRules, DerivativesAreThoseOfPlainOnes) {
+  EXPECT_EQ(level_derivatives_rule().alternatives.size(), all_derivative_methods().size());
+  EXPECT_EQ(level_derivatives_rule().standard, derivative_rule().standard);
+  EXPECT_TRUE(level_derivatives_rule().rulings.empty());
+}
+
+}  // namespace
+}  // namespace edgecase

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""Renderers in other processes that look textures up wrongly are told so, by exactly the rule and
+the cause; one that does neither is not."""
+import math
+import shlex
+import sys
+import unittest
+
+from support import AS_EXPECTED, HERE, UNEXPECTED, CommandTest, only_result
+
+LINEAR = {"magnify": "linear", "minify": "linear", "mipmap": "linear"}
+NEAREST = {"magnify": "nearest", "minify": "nearest", "mipmap": "nearest"}
+SIZE = 16
+
+
+def rounded(value):
+    """To what float32 and the window's grid hold."""
+    return round(value * 256) / 256
+
+
+def quad(spans, turn, diagonal):
+    """Corners of two triangles: a square turned about the middle, and where it shows the texture.
+    `spans`: how much of it along either side; of its diagonals, where that is asked for."""
+    corners = []
+    for u, v in (0, 0), (1, 0), (1, 1), (0, 1):
+        x, y = (u - .5) * SIZE, (v - .5) * SIZE
+        at = [rounded(SIZE / 2 + x * math.cos(turn) - y * math.sin(turn)),
+              rounded(SIZE / 2 + x * math.sin(turn) + y * math.cos(turn))]
+        s, t = u * spans[0], v * spans[1]
+        corners.append({"at": at, "uv": [rounded(n) for n in ([s + t, s - t] if diagonal else [s, t])]})
+    return [corners[i] for i in (0, 1, 2, 0, 2, 3)]
+
+
+def case(spans, sampler, turn=0.0, diagonal=False, **texture):
+    texture = {"size": [16, 16], "format": "rgba32f", "noise": {"seed": 5}, "mipmaps": "box",
+               **texture}
+    return {"title": "Lookups in a quad", "rules": ["texture.filter"],
+            "target": {"width": SIZE, "height": SIZE}, "textures": [texture],
+            "draws": [{"primitive": "triangles", "vertices": quad(spans, turn, diagonal),
+                       "state": {"interpolation": "smooth", "texture": 0, "sampler": sampler}}]}
+
+
+# Sixteen texels to the texture: so many of them to a pixel.
+CASES = {
+    "minified": case([3, 3], LINEAR),
+    "minified along x": case([3, .125], LINEAR),
+    "minified along y": case([.125, 5], LINEAR),
+    "magnified": case([.3, .2], LINEAR),
+    "nearest": case([3.3, .2], NEAREST),
+    "turned": case([3.075, .25], LINEAR, turn=1.1),
+    "codes": case([3, .25], LINEAR, format="rgba8"),
+    "mirrored": case([3.3, 2.7], {**LINEAR, "wrap": "mirrored-repeat"}),
+    # Two texels to a pixel in s and in t: the vector's length is the root of 8, its logarithm 3/2.
+    "ties": case([2, .125], LINEAR, diagonal=True),
+    "generated": case([2.9, .3], LINEAR, mipmaps="generated"),
+    "generated codes": case([2.9, .3], LINEAR, mipmaps="generated", format="rgba8"),
+}
+
+
+class TextureMutants(CommandTest):
+    def run_fault(self, fault, name, expect):
+        path = self.write(f"{name.replace(' ', '-')}.json", CASES[name])
+        words = [sys.executable, "-B", str(HERE / "texture_mutant.py"), fault]
+        about = [path, "--against", "exec:" + " ".join(map(shlex.quote, words))]
+        (of_case,) = self.results(*about, expect=expect)["cases"]
+        return only_result(of_case), about
+
+    def assert_told(self, fault, name, rule, cause):
+        """A violation, and every disagreement that is one names this rule and this cause."""
+        result, about = self.run_fault(fault, name, UNEXPECTED)
+        self.assertEqual(result["verdict"], "violation", name)
+        found = {(d["rule"], d.get("cause", "")) for d in result["disagreements"]}
+        self.assertEqual(found, {(rule, cause)}, name)
+        for d in result["disagreements"]:
+            self.assertEqual((d["kind"], d["legal"]), ("value", False))
+        summary = self.command("run", *about, expect=UNEXPECTED).stdout
+        self.assertIn(f"not legal  {cause or rule}", summary)
+
+    def test_the_unspoilt_program_is_not_blamed(self):
+        for name in CASES:
+            with self.subTest(name):
+                result, _ = self.run_fault("none", name, AS_EXPECTED)
+                self.assertIn(result["verdict"], ("agree", "permitted"))
+                self.assertEqual(result["disagreements"], [])
+
+    def test_a_level_of_detail_from_dx_alone(self):
+        for name in "minified along y", "turned":
+            with self.subTest(name):
+                self.assert_told("x-only", name, "texture.scale-factor",
+                                 "texture.scale-factor=x-only")
+
+    def test_half_a_level_of_bias(self):
+        for name in "minified along x", "codes", "nearest":
+            with self.subTest(name):
+                self.assert_told("half-bias", name, "texture.lod-bias",
+                                 "texture.lod-bias=half-a-level-more")
+
+    def test_half_a_level_off_at_every_tie(self):
+        self.assert_told("ties", "ties", "texture.level-weight", "texture.level-weight=one-at-ties")
+
+    def test_weights_between_levels_in_eighths(self):
+        for fault in "floor-3", "nearest-3":
+            for name in "minified", "minified along y", "turned":
+                with self.subTest(name, fault=fault):
+                    self.assert_told(fault, name, "texture.level-weight",
+                                     f"texture.level-weight={fault}")
+
+    def test_mirrored_repetition_that_repeats(self):
+        self.assert_told("repeat", "mirrored", "texture.wrap", "texture.wrap=mirrored-as-repeat")
+
+    def test_a_chain_with_one_level_too_few(self):
+        for name in "generated", "generated codes":
+            with self.subTest(name):
+                self.assert_told("short-chain", name, "mipmap.level-count", "")
+
+
+if __name__ == "__main__":
+    unittest.main()
