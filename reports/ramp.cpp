@@ -9,6 +9,9 @@
 namespace edgecase {
 namespace {
 
+// Under which levels of detail are judged.
+constexpr int kLevelRuling = 19;
+
 double distance(float a, float b) {
   return a == b ? 0 : std::abs(static_cast<double>(a) - static_cast<double>(b));
 }
@@ -103,6 +106,18 @@ std::string words_of(const RampSummary& summary) {
                       share(summary.outside.size(), summary.fragments));
   if (summary.from_band > 0) text += fmt::format(", by at most {}", levels(summary.from_band));
   return text + ".";
+}
+
+std::vector<std::string> open_causes_of_levels(const Result& result) {
+  const bool blamed = std::ranges::any_of(
+      result.disagreements, [](const Disagreement& d) { return d.ruling == kLevelRuling; });
+  std::vector<std::string> causes;
+  if (blamed) return causes;
+  for (const ValueAggregate& values : result.values)
+    if (values.ruling == kLevelRuling && !values.cause.empty() &&
+        std::ranges::find(causes, values.cause) == causes.end())
+      causes.push_back(values.cause);
+  return causes;
 }
 
 }  // namespace edgecase

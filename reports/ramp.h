@@ -34,4 +34,8 @@ RampSummary summarize_ramp(const std::vector<Result::LevelPoint>& ramp);
 // A sentence: "At most 0.0859 of a level from exact, inside the permitted band."
 std::string words_of(const RampSummary& summary);
 
+// The alternatives that the specification leaves open and that the result's levels of detail
+// follow, as causes, each once; none where some level follows no such alternative.
+std::vector<std::string> open_causes_of_levels(const Result& result);
+
 }  // namespace edgecase

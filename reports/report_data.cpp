@@ -102,15 +102,16 @@ Json level(double value) {
   return number(shortest);
 }
 
-Json ramp_json(const std::vector<Result::LevelPoint>& ramp) {
+Json ramp_json(const Result& result) {
   Json points = Json::array();
-  for (const Result::LevelPoint& p : ramp)
+  for (const Result::LevelPoint& p : result.ramp)
     points.push_back(
         Json::array({p.x, p.y, level(p.exact), level(p.low), level(p.high), level(p.rendered)}));
-  const RampSummary summary = summarize_ramp(ramp);
+  const RampSummary summary = summarize_ramp(result.ramp);
   Json json = {
       {"points", points}, {"words", words_of(summary)}, {"outside", Json(summary.outside)}};
   if (summary.farthest) json["farthest"] = *summary.farthest;
+  if (!summary.outside.empty()) json["causes"] = open_causes_of_levels(result);
   return json;
 }
 
@@ -139,7 +140,7 @@ Json answer_json(const CaseResults& one, const Result& result) {
                         {"broken_clause", e.broken_clause}});
   json["evidence"] = std::move(evidence);
   json["illegal_line_snaps"] = result.illegal_line_snaps;
-  if (!result.ramp.empty()) json["ramp"] = ramp_json(result.ramp);
+  if (!result.ramp.empty()) json["ramp"] = ramp_json(result);
   return json;
 }
 

@@ -92,7 +92,7 @@ class Ramps {
     const first = Report.renderers.findIndex((r) => r.name === results[0].renderer);
     const names = results.map((r) => r.renderer).join(", ");
     const words = h("p.sentence", {}, h("span", {}, ramp.answer.ramp.words),
-      this.placeLinks(ramp, result));
+      this.openCauses(ramp.answer.ramp), this.placeLinks(ramp, result));
     const svg = svgNode("svg", {
       role: "slider", tabindex: 0, "aria-orientation": "horizontal",
       "aria-label": "Level of detail by pixel column, " + visible(names),
@@ -105,6 +105,13 @@ class Ramps {
         result === chosen && h("span.faint", {}, "shown above")), svg, words, readout);
     this.listen(plot);
     return plot;
+  }
+
+  // Why points outside the band are no violations, if they are none.
+  openCauses({causes = []}) {
+    return causes.length > 0 && h("span", {},
+      " The specification leaves open what it follows there: ",
+      causes.map((cause, i) => [i > 0 && ", ", causeChips(cause)]), ".");
   }
 
   placeLinks(ramp, result) {

@@ -43,7 +43,8 @@ class Toy(unittest.TestCase):
 
     def test_what_serves_the_compiler_is_left_alone(self):
         text = "\n".join(map(str, self.mutants))
-        for absent in ("== 4", "even = ", "odd = ", "table[5]", "kHigh = ", "hello"):
+        for absent in ("== 4", "even = ", "odd = ", "table[5]", "kHigh = ", "kLength", "2 + 1",
+                       "operator==", "Limits::Limits", "hello"):
             self.assertNotIn(absent, text)
 
     def test_a_fault_is_killed(self):
@@ -52,6 +53,7 @@ class Toy(unittest.TestCase):
                     ("Limits::low", "-1", "1"),
                     ("kFirst", "constexpr int kFirst = 3", "constexpr int kFirst = 4"),
                     ("count_down", "steps += 2", ""),
+                    ("multiples", "n * i", "n + i"),
                     ("every_operator", "continue", "")]:
             outcome = self.outcome(*key)
             self.assertTrue(outcome.killed, key)

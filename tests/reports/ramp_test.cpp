@@ -148,6 +148,28 @@ TEST(Ramp, AnAnswerWithoutOneHoldsNone) {
   EXPECT_FALSE(answer_for(ramp_of({1}))["ramp"].contains("farthest"));
 }
 
+TEST(Ramp, OutsideTheBandNamesTheOpenAlternative) {
+  ValueAggregate levels;
+  levels.ruling = 19;
+  ValueAggregate followed = levels;
+  followed.cause = "texture.log2=mantissa-8";
+  ValueAggregate other;
+  other.ruling = 24;
+  other.cause = "texture.bilinear-weight=8-bits";
+  Result result;
+  result.values = {levels, followed, other, followed};
+  EXPECT_EQ(open_causes_of_levels(result), std::vector<std::string>{"texture.log2=mantissa-8"});
+  result.disagreements.emplace_back().ruling = 24;
+  EXPECT_EQ(open_causes_of_levels(result).size(), 1U) << "the colour's fault, not the level's";
+  result.disagreements.emplace_back().ruling = 19;
+  EXPECT_TRUE(open_causes_of_levels(result).empty()) << "a violation is no open choice";
+}
+
+TEST(Ramp, TheReportHoldsCausesWhereTheBandIsLeft) {
+  EXPECT_EQ(answer_for(ramp_of({2}))["ramp"]["causes"], json::array());
+  EXPECT_FALSE(answer_for(ramp_of({1}))["ramp"].contains("causes"));
+}
+
 // Renderers whose pictures are alike but whose levels are not do not share an answer.
 TEST(Ramp, AnswersDifferByTheirLevels) {
   int ramps = 0;

@@ -5,7 +5,8 @@ A site is an extent of the text with its edits: (start, end, new text), the new 
 function of tests/mutation/switches.h with the number of the site's first mutant. Sites nest.
 
 Left alone: includes and other directives, strings, static_assert, template arguments, enumerators,
-array bounds, case labels, and constants of classes, which serve constant expressions elsewhere.
+array bounds, case labels, functions that are `= default`, constants of classes, and constants that
+anything left alone refers to: those serve constant expressions.
 """
 
 import re
@@ -65,12 +66,26 @@ class Finder:
         self.source = source
         self.sites = {}
         self.variables = []  # constexpr ones
+        self.references = set()  # where the walk found one
 
     def find(self):
-        for child in children(self.source.root):
-            if self.source.holds(child):
-                self.visit(child, Place("", False, None, False))
+        declarations = [child for child in children(self.source.root) if self.source.holds(child)]
+        for child in declarations:
+            self.visit(child, Place("", False, None, False))
+        self.leave_alone(self.constants_for_the_compiler(declarations))
         return sorted(self.sites.values(), key=lambda s: (s.start, -s.end, -s.rank, s.operator))
+
+    def constants_for_the_compiler(self, declarations):
+        """The variables that types, case labels and the like refer to: what the walk passes by."""
+        return {node.referenced.hash for child in declarations for node in child.walk_preorder()
+                if node.kind == Kind.DECL_REF_EXPR and span(node) not in self.references}
+
+    def leave_alone(self, constants):
+        for variable in [known for known in self.variables if known.hash in constants]:
+            self.variables.remove(variable)
+            start, end = span(variable)
+            self.sites = {key: site for key, site in self.sites.items()
+                          if site.end <= start or end <= site.start}
 
     def add(self, cursor, place, rank, operator, replacements, edits, shown=None):
         start, end = span(cursor)
@@ -98,12 +113,22 @@ class Finder:
             self.visit_statement(cursor, place)
 
     def visit_function(self, cursor, place):
+        if self.is_defaulted(cursor):
+            return
         start, _ = span(cursor)
         constant = self.source.find("constexpr", start, cursor.location.offset) is not None
         inner = place.inside(cursor.spelling, constant, True)
         for child in children(cursor):
-            if child.kind in {Kind.COMPOUND_STMT, Kind.PARM_DECL} or is_expression(child):
+            # What stands before the name belongs to the type of the result.
+            if span(child)[0] > cursor.location.offset and (
+                    child.kind in {Kind.COMPOUND_STMT, Kind.PARM_DECL} or is_expression(child)):
                 self.visit(child, inner)
+
+    def is_defaulted(self, cursor):
+        """Whether what follows the name is `= default`; the extent need not hold that."""
+        name, end = cursor.location.offset, len(self.source.text)
+        ends = [at for at in (self.source.find(token, name, end) for token in "{;") if at]
+        return self.source.find("= default", name, min(ends, default=end)) is not None
 
     def visit_variable(self, cursor, place):
         start, _ = span(cursor)
@@ -211,6 +236,7 @@ class Finder:
             self.add_literal(cursor, place)
             return
         if kind == Kind.DECL_REF_EXPR:
+            self.references.add(span(cursor))
             return
         parts = children(cursor)
         if kind == Kind.MEMBER_REF_EXPR:

@@ -31,6 +31,8 @@ TEST(Toy, Doubles) {
   EXPECT_EQ(doubled(three), 6);
   EXPECT_EQ(Limits().low, -1);
   EXPECT_EQ(greeting("you"), "hello you");
+  EXPECT_EQ(multiples(5), (std::array<int, 3>{0, 5, 10}));
+  EXPECT_EQ(Limits(), Limits());
 }
 
 // The tool must stop where a test fails without any mutant.

@@ -7,8 +7,11 @@ namespace {
 enum class Kind { even = 4, odd = 9 };
 
 constexpr int kFirst = 3;
+constexpr int kLength = 6;
 
 }  // namespace
+
+Limits::Limits() noexcept = default;
 
 // At the limit both branches give the same: moving the boundary changes nothing.
 int clamped_sum(int a, int b) {
@@ -49,6 +52,13 @@ int every_operator(int n, bool flag) {
   if (!flag && n <= 7) result = (result << 1) | (n & 6);
   const auto twice = [](int value) { return value - -value; };
   return twice(result);
+}
+
+// The compiler needs the lengths; the values are for the program.
+std::array<int, 2 + 1> multiples(int n) {
+  std::array<int, kLength / 2> result{};
+  for (int i = 0; i < 3; ++i) result[i] = n * i;
+  return result;
 }
 
 std::string greeting(const std::string& name) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace toy {
@@ -15,14 +16,18 @@ constexpr int doubled(int n) {
 static_assert(doubled(2) == 4);
 
 struct Limits {
+  Limits() noexcept;
   int low = -1;
   static constexpr int kHigh = 100;
+
+  friend bool operator==(const Limits&, const Limits&) = default;
 };
 
 int clamped_sum(int a, int b);
 int count_down(int n);
 int never_called(int n);
 int every_operator(int n, bool flag);
+std::array<int, 2 + 1> multiples(int n);
 std::string greeting(const std::string& name);
 
 }  // namespace toy
