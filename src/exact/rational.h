@@ -28,7 +28,7 @@ inline Integer integer_of(Int128 value) {
   return Integer(value);
 }
 
-// above / below, of a denominator of either sign but 0. (The constructor takes positive ones alone.)
+// above / below, of a denominator of either sign but 0; the constructor takes positive ones alone.
 inline Rational quotient_of(const Integer& above, const Integer& below) {
   return below < 0 ? Rational(Integer(-above), Integer(-below)) : Rational(above, below);
 }
@@ -41,9 +41,9 @@ inline Rational power_of_two(int exponent) {
 
 // The number itself, which must be finite.
 inline Rational rational_of(double value) {
+  if (value == 0) return 0;
   int exponent = 0;
   auto digits = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
-  if (digits == 0) return 0;
   exponent -= 53;
   const int zeros = std::countr_zero(static_cast<std::uint64_t>(digits));
   digits >>= zeros;
@@ -81,10 +81,10 @@ inline Interval interval_of(const Rational& value) {
   const Integer above = numerator(value), below = denominator(value);
   // At least 53 digits before the point; what lies below the smallest double is cut off.
   const int scale =
-      std::min(54 + static_cast<int>(msb(below)) - static_cast<int>(msb(above)), 1074);
+      std::min(53 + static_cast<int>(msb(below)) - static_cast<int>(msb(above)), 1074);
   Integer digits, rest;
-  divide_qr(scale > 0 ? Integer(above << scale) : above,
-            scale < 0 ? Integer(below << -scale) : below, digits, rest);
+  divide_qr(Integer(above << std::max(scale, 0)), Integer(below << std::max(-scale, 0)), digits,
+            rest);
   const int spare = digits == 0 ? 0 : std::max(static_cast<int>(msb(digits)) - 52, 0);
   const auto kept = static_cast<std::int64_t>(digits >> spare);
   const bool is_exact = rest == 0 && (Integer(kept) << spare) == digits;

@@ -6,10 +6,13 @@
 // coordinates asks the like. An interval that leaves that open is asked again as a quotient of
 // integers, and the answer is an interval, or a point, that leaves nothing open. A linear filter
 // without a grid asks nothing: its colours run into one another at the texels' centres.
+//
+// Borders are asked for in the levels that a lookup takes, and in no others: a number on a tie of a
+// grid may be rounded up in one level and down in another.
 #pragma once
 
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "exact/rational.h"
 #include "model/texture.h"
@@ -31,32 +34,30 @@ TexelBorders texel_borders(Filter filter, TexelGrid grid, TextureFormat format);
 
 class TextureAxis {
  public:
-  // `sizes`: along this axis, in texels, of the levels that matter.
-  TextureAxis(const Interpolant& coordinate, Wrap wrap, const std::vector<int>& sizes);
+  TextureAxis(const Interpolant& coordinate, Wrap wrap) : coordinate_(coordinate), wrap_(wrap) {}
 
   const Interpolant& coordinate() const { return coordinate_; }
   Interval value(Point sample) const { return interpolate_exact(coordinate_, sample); }
 
-  // Where to look up: equivalent to the value under the wrap mode, and on one side of every border.
-  // It holds the value, or its equivalent, unless that lies on a border and is no double.
-  Interval place(Point sample, TexelBorders borders);
-  // The same so much further along the axis.
-  Interval place(Point sample, TexelBorders borders, const Rational& further);
+  // Where to look up the value, or what lies so much further along the axis: on one side of every
+  // border of levels that are so many texels long. It holds the number unless that lies beside a
+  // border by less than doubles know. A number that is no double is replaced from 2^20 on, either
+  // way, by one near 0 that the wrap mode makes the same of. An interval that is narrower than
+  // 2^-40 and touches no border is handed on as it is.
+  Interval place(Point sample, TexelBorders borders, std::span<const int> sizes,
+                 const Rational& further);
 
   // None as rational_interpolation.h says.
   std::optional<Rational> derivative(const QuadPixel& at, Axis axis, DerivativeMethod method);
 
  private:
   const std::optional<RationalInterpolation>& rational();
-  bool is_open(Interval value, TexelBorders borders) const;
-  Interval decided(const Rational& value, TexelBorders borders) const;
+  Interval decided(const Rational& value, TexelBorders borders, std::span<const int> sizes) const;
   Rational brought_near(const Rational& value) const;
 
   Interpolant coordinate_;
   Wrap wrap_;
-  std::vector<int> sizes_;  // none divides another
-  bool is_known_ = false;
-  std::optional<RationalInterpolation> rational_;
+  std::optional<std::optional<RationalInterpolation>> rational_;  // once it is asked for
 };
 
 }  // namespace edgecase

@@ -104,20 +104,17 @@ bool is_anisotropic(const Sampler& sampler, const TextureChoice& choice) {
 
 ProbeRow exact_probes(const RationalFootprint& f, const Sampler& sampler,
                       const TextureChoice& choice) {
-  const auto row_of = [&](const RationalFootprint& footprint) {
-    return probes(intervals_of(footprint), sampler.max_anisotropy, choice.anisotropy,
-                  choice.scale_factor);
+  const auto row_of = [&](float most) {
+    return probes(intervals_of(f), most, choice.anisotropy, choice.scale_factor);
   };
-  ProbeRow row = row_of(f);
+  const ProbeRow row = row_of(sampler.max_anisotropy);
   if (choice.anisotropy != Anisotropy::extension || row.probes.size() < 2) return row;
   // Of rounded lengths the quotient may come out above a whole number that it is, and a probe be
-  // added for nothing. A vector that is shorter by next to nothing has one fewer.
+  // added for nothing: one fewer is the most that is needed.
   const auto fewer = static_cast<int>(row.probes.size()) - 1;
   const Rational x = squared_length(f.dx), y = squared_length(f.dy);
   if (std::max(x, y) != std::min(x, y) * fewer * fewer) return row;
-  RationalFootprint shorter = f;
-  for (Rational& part : row.along_x ? shorter.dx : shorter.dy) part *= 1 - power_of_two(-40);
-  ProbeRow result = row_of(shorter);
+  ProbeRow result = row_of(static_cast<float>(fewer));
   result.scale_factor = row.scale_factor * static_cast<double>(fewer + 1) / fewer;
   return result;
 }

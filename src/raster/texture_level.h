@@ -48,7 +48,8 @@ bool is_level_open(Interval lambda_prime, LevelWeight weight);
 
 // The part of lambda_prime that lies on the exact number's side of the border that it touches; the
 // border itself where the exact number does. `squared` is the scale factor's square, `bias` what
-// with_bias adds.
+// with_bias adds. No rational number lies on a border whose square is irrational: there the
+// interval's middle tells the side, the border itself being the upper one.
 Interval decided_level(Interval lambda_prime, const Rational& squared, Interval bias,
                        Log2Method log2, LevelWeight weight);
 

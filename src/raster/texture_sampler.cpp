@@ -30,16 +30,13 @@ double mean(double a, double b, double weight) {
 // The mean grows with a and with b, and is linear in the weight: what bounds it are its values at
 // the ends. It never leaves what lies between a and b.
 Interval mixed(Interval a, Interval b, Interval weight) {
-  if (weight.high == 0) return a;
-  if (weight.low == 1) return b;
   const Interval between = hull(a, b);
-  const double low =
-      std::min(mean<Down>(a.low, b.low, weight.low), mean<Down>(a.low, b.low, weight.high));
-  const double high =
-      std::max(mean<Up>(a.high, b.high, weight.low), mean<Up>(a.high, b.high, weight.high));
   // Infinite numbers of opposite signs have no mean: it may be anything between them.
-  if (std::isnan(low) || std::isnan(high)) return between;
-  return {std::max(low, between.low), std::min(high, between.high)};
+  const auto at = [&](double w) {
+    return known({mean<Down>(a.low, b.low, w), mean<Up>(a.high, b.high, w)});
+  };
+  const Interval means = hull(at(weight.low), at(weight.high));
+  return {std::max(means.low, between.low), std::min(means.high, between.high)};
 }
 
 // What one pick of levels yields.
@@ -50,18 +47,21 @@ class PickedColors {
 
   void collect(const LevelPick& pick, std::vector<Texel>& boxes) const {
     const std::vector<Texel> first = colors(pick, pick.level);
-    if (pick.next == pick.level) {
+    if (pick.next == pick.level)
       for (const Texel& color : first) add(boxes, color);
-      return;
-    }
-    std::vector<Texel> second = colors(pick, pick.next);
-    constexpr std::size_t kManyPairs = 1000;
-    if (first.size() * second.size() > kManyPairs) second = {hull_of(second)};
-    for (const Texel& a : first)
-      for (const Texel& b : second) add(boxes, mixed(a, b, pick.weight));
+    else
+      add_mixed(first, colors(pick, pick.next), pick.weight, boxes);
   }
 
  private:
+  static void add_mixed(const std::vector<Texel>& first, std::vector<Texel> second, Interval weight,
+                        std::vector<Texel>& boxes) {
+    constexpr std::size_t kManyPairs = 1000;
+    if (first.size() * second.size() > kManyPairs) second = {hull_of(second)};
+    for (const Texel& a : first)
+      for (const Texel& b : second) add(boxes, mixed(a, b, weight));
+  }
+
   std::vector<Texel> colors(const LevelPick& pick, int level) const {
     const auto at = std::min(static_cast<std::size_t>(level), decoded_.levels.size() - 1);
     return filter_level(decoded_.levels[at], decoded_.dimensions, decoded_.format, pick.filter,
@@ -101,14 +101,14 @@ int last_level_of(const DecodedTexture& decoded, const Sampler& sampler, const T
 std::vector<Texel> sample(const DecodedTexture& decoded, const Texture& texture,
                           const Sampler& sampler, const TextureChoice& choice,
                           const TextureSample& at, const SampleLatitude& latitude) {
-  const bool is_number = !std::isnan(at.lambda.low) && !std::isnan(at.lambda.high);
+  const bool is_nothing = std::isnan(at.lambda.low) && std::isnan(at.lambda.high);
   const LevelRules rules{choice.crossover, choice.nearest_level, choice.level_weight,
                          latitude.any_tie, latitude.weight};
   const TexelLookup lookup{sampler.wrap, sampler.border, choice.wrap, choice.texel_grid,
                            latitude.texel};
   const PickedColors colors(decoded, lookup, at.point);
   std::vector<Texel> boxes;
-  for (const LevelPick& pick : pick_levels(is_number ? at.lambda : Interval(0), sampler,
+  for (const LevelPick& pick : pick_levels(is_nothing ? Interval(0) : at.lambda, sampler,
                                            last_level_of(decoded, sampler, texture), rules))
     colors.collect(pick, boxes);
   return boxes;

@@ -19,7 +19,8 @@
 namespace edgecase {
 
 // A point and a level of detail to look up. Numbers that are not finite have a defined answer, here
-// as there is none in OpenGL: coordinates as texel_filter.h says, and a lambda of NaN is 0.
+// as there is none in OpenGL: coordinates as texel_filter.h says, and a lambda of NaN is 0. An end
+// that is not a number knows nothing on its side.
 struct TextureSample {
   TexturePoint point;
   Interval lambda;  // clamped, see rules/textures/level_of_detail.h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
+#include <algorithm>
 #include <optional>
 
 #include "raster/texture_axis.h"
@@ -9,9 +9,9 @@
 namespace edgecase {
 namespace {
 
-// Are intervals as narrow as double precision makes them?
+// Are intervals as narrow as double precision makes them? Endless ones are not.
 bool is_narrow(Interval scale_factor) {
-  return scale_factor.high - scale_factor.low <= scale_factor.high * 0x1p-30;
+  return scale_factor.high - scale_factor.low < scale_factor.high * 0x1p-30;
 }
 
 using RationalPair = std::array<Rational, 2>;
@@ -23,20 +23,20 @@ RationalPair rational_of(const std::array<float, 2>& vector) {
 // What a lookup takes, beside the point.
 struct Level {
   Footprint footprint;
-  ProbeRow row{true, {}, {{0, 1}}};
-  // From the centre to each probe, in s and t; empty where there is one probe alone.
+  ProbeRow row;  // without probes where the shader gives the level itself
+  // From the centre to each probe, in s and t; empty where none or one is all there is.
   std::vector<std::array<Rational, 2>> ways;
   Interval lambda_prime;
   Interval lambda;
   Interval accessed;
-  TexelBorders borders;  // of the filter within levels
-  bool is_open = false;  // does an interval touch a border between two answers?
+  TexelBorders borders;                   // of the filter within levels
+  std::array<std::vector<int>, 2> sizes;  // of the levels that are looked up: widths, heights
 };
 
 Texel weighted(const std::vector<Texel>& colors, const std::vector<Probe>& probes) {
-  bool is_one = true;
-  for (const Texel& color : colors) is_one = is_one && same_box(color, colors[0]);
-  if (is_one) return colors[0];
+  const Texel& first = colors.front();
+  if (std::ranges::all_of(colors, [&](const Texel& color) { return same_box(color, first); }))
+    return first;
   Texel sum;
   for (std::size_t i = 0; i < colors.size(); ++i)
     for (std::size_t c = 0; c < 4; ++c) sum[c] = sum[c] + probes[i].weight * colors[i][c];
@@ -52,24 +52,26 @@ class TexturedPrimitive::Lookups {
   ExactLookup look_up(PixelPosition pixel);
 
  private:
-  TextureAxis axis_of(std::size_t axis, const Interpolant& coordinate) const;
+  std::optional<Level> given_level() const;
   const Level& level_at(PixelPosition pixel);
-  const Level& queried_level_at(PixelPosition pixel);
-  Level implicit_level(PixelPosition pixel, const Lookup& lookup);
+  const Level& implicit_level(PixelPosition pixel, const Lookup& lookup,
+                              std::optional<Level>& kept);
+  Level computed_level(PixelPosition pixel, const Lookup& lookup);
   Level level_of(const Footprint& footprint, const Lookup& lookup) const;
   Level level_of(const RationalFootprint& derivatives, const Lookup& lookup) const;
+  bool is_open(const Level& level) const;
   Interval biased(Interval lambda_base, const Lookup& lookup) const;
   Level finished(Level level) const;
   Footprint footprint_at(const QuadPixel& at) const;
   std::optional<RationalFootprint> derivatives_at(const QuadPixel& at);
   Texel color_at(const TexturePoint& point, const Level& level) const;
+  Interval place(std::size_t axis, Point sample, const Level& level, const Rational& further = 0);
   TexturePoint probe_point(Point sample, const Level& level, std::size_t probe);
   RationalFootprint texels(const RationalFootprint& derivatives) const;
-  const DecodedLevel& base() const {
-    return decoded_.levels[static_cast<std::size_t>(std::min(use_.sampler.base_level, last_))];
+  const DecodedLevel& image(int level) const {
+    return decoded_.levels[static_cast<std::size_t>(std::min(level, last_))];
   }
-  // One level of detail for all pixels of a kind of lookup?
-  bool is_level_shared(LookupKind kind) const;
+  const DecodedLevel& base() const { return image(use_.sampler.base_level); }
 
   const TextureChoice& choice_;
   const ValueChoice& values_;
@@ -79,6 +81,7 @@ class TexturedPrimitive::Lookups {
   const DecodedTexture& decoded_;
   int last_;
   std::array<TextureAxis, 2> axes_;
+  std::optional<Level> given_;  // by the shader
   std::optional<Level> level_;
   std::optional<Level> queried_;
 };
@@ -92,22 +95,9 @@ TexturedPrimitive::Lookups::Lookups(const TextureStage& stage, const ScenePrimit
       texture_(*stage.scene().textures.at(use_.texture)),
       decoded_(stage.decoded(use_.texture)),
       last_(last_level_of(decoded_, use_.sampler, texture_)),
-      axes_{axis_of(0, attributes.color[0]), axis_of(1, attributes.color[1])} {}
-
-TextureAxis TexturedPrimitive::Lookups::axis_of(std::size_t axis,
-                                                const Interpolant& coordinate) const {
-  std::vector<int> sizes;
-  for (int level = std::min(use_.sampler.base_level, last_); level <= last_; ++level) {
-    const DecodedLevel& image = decoded_.levels[static_cast<std::size_t>(level)];
-    sizes.push_back(axis == 0 ? image.width : image.height);
-  }
-  return {coordinate, use_.sampler.wrap[axis], sizes};
-}
-
-bool TexturedPrimitive::Lookups::is_level_shared(LookupKind kind) const {
-  if (kind == LookupKind::lod || kind == LookupKind::gradients) return true;
-  return !has_perspective(axes_[0].coordinate()) && !has_perspective(axes_[1].coordinate());
-}
+      axes_{TextureAxis(attributes.color[0], use_.sampler.wrap[0]),
+            TextureAxis(attributes.color[1], use_.sampler.wrap[1])},
+      given_(given_level()) {}
 
 RationalFootprint TexturedPrimitive::Lookups::texels(const RationalFootprint& derivatives) const {
   return in_texels(derivatives, base().width, base().height);
@@ -123,8 +113,7 @@ Footprint TexturedPrimitive::Lookups::footprint_at(const QuadPixel& at) const {
 }
 
 std::optional<RationalFootprint> TexturedPrimitive::Lookups::derivatives_at(const QuadPixel& at) {
-  RationalFootprint result;
-  result.dimensions = texture_.dimensions;
+  RationalFootprint result{{}, {}, texture_.dimensions};
   for (std::size_t c = 0; c < static_cast<std::size_t>(texture_.dimensions); ++c) {
     const auto x = axes_[c].derivative(at, Axis::x, choice_.derivatives);
     const auto y = axes_[c].derivative(at, Axis::y, choice_.derivatives);
@@ -136,13 +125,13 @@ std::optional<RationalFootprint> TexturedPrimitive::Lookups::derivatives_at(cons
 }
 
 // Intervals first; quotients where these leave a question open.
-Level TexturedPrimitive::Lookups::implicit_level(PixelPosition pixel, const Lookup& lookup) {
+Level TexturedPrimitive::Lookups::computed_level(PixelPosition pixel, const Lookup& lookup) {
   const QuadPixel at = quad_of(pixel, values_, target_);
   const Footprint narrow = footprint_at(at);
   const bool is_enough = !is_anisotropic(use_.sampler, choice_) &&
                          is_narrow(scale_factor(narrow, choice_.scale_factor));
   const Level level = level_of(narrow, lookup);
-  if (is_enough && !level.is_open) return level;
+  if (is_enough && !is_open(level)) return level;
   const std::optional<RationalFootprint> exact = derivatives_at(at);
   return exact ? level_of(*exact, lookup) : level;
 }
@@ -152,11 +141,14 @@ Level TexturedPrimitive::Lookups::level_of(const Footprint& footprint, const Loo
   level.footprint = footprint;
   level.row =
       probes(footprint, use_.sampler.max_anisotropy, choice_.anisotropy, choice_.scale_factor);
-  const Interval logarithm = log2_of(level.row.scale_factor, choice_.log2);
-  level.lambda_prime = biased(logarithm, lookup);
-  level.is_open = is_level_open(logarithm, LevelWeight::exact) ||
-                  is_level_open(level.lambda_prime, choice_.level_weight);
+  level.lambda_prime = biased(log2_of(level.row.scale_factor, choice_.log2), lookup);
   return finished(level);
+}
+
+// Does an interval touch a border between two answers, before the bias is added or after it?
+bool TexturedPrimitive::Lookups::is_open(const Level& level) const {
+  return is_level_open(log2_of(level.row.scale_factor, choice_.log2), LevelWeight::exact) ||
+         is_level_open(level.lambda_prime, choice_.level_weight);
 }
 
 // The logarithm is decided before and after the bias is added: multiples of 1/2 become what they
@@ -172,7 +164,8 @@ Level TexturedPrimitive::Lookups::level_of(const RationalFootprint& derivatives,
                                            0, choice_.log2, LevelWeight::exact);
   level.lambda_prime = decided_level(biased(logarithm, lookup), squared, biased(0, lookup),
                                      choice_.log2, choice_.level_weight);
-  if (level.row.probes.size() > 1) level.ways = ways_to(level.row, derivatives, choice_.anisotropy);
+  if (is_anisotropic(use_.sampler, choice_))
+    level.ways = ways_to(level.row, derivatives, choice_.anisotropy);
   return finished(level);
 }
 
@@ -186,31 +179,37 @@ Level TexturedPrimitive::Lookups::finished(Level level) const {
   level.accessed = accessed_level(level.lambda, use_.sampler, last_, rules);
   const std::vector<LevelPick> picks = pick_levels(level.lambda, use_.sampler, last_, rules);
   level.borders = texel_borders(picks.at(0).filter, choice_.texel_grid, texture_.format);
+  for (const LevelPick& pick : picks)
+    for (const int number : {pick.level, pick.next}) {
+      level.sizes[0].push_back(image(number).width);
+      level.sizes[1].push_back(image(number).height);
+    }
   return level;
 }
 
-const Level& TexturedPrimitive::Lookups::level_at(PixelPosition pixel) {
+std::optional<Level> TexturedPrimitive::Lookups::given_level() const {
   const Lookup& lookup = use_.lookup;
-  if (level_ && is_level_shared(lookup.kind)) return *level_;
   if (lookup.kind == LookupKind::lod) {
     Level level;
     level.footprint.dimensions = texture_.dimensions;
     level.lambda_prime = biased(static_cast<double>(lookup.value), lookup);
-    level_ = finished(level);
-  } else if (lookup.kind == LookupKind::gradients) {
-    RationalFootprint given{rational_of(lookup.dx), rational_of(lookup.dy), texture_.dimensions};
-    if (texture_.dimensions == 1) given.dx[1] = given.dy[1] = 0;
-    level_ = level_of(given, lookup);
-  } else {
-    level_ = implicit_level(pixel, lookup);
+    return finished(level);
   }
-  return *level_;
+  if (lookup.kind != LookupKind::gradients) return std::nullopt;
+  RationalFootprint given{rational_of(lookup.dx), rational_of(lookup.dy), texture_.dimensions};
+  if (texture_.dimensions == 1) given.dx[1] = given.dy[1] = 0;
+  return level_of(given, lookup);
 }
 
-const Level& TexturedPrimitive::Lookups::queried_level_at(PixelPosition pixel) {
-  const Lookup plain;
-  if (!queried_ || !is_level_shared(plain.kind)) queried_ = implicit_level(pixel, plain);
-  return *queried_;
+const Level& TexturedPrimitive::Lookups::level_at(PixelPosition pixel) {
+  return given_ ? *given_ : implicit_level(pixel, use_.lookup, level_);
+}
+
+// Without perspective all pixels have one level. Both coordinates have the same w.
+const Level& TexturedPrimitive::Lookups::implicit_level(PixelPosition pixel, const Lookup& lookup,
+                                                        std::optional<Level>& kept) {
+  if (!kept || has_perspective(axes_.front().coordinate())) kept = computed_level(pixel, lookup);
+  return *kept;
 }
 
 Texel TexturedPrimitive::Lookups::color_at(const TexturePoint& point, const Level& level) const {
@@ -218,13 +217,19 @@ Texel TexturedPrimitive::Lookups::color_at(const TexturePoint& point, const Leve
       sample(decoded_, texture_, use_.sampler, choice_, TextureSample{point, level.lambda}));
 }
 
+Interval TexturedPrimitive::Lookups::place(std::size_t axis, Point sample, const Level& level,
+                                           const Rational& further) {
+  return axes_[axis].place(sample, level.borders, level.sizes[axis], further);
+}
+
 // Without a way to a probe nothing is known of where it lies.
 TexturePoint TexturedPrimitive::Lookups::probe_point(Point sample, const Level& level,
                                                      std::size_t probe) {
   if (level.ways.empty()) return {Interval::everything(), Interval::everything()};
   const std::array<Rational, 2>& way = level.ways[probe];
-  TexturePoint point{axes_[0].place(sample, level.borders, way[0]), 0};
-  if (texture_.dimensions == 2) point.t = axes_[1].place(sample, level.borders, way[1]);
+  TexturePoint point;
+  point.s = place(0, sample, level, way[0]);
+  if (texture_.dimensions == 2) point.t = place(1, sample, level, way[1]);
   return point;
 }
 
@@ -233,14 +238,14 @@ ExactLookup TexturedPrimitive::Lookups::look_up(PixelPosition pixel) {
   const Level& level = level_at(pixel);
   ExactLookup result;
   result.coordinates = {axes_[0].value(sample), axes_[1].value(sample)};
-  result.point = {axes_[0].place(sample, level.borders), result.coordinates[1]};
-  if (texture_.dimensions == 2) result.point.t = axes_[1].place(sample, level.borders);
+  result.point = {place(0, sample, level), result.coordinates[1]};
+  if (texture_.dimensions == 2) result.point.t = place(1, sample, level);
   result.footprint = level.footprint;
   result.lambda_prime = level.lambda_prime;
   result.lambda = level.lambda;
   result.accessed = level.accessed;
   const bool is_plain = use_.lookup.kind == LookupKind::implicit;
-  const Level& queried = is_plain ? level : queried_level_at(pixel);
+  const Level& queried = is_plain ? level : implicit_level(pixel, Lookup{}, queried_);
   result.queried = {queried.accessed, queried.lambda_prime};
   if (level.row.probes.size() <= 1) {
     result.color = color_at(result.point, level);

@@ -27,6 +27,8 @@ double any_double(std::mt19937_64& random) {
 TEST(Rational, OfADoubleIsThatDouble) {
   EXPECT_EQ(rational_of(0.0), 0);
   EXPECT_EQ(rational_of(-0.0), 0);
+  EXPECT_EQ(rational_of(1.0), 1);
+  EXPECT_EQ(rational_of(-1.0), -1);
   EXPECT_EQ(rational_of(0.75), fraction(3, 4));
   EXPECT_EQ(rational_of(-2.5F), fraction(-5, 2));
   EXPECT_EQ(rational_of(0x1p60), Rational(Integer(1) << 60));
@@ -55,6 +57,8 @@ TEST(Rational, QuotientsHaveEitherSign) {
   EXPECT_EQ(quotient_of(6, -4), fraction(-3, 2));
   EXPECT_EQ(quotient_of(-6, -4), fraction(3, 2));
   EXPECT_EQ(quotient_of(-6, 4), fraction(-3, 2));
+  EXPECT_EQ(quotient_of(-6, -1), 6);
+  EXPECT_EQ(quotient_of(6, -1), -6);
 }
 
 TEST(Rational, FloorIsBelowWhateverTheSign) {

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "tests/rules/interpolants.h"
 
 namespace edgecase {
@@ -40,6 +43,7 @@ TEST(TextureLevel, SquaresAreThoseOfEveryScaleFactor) {
 
 TEST(TextureLevel, FootprintsAreInTexelsOfTheBase) {
   const Rational third(1, 3);
+  EXPECT_EQ(RationalFootprint{}.dimensions, 2);
   const RationalFootprint f = in_texels(footprint_of({third, 2}, {0, -third}), 6, 9);
   EXPECT_EQ(f.dx, (std::array<Rational, 2>{2, 18}));
   EXPECT_EQ(f.dy, (std::array<Rational, 2>{0, -3}));
@@ -126,6 +130,57 @@ TEST(TextureLevel, WhatTouchesNothingStays) {
   EXPECT_FALSE(is_level_open(Interval::everything(), LevelWeight::exact));
 }
 
+// Half of what linear-mantissa makes of the square: of 5/4 it is 1/8.
+TEST(TextureLevel, LinearMantissasOfSquaresHaveTies) {
+  const Log2Method method = Log2Method::linear_mantissa_of_square;
+  for (int exponent = -3; exponent <= 3; ++exponent) {
+    const Rational side = power_of_two(exponent);
+    const RationalFootprint f = footprint_of({side, side / 2}, {0, 0});
+    const Rational squared = side * side * 5 / 4;
+    const double level = exponent + 0.125;
+    const auto decided = [&](const Rational& of, double bias, LevelWeight weight) {
+      return decided_level(lambda_of(f, method) + Interval(bias), of, bias, method, weight);
+    };
+    EXPECT_TRUE(is_point(decided(squared, 0, LevelWeight::nearest_8), level));
+    EXPECT_TRUE(is_point(decided(squared, 0.375, LevelWeight::exact), exponent + 0.5));
+    EXPECT_GT(decided(squared + power_of_two(-90), 0, LevelWeight::nearest_8).low, level);
+    EXPECT_LT(decided(squared - power_of_two(-90), 0, LevelWeight::nearest_8).high, level);
+  }
+}
+
+// Where a border is irrational the larger part of the interval is taken, and all of it that there
+// is.
+TEST(TextureLevel, TheMiddleTellsTheSideOfIrrationalBorders) {
+  const double bias = 3 - std::log2(3.0);
+  const double below = next_below(3), above = next_above(3);
+  const auto decided = [&](double low, double high) {
+    const Interval found =
+        decided_level({low, high}, 9, bias, Log2Method::exact, LevelWeight::exact);
+    return std::pair{found.low, found.high};
+  };
+  using Ends = std::pair<double, double>;
+  EXPECT_EQ(decided(below, 3 + 0x1p-40), Ends(above, 3 + 0x1p-40));
+  EXPECT_EQ(decided(3 - 0x1p-40, above), Ends(3 - 0x1p-40, below));
+  EXPECT_EQ(decided(3 - 0x1p-40, 3 + 0x1p-40), Ends(above, 3 + 0x1p-40));
+  // Up to the border itself, or from it on.
+  EXPECT_EQ(decided(3 - 0x1p-40, 3), Ends(3 - 0x1p-40, below));
+  EXPECT_EQ(decided(3, 3 + 0x1p-40), Ends(above, 3 + 0x1p-40));
+}
+
+// An end on a border touches it; endless intervals have no side to decide.
+TEST(TextureLevel, EndsTouchBordersUnlessThereIsNone) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(is_level_open({0.4, 0.5}, LevelWeight::exact));
+  EXPECT_TRUE(is_level_open({0.5, 0.6}, LevelWeight::exact));
+  EXPECT_FALSE(is_level_open({0.4, next_below(0.5)}, LevelWeight::exact));
+  EXPECT_FALSE(is_level_open({-infinity, 3}, LevelWeight::exact));
+  EXPECT_FALSE(is_level_open({3.2, infinity}, LevelWeight::exact));
+  const Interval tiny = decided_level({-infinity, -1074}, power_of_two(-2400), 0, Log2Method::exact,
+                                      LevelWeight::exact);
+  EXPECT_EQ(tiny.low, -infinity);
+  EXPECT_EQ(tiny.high, -1074);
+}
+
 // Vectors whose lengths are roots, one a whole multiple of the other: as many probes as that.
 TEST(TextureLevel, WholeQuotientsOfLengthsAreWhole) {
   Sampler sampler;
@@ -157,6 +212,31 @@ TEST(TextureLevel, WholeQuotientsOfLengthsAreWhole) {
   EXPECT_GT(counted, 1'000);
 }
 
+// Two vectors of one length, turned against each other, whose rounded lengths may differ.
+TEST(TextureLevel, EqualLengthsHaveOneProbe) {
+  Sampler sampler;
+  sampler.max_anisotropy = 16;
+  const TextureChoice choice;
+  RandomNumbers numbers(3);
+  int rounded_apart = 0;
+  for (int i = 0; i < 1'000; ++i) {
+    const Rational a(Integer(numbers.integer(-50, 50)), Integer(numbers.integer(1, 9)));
+    const Rational b(Integer(numbers.integer(1, 50)), Integer(numbers.integer(1, 9)));
+    const RationalFootprint f = footprint_of({a, b}, {(3 * a - 4 * b) / 5, (4 * a + 3 * b) / 5});
+    const ProbeRow row = exact_probes(f, sampler, choice);
+    ASSERT_EQ(row.probes.size(), 1U);
+    EXPECT_EQ(row.probes[0].offset, 0);
+    const Rational squared = squared_scale_factor(f, row, sampler, choice);
+    ASSERT_EQ(squared, a * a + b * b);
+    ASSERT_LE(rational_of(row.scale_factor.low) * rational_of(row.scale_factor.low), squared);
+    ASSERT_GE(rational_of(row.scale_factor.high) * rational_of(row.scale_factor.high), squared);
+    const ProbeRow of_intervals =
+        probes(intervals_of(f), sampler.max_anisotropy, choice.anisotropy, choice.scale_factor);
+    if (of_intervals.probes.size() > 1) ++rounded_apart;
+  }
+  EXPECT_GT(rounded_apart, 50);
+}
+
 TEST(TextureLevel, ProbesLieWhereTheFormulasSay) {
   Sampler sampler;
   sampler.max_anisotropy = 4;
@@ -175,7 +255,10 @@ TEST(TextureLevel, ProbesLieWhereTheFormulasSay) {
   for (int i = 0; i < 5; ++i)
     EXPECT_EQ(ways[static_cast<std::size_t>(i)][1], -6 * Rational(i - 2, 5));
   EXPECT_EQ(squared_scale_factor(f, row, sampler, choice), Rational(45, 25));
-  EXPECT_TRUE(is_anisotropic(sampler, choice));
+  for (const float most : {1.0F, 1.5F, 2.0F}) {
+    sampler.max_anisotropy = most;
+    EXPECT_EQ(is_anisotropic(sampler, choice), most > 1) << most;
+  }
   choice.anisotropy = Anisotropy::none;
   EXPECT_FALSE(is_anisotropic(sampler, choice));
   EXPECT_EQ(squared_scale_factor(f, exact_probes(f, sampler, choice), sampler, choice), 45);

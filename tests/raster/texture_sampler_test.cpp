@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/rational.h"
 #include "raster/texture_stage.h"
 #include "tests/raster/texture_scenes.h"
 
@@ -184,6 +185,100 @@ TEST(TextureSampler, MixedStaysBetween) {
   EXPECT_TRUE(same_box(mixed(a, b, 1), b));
 }
 
+// (1 - weight) a + weight b lies in what is mixed, of numbers of either sign.
+TEST(TextureSampler, MixedHoldsTheMean) {
+  RandomNumbers numbers(3);
+  for (int i = 0; i < 20'000; ++i) {
+    const double a = numbers.real(-1, 1), b = numbers.real(-1, 1);
+    const double weight = std::ldexp(numbers.real(0, 1), -static_cast<int>(numbers.integer(0, 8)));
+    const Interval found = mixed(Texel{a, a, a, a}, Texel{b, b, b, b}, weight)[0];
+    const Rational mean =
+        (1 - rational_of(weight)) * rational_of(a) + rational_of(weight) * rational_of(b);
+    ASSERT_LE(rational_of(found.low), mean);
+    ASSERT_GE(rational_of(found.high), mean);
+    ASSERT_LT(width_of(found), 1e-15);
+  }
+}
+
+// Any number lies between endless ones of opposite signs.
+TEST(TextureSampler, OppositeInfinitiesHaveNoMean) {
+  const Texel a{Interval(-kInfinity), Interval(kInfinity), Interval(-kInfinity, 1), Interval(0)};
+  const Texel b{Interval(kInfinity), Interval(-kInfinity), Interval(kInfinity), Interval(1)};
+  for (const Interval weight : {Interval(0.5), Interval(0, 0.5), Interval(0.5, 1)}) {
+    const Texel found = mixed(a, b, weight);
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_EQ(found[c].low, -kInfinity) << c;
+      EXPECT_EQ(found[c].high, kInfinity) << c;
+    }
+    EXPECT_EQ(found[3].low, weight.low);
+    EXPECT_EQ(found[3].high, weight.high);
+  }
+  EXPECT_TRUE(same_box(mixed(a, b, 0), a));
+  EXPECT_TRUE(same_box(mixed(a, b, 1), b));
+}
+
+TEST(TextureSampler, HullsHoldEveryComponentOfEveryBox) {
+  const Texel a{Interval(1, 2), Interval(3), Interval(-1, 0), Interval(5)};
+  const Texel b{Interval(0), Interval(4, 5), Interval(-0.5), Interval(7)};
+  const Texel c{Interval(3), Interval(3.5), Interval(-2), Interval(6)};
+  const Texel hull{Interval(0, 3), Interval(3, 5), Interval(-2, 0), Interval(5, 7)};
+  EXPECT_TRUE(same_box(hull_of({a, b, c}), hull));
+  EXPECT_TRUE(same_box(hull_of({b}), b));
+}
+
+// Levels of so many texels, each unlike all others, halfway between both levels.
+std::vector<Texel> pairs_of(int first, int second) {
+  const auto texel = [&](int i, int, int level) {
+    const int value = level == 0 ? i : first * i;
+    return std::array<float, 4>{static_cast<float>(value), 0, 0, 0};
+  };
+  Texture texture = chain_of(first, 1, TextureFormat::rgba32f, texel);
+  texture.dimensions = 1;
+  const DecodedTexture decoded =
+      decode(texture, {texture.levels[0], level_of(second, 1, 1, texel)});
+  const TextureSample unknown{{Interval::everything(), Interval::everything()}, Interval(0.5)};
+  return sample(decoded, texture, sampler_of(Filter::nearest, MipFilter::linear), {}, unknown);
+}
+
+// Of up to 1,000 pairs each is a colour; of more, each colour of the first level is a box.
+TEST(TextureSampler, ManyPairsShareBoxes) {
+  const auto points = pairs_of(40, 25);
+  EXPECT_EQ(points.size(), 1000U);
+  for (const Texel& point : points) EXPECT_EQ(point[0].low, point[0].high);
+  for (const auto& [first, second] : {std::pair{77, 13}, std::pair{500, 3}}) {
+    const auto boxes = pairs_of(first, second);
+    EXPECT_EQ(boxes.size(), static_cast<std::size_t>(first));
+    for (const Texel& box : boxes) EXPECT_EQ(width_of(box[0]), first * (second - 1) / 2.0);
+  }
+}
+
+// A lambda with one end that is no number is endless there; with two it is 0, on the crossover.
+TEST(TextureSampler, HalfKnownLevels) {
+  const Texture texture = chain_of(8, 8, TextureFormat::rgba32f, [](int, int, int level) {
+    return std::array<float, 4>{static_cast<float>(level), 0, 0, 0};
+  });
+  const DecodedTexture decoded = decode(texture, {});
+  const auto levels = [&](const Sampler& sampler, Interval lambda, const SampleLatitude& latitude) {
+    std::vector<double> found;
+    for (const Texel& box : sample(decoded, texture, sampler, {}, {{0.5, 0.5}, lambda}, latitude))
+      found.push_back(box[0].low);
+    return found;
+  };
+  const Sampler sampler = sampler_of(Filter::nearest, MipFilter::nearest);
+  EXPECT_EQ(levels(sampler, {1.75, kNaN}, {}), (std::vector<double>{2, 3}));
+  EXPECT_EQ(levels(sampler, {kNaN, 1.25}, {}), (std::vector<double>{0, 1}));
+  EXPECT_EQ(levels(sampler, {kNaN, kNaN}, {}), (std::vector<double>{0}));
+  EXPECT_EQ(SampleLatitude{}.texel, 0);
+  EXPECT_EQ(SampleLatitude{}.weight, 0);
+  // At 0 a latitude of ties takes both filters.
+  const Texture two = single_of(2, 1, TextureFormat::rgba32f, distinct);
+  Sampler filters = sampler_of(Filter::linear, MipFilter::none);
+  filters.magnify = Filter::nearest;
+  const auto boxes =
+      sample(decode(two, {}), two, filters, {}, {{0.5, 0.5}, {kNaN, kNaN}}, {0, 0, true});
+  EXPECT_EQ(boxes.size(), 2U);
+}
+
 // A chain that ends early is used up to its end.
 TEST(TextureSampler, ShortChainsEndEarly) {
   const Texture texture = chain_of(8, 2, TextureFormat::rgba8, distinct);
@@ -194,6 +289,14 @@ TEST(TextureSampler, ShortChainsEndEarly) {
   const auto boxes = sample(decoded, texture, sampler, {}, {{0, 0}, 9});
   ASSERT_EQ(boxes.size(), 1U);
   EXPECT_TRUE(same_box(boxes[0], decoded.levels[1].at(0, 0)));
+  // Also where the base level lies beyond it.
+  Sampler beyond = sampler;
+  beyond.base_level = 3;
+  for (const double lambda : {-1.0, 1.0}) {
+    const auto found = sample(decoded, texture, beyond, {}, {{0, 0}, lambda});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_TRUE(same_box(found[0], decoded.levels[1].at(0, 0)));
+  }
 }
 
 }  // namespace

@@ -235,6 +235,12 @@ TEST(Footprints, AreInTexelsOfTheBaseLevel) {
   EXPECT_EQ(line.dy[1].high, 0);
 }
 
+TEST(Footprints, HaveTwoDimensionsUnlessTheySayOne) {
+  const Footprint f{{3, 4}, {}};
+  EXPECT_EQ(f.dimensions, 2);
+  EXPECT_EQ(scale_factor(f, ScaleFactor::lengths).high, 5);
+}
+
 // A footprint of 2^k texels along an axis has the level k and nothing beside it.
 TEST(Footprints, OfPowersOfTwoHaveWholeLevels) {
   for (int k = -10; k <= 10; ++k) {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "rules/textures/mip_chain.h"
+#include "rules/textures/texel_mean.h"
 #include "tests/rules/texels.h"
 
 namespace edgecase {
@@ -168,6 +169,26 @@ TEST(Reductions, OfSrgbAreTheRoundedMeansOfLight) {
     const TextureLevel level = random_level(random, width, height, TextureFormat::srgb8);
     expect_reduction(level, TextureFormat::srgb8, method);
   });
+}
+
+// One code of the straight piece and one beyond it: no mean of the two is a tie.
+TEST(Means, OfDarkSrgbCodesAreTheRoundedMeansOfLight) {
+  std::mt19937 random(4);
+  std::uniform_int_distribution<int> straight(0, 10);
+  std::uniform_int_distribution<int> curved(11, 40);
+  std::uniform_int_distribution<int> weight(1, 1 << 18);
+  for (int i = 0; i < 3000; ++i) {
+    const auto a = static_cast<float>(straight(random));
+    const auto b = static_cast<float>(i % 2 == 0 ? 11 : curved(random));
+    const int of_a = weight(random);
+    const int of_b = weight(random);
+    const Rational total = of_a + of_b;
+    const WeightedNumber numbers[] = {{a, of_a}, {b, of_b}};
+    for (const MipmapRounding rounding : {MipmapRounding::nearest_even, MipmapRounding::down})
+      ASSERT_EQ(mean_of_srgb(numbers, rounding),
+                rounded_srgb({{a, of_a / total}, {b, of_b / total}}, rounding))
+          << a << " " << b << " " << of_a << " " << of_b;
+  }
 }
 
 TEST(Reductions, OfFloatsAreTheRoundedMeans) {

@@ -87,6 +87,12 @@ TEST(Filters, OfOneRowKeepIt) {
   }
 }
 
+TEST(Filters, LeaveOutWhatHasNoWeight) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const TextureLevel column = red_level(1, 2, {kInfinity, 1});
+  EXPECT_EQ(reduced(column, TextureFormat::rgba32f, {}), red_level(1, 1, {kInfinity}));
+}
+
 TEST(Filters, OfEvenSizesAgree) {
   std::mt19937 random(1);
   for (const TextureFormat format :
@@ -137,6 +143,9 @@ TEST(Roundings, ByRowsRoundTwice) {
   // A third is 85/256: 84.67 and 170.33.
   EXPECT_EQ(mean({0, 255, 0, 255}, {2, 1}, {1, 1}), 85);
   EXPECT_EQ(mean({255, 0, 255, 0}, {2, 1}, {1, 1}), 170);
+  // 127/256 and 1/2 of a code.
+  EXPECT_EQ(mean({0, 127, 0, 127}, {255, 1}, {1, 1}), 0);
+  EXPECT_EQ(mean({0, 128, 0, 128}, {255, 1}, {1, 1}), 1);
   // 1/512 and 3/512 are ties, to 0 and to 2/256.
   EXPECT_EQ(mean({0, 255, 0, 255}, {511, 1}, {1, 1}), 0);
   EXPECT_EQ(mean({0, 255, 0, 255}, {509, 3}, {1, 1}), 2);
@@ -172,6 +181,8 @@ TEST(MeanOfFloats, LosesNothingToCancellation) {
   EXPECT_EQ(mean({1e38F, 0x1p-140F, -1e38F, 0}), 0x1p-142F);
   EXPECT_EQ(mean({1e38F, 0x1p-30F, -1e38F, 0x1p-60F}), 0x1p-32F + 0x1p-62F);
   EXPECT_EQ(mean({1, -1, 1, -1}), 0);
+  EXPECT_EQ(mean({1e30F, 1, -1e30F}), 1 / 3.0F);
+  EXPECT_EQ(mean({1, 2, 3, 4, 5, 6, 7, 8, 9}), 5);
   constexpr float kMost = std::numeric_limits<float>::max();
   EXPECT_EQ(mean({kMost, kMost, kMost, kMost}), kMost);
   EXPECT_EQ(mean({kMost, -kMost, kMost, kMost}), kMost / 2);
@@ -208,6 +219,37 @@ TEST(MeanOfSrgb, IsThatOfLinearNumbers) {
     }
 }
 
+TEST(MeanOfSrgb, OfEqualCodesIsThatCodeWhateverTheWeights) {
+  for (int code = 0; code < 256; ++code)
+    for (int weight = 1; weight < 50; weight += 2) {
+      const auto c = static_cast<float>(code);
+      const WeightedNumber numbers[] = {{c, weight}, {c, 7}, {c, 3 * weight}};
+      ASSERT_EQ(mean_of_srgb(numbers, kDown), c);
+    }
+}
+
+TEST(MeanOfSrgb, OfBlackAndWhiteIsRoundedInTheCode) {
+  // Codes 10 and 10.49, and what the straight piece would make 10.5007 of if it went on.
+  const auto mean = [](int white, int black, MipmapRounding rounding) {
+    const WeightedNumber numbers[] = {{255, white}, {0, black}};
+    return mean_of_srgb(numbers, rounding);
+  };
+  EXPECT_EQ(mean(50, 16423, kDown), 10);
+  EXPECT_EQ(mean(1, 313, kEven), 10);
+  EXPECT_EQ(mean(4, 1251, kEven), 10);
+}
+
+TEST(MeanOfSrgb, OfCode10IsExactHoweverItIsMade) {
+  // 16473 parts of white and 5 c of code c: on the border between codes 9 and 10.
+  for (int code = 0; code < 10; ++code) {
+    const WeightedNumber numbers[] = {{static_cast<float>(code), 16423}, {255, 5 * (10 - code)}};
+    EXPECT_EQ(mean_of_srgb(numbers, kDown), 10) << code;
+  }
+  // In long double this sum falls below the border.
+  const WeightedNumber rounded_down[] = {{6, 12067}, {9, 1001}, {255, 15}};
+  EXPECT_EQ(mean_of_srgb(rounded_down, kDown), 10);
+}
+
 TEST(MeanOfSrgb, DecidesTiesOfTheStraightPieceExactly) {
   const auto mean = [](const std::vector<float>& codes, MipmapRounding rounding) {
     return mean_of(codes, rounding, mean_of_srgb);
@@ -242,6 +284,7 @@ TEST(Reduced, DecodesColoursButNotAlpha) {
   const MipmapMethod linear{MipmapFilter::box, kEven, true};
   const MipmapMethod of_codes{MipmapFilter::box, kEven, false};
   EXPECT_EQ(reduced(level, TextureFormat::srgb8, linear).texels, (Reds{188, 188, 188, 128}));
+  EXPECT_EQ(reduced(level, TextureFormat::srgb8, {}), reduced(level, TextureFormat::srgb8, linear));
   EXPECT_EQ(reduced(level, TextureFormat::srgb8, of_codes).texels, (Reds{128, 128, 128, 128}));
   EXPECT_EQ(reduced(level, TextureFormat::rgba8, linear).texels, (Reds{128, 128, 128, 128}));
 }

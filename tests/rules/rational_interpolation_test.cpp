@@ -184,6 +184,24 @@ TEST(RationalInterpolation, TheHorizonHasNoValue) {
   EXPECT_FALSE(derivative_rational(f, {{8, 0}, {8, 0}}, Axis::x, DerivativeMethod::analytic));
 }
 
+// Along an axis 1/w runs by whole numbers, also by one: only where it does not run at all are all
+// methods one.
+TEST(RationalInterpolation, DerivativesAreDifferencesHoweverSlowlyWRuns) {
+  const QuadPixel pixel{{0, 0}, {0, 0}};
+  for (const bool is_x : {true, false})
+    for (const auto& w : {std::array<double, 3>{2, 1, 1}, {1, 2, 1}}) {
+      Interpolant f;
+      f.kind = PrimitiveKind::line;
+      f.positions = {vertex_at(0.5, 0.5), is_x ? vertex_at(2.5, 0.5) : vertex_at(0.5, 2.5),
+                     vertex_at(0, 0)};
+      f.values = {0, 1, 0};
+      f.w = w;
+      const PixelPosition next = is_x ? PixelPosition{1, 0} : PixelPosition{0, 1};
+      EXPECT_EQ(derivative_rational(f, pixel, is_x ? Axis::x : Axis::y, DerivativeMethod::forward),
+                Rational(literal(f, next) - literal(f, PixelPosition{0, 0})));
+    }
+}
+
 TEST(RationalInterpolation, ConstantsNeedNoExtent) {
   Interpolant f;
   f.values = {0.1, 0.1, 0.1};

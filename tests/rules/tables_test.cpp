@@ -3,11 +3,13 @@
 // Tables and defaults that other code relies on, held against what their headers say.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 
 #include "exact/interval.h"
 #include "exact/pixel.h"
 #include "rules/all_rules.h"
+#include "rules/alternative_table.h"
 #include "rules/coverage/diamond_boundary.h"
 #include "rules/coverage/explain.h"
 #include "rules/coverage/line_latitude.h"
@@ -24,6 +26,14 @@ std::pair<int, int> move_of(std::string_view word) {
   if (word == "right") return {-1, 0};
   if (word == "bottom") return {0, 1};
   return {0, -1};
+}
+
+TEST(AlternativeTables, HaveTheirValuesInOrder) {
+  enum class Side { left, right, bottom };
+  const TabledAlternative<Side> table[] = {{Side::right, "right", Openness::mandated, ""},
+                                           {Side::left, "left", Openness::open, ""},
+                                           {Side::bottom, "bottom", Openness::open, ""}};
+  EXPECT_EQ(values_in(table), (std::array{Side::right, Side::left, Side::bottom}));
 }
 
 TEST(TieRules, MoveTheSampleAsTheirNamesSay) {

@@ -40,6 +40,21 @@ std::set<double> reds(const std::vector<Texel>& boxes) {
 
 using Reds = std::set<double>;
 
+// What the reds of the boxes lie between.
+using RedEnds = std::multiset<Ends>;
+
+RedEnds red_ends(const std::vector<Texel>& boxes) {
+  RedEnds result;
+  for (const Texel& box : boxes) result.insert(ends_of(box[0]));
+  return result;
+}
+
+RedEnds linear_of_row(int texels, Interval s, const std::array<Wrap, 2>& wrap, double slack = 0) {
+  TexelLookup lookup{wrap, kHundred};
+  lookup.slack = slack;
+  return red_ends(looked_up(numbered(texels, 1), Filter::linear, {s, 0.5}, lookup));
+}
+
 // Texels 0 to 3 in a row.
 Reds nearest_of_four(Interval s, const std::array<Wrap, 2>& wrap, double slack = 0) {
   TexelLookup lookup{wrap, kHundred};
@@ -122,6 +137,29 @@ TEST(Coordinates, ThatAreHugeRepeatExactly) {
   EXPECT_EQ(nearest_of_four(-1e308, kBorder), Reds{100});
 }
 
+TEST(Coordinates, AtInfinityWithAnEndThatIsNoNumberAreZero) {
+  for (const auto& wrap : {kRepeat, kMirror, kEdge, kBorder}) {
+    EXPECT_EQ(nearest_of_four({kNaN, -kInfinity}, wrap), Reds{0});
+    EXPECT_EQ(nearest_of_four({kInfinity, kNaN}, wrap), Reds{0});
+  }
+}
+
+TEST(Coordinates, FromFourOnAreThoseOfTheImagesAtZero) {
+  for (const auto& wrap : {kRepeat, kMirror})
+    for (const Interval s : {Interval(4.3), Interval(4.9), Interval(-4.3), Interval(4.3, 4.9),
+                             Interval(3.3, 4), Interval(-4.7, -3.1)}) {
+      const double images = 2 * std::floor(s.low / 2);
+      EXPECT_EQ(linear_of_row(3, s, wrap),
+                linear_of_row(3, {s.low - images, s.high - images}, wrap));
+    }
+}
+
+TEST(Coordinates, AreNotRoundedOnTheWayToTheImagesAtZero) {
+  // Up to the centre of a texel, and up to where the next one begins to count.
+  EXPECT_EQ(linear_of_row(4, {-3, -1.125}, kRepeat).size(), 5U);
+  EXPECT_EQ(linear_of_row(4, {-3, -1.125 + 0x1p-52}, kRepeat).size(), 6U);
+}
+
 TEST(Coordinates, OfAnInfiniteIntervalReachAllThatTheModeReaches) {
   const Reds all{0, 1, 2, 3};
   for (const Interval s : {Interval::everything(), Interval(-1e300, 1e300), Interval(kNaN, 0.0),
@@ -175,6 +213,70 @@ TEST(Linear, HasABoxForEveryQuadOfAnInterval) {
   EXPECT_NEAR(boxes[2][0].high, 2.25, 1e-15);
 }
 
+TEST(Linear, HasABoxForEveryQuadThereIs) {
+  const Interval s = Interval::everything();
+  EXPECT_EQ(linear_of_row(4, s, kRepeat), (RedEnds{{0, 1}, {1, 2}, {2, 3}, {0, 3}}));
+  EXPECT_EQ(linear_of_row(4, s, kMirror), (RedEnds{{0, 0}, {0, 1}, {1, 2}, {2, 3}, {3, 3}}));
+}
+
+TEST(Linear, HasABoxForWhatLiesBeyondAnEdge) {
+  // To the left of texel 1's centre, and to the right of texel 2's.
+  const Interval left{-kInfinity, 0.375};
+  const Interval right{0.625, kInfinity};
+  EXPECT_EQ(linear_of_row(4, left, kBorder), (RedEnds{{100, 100}, {0, 100}, {0, 1}}));
+  EXPECT_EQ(linear_of_row(4, right, kBorder), (RedEnds{{2, 3}, {3, 100}, {100, 100}}));
+  EXPECT_EQ(linear_of_row(4, left, kEdge), (RedEnds{{0, 0}, {0, 1}}));
+  EXPECT_EQ(linear_of_row(4, right, kEdge), (RedEnds{{2, 3}, {3, 3}}));
+}
+
+TEST(Linear, HasNoPartialQuadsFromTwoImagesOn) {
+  const RedEnds whole{{0, 1}, {1, 2}, {2, 3}, {0, 3}};
+  EXPECT_EQ(linear_of_row(4, {0.1875, 2.1875}, kRepeat), whole);
+  EXPECT_EQ(linear_of_row(4, {0.1875, 2.5625}, kRepeat), whole);
+  EXPECT_EQ(linear_of_row(4, {0.125, 1.875}, kRepeat, 0.6), whole);
+  // Less than two images with the slack, 1.95: two parts of the quad of texels 3 and 0 as well.
+  EXPECT_EQ(linear_of_row(4, {0.125, 1.875}, kRepeat, 0.4).size(), whole.size() + 2);
+}
+
+// About the middle of an image of odd sides, where texels have their centres: two cells.
+constexpr double kBelowHalf = 0.5 - 0x1p-54;
+constexpr double kAboveHalf = 0.5 + 0x1p-53;
+
+TEST(Linear, IsOnePointWhereOnlyTheEdgeIs) {
+  // From a texel and a half beyond.
+  for (const Interval s : {Interval(-9), Interval(9), Interval(-0.7, -0.6), Interval(1.6, 1.7),
+                           Interval(-kInfinity, -0.5), Interval(1.5, kInfinity)}) {
+    const TexturePoint point{s, {kBelowHalf, kAboveHalf}};
+    EXPECT_EQ(looked_up(numbered(3, 3), Filter::linear, point, {kEdge, kHundred}).size(), 1U);
+    EXPECT_EQ(looked_up(numbered(3, 3), Filter::linear, point, {kBorder, kHundred}).size(), 1U);
+  }
+}
+
+TEST(Linear, IsOneColourWhereLessThan2ToTheMinus20TexelsWide) {
+  const auto about_a_centre = [](double width) {
+    return Interval((1.5 - width / 2) / 4, (1.5 + width / 2) / 4);
+  };
+  EXPECT_EQ(linear_of_row(4, about_a_centre(0x1p-21), kRepeat).size(), 1U);
+  EXPECT_EQ(linear_of_row(4, about_a_centre(0x1p-20), kRepeat).size(), 2U);
+  EXPECT_EQ(linear_of_row(4, about_a_centre(0x1p-19), kRepeat).size(), 2U);
+  const TexelLookup lookup{kRepeat, kHundred};
+  EXPECT_EQ(filter_level(numbered(4, 1), 1, TextureFormat::rgba32f, Filter::linear,
+                         {about_a_centre(0x1p-21), kNaN}, lookup)
+                .size(),
+            1U);
+}
+
+TEST(Linear, EndsWithTheTexelItselfAtItsCentre) {
+  // Where weights are rounded, a weight of 1 still is no rounding.
+  const DecodedLevel level{2, 1, {{1 + 0x1p-28, 0, 0, 0}, {1 + 0x1p-27, 0, 0, 0}}};
+  const auto red = [&](Interval s) {
+    return looked_up(level, Filter::linear, {s, 0.5}, {kRepeat, kHundred}).at(0)[0];
+  };
+  const double before = 0.75 - 0x1p-28;
+  EXPECT_EQ(ends_of(red(0.75)), Ends(1 + 0x1p-27, 1 + 0x1p-27));
+  EXPECT_EQ(ends_of(red({before, 0.75})), Ends(red(before).low, 1 + 0x1p-27));
+}
+
 TEST(Linear, IsOneColourWhereACoordinateIsExactButForRounding) {
   const TexelLookup lookup{kRepeat, kHundred};
   // About the centre of texel (1, 1) of 3x3: four quads meet.
@@ -215,6 +317,33 @@ TEST(Boxes, OfASmallTextureAreItsTexels) {
   EXPECT_EQ(reds(boxes).size(), 4096U);
 }
 
+TEST(Boxes, OfALongTextureAreSharedByFewCells) {
+  // A period of 10,000 cells, three to a box.
+  const TexturePoint anywhere{Interval::everything(), Interval::everything()};
+  for (const DecodedLevel& level : {numbered(5000, 1), numbered(1, 5000)})
+    EXPECT_EQ(looked_up(level, Filter::linear, anywhere, {kMirror, kHundred}).size(), 3334U);
+}
+
+TEST(Boxes, OfMoreThan4096TexelsAreShared) {
+  // 4097 texels, by 2 times 2.
+  const TexturePoint anywhere{Interval::everything(), Interval::everything()};
+  const auto boxes = looked_up(numbered(17, 241), Filter::nearest, anywhere, {kEdge, kHundred});
+  EXPECT_EQ(boxes.size(), 9U * 121U);
+}
+
+TEST(Boxes, ThatDifferInOneEndAreTwo) {
+  const TexturePoint anywhere{Interval::everything(), 0.5};
+  const Texel zeros{0, 0, 0, 0};
+  for (std::size_t k = 0; k < 4; ++k)
+    for (const Interval other : {Interval(0, 1), Interval(-1, 0)}) {
+      Texel texel = zeros;
+      texel[k] = other;
+      const DecodedLevel level{4, 1, {zeros, texel, zeros, texel}};
+      const auto boxes = looked_up(level, Filter::nearest, anywhere, {kEdge, kHundred});
+      EXPECT_EQ(boxes.size(), 2U) << k;
+    }
+}
+
 TEST(Grid, RoundsDownOrToTheNearestStep) {
   const auto on = [](double value, TexelGrid grid) { return on_grid(Interval(value), grid).low; };
   for (const double below : {0.0, -3.0, 1000.25, 77 / 256.0}) {
@@ -229,6 +358,7 @@ TEST(Grid, RoundsDownOrToTheNearestStep) {
   EXPECT_EQ(on(-1e-300, TexelGrid::floor_8), -1 / 256.0);
   EXPECT_EQ(on(-1e-300, TexelGrid::nearest_8), 0);
   EXPECT_EQ(on(1e300, TexelGrid::floor_8), 1e300);
+  EXPECT_EQ(on(0x1p44 - 0x1p-9, TexelGrid::floor_8), 0x1p44 - 0x1p-8);
   EXPECT_EQ(on(-kInfinity, TexelGrid::nearest_8), -kInfinity);
 }
 

@@ -97,6 +97,7 @@ TEST(DecodeBorder, ClampsToTheFormatsRange) {
     EXPECT_EQ(ends_of(texel[2]), Ends(1.0, 1.0));
     EXPECT_EQ(ends_of(texel[3]), Ends(0.0, 0.0));
   }
+  EXPECT_FALSE(std::signbit(decode_border({-0.0F, 0, 0, 0}, TextureFormat::rgba8)[0].low));
   const Texel texel = decode_border(border, TextureFormat::rgba32f);
   EXPECT_EQ(ends_of(texel[0]), Ends(-1.0, -1.0));
   EXPECT_EQ(ends_of(texel[2]), Ends(2.0, 2.0));

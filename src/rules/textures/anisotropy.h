@@ -37,7 +37,7 @@ bool parse_name(std::string_view name, Anisotropy& choice);
 // One lookup: how far along the longer vector from the footprint's centre, -1/2 to 1/2, and its
 // share of the colour.
 struct Probe {
-  double offset = 0;
+  double offset;
   Interval weight;
 };
 

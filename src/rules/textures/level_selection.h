@@ -68,11 +68,11 @@ bool parse_name(std::string_view name, LevelWeight& choice);
 
 // A way to make a colour: one level under a filter, or two of them, the second by its weight.
 struct LevelPick {
-  Filter filter = Filter::nearest;
-  int level = 0;    // index into the texture's levels, base_level included
-  int next = 0;     // the second level; as `level` where there is one
+  Filter filter;
+  int level;        // index into the texture's levels, base_level included
+  int next;         // the second level; as `level` where there is one
   Interval weight;  // of the second, 0 to 1
-  bool magnified = false;
+  bool magnified;
 };
 
 struct LevelRules {

@@ -152,8 +152,6 @@ int levels_of_chain(int width, int height, LevelCount choice) {
 
 TextureLevel reduced(const TextureLevel& level, TextureFormat format, const MipmapMethod& method) {
   TextureLevel result{level_size(level.width, 1), level_size(level.height, 1), {}};
-  result.texels.reserve(4 * static_cast<std::size_t>(result.width) *
-                        static_cast<std::size_t>(result.height));
   for (int j = 0; j < result.height; ++j)
     for (int i = 0; i < result.width; ++i) {
       const Footing footing(level, taps_of(i, level.width, method.filter),
@@ -183,16 +181,17 @@ Rule level_count_rule() {
 }
 
 Rule mipmap_filter_rule() {
-  return {"mipmap.filter",
-          "A generated level is a filtered reduction of the one before",
-          "8.14.4 (manual mipmap generation)",
-          "any filter; a box filter is recommended (ruling 25)",
-          "box",
-          alternatives_in(kFilters),
-          {{25,
-            "Generated mip chains: how many levels there are and how large each is can be wrong, and "
-            "level 0, which is given and stays; nothing else: OpenGL lets the filter be, and with it rounding and whether sRGB texels "
-            "are decoded before they are averaged."}}};
+  return {
+      "mipmap.filter",
+      "A generated level is a filtered reduction of the one before",
+      "8.14.4 (manual mipmap generation)",
+      "any filter; a box filter is recommended (ruling 25)",
+      "box",
+      alternatives_in(kFilters),
+      {{25,
+        "Generated mip chains: how many levels there are and how large each is can be wrong, and "
+        "level 0, which is given and stays; nothing else: OpenGL lets the filter be, and with it "
+        "rounding and whether sRGB texels are decoded before they are averaged."}}};
 }
 
 Rule mipmap_rounding_rule() {

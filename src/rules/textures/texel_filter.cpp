@@ -30,7 +30,7 @@ bool moves_up(double below, double rest, TexelGrid grid) {
   switch (grid) {
     case TexelGrid::none:
     case TexelGrid::floor_8:
-      return false;
+      break;
     case TexelGrid::nearest_8:
       return rest >= 0.5;
     case TexelGrid::linear_even_8:
@@ -63,21 +63,20 @@ struct Axis {
   double slack;
 
   bool is_periodic() const { return wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat; }
-  // In texels: with it every wrap mode begins anew.
-  int period() const { return 2 * size; }
-  // All there is, in texels: from the centre of a texel to that of the one a period further.
-  Interval everywhere() const { return {0.5, period() + 0.5}; }
+  // All there is, in texels: from the centre of a texel to that of the one two images further, from
+  // where on every wrap mode begins anew.
+  Interval everywhere() const { return {0.5, 2 * size + 0.5}; }
 };
 
 // What a coordinate that is no number stands for.
 Interval defined(Interval s) {
-  const bool is_point = s.low == s.high || (std::isnan(s.low) && std::isnan(s.high));
-  if (is_point) return std::isfinite(s.low) ? s : Interval(0);
-  return known(s);
+  if (std::isnan(s.low) && std::isnan(s.high)) return 0;
+  s = known(s);
+  return s.low == s.high && std::isinf(s.low) ? Interval(0) : s;
 }
 
-// By whole periods, each of two images; the range is less wide than that. Where it reaches 4, both
-// its ends are multiples of 2^-51, and so is what is left of them, less than 4: nothing is rounded.
+// By an even number of images; the range is less wide than two. Where it reaches 4, both its ends
+// are multiples of 2^-51, and so is what is left of them, less than 4: nothing is rounded.
 Interval brought_near(Interval s) {
   constexpr double kFar = 4;
   if (s.magnitude() < kFar) return s;
@@ -91,15 +90,13 @@ Interval brought_near(Interval s) {
 Interval in_texels(Interval s, const Axis& axis, bool whole) {
   s = defined(s);
   if (axis.is_periodic()) {
-    if (s.high - s.low >= 2) return axis.everywhere();
+    if (s.high - s.low + 2 * axis.slack / axis.size >= 2) return axis.everywhere();
     s = brought_near(s);
   }
   Interval u{Down::product(s.low, axis.size),
              whole ? Down::product(s.high, axis.size) : Up::product(s.high, axis.size)};
   if (axis.slack > 0) u = u + Interval(-axis.slack, axis.slack);
-  if (axis.is_periodic()) {
-    if (u.high - u.low >= axis.period()) return axis.everywhere();
-  } else {
+  if (!axis.is_periodic()) {
     // A texel and a half beyond an edge there is nothing but the edge or the border.
     const double last = axis.size + 1.5;
     u = {std::clamp(u.low, -1.5, last), std::clamp(u.high, -1.5, last)};
@@ -111,13 +108,18 @@ constexpr int kBorder = -1;
 
 // Two texels of an axis, or twice the same, and the weight of the second.
 struct Cell {
-  int first = 0;
-  int second = 0;
-  double least = 0;
-  double most = 0;
+  int first;
+  int second;
+  double least;
+  double most;
   friend auto operator<=>(const Cell&, const Cell&) = default;
 };
 using Cells = std::vector<Cell>;
+
+// A texel by itself.
+Cell lone_cell(int texel) {
+  return {texel, texel, 0, 0};
+}
 
 int texel_at(std::int64_t texel, const Axis& axis) {
   return wrapped(texel, axis.size, axis.wrap, WrapChoice::as_set).value_or(kBorder);
@@ -126,10 +128,8 @@ int texel_at(std::int64_t texel, const Axis& axis) {
 Cells nearest_cells(Interval u, const Axis& axis) {
   Cells cells;
   const auto last = static_cast<std::int64_t>(std::floor(u.high));
-  for (auto texel = static_cast<std::int64_t>(std::floor(u.low)); texel <= last; ++texel) {
-    const int at = texel_at(texel, axis);
-    cells.push_back({at, at, 0, 0});
-  }
+  for (auto texel = static_cast<std::int64_t>(std::floor(u.low)); texel <= last; ++texel)
+    cells.push_back(lone_cell(texel_at(texel, axis)));
   return cells;
 }
 
@@ -151,7 +151,7 @@ Cells linear_cells(Interval u, const Axis& axis) {
 // The colours of one axis' cells, and whether they are one point's but for rounding.
 struct AxisCells {
   Cells cells;
-  bool is_narrow = true;
+  bool is_narrow;
 };
 
 AxisCells cells_of(Interval s, const Axis& axis, Filter filter) {
@@ -276,8 +276,8 @@ std::vector<Texel> filter_level(const DecodedLevel& level, int dimensions, Textu
     return Axis{size, effective(lookup.wrap[k], lookup.choice), grid, lookup.slack};
   };
   const AxisCells s = cells_of(point.s, axis(0, level.width), filter);
-  const AxisCells t =
-      dimensions == 1 ? AxisCells{{Cell{}}} : cells_of(point.t, axis(1, level.height), filter);
+  const AxisCells t = dimensions == 1 ? AxisCells{{lone_cell(0)}, true}
+                                      : cells_of(point.t, axis(1, level.height), filter);
   const Image image{level, decode_border(lookup.border, format)};
   // Beside a texel's centre a rounded coordinate touches two cells whose colours there are one.
   const bool is_one = filter == Filter::linear && s.is_narrow && t.is_narrow;
@@ -306,9 +306,9 @@ Rule texel_filter_rule() {
         "says. Linear: any weights that such coordinates yield. A filter of a format of 8 bits may "
         "compute in 8 bits: each mean that it takes, along s, along t and between levels, may "
         "round to a code and be off by half of one. Numbers may besides be off by 1 part in 10^5 "
-        "of the texture's largest. Where the renderer tells the level of detail, its colour must fit "
-        "that level. A coordinate that is infinite or not a number may yield any colour, and so "
-        "may levels that the renderer generated and does not tell."}}};
+        "of the texture's largest. Where the renderer tells the level of detail, its colour must "
+        "fit that level. A coordinate that is infinite or not a number may yield any colour, and "
+        "so may levels that the renderer generated and does not tell."}}};
 }
 
 Rule texel_grid_rule() {

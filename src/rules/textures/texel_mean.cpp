@@ -139,27 +139,16 @@ float next_float(float value, bool up) {
   return std::nextafter(value, up ? kInfinity : -kInfinity);
 }
 
-// Between two neighbouring float32 numbers, none of them the quotient itself.
-float rounded_between(const ExactQuotient& quotient, float below, float above,
-                      MipmapRounding rounding) {
+float rounded_float(const ExactQuotient& quotient, MipmapRounding rounding) {
+  // The float32 number nearest to the estimate is the quotient or one of the two beside it.
+  auto below = static_cast<float>(quotient.dividend.estimate() / quotient.divisor);
+  if (quotient.compare(static_cast<double>(below)) < 0) below = next_float(below, false);
   if (rounding == MipmapRounding::down) return below;
+  const float above = next_float(below, true);
   const int side = quotient.compare((static_cast<double>(below) + static_cast<double>(above)) / 2);
   if (side != 0) return side > 0 ? above : below;
   const bool below_is_even = std::bit_cast<std::uint32_t>(below) % 2 == 0;
   return rounding == MipmapRounding::nearest_even && below_is_even ? below : above;
-}
-
-float rounded_float(const ExactQuotient& quotient, MipmapRounding rounding) {
-  auto below = static_cast<float>(quotient.dividend.estimate() / quotient.divisor);
-  while (quotient.compare(static_cast<double>(below)) < 0) below = next_float(below, false);
-  // From here on `below` is finite and less than the largest number unless it is the quotient.
-  for (;;) {
-    if (quotient.compare(static_cast<double>(below)) == 0) return below;
-    const float above = next_float(below, true);
-    if (quotient.compare(static_cast<double>(above)) < 0)
-      return rounded_between(quotient, below, above, rounding);
-    below = above;
-  }
 }
 
 }  // namespace
@@ -179,8 +168,8 @@ float mean_of_rows(const std::array<float, 4>& codes, TwoWeights columns, TwoWei
 
 // Is the mean on a border between two codes? Then it is rational, or all codes are equal: apart
 // from 0 to 10 and 255 the linear numbers are fifth roots, and no two of them or of the borders are
-// rational multiples of one another, so that no sum of them is another one. A rational mean on the
-// straight piece is rounded in integers. All others lie beside a border; how close a mean of four
+// rational multiples of one another, so that no sum of them is another one. Rational means up to
+// code 10 are rounded in integers. All others lie beside a border; how close a mean of four
 // codes of equal weight comes was searched: 2^-36 of itself. Of other weights one that came closer
 // than 2^-60 would be taken for what long double has.
 float mean_of_srgb(WeightedNumbers numbers, MipmapRounding rounding) {
@@ -196,8 +185,8 @@ float mean_of_srgb(WeightedNumbers numbers, MipmapRounding rounding) {
     rational_sum += weight * rational_linear(code);
     sum += static_cast<long double>(weight) * kLinear[static_cast<std::size_t>(code)];
   }
-  // The straight piece ends at 0.04045 of the code, 10.31475/255.
-  if (is_rational && rational_sum * 4000 <= 41259 * 5 * total)
+  // Up to code 10 the mean is on the straight piece, which ends before 10.5.
+  if (is_rational && rational_sum <= 5 * 10 * total)
     return static_cast<float>(rounded_quotient(rational_sum, 5 * total, rounding));
   return static_cast<float>(srgb_code_of(sum / static_cast<long double>(total), rounding));
 }

@@ -15,8 +15,8 @@ namespace edgecase {
 // A number as a texture stores it, and its weight, more than 0. The weights of a mean sum to at
 // most 2^20, so that its sums are exact in 64 bits, and its products of float32 numbers in doubles.
 struct WeightedNumber {
-  float value = 0;
-  std::int64_t weight = 1;
+  float value;
+  std::int64_t weight;
 };
 using WeightedNumbers = std::span<const WeightedNumber>;
 

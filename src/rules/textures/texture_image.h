@@ -16,8 +16,8 @@ namespace edgecase {
 using Texel = std::array<Interval, 4>;
 
 struct DecodedLevel {
-  int width = 1;
-  int height = 1;
+  int width;
+  int height;
   std::vector<Texel> texels;  // row by row from the bottom
 
   const Texel& at(int i, int j) const {
@@ -27,8 +27,8 @@ struct DecodedLevel {
 };
 
 struct DecodedTexture {
-  int dimensions = 2;
-  TextureFormat format = TextureFormat::rgba8;
+  int dimensions;
+  TextureFormat format;
   std::vector<DecodedLevel> levels;  // level 0 first
 };
 
