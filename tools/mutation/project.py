@@ -24,14 +24,10 @@ class Project:
     programs: tuple            # test programs, those that kill most for the least time first
     # Tests that take many seconds and ask what shorter ones ask of fewer scenes.
     left_out: frozenset = field(default_factory=frozenset)
-    # Beginnings of the paths of files whose survivors have not been treated.
-    unmutated: tuple = ()
 
     def mutate(self):
         """(mutants, {file: mutated text})"""
-        files = [path for path in source_files(self.root, self.mutated)
-                 if not path.relative_to(self.root).as_posix().startswith(self.unmutated)]
-        return mutate_files(self.root, files)
+        return mutate_files(self.root, source_files(self.root, self.mutated))
 
     def make(self, texts, jobs):
         """Builds the mutated copy."""
@@ -64,9 +60,7 @@ def edgecase(build):
         ROOT, build, ("src/exact", "src/rules", "src/raster"),
         ("CMakeLists.txt", "src", "tests", "reference", "reports", "tools", "cases"),
         ("exact", "rules", "levels", "texels", "values", "raster", "texture_stage", "oracles"),
-        frozenset({"RandomScenes.AMillionAgree", "InterpolationOracles.AMillionTrianglesAgree"}),
-        ("src/rules/textures/", "src/raster/texture", "src/rules/values/rational_interpolation",
-         "src/exact/rational"))
+        frozenset({"RandomScenes.AMillionAgree", "InterpolationOracles.AMillionTrianglesAgree"}))
 
 
 def processors():
