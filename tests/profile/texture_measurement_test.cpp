@@ -13,30 +13,10 @@
 
 #include "profile/texture_measurement.h"
 #include "raster/rasterizer.h"
+#include "tests/profile/altered_renderer.h"
 
 namespace edgecase {
 namespace {
-
-using Alter = std::function<void(const Task&, Rendering&)>;
-
-// The exact rasterizer under a policy, with something put wrong.
-class AlteredRenderer final : public Renderer {
- public:
-  AlteredRenderer(Policy policy, Alter alter)
-      : policy_(std::move(policy)), alter_(std::move(alter)) {}
-  RendererInfo info() const override { return {"altered", "", "", "altered", 8, {}}; }
-  void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      Rendering rendering = rasterize(*tasks[i].scene, policy_);
-      if (alter_) alter_(tasks[i], rendering);
-      sink(i, std::move(rendering));
-    }
-  }
-
- private:
-  Policy policy_;
-  Alter alter_;
-};
 
 Policy policy_of(const Choices& rules) {
   Policy policy;

@@ -14,6 +14,7 @@
 #include <set>
 
 #include "rules/values/derivative.h"
+#include "tests/rules/catalogue_names.h"
 #include "tests/rules/interpolants.h"
 
 namespace edgecase {
@@ -350,18 +351,6 @@ TEST(Clamp, IsToMinAndMax) {
   EXPECT_EQ(clamped(kInfinity, sampler).high, 3.25);
   EXPECT_EQ(clamped(kNone, sampler).low, -1.5);
   EXPECT_EQ(clamped(kNone, sampler).high, 3.25);
-}
-
-template <class Enum, class Values>
-void expect_names_lead_back(const Values& values, const Rule& rule) {
-  ASSERT_EQ(values.size(), rule.alternatives.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    EXPECT_EQ(rule.alternatives[i].name, name_of(values[i]));
-    Enum parsed{};
-    EXPECT_TRUE(parse_name(name_of(values[i]), parsed));
-    EXPECT_EQ(parsed, values[i]);
-    EXPECT_FALSE(parse_name("?", parsed));
-  }
 }
 
 TEST(LevelOfDetailRules, NamesLeadBack) {

@@ -12,6 +12,7 @@
 #include <set>
 #include <tuple>
 
+#include "tests/rules/catalogue_names.h"
 #include "tests/rules/interpolants.h"
 #include "tests/rules/level_settings.h"
 
@@ -252,18 +253,6 @@ TEST(LastLevel, OfOneLevelIsTheBaseUnlessMoreAreGenerated) {
   texture.generated = true;
   EXPECT_EQ(last_level(sampler, texture), 6);
   EXPECT_EQ(last_level(sampler, Texture{}), 0);
-}
-
-template <class Enum, class Values>
-void expect_names_lead_back(const Values& values, const Rule& rule) {
-  ASSERT_EQ(values.size(), rule.alternatives.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    EXPECT_EQ(rule.alternatives[i].name, name_of(values[i]));
-    Enum parsed{};
-    EXPECT_TRUE(parse_name(name_of(values[i]), parsed));
-    EXPECT_EQ(parsed, values[i]);
-    EXPECT_FALSE(parse_name("?", parsed));
-  }
 }
 
 TEST(LevelSelectionRules, NamesLeadBack) {
