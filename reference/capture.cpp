@@ -49,13 +49,17 @@ bool comes_before(const AnyRecord& a, const AnyRecord& b) {
   return std::memcmp(&a, &b, sizeof(AnyRecord)) < 0;
 }
 
-Fragment to_fragment(const Record& record) {
+Fragment to_fragment(const Record& record, bool multisampled) {
   Fragment fragment;
   fragment.x = record.x;
   fragment.y = record.y;
   fragment.primitive = record.primitive;
-  // Targets are single-sampled: a fragment that exists covers the one sample.
+  // Without multisampling, a fragment that exists covers the one sample.
   fragment.coverage = 1;
+  if (multisampled) {
+    fragment.x = record.x & 0xffff;
+    fragment.coverage = static_cast<std::uint32_t>(record.x) >> 16;
+  }
   fragment.depth = static_cast<double>(record.depth);
   std::copy(std::begin(record.color), std::end(record.color), fragment.color.begin());
   return fragment;
@@ -143,26 +147,32 @@ std::vector<AnyRecord> Capture::read_records(std::uint32_t count) {
 
 template <class AnyRecord>
 void Capture::read_details(std::uint32_t count, Rendering& rendering) {
+  const bool multisampled = rendering.samples > 1;
   rendering.details.reserve(count);
   for (const AnyRecord& record : read_records<AnyRecord>(count)) {
-    rendering.fragments.push_back(to_fragment(record));
+    rendering.fragments.push_back(to_fragment(record, multisampled));
     rendering.fragments.back().detail = static_cast<int>(rendering.details.size());
     rendering.details.push_back(to_detail(record));
   }
 }
 
 void Capture::read(std::uint32_t count, Rendering& rendering) {
+  const bool multisampled = rendering.samples > 1;
   rendering.fragments.reserve(count);
   switch (form_) {
     case Form::plain:
       for (const Record& record : read_records<Record>(count))
-        rendering.fragments.push_back(to_fragment(record));
-      return;
+        rendering.fragments.push_back(to_fragment(record, multisampled));
+      break;
     case Form::detailed:
-      return read_details<DetailedRecord>(count, rendering);
+      read_details<DetailedRecord>(count, rendering);
+      break;
     case Form::textured:
-      return read_details<TexturedRecord>(count, rendering);
+      read_details<TexturedRecord>(count, rendering);
+      break;
   }
+  // Records were sorted with the coverage as a part of x.
+  if (multisampled) sort_fragments(rendering);
 }
 
 }  // namespace edgecase

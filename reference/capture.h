@@ -9,7 +9,8 @@
 // A record holds pixel, primitive, depth and colour, in 32 bytes. A detailed one holds gl_FragCoord
 // and six derivatives of the colour as well, in 144: it is written for scenes that ask for details.
 // A textured one, of 160 bytes, adds texture coordinates and the level of detail; its derivatives
-// are those of the attribute before anything is looked up.
+// are those of the attribute before anything is looked up. Of a multisampled target, the pixel's
+// column has the samples that the fragment covers, gl_SampleMaskIn, in its upper 16 bits.
 #pragma once
 
 #include <cstddef>
@@ -39,8 +40,8 @@ class Capture {
   std::uint32_t count();
   // Makes room for `count` fragments, of at most limit(). What was captured is lost.
   void grow(std::uint32_t count);
-  // The captured fragments, sorted; all `count` of them must have had room. Of a detailed capture,
-  // every fragment has all details of its record.
+  // The captured fragments, sorted, of a rendering that knows its number of samples; all `count` of
+  // them must have had room. Of a detailed capture, every fragment has all details of its record.
   void read(std::uint32_t count, Rendering& rendering);
 
  private:

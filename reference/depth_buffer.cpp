@@ -24,11 +24,6 @@ int bits_of(DepthFormat format) {
   return 0;
 }
 
-// The integer that stands for 1 in an unsigned format.
-double largest_of(DepthFormat format) {
-  return std::ldexp(1.0, bits_of(format)) - 1;
-}
-
 std::string doubt_of_claims(const GladGLContext& gl, GLenum attachment, DepthFormat format) {
   const auto ask = [&](GLenum name) {
     GLint value = 0;
@@ -47,7 +42,7 @@ std::string doubt_of_claims(const GladGLContext& gl, GLenum attachment, DepthFor
 // Between the integers 1 and 2, where float32 numbers lie closely.
 std::string doubt_of_contents(const GladGLContext& gl, DepthFormat format) {
   const bool is_float = format == DepthFormat::depth32f;
-  const double largest = is_float ? 65535 : largest_of(format);
+  const double largest = is_float ? 65535 : largest_depth(format);
   const auto cleared = static_cast<float>(1.375 / largest);
   gl.Disable(GL_SCISSOR_TEST);
   gl.DepthMask(GL_TRUE);
@@ -76,6 +71,15 @@ GLenum storage_of(DepthFormat format) {
   return 0;
 }
 
+double largest_depth(DepthFormat format) {
+  return std::ldexp(1.0, bits_of(format)) - 1;
+}
+
+std::string another_framebuffer(DepthFormat format, const std::string& doubt) {
+  return fmt::format("asked for {}, this driver makes another framebuffer: {}", name_of(format),
+                     doubt);
+}
+
 std::string doubt_of_depth_buffer(const GladGLContext& gl, GLenum attachment, DepthFormat format) {
   std::string doubt = doubt_of_claims(gl, attachment, format);
   return doubt.empty() ? doubt_of_contents(gl, format) : doubt;
@@ -92,7 +96,7 @@ std::vector<double> read_depths(const GladGLContext& gl, DepthFormat format, int
   // Fewer bits are expanded to 32, by repeating them or by a multiplication. Either way the stored
   // integer is the nearest one.
   constexpr double kLargest32 = 4294967295.0;
-  const double largest = largest_of(format);
+  const double largest = largest_depth(format);
   std::vector<GLuint> expanded(area);
   gl.ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, expanded.data());
   std::vector<double> depths(area);

@@ -18,9 +18,15 @@ namespace edgecase {
 // The sized format of a renderbuffer; 0 for none.
 GLenum storage_of(DepthFormat format);
 
+// The integer that stands for depth 1 in an unsigned format.
+double largest_depth(DepthFormat format);
+
 // Why the bound framebuffer's depth buffer is not one of this format, as a sentence; empty: it is.
 // `attachment` is GL_DEPTH_ATTACHMENT, or GL_DEPTH for the window. Clears the buffer.
 std::string doubt_of_depth_buffer(const GladGLContext& gl, GLenum attachment, DepthFormat format);
+
+// The sentence that tells such a doubt of a framebuffer object.
+std::string another_framebuffer(DepthFormat format, const std::string& doubt);
 
 // The bound framebuffer's depths, 0 to 1, row by row from the bottom: of an unsigned format the
 // integer that is stored, over 2^bits - 1.

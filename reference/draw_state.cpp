@@ -78,6 +78,17 @@ void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw) {
                                                                      : GL_LAST_VERTEX_CONVENTION);
 }
 
+void set_multisampling(const GladGLContext& gl, const Multisampling& multisampling, int samples) {
+  const std::uint32_t all = (std::uint32_t{1} << samples) - 1;
+  const auto enable = [&](GLenum name, bool on) { on ? gl.Enable(name) : gl.Disable(name); };
+  enable(GL_MULTISAMPLE, multisampling.enabled);
+  enable(GL_SAMPLE_ALPHA_TO_COVERAGE, multisampling.alpha_to_coverage);
+  enable(GL_SAMPLE_MASK, (multisampling.mask & all) != all);
+  gl.SampleMaski(0, multisampling.mask);
+  enable(GL_SAMPLE_SHADING, multisampling.min_sample_shading.has_value());
+  gl.MinSampleShading(multisampling.min_sample_shading.value_or(0));
+}
+
 void clear(const GladGLContext& gl, GLuint framebuffer, const Color& color, bool has_depth) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl.Disable(GL_SCISSOR_TEST);

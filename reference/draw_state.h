@@ -14,6 +14,11 @@ GLenum mode_of(Primitive primitive);
 // The whole state of a draw, but for blending and uniforms, which belong to the pass.
 void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw);
 
+// How a draw to a target of this many samples uses them. Set after set_state, and set back to the
+// default, which is what a context begins with, before anything else is drawn: drivers without
+// multisampled targets do not have all of this state, and need not.
+void set_multisampling(const GladGLContext& gl, const Multisampling& multisampling, int samples);
+
 // Clears a framebuffer, by its name, and leaves it bound; its depth buffer, where it has one, to 1.
 void clear(const GladGLContext& gl, GLuint framebuffer, const Color& color, bool has_depth);
 

@@ -10,10 +10,27 @@ namespace edgecase {
 
 namespace {
 
+std::string sample_limit(const Scene& scene, const DriverLimits& limits) {
+  const Target& target = scene.target;
+  // In the window's stead, another surface's rules would be followed.
+  if (!scene.supersampling.empty() && target.surface == Surface::window)
+    return "passes cannot be accumulated in a window: its colours have 8 bits";
+  if (target.samples == 1) return "";
+  if (target.surface == Surface::window) return "a window's samples cannot be chosen";
+  if (limits.sample_counts.empty()) return "this driver has no multisampled targets";
+  const auto& counts = limits.sample_counts;
+  if (std::find(counts.begin(), counts.end(), target.samples) == counts.end())
+    return fmt::format("asked for {} samples, this driver makes {}", target.samples,
+                       fmt::join(counts, ", "));
+  if (!target.sample_positions.empty() && !limits.places_samples)
+    return "samples cannot be placed on this driver: it lacks GL_ARB_sample_locations";
+  if (!scene.textures.empty()) return "textures are not drawn to multisampled targets";
+  return "";
+}
+
 std::string target_limit(const Scene& scene, const DriverLimits& limits) {
   const Target& target = scene.target;
-  if (target.samples != 1)
-    return fmt::format("targets with {} samples are not drawn here", target.samples);
+  if (std::string problem = sample_limit(scene, limits); !problem.empty()) return problem;
   if (target.width > limits.size || target.height > limits.size)
     return fmt::format("a {}x{} target exceeds this driver's {}", target.width, target.height,
                        limits.size);
@@ -23,24 +40,31 @@ std::string target_limit(const Scene& scene, const DriverLimits& limits) {
   return "";
 }
 
-std::string size_limit(const Draw& draw, const DriverLimits& limits) {
+std::string size_limit(const Draw& draw, const Target& target, const DriverLimits& limits) {
   const PrimitiveKind kind = kind_of(draw.primitive);
   const double size = draw.point_size.to_double();
   if (kind == PrimitiveKind::point && (size < static_cast<double>(limits.point_sizes[0]) ||
                                        size > static_cast<double>(limits.point_sizes[1])))
     return fmt::format("points of size {} are not drawn by this driver: it has {}", size,
                        text_of_range(limits.point_sizes));
-  // A width is rounded to a whole number, at least 1 (GL 4.6 core, 14.5.2.1).
+  if (kind != PrimitiveKind::line) return "";
   const double width = draw.line_width.to_double();
-  if (kind == PrimitiveKind::line &&
-      std::floor(width + 0.5) > std::max(1.0, static_cast<double>(limits.line_widths[1])))
+  if (is_multisampled(draw, target)) {
+    // Not rounded, and in the range of antialiased lines (GL 4.6 core, 14.5.4).
+    const auto& range = limits.sampled_line_widths;
+    if (width >= static_cast<double>(range[0]) && width <= static_cast<double>(range[1])) return "";
+    return fmt::format("multisampled lines of width {} are not drawn by this driver: it has {}",
+                       width, text_of_range(range));
+  }
+  // A width is rounded to a whole number, at least 1 (GL 4.6 core, 14.5.2.1).
+  if (std::floor(width + 0.5) > std::max(1.0, static_cast<double>(limits.line_widths[1])))
     return fmt::format("lines of width {} are not drawn by this driver: it has {}", width,
                        text_of_range(limits.line_widths));
   return "";
 }
 
-std::string draw_limit(const Draw& draw, const DriverLimits& limits) {
-  if (std::string problem = size_limit(draw, limits); !problem.empty()) return problem;
+std::string draw_limit(const Draw& draw, const Target& target, const DriverLimits& limits) {
+  if (std::string problem = size_limit(draw, target, limits); !problem.empty()) return problem;
   const float anisotropy = draw.texture ? draw.texture->sampler.max_anisotropy : 1;
   if (anisotropy > limits.anisotropy)
     return limits.anisotropy > 1 ? fmt::format("an anisotropy of {:g} exceeds this driver's {:g}",
@@ -61,19 +85,22 @@ DriverLimits stated_limits(const GladGLContext& gl) {
   gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, limits.viewport.data());
   gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limits.size);
   gl.GetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, limits.line_widths.data());
+  gl.GetFloatv(GL_SMOOTH_LINE_WIDTH_RANGE, limits.sampled_line_widths.data());
   gl.GetFloatv(GL_POINT_SIZE_RANGE, limits.point_sizes.data());
   // Wide lines are deprecated, and an error in contexts that promise to do without.
   GLint flags = 0;
   gl.GetIntegerv(GL_CONTEXT_FLAGS, &flags);
   if ((flags & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) != 0)
-    limits.line_widths[1] = std::min(limits.line_widths[1], 1.0f);
+    for (auto* range : {&limits.line_widths, &limits.sampled_line_widths})
+      (*range)[1] = std::min((*range)[1], 1.0f);
   return limits;
 }
 
 std::string limit_exceeded_by(const Scene& scene, const DriverLimits& limits) {
   if (std::string problem = target_limit(scene, limits); !problem.empty()) return problem;
   for (const Draw& draw : scene.draws)
-    if (std::string problem = draw_limit(draw, limits); !problem.empty()) return problem;
+    if (std::string problem = draw_limit(draw, scene.target, limits); !problem.empty())
+      return problem;
   return "";
 }
 

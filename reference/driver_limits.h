@@ -8,21 +8,25 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "model/scene.h"
 
 namespace edgecase {
 
 struct DriverLimits {
-  int size = 0;                               // of a target, pixels along either side
-  std::array<GLint, 2> viewport{0, 0};        // width and height, pixels
-  std::array<float, 2> line_widths{1, 1};     // smallest and largest, pixels
-  std::array<float, 2> point_sizes{1, 1};     // likewise
-  float anisotropy = 1;                       // 1: there is no anisotropic filtering
-  std::array<bool, 2> provoking{true, true};  // by ProvokingVertex: setting it has its effect
+  int size = 0;                                    // of a target, pixels along either side
+  std::array<GLint, 2> viewport{0, 0};             // width and height, pixels
+  std::array<float, 2> line_widths{1, 1};          // smallest and largest, pixels
+  std::array<float, 2> sampled_line_widths{1, 1};  // the same of multisampled lines
+  std::array<float, 2> point_sizes{1, 1};          // likewise
+  float anisotropy = 1;                            // 1: there is no anisotropic filtering
+  std::array<bool, 2> provoking{true, true};       // by ProvokingVertex: setting it has its effect
+  std::vector<int> sample_counts;                  // of multisampled targets; empty: there are none
+  bool places_samples = false;                     // where a case asks for them
 };
 
-// What the context says of itself; the last two members are left as they are.
+// What the context says of itself; what is found by trying is left as it is.
 DriverLimits stated_limits(const GladGLContext& gl);
 
 // What a driver with these limits cannot draw, as a sentence; empty: it can draw all.

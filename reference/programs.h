@@ -6,6 +6,10 @@
 // draw's lookup, made when it first comes. Each has one lookup: llvmpipe compiles a shader anew
 // for each state of a sampler, and one that has every kind of lookup takes three times as long.
 //
+// A multisampled scene has programs by where each draw's attributes are evaluated, made when it
+// first comes: the qualifiers centroid and sample are part of a shader's text, and reading
+// gl_SampleMaskIn would burden all other scenes.
+//
 // All share one vertex shader, so that every pass rasterizes the same primitives. What differs from
 // draw to draw is a uniform or a vertex attribute. The primitive's number travels as a flat
 // attribute, reference/vertex_data.h: gl_PrimitiveID makes a shader draw nothing on one driver and
@@ -20,6 +24,7 @@
 #include <string>
 #include <variant>
 
+#include "model/sampling.h"
 #include "model/texture.h"
 #include "reference/gl_objects.h"
 
@@ -46,7 +51,7 @@ constexpr GLuint kCaptureBinding = 0;
 
 struct Programs {
   GlProgram color;    // writes the fragment's colour
-  GlProgram count;    // writes the step to the red channel
+  GlProgram count;    // writes the step to the red channel; of multisampled scenes, alpha as well
   GlProgram capture;  // writes the colour, and appends a record: see reference/capture.h
   GlProgram details;  // the same with a detailed record
   // Are dFdxFine, dFdyFine, dFdxCoarse and dFdyCoarse in that record? Without GLSL 4.50 and
@@ -71,6 +76,11 @@ struct ProgramError {
 // current.
 std::variant<Programs, ProgramError> make_programs(const GladGLContext& gl);
 
+// Compiles the four of multisampled scenes. Their records tell which samples a fragment covers, and
+// their count program writes the alpha of the colour, on which alpha to coverage depends.
+std::variant<Programs, ProgramError> make_sampled_programs(const GladGLContext& gl,
+                                                           AttributeLocation location);
+
 // Has the driver's GLSL textureQueryLod? By trying.
 bool can_query_level_of_detail(const GladGLContext& gl);
 
@@ -79,5 +89,10 @@ bool can_query_level_of_detail(const GladGLContext& gl);
 // implicit lookup; else, and of other lookups, it holds zeros.
 std::variant<Programs, ProgramError> make_texture_programs(const GladGLContext& gl, LookupForm form,
                                                            bool query);
+
+// Compiles one program of any two shaders, given without a version: they are of GLSL 4.30.
+std::variant<GlProgram, ProgramError> make_program(const GladGLContext& gl,
+                                                   const std::string& vertex,
+                                                   const std::string& fragment);
 
 }  // namespace edgecase

@@ -9,6 +9,7 @@
 
 #include "reference/depth_buffer.h"
 #include "reference/draw_state.h"
+#include "reference/multisample_doubt.h"
 #include "reference/provoking_probe.h"
 #include "reference/vertex_data.h"
 
@@ -29,11 +30,6 @@ GLint to_uniform(Interpolation interpolation) {
   return kFlatColor;
 }
 
-LookupForm form_of(const Scene& scene, const Draw& draw) {
-  if (!draw.texture) return {};
-  return {scene.textures[draw.texture->texture]->dimensions, draw.texture->lookup.kind};
-}
-
 bool is_textured(const Scene& scene) {
   return std::any_of(scene.draws.begin(), scene.draws.end(),
                      [](const Draw& draw) { return draw.texture.has_value(); });
@@ -43,15 +39,25 @@ std::size_t area_of(const Rendering& rendering) {
   return static_cast<std::size_t>(rendering.width) * static_cast<std::size_t>(rendering.height);
 }
 
+bool is_multisampled(const Scene& scene) {
+  return scene.target.samples > 1;
+}
+
+// "2 4 8"
+std::string words_of(const std::vector<int>& numbers) {
+  return numbers.empty() ? "none" : fmt::format("{}", fmt::join(numbers, " "));
+}
+
 }  // namespace
 
 SceneRenderer::Objects::Objects(const GladGLContext& gl, GlContext& context, Programs made)
-    : programs(std::move(made)),
+    : programs(gl, std::move(made)),
       capture(gl, Capture::Form::plain),
       detailed_capture(gl, Capture::Form::detailed),
       textured_capture(gl, Capture::Form::textured),
       targets(gl, context),
       textures(gl),
+      accumulator(gl),
       vertices(make_buffer(gl)),
       vertex_array(make_vertex_array(gl)) {
   gl.BindVertexArray(vertex_array.name());
@@ -144,30 +150,21 @@ void SceneRenderer::describe(const GlContext& context) {
 void SceneRenderer::describe_objects() {
   queries_level_of_detail_ = can_query_level_of_detail(gl_);
   info_.traits["capture"] = "ssbo";
-  info_.traits["derivatives"] = objects_->programs.fine_and_coarse ? "plain fine coarse" : "plain";
+  info_.traits["derivatives"] =
+      objects_->programs.plain().fine_and_coarse ? "plain fine coarse" : "plain";
   info_.traits["level_of_detail"] = queries_level_of_detail_ ? "query" : "none";
+  limits_.sample_counts = find_sample_counts(gl_);
+  limits_.places_samples = can_place_samples(gl_);
+  info_.traits["samples"] = words_of(limits_.sample_counts);
   limits_.anisotropy = objects_->textures.max_anisotropy();
   info_.traits["max_anisotropy"] = fmt::format("{:g}", limits_.anisotropy);
 }
 
 void SceneRenderer::upload(const Scene& scene) {
   const std::vector<GpuVertex> vertices = gpu_vertices(scene);
-  gl_.BindVertexArray(objects_->vertex_array.name());
   gl_.BindBuffer(GL_ARRAY_BUFFER, objects_->vertices.name());
   gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(GpuVertex)),
                  vertices.data(), GL_STREAM_DRAW);
-}
-
-std::string SceneRenderer::make_texture_programs(const Scene& scene) {
-  for (const Draw& draw : scene.draws) {
-    const LookupForm form = form_of(scene, draw);
-    auto& programs = objects_->texture_programs;
-    if (programs.count(form) > 0) continue;
-    auto made = edgecase::make_texture_programs(gl_, form, queries_level_of_detail_);
-    if (const auto* error = std::get_if<ProgramError>(&made)) return error->message;
-    programs.emplace(form, std::move(std::get<Programs>(made)));
-  }
-  return "";
 }
 
 void SceneRenderer::set_lookup(const Scene& scene, const Draw& draw) {
@@ -181,27 +178,32 @@ void SceneRenderer::set_lookup(const Scene& scene, const Draw& draw) {
 }
 
 void SceneRenderer::draw_all(const Scene& scene, const Pass& pass) {
+  const bool counts = pass.program == &Programs::count;
+  gl_.BindVertexArray(objects_->vertex_array.name());
   GLint first = 0;
   for (const Draw& draw : scene.draws) {
-    const Programs& programs =
-        pass.looks_up ? objects_->texture_programs.at(form_of(scene, draw)) : objects_->programs;
+    const Programs& programs = objects_->programs.find(scene, draw, pass.looks_up);
     gl_.UseProgram((programs.*pass.program).name());
     set_state(gl_, scene, draw);
-    if (pass.program == &Programs::count) {
+    if (is_multisampled(scene)) set_multisampling(gl_, draw.multisampling, scene.target.samples);
+    if (counts) {
       gl_.Enable(GL_BLEND);
       gl_.BlendEquation(GL_FUNC_ADD);
       gl_.BlendFunc(GL_ONE, GL_ONE);
       gl_.Uniform1f(kStepUniform, pass.step);
     } else {
       gl_.Disable(GL_BLEND);
-      gl_.Uniform1i(kInterpolationUniform, to_uniform(draw.interpolation));
     }
+    // Hits depend on colours where alpha says which samples are covered.
+    if (!counts || is_multisampled(scene))
+      gl_.Uniform1i(kInterpolationUniform, to_uniform(draw.interpolation));
     if (pass.capture != nullptr) gl_.Uniform1ui(kCapacityUniform, pass.capture->capacity());
     if (pass.looks_up) set_lookup(scene, draw);
     const auto count = static_cast<GLsizei>(draw.vertices.size());
     gl_.DrawArrays(mode_of(draw.primitive), first, count);
     first += count;
   }
+  if (is_multisampled(scene)) set_multisampling(gl_, {}, scene.target.samples);
 }
 
 void SceneRenderer::clear_for(const Scene& scene, GLuint framebuffer, const Color& color) {
@@ -212,6 +214,7 @@ void SceneRenderer::draw_pixels(const Scene& scene, const Surfaces& surfaces,
                                 Rendering& rendering) {
   clear_for(scene, surfaces.color, scene.target.clear);
   draw_all(scene, {&Programs::color, is_textured(scene)});
+  if (surfaces.multisampled != nullptr) return read_samples(*surfaces.multisampled, rendering);
   rendering.pixels.resize(4 * area_of(rendering));
   gl_.ReadPixels(0, 0, rendering.width, rendering.height, GL_RGBA, GL_UNSIGNED_BYTE,
                  rendering.pixels.data());
@@ -219,11 +222,26 @@ void SceneRenderer::draw_pixels(const Scene& scene, const Surfaces& surfaces,
     rendering.depths = read_depths(gl_, scene.target.depth, rendering.width, rendering.height);
 }
 
+void SceneRenderer::read_samples(const MultisampleTarget& target, Rendering& rendering) {
+  const SampleReader& reader = objects_->targets.samples();
+  rendering.pixels = reader.resolved(target);
+  rendering.sample_pixels = reader.colors(target);
+  if (target.depth != DepthFormat::none)
+    rendering.depths = reader.depths(target).value_or(std::vector<double>());
+}
+
+std::vector<float> SceneRenderer::read_sums(const Surfaces& surfaces, const Rendering& rendering) {
+  if (surfaces.multisampled != nullptr)
+    return objects_->targets.samples().counts(*surfaces.multisampled);
+  std::vector<float> sums(area_of(rendering));
+  gl_.ReadPixels(0, 0, rendering.width, rendering.height, GL_RED, GL_FLOAT, sums.data());
+  return sums;
+}
+
 void SceneRenderer::count_hits(const Scene& scene, const Surfaces& surfaces, Rendering& rendering) {
   clear_for(scene, surfaces.count, {0, 0, 0, 0});
   draw_all(scene, {&Programs::count, false, nullptr, surfaces.step});
-  std::vector<float> sums(area_of(rendering));
-  gl_.ReadPixels(0, 0, rendering.width, rendering.height, GL_RED, GL_FLOAT, sums.data());
+  const std::vector<float> sums = read_sums(surfaces, rendering);
   rendering.hits.resize(sums.size());
   std::transform(sums.begin(), sums.end(), rendering.hits.begin(), [&](float sum) {
     return static_cast<std::uint32_t>(std::lround(sum / surfaces.step));
@@ -267,7 +285,7 @@ void SceneRenderer::drop_details(const Scene& scene, Rendering& rendering) const
     for (std::size_t i = 0; i < kDerivatives; ++i) {
       const bool is_plain = i <= static_cast<std::size_t>(Derivative::y);
       detail.has_derivative[i] =
-          asked.derivatives && (is_plain || objects_->programs.fine_and_coarse);
+          asked.derivatives && (is_plain || objects_->programs.plain().fine_and_coarse);
     }
     if (fragment.primitive == kNoPrimitive) continue;  // a doubt, see below
     const auto& texture = primitives[static_cast<std::size_t>(fragment.primitive)].state->texture;
@@ -283,7 +301,8 @@ void SceneRenderer::tell_mip_chains(const Scene& scene, Rendering& rendering) {
       rendering.mip_chains[i] = objects_->textures.generated_chain(scene.textures[i]);
 }
 
-std::string SceneRenderer::doubt_of(const Rendering& rendering, const Surfaces& surfaces) const {
+std::string SceneRenderer::doubt_of(const Scene& scene, const Rendering& rendering,
+                                    const Surfaces& surfaces) const {
   std::vector<std::uint32_t> counts(area_of(rendering));
   for (const Fragment& fragment : rendering.fragments) {
     if (fragment.primitive == kNoPrimitive)
@@ -295,13 +314,48 @@ std::string SceneRenderer::doubt_of(const Rendering& rendering, const Surfaces& 
       return fmt::format("pixel ({}, {}) has more hits than the {} that this surface can count",
                          fragment.x, fragment.y, surfaces.most_hits);
   }
-  return "";
+  if (!is_multisampled(scene)) return "";
+  // With pixels come depths, or there were none to be told.
+  if (scene.target.depth != DepthFormat::none &&
+      rendering.depths.size() * 4 != rendering.sample_pixels.size())
+    return fmt::format("a sample's depth is none that {} holds", name_of(scene.target.depth));
+  return doubt_of_samples(scene, rendering);
+}
+
+Outcome SceneRenderer::render_passes(const Scene& scene) {
+  Accumulator& sum = objects_->accumulator;
+  if (std::string problem = sum.begin(scene.target); !problem.empty())
+    return Failure{FailureKind::unsupported, std::move(problem)};
+  Rendering rendering;
+  rendering.width = scene.target.width;
+  rendering.height = scene.target.height;
+  for (std::size_t k = 0; k < scene.supersampling.size(); ++k) {
+    const Scene pass = pass_of(scene, k);
+    Outcome outcome = render(pass);
+    if (auto* failure = std::get_if<Failure>(&outcome)) return std::move(*failure);
+    rendering.passes.push_back(std::get<Rendering>(std::move(outcome)));
+    clear_for(pass, sum.pass(), pass.target.clear);
+    draw_all(pass, {&Programs::color, is_textured(pass)});
+    sum.add(scene.supersampling[k].weight);
+  }
+  sum.read(rendering);
+  if (auto failure = take_failure()) return std::move(*failure);
+  return rendering;
+}
+
+std::optional<Failure> SceneRenderer::take_failure() const {
+  const GLenum error = take_error(gl_);
+  if (error == GL_NO_ERROR) return std::nullopt;
+  return Failure{error == GL_CONTEXT_LOST ? FailureKind::crashed : FailureKind::unsupported,
+                 fmt::format("drawing raised {}", name_of_error(error))};
 }
 
 Outcome SceneRenderer::render(const Scene& scene, bool coverage_only) {
   std::string problem = problem_.empty() ? limit_exceeded_by(scene, limits_) : problem_;
-  if (problem.empty() && is_textured(scene) && !coverage_only)
-    problem = make_texture_programs(scene);
+  if (problem.empty() && !scene.supersampling.empty()) return render_passes(scene);
+  const bool looks_up = is_textured(scene) && !coverage_only;
+  if (problem.empty())
+    problem = objects_->programs.prepare(scene, looks_up, queries_level_of_detail_);
   if (!problem.empty()) return Failure{FailureKind::unsupported, problem};
   const auto found = objects_->targets.find(scene.target);
   if (const auto* reason = std::get_if<std::string>(&found)) {
@@ -312,17 +366,18 @@ Outcome SceneRenderer::render(const Scene& scene, bool coverage_only) {
   Rendering rendering;
   rendering.width = scene.target.width;
   rendering.height = scene.target.height;
+  rendering.samples = scene.target.samples;
+  if (surfaces.multisampled != nullptr)
+    rendering.sample_positions = surfaces.multisampled->positions;
   upload(scene);
   if (!coverage_only) draw_pixels(scene, surfaces, rendering);
   count_hits(scene, surfaces, rendering);
   const auto overflow = capture_fragments(scene, surfaces, coverage_only, rendering);
   drop_details(scene, rendering);
   if (!coverage_only) tell_mip_chains(scene, rendering);
-  if (const GLenum error = take_error(gl_); error != GL_NO_ERROR)
-    return Failure{error == GL_CONTEXT_LOST ? FailureKind::crashed : FailureKind::unsupported,
-                   fmt::format("drawing raised {}", name_of_error(error))};
+  if (auto failure = take_failure()) return std::move(*failure);
   if (overflow) return Failure{FailureKind::unsupported, *overflow};
-  if (std::string doubt = doubt_of(rendering, surfaces); !doubt.empty())
+  if (std::string doubt = doubt_of(scene, rendering, surfaces); !doubt.empty())
     return Failure{FailureKind::unsupported, std::move(doubt)};
   return rendering;
 }

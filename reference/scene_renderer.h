@@ -10,22 +10,28 @@
 // read after the first. A scene with a textured draw is drawn by programs that look up, but for its
 // hit counts and for coverage alone, where colours do not matter.
 //
+// A multisampled target is drawn to by programs and with state of its own, which is put back after
+// each pass, so that scenes without samples are drawn as if there were none. Its samples are
+// fetched one by one, reference/sample_reader.h.
+//
+// A supersampled scene is drawn pass by pass, each as a scene of its own, and once more to be added
+// to the others (reference/accumulator.h).
+//
 // It does not transform, clip or judge anything: scenes carry clip coordinates, or window ones of
 // which the loader has made sure that their clip coordinates are exact in float32.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 
 #include "model/renderer.h"
+#include "reference/accumulator.h"
 #include "reference/capture.h"
 #include "reference/driver_limits.h"
 #include "reference/gl_context.h"
 #include "reference/gl_objects.h"
-#include "reference/programs.h"
+#include "reference/program_cache.h"
 #include "reference/targets.h"
 #include "reference/textures.h"
 
@@ -43,20 +49,20 @@ class SceneRenderer {
   // A Rendering with hit counts, or a Failure: `unsupported` with the reason, or `crashed` when the
   // context is lost and the process must start again. With `coverage_only` the pass for pixels is
   // left out, and the rendering has none, nor depths, details and mip chains; fragments are
-  // captured, and hits counted, as ever.
+  // captured, and hits counted, as ever. Supersampled scenes are always drawn in whole.
   Outcome render(const Scene& scene, bool coverage_only = false);
 
  private:
   // GL objects, in the order in which they may be made. Only there where `problem_` is empty.
   struct Objects {
     Objects(const GladGLContext& gl, GlContext& context, Programs made);
-    Programs programs;
-    std::map<LookupForm, Programs> texture_programs;  // made for the first scene that needs them
+    ProgramCache programs;
     Capture capture;
     Capture detailed_capture;
     Capture textured_capture;
     Targets targets;
     Textures textures;
+    Accumulator accumulator;
     GlBuffer vertices;
     GlVertexArray vertex_array;
   };
@@ -69,17 +75,24 @@ class SceneRenderer {
     float step = 1;              // of the one that counts hits
   };
 
+  // Each pass as a scene of its own, and once more into the accumulator.
+  Outcome render_passes(const Scene& scene);
+  // What the GL complains of, if anything; it is then forgotten.
+  std::optional<Failure> take_failure() const;
   void describe(const GlContext& context);
   void describe_objects();
   // Draws to find out which conventions for provoking vertices have an effect.
   void probe_provoking_vertices();
-  // Why there are no programs for textures, as a sentence; empty: there are.
-  std::string make_texture_programs(const Scene& scene);
   void upload(const Scene& scene);
   void set_lookup(const Scene& scene, const Draw& draw);
   void draw_all(const Scene& scene, const Pass& pass);
   void clear_for(const Scene& scene, GLuint framebuffer, const Color& color);
   void draw_pixels(const Scene& scene, const Surfaces& surfaces, Rendering& rendering);
+  // Of a multisampled target: resolved, by sample, and its depths, which stay empty where they are
+  // not those of their format.
+  void read_samples(const MultisampleTarget& target, Rendering& rendering);
+  // What the count's red channel holds.
+  std::vector<float> read_sums(const Surfaces& surfaces, const Rendering& rendering);
   void count_hits(const Scene& scene, const Surfaces& surfaces, Rendering& rendering);
   std::optional<std::string> capture_fragments(const Scene& scene, const Surfaces& surfaces,
                                                bool coverage_only, Rendering& rendering);
@@ -89,7 +102,8 @@ class SceneRenderer {
   void tell_mip_chains(const Scene& scene, Rendering& rendering);
 
   // Why a rendering is not to be relied upon, as a sentence; empty: nothing speaks against it.
-  std::string doubt_of(const Rendering& rendering, const Surfaces& surfaces) const;
+  std::string doubt_of(const Scene& scene, const Rendering& rendering,
+                       const Surfaces& surfaces) const;
 
   GladGLContext gl_{};
   RendererInfo info_;

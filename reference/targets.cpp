@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "reference/depth_buffer.h"
@@ -13,6 +14,9 @@ namespace {
 
 // Sizes kept at a time; a suite uses a handful.
 constexpr std::size_t kMostSizes = 16;
+
+// R32F counts one by one up to here.
+constexpr std::uint32_t kFloatHits = std::uint32_t{1} << 24;
 
 GlRenderbuffer make_image(const GladGLContext& gl, GLenum format, const Target& target) {
   GlRenderbuffer image = make_renderbuffer(gl);
@@ -58,13 +62,10 @@ std::string Targets::make(const Target& target, Buffers& made) {
                        has_depth ? std::string(" with ") + name_of(target.depth) : "");
   if (!has_depth) return "";
   const std::string doubt = doubt_of_depth_buffer(gl_, GL_DEPTH_ATTACHMENT, target.depth);
-  if (doubt.empty()) return "";
-  return fmt::format("asked for {}, this driver makes another framebuffer: {}",
-                     name_of(target.depth), doubt);
+  return doubt.empty() ? "" : another_framebuffer(target.depth, doubt);
 }
 
 std::variant<Surfaces, std::string> Targets::find_objects(const Target& target) {
-  constexpr std::uint32_t kFloatHits = std::uint32_t{1} << 24;
   const std::tuple key(target.width, target.height, target.depth);
   auto found = sizes_.find(key);
   if (found == sizes_.end()) {
@@ -73,7 +74,27 @@ std::variant<Surfaces, std::string> Targets::find_objects(const Target& target) 
     if (std::string reason = make(target, made); !reason.empty()) return reason;
     found = sizes_.emplace(key, std::move(made)).first;
   }
-  return Surfaces{found->second.color.name(), found->second.count.name(), 1, kFloatHits};
+  return Surfaces{found->second.color.name(), found->second.count.name(), 1, kFloatHits, nullptr};
+}
+
+std::variant<Surfaces, std::string> Targets::find_multisampled(const Target& target) {
+  if (!samples_) {
+    auto made = SampleReader::make(gl_);
+    if (const auto* error = std::get_if<ProgramError>(&made)) return error->message;
+    samples_.emplace(std::get<SampleReader>(std::move(made)));
+  }
+  if (std::string doubt = samples_->doubt_of_depths(target.depth, target.samples); !doubt.empty())
+    return doubt;
+  auto found = std::find_if(multisampled_.begin(), multisampled_.end(),
+                            [&](const MultisampleTarget& made) { return fits(made, target); });
+  if (found == multisampled_.end()) {
+    if (multisampled_.size() >= kMostSizes) multisampled_.clear();
+    MultisampleTarget made;
+    if (std::string reason = make_multisample_target(gl_, target, made); !reason.empty())
+      return reason;
+    found = multisampled_.insert(multisampled_.end(), std::move(made));
+  }
+  return Surfaces{found->color.name(), found->count.name(), 1, kFloatHits, &*found};
 }
 
 std::variant<Surfaces, std::string> Targets::find_window(const Target& target) {
@@ -97,11 +118,12 @@ std::variant<Surfaces, std::string> Targets::find_window(const Target& target) {
       return fmt::format("the window-system framebuffer is not {}: {}", name_of(target.depth),
                          doubt);
   }
-  return Surfaces{0, 0, 1.0f / kByteHits, kByteHits};
+  return Surfaces{0, 0, 1.0f / kByteHits, kByteHits, nullptr};
 }
 
 std::variant<Surfaces, std::string> Targets::find(const Target& target) {
-  return target.surface == Surface::window ? find_window(target) : find_objects(target);
+  if (target.surface == Surface::window) return find_window(target);
+  return target.samples > 1 ? find_multisampled(target) : find_objects(target);
 }
 
 }  // namespace edgecase

@@ -11,10 +11,14 @@
 // A depth buffer is part of a framebuffer object where the scene asks for one, with the count too,
 // so that all passes are drawn with the same state. A window has the one that it was made with, or
 // none, and scenes that ask for another one are refused.
+//
+// Multisampled targets are framebuffer objects of their own kind, reference/multisample_target.h.
 #pragma once
 
 #include <cstdint>
+#include <list>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <variant>
@@ -22,6 +26,8 @@
 #include "model/scene.h"
 #include "reference/gl_context.h"
 #include "reference/gl_objects.h"
+#include "reference/multisample_target.h"
+#include "reference/sample_reader.h"
 
 namespace edgecase {
 
@@ -31,6 +37,8 @@ struct Surfaces {
   GLuint count = 0;             // its red channel holds hits, in units of `step`
   float step = 1;               // what a hit adds
   std::uint32_t most_hits = 0;  // per pixel, beyond which counts are wrong
+  // The two framebuffers, where they are multisampled: samples() reads them. Else null.
+  const MultisampleTarget* multisampled = nullptr;
 };
 
 class Targets {
@@ -41,6 +49,8 @@ class Targets {
   // The framebuffers for a target, contents undefined, or why the driver cannot have them. Good
   // until the next call.
   std::variant<Surfaces, std::string> find(const Target& target);
+  // Reads multisampled targets; `find` must have found one.
+  const SampleReader& samples() const { return *samples_; }
 
  private:
   struct Buffers {
@@ -54,11 +64,14 @@ class Targets {
   // Why there are no such framebuffers, as a sentence; empty: they are made.
   std::string make(const Target& target, Buffers& made);
   std::variant<Surfaces, std::string> find_objects(const Target& target);
+  std::variant<Surfaces, std::string> find_multisampled(const Target& target);
   std::variant<Surfaces, std::string> find_window(const Target& target);
 
   const GladGLContext& gl_;
   GlContext& context_;
   std::map<std::tuple<int, int, DepthFormat>, Buffers> sizes_;
+  std::list<MultisampleTarget> multisampled_;
+  std::optional<SampleReader> samples_;  // made for the first multisampled target
 };
 
 }  // namespace edgecase

@@ -62,7 +62,10 @@ int serve(SceneRenderer& renderer, const RendererInfo& info, std::FILE* output) 
     const auto parsed = parse_request(line);
     if (const auto* error = std::get_if<WireError>(&parsed))
       return complain(kUsageError, "bad request: " + error->message);
-    const Request& request = std::get<Request>(parsed);
+    Request request = std::get<Request>(parsed);
+    // Runs of pixels tell neither samples nor passes.
+    if (request.scene.target.samples > 1 || !request.scene.supersampling.empty())
+      request.coverage_only = false;
     const Outcome outcome = renderer.render(request.scene, request.coverage_only);
     const auto* failure = std::get_if<Failure>(&outcome);
     if (failure != nullptr && failure->kind == FailureKind::crashed)

@@ -26,13 +26,11 @@ constexpr const char* kStyle =
 
 void add_pixels(pugi::xml_node panel, const AlternativesPicture& picture,
                 const DrawnAlternative& alternative) {
+  auto hits = alternative.hits.begin();
   for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
-      const bool drawn = std::find(alternative.pixels.begin(), alternative.pixels.end(),
-                                   std::pair(x, y)) != alternative.pixels.end();
-      add_rectangle(panel, drawn ? "drawn" : "pixel", x * kCell,
+    for (int x = 0; x < picture.width; ++x)
+      add_rectangle(panel, *hits++ > 0 ? "drawn" : "pixel", x * kCell,
                     kTitle + (picture.height - 1 - y) * kCell, kCell, kCell);
-    }
 }
 
 // The outlines of the figure's primitives; the first position of each is marked as the start.

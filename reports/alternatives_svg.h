@@ -5,7 +5,6 @@
 
 #include <iosfwd>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "model/figure.h"
@@ -14,7 +13,7 @@ namespace edgecase {
 
 struct DrawnAlternative {
   std::string name;
-  std::vector<std::pair<int, int>> pixels;  // column, row; y up
+  std::vector<int> hits;  // per pixel, row by row from the bottom
 };
 
 struct AlternativesPicture {

@@ -93,10 +93,11 @@ std::string class_of(const std::string& suite, const std::string& id) {
   return suite + "." + folder;
 }
 
-std::string failure_body(const Result& result) {
+std::string failure_body(const Result& result, int samples) {
   std::string body;
   const std::size_t listed = std::min(kMaxListed, result.disagreements.size());
-  for (std::size_t i = 0; i < listed; ++i) body += describe(result.disagreements[i]) + "\n";
+  for (std::size_t i = 0; i < listed; ++i)
+    body += describe(result.disagreements[i], samples) + "\n";
   if (listed < result.disagreements.size())
     body += fmt::format("and {} more, see results\n", result.disagreements.size() - listed);
   for (const ValueAggregate& values : result.values)
@@ -105,17 +106,17 @@ std::string failure_body(const Result& result) {
   return body;
 }
 
-void write_result(Suite& suite, pugi::xml_node test, const Result& result) {
+void write_result(Suite& suite, pugi::xml_node test, const Result& result, int samples) {
   const bool expected = result.standing == Standing::expected;
   if (result.verdict != Verdict::not_run) {
-    if (!expected) suite.fail(test, headline(result), failure_body(result));
+    if (!expected) suite.fail(test, headline(result), failure_body(result, samples));
     return;
   }
   const std::string reason = result.failure ? result.failure->reason : "no reason given";
   if (expected)
     suite.skip(test, fmt::format("{}: {}", headline(result), reason));
   else
-    suite.error(test, headline(result), reason + "\n" + failure_body(result));
+    suite.error(test, headline(result), reason + "\n" + failure_body(result, samples));
 }
 
 void write_renderer(pugi::xml_node root, const Results& results, std::size_t index,
@@ -124,7 +125,7 @@ void write_renderer(pugi::xml_node root, const Results& results, std::size_t ind
   for (const CaseResults& one : results.cases) {
     if (index >= one.results.size()) continue;
     const pugi::xml_node test = suite.add(class_of(name, one.id), one_line(one.id));
-    write_result(suite, test, one.results[index]);
+    write_result(suite, test, one.results[index], one.samples.samples);
   }
   suite.close(total);
 }

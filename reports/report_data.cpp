@@ -11,6 +11,8 @@
 
 #include "reports/pixels.h"
 #include "reports/ramp.h"
+#include "reports/sample_data.h"
+#include "reports/text.h"
 #include "results/clusters.h"
 
 namespace edgecase {
@@ -47,9 +49,9 @@ Json figure_json(const Figure& figure) {
 }
 
 // Fields that say nothing are left out: the report holds thousands of these.
-Json disagreement_json(const Disagreement& d) {
+Json disagreement_json(const Disagreement& d, int samples) {
   Json json = {{"x", d.x}, {"y", d.y}, {"kind", name_of(d.kind)}, {"rule", d.rule}};
-  if (d.sample != 0) json["sample"] = d.sample;
+  if (names_sample(d, samples)) json["sample"] = d.sample;
   if (d.primitive >= 0) json["primitive"] = d.primitive;
   json["legal"] = d.legal;
   if (!d.cause.empty()) json["cause"] = d.cause;
@@ -115,29 +117,44 @@ Json ramp_json(const Result& result) {
   return json;
 }
 
+// The images of an answer, each as it differs from what it was held against: rendered from exact,
+// and exact, where its samples lie elsewhere, from the case's.
+void add_images(Json& json, const CaseResults& one, const Result& result) {
+  const bool own = !result.exact_pixels.empty();
+  const Bytes& exact = own ? result.exact_pixels : one.pixels;
+  const bool same_size = result.pixels.size() == exact.size();
+  if (same_size && result.pixels != exact)
+    json["difference"] = to_base64(pack_pixels(difference_of(exact, result.pixels)));
+  if (!same_size || result.pixels.empty()) json["blank"] = true;
+  if (result.samples.samples > 1)
+    json["samples"] = sample_difference(result.samples, own ? result.exact_samples : one.samples);
+  if (own)
+    json["exact"] = {{"difference", to_base64(pack_pixels(difference_of(one.pixels, exact)))},
+                     {"samples", sample_difference(result.exact_samples, one.samples)}};
+}
+
 // What a renderer answered, without who it was.
 Json answer_json(const CaseResults& one, const Result& result) {
   Json json;
   json["fingerprint"] = result.fingerprint;
-  const bool same_size = result.pixels.size() == one.pixels.size();
-  if (same_size && result.pixels != one.pixels)
-    json["difference"] = to_base64(pack_pixels(difference_of(one.pixels, result.pixels)));
-  if (!same_size || result.pixels.empty()) json["blank"] = true;
+  add_images(json, one, result);
   Json list = Json::array();
   const std::size_t listed = std::min(result.disagreements.size(), kMaxDisagreementsPerAnswer);
   for (std::size_t i = 0; i < listed; ++i)
-    list.push_back(disagreement_json(result.disagreements[i]));
+    list.push_back(disagreement_json(result.disagreements[i], one.samples.samples));
   json["disagreements"] = std::move(list);
   if (listed < result.disagreements.size()) json["omitted"] = result.disagreements.size() - listed;
   Json values = Json::array();
   for (const ValueAggregate& v : result.values) values.push_back(values_json(v));
   json["values"] = std::move(values);
   Json evidence = Json::array();
-  for (const Result::Evidence& e : result.evidence)
+  for (const Result::Evidence& e : result.evidence) {
     evidence.push_back({{"primitive", e.primitive},
                         {"causes", e.causes},
                         {"illegal_line_snaps", e.illegal_line_snaps},
                         {"broken_clause", e.broken_clause}});
+    if (e.pass >= 0) evidence.back()["pass"] = e.pass;
+  }
   json["evidence"] = std::move(evidence);
   json["illegal_line_snaps"] = result.illegal_line_snaps;
   if (!result.ramp.empty()) json["ramp"] = ramp_json(result);
@@ -174,6 +191,7 @@ Json case_json(const CaseResults& one) {
                {"tags", one.tags},   {"file", one.file},     {"surface", one.surface},
                {"width", one.width}, {"height", one.height}, {"fragments", one.fragments}};
   json["pixels"] = to_base64(pack_pixels(one.pixels));
+  if (one.samples.samples > 1) json["samples"] = sample_data(one.samples);
   json["figure"] = figure_json(one.figure);
   json["expect_failures"] = one.expect_failures;
   add_results(json, one);

@@ -88,7 +88,7 @@ std::string unexpected_line(const Results& results, const CaseResults& one, std:
   std::string line = fmt::format("{} {} {}, {}", paint.bold(one_line(one.id)), one_line(name),
                                  paint(style_of(result.verdict), name_of(result.verdict)),
                                  name_of(result.standing));
-  const std::string explanation = one_line(first_explanation(result));
+  const std::string explanation = one_line(first_explanation(result, one.samples.samples));
   return explanation.empty() ? line : line + "\n      " + explanation;
 }
 

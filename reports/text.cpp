@@ -123,9 +123,17 @@ std::string headline(const Result& result) {
   return text;
 }
 
-std::string describe(const Disagreement& d) {
-  std::string text = fmt::format("pixel ({}, {})", d.x, d.y);
-  if (d.sample > 0) text += fmt::format(", sample {}", d.sample);
+bool names_sample(const Disagreement& d, int samples) {
+  return samples > 1 && d.sample >= 0;
+}
+
+std::string place_of(const Disagreement& d, int samples) {
+  const std::string pixel = fmt::format("pixel ({}, {})", d.x, d.y);
+  return names_sample(d, samples) ? fmt::format("{}, sample {}", pixel, d.sample) : pixel;
+}
+
+std::string describe(const Disagreement& d, int samples) {
+  std::string text = place_of(d, samples);
   if (d.primitive >= 0) text += fmt::format(", primitive {}", d.primitive);
   text += fmt::format(", {}, {}, {}", name_of(d.kind), d.rule, d.legal ? "legal" : "not legal");
   if (d.ruling > 0) text += fmt::format(" by ruling {}", d.ruling);
@@ -145,11 +153,11 @@ std::string describe(const ValueAggregate& values) {
       values.worst_relative);
 }
 
-std::string first_explanation(const Result& result) {
+std::string first_explanation(const Result& result, int samples) {
   if (result.failure) return result.failure->reason;
   if (!result.disagreements.empty()) {
     const Disagreement& first = result.disagreements.front();
-    return fmt::format("pixel ({}, {}): {}", first.x, first.y, first.explanation);
+    return fmt::format("{}: {}", place_of(first, samples), first.explanation);
   }
   for (const ValueAggregate& values : result.values)
     if (!values.differing.empty()) return describe(values);

@@ -25,8 +25,14 @@ std::size_t count_differences(const Result& result);
 // "violation, unexpected, 3 disagreements": verdict, standing and counts of a result.
 std::string headline(const Result& result);
 
-// "pixel (3, 4), missing, line.diamond-exit, not legal: EXPLANATION".
-std::string describe(const Disagreement& disagreement);
+// Is it about one sample of a pixel of so many?
+bool names_sample(const Disagreement& disagreement, int samples);
+
+// "pixel (3, 4)"; "pixel (3, 4), sample 0" where it names one of so many samples.
+std::string place_of(const Disagreement& disagreement, int samples);
+
+// "pixel (3, 4), missing, line.diamond-exit, not legal: EXPLANATION", of a case of so many samples.
+std::string describe(const Disagreement& disagreement, int samples);
 
 // "color: 12 of 340 values differ within what is permitted, worst 1 ULP at pixel (3, 4): 0.5 exact,
 // 0.50000006 rendered".
@@ -34,6 +40,6 @@ std::string describe(const ValueAggregate& values);
 
 // Why a result is what it is, as its first sentence: the failure's reason, the first disagreement
 // or the first value that differs, else the expectation's reason; may be empty.
-std::string first_explanation(const Result& result);
+std::string first_explanation(const Result& result, int samples);
 
 }  // namespace edgecase

@@ -8,6 +8,9 @@ Numbers are fractions, so nothing is rounded before the answer is written. Where
 moves things by an infinitesimal e, a number is a tuple (a, b, c) that stands for a + b e + c e^2;
 Python orders tuples by their first difference, which is just the order of such numbers.
 
+A target with several samples has a plane of pixels for each; one with a single sample is the same,
+with that sample at the centre, but for lines.
+
 It leaves out derivatives and levels of detail, which an answer may: OpenGL allows several, and no
 exact one. So it draws only those textures of which no level has to be chosen.
 """
@@ -18,14 +21,21 @@ import sys
 from fractions import Fraction
 
 HALF = Fraction(1, 2)
+CENTRE = [HALF, HALF]
+# Where the samples of a pixel lie unless a scene says so, in sixteenths of it from its lower left
+# corner: the patterns of Direct3D and Vulkan. Other numbers have the first ones of a larger one.
+PATTERNS = {
+    1: [(8, 8)], 2: [(12, 12), (4, 4)], 4: [(6, 2), (14, 6), (2, 10), (10, 14)],
+    8: [(9, 5), (7, 11), (13, 9), (5, 3), (3, 13), (1, 7), (11, 15), (15, 1)],
+    16: [(9, 9), (7, 5), (5, 10), (12, 7), (3, 6), (10, 13), (13, 11), (11, 3),
+         (6, 14), (8, 1), (4, 2), (2, 12), (0, 8), (15, 4), (14, 15), (1, 0)]}
 
 
 def point(size):
-    """14.4.1: the pixel's centre lies in the square of this size round the point. The square owns
-    its right and top sides; OpenGL leaves that open."""
+    """14.4.1 and 14.4.3: the sample, of one sample per pixel its centre, lies in the square of this
+    size round the point. The square owns its right and top sides; OpenGL leaves that open."""
     def rule(a):
-        return lambda x, y: ([1] if all(n - size / 2 < pixel + HALF <= n + size / 2
-                                        for n, pixel in zip(a, (x, y))) else None)
+        return lambda p: all(n - size / 2 < at <= n + size / 2 for n, at in zip(a, p))
     return rule
 
 
@@ -35,43 +45,70 @@ def line(a, b):
     Both ends are moved by -(e, e^2). The diamond is |dx| + |dy| < 1/2 round the centre: the four
     conditions sx dx + sy dy - 1/2 < 0, each of which changes linearly along the segment.
     """
-    def covers(x, y):
+    def covers(centre):
         enter, leave, ends_inside = (0, -1, 0), (1, 1, 0), True  # beyond [0, 1] on both sides
         for sx, sy in (1, 1), (1, -1), (-1, 1), (-1, -1):
-            at_a, at_b = (sx * (p[0] - x - HALF) + sy * (p[1] - y - HALF) - HALF for p in (a, b))
+            at_a, at_b = (sx * (p[0] - centre[0]) + sy * (p[1] - centre[1]) - HALF for p in (a, b))
             ends_inside = ends_inside and (at_b, -sx, -sy) < (0, 0, 0)
             slope = at_b - at_a
             if slope == 0:
                 if (at_a, -sx, -sy) >= (0, 0, 0):
-                    return None
+                    return False
             else:  # the condition's border is crossed at this part of the way from a to b
                 crossing = (-at_a / slope, sx / slope, sy / slope)
                 enter, leave = ((enter, min(leave, crossing)) if slope > 0
                                 else (max(enter, crossing), leave))
-        if ends_inside or not (enter < leave and enter < (1, 0, 0) and leave > (0, 0, 0)):
-            return None
-        along = [q - p for p, q in zip(a[:2], b[:2])]
-        t = (((x + HALF - a[0]) * along[0] + (y + HALF - a[1]) * along[1])
-             / (along[0] ** 2 + along[1] ** 2))
-        return [1 - t, t]
+        return not ends_inside and enter < leave and enter < (1, 0, 0) and leave > (0, 0, 0)
     return covers
+
+
+def rectangle(width):
+    """14.5.4: the sample of a multisampled line lies in the rectangle round the segment, as wide as
+    the line. One on its border is moved as for triangles, by (e, -e^2)."""
+    def rule(a, b):
+        dx, dy = b[0] - a[0], b[1] - a[1]
+        squared = dx ** 2 + dy ** 2
+
+        def covers(p):
+            ahead = (p[0] - a[0]) * dx + (p[1] - a[1]) * dy
+            aside = dx * (p[1] - a[1]) - dy * (p[0] - a[0])
+            left = 1 if aside > 0 else -1
+            within = ((ahead, dx, -dy), (squared - ahead, -dx, dy),
+                      (squared * width ** 2 - 4 * aside ** 2, left * dy, left * dx))
+            return squared > 0 and min(within) > (0, 0, 0)
+        return covers
+    return rule
+
+
+def side(p, q, at):
+    """Twice the area of these, positive where `at` lies to the left of p -> q."""
+    return (q[0] - p[0]) * (at[1] - p[1]) - (q[1] - p[1]) * (at[0] - p[0])
 
 
 def triangle(a, b, c):
-    """14.6.1: the pixel's centre lies inside; one on an edge is moved by (e, -e^2), so that left
-    edges and then top edges own it. OpenGL leaves that choice open."""
-    def side(p, q, x, y):  # twice the area of p, q and the centre, positive to the left of p -> q
-        dx, dy = q[0] - p[0], q[1] - p[1]
-        return (dx * (y + HALF - p[1]) - dy * (x + HALF - p[0]), -dy, -dx)
-    area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    """14.6.1: the sample, of one sample per pixel its centre, lies inside; one on an edge is moved
+    by (e, -e^2), so that left edges and then top edges own it. OpenGL leaves that choice open."""
+    area = side(a, b, c)
+    turn = 1 if area > 0 else -1
 
-    def covers(x, y):
-        sides = [[n if area > 0 else -n for n in side(p, q, x, y)]
-                 for p, q in ((b, c), (c, a), (a, b))]
-        if area == 0 or min(sides) <= [0, 0, 0]:
-            return None
-        return [s[0] / abs(area) for s in sides]
+    def covers(p):
+        return area != 0 and all(
+            (turn * side(q, r, p), turn * (q[1] - r[1]), turn * (q[0] - r[0])) > (0, 0, 0)
+            for q, r in ((b, c), (c, a), (a, b)))
     return covers
+
+
+def window_weights(corners, p):
+    """14.5.1 and 14.6.1: how much of each vertex a place has, which need not be covered."""
+    if len(corners) == 1:
+        return [Fraction(1)]
+    a, b = corners[:2]
+    if len(corners) == 2:
+        along = [b[i] - a[i] for i in (0, 1)]
+        t = sum((p[i] - a[i]) * along[i] for i in (0, 1)) / sum(n ** 2 for n in along)
+        return [1 - t, t]
+    c = corners[2]
+    return [side(q, r, p) / side(a, b, c) for q, r in ((b, c), (c, a), (a, b))]
 
 
 def primitives(kind, n):
@@ -142,66 +179,150 @@ def common(boxes):
     return [(x, y) for y in range(bottom, top) for x in range(left, right)]
 
 
+def sample_positions(target):
+    """Within a pixel; of one sample the centre."""
+    if "sample_positions" in target:
+        return [[Fraction(n) for n in at] for at in target["sample_positions"]]
+    pattern = PATTERNS[min(n for n in PATTERNS if n >= target["samples"])]
+    return [[Fraction(n, 16) for n in at] for at in pattern[:target["samples"]]]
+
+
+def invocations(use, mask, positions):
+    """14.3.1.1: the fragments of a pixel. Of each, the samples that it stands for, and where in the
+    pixel its attributes are evaluated, which is open in part, and its gl_FragCoord."""
+    covered = [s for s in range(len(positions)) if mask >> s & 1]
+    share = Fraction(use.get("min_sample_shading", 0))
+    if use["location"] == "sample" or share * len(positions) > 1:
+        return [(1 << s, positions[s], positions[s]) for s in covered]
+    off_centre = use["location"] == "centroid" and len(covered) < len(positions)
+    return [(mask, positions[covered[0]] if off_centre else CENTRE, CENTRE)] if covered else []
+
+
+def kept(alpha, samples):
+    """17.3.1, alpha to coverage: a mask with as many samples as alpha says; which, is open."""
+    return (1 << math.floor(min(max(alpha, 0), 1) * samples + HALF)) - 1
+
+
+def resolved(values):
+    """18.3.1: one 8-bit value of a pixel's samples. round() takes the even one of two."""
+    return round(Fraction(sum(values), len(values)))
+
+
+def unorm(color):
+    return [round(255 * min(max(Fraction(n), 0), 1)) for n in color]
+
+
+class Drawn:
+    """One primitive: which samples it covers, and what it has anywhere in the window."""
+
+    def __init__(self, scene, draw, numbers):
+        vertices = [draw["vertices"][n] for n in numbers]
+        self.scene, self.draw = scene, draw
+        self.corners = [window(v, scene["viewport"]) for v in vertices]
+        key = "texture_coordinates" if "texture" in draw else "color"
+        self.values = [[Fraction(n) for n in v[key]] for v in vertices]
+        use = draw.get("multisampling")
+        self.use = use if use and use["enabled"] else None
+        lines = rectangle(Fraction(draw["line_width"])) if self.use else line
+        rules = {1: point(Fraction(draw["point_size"])), 2: lines, 3: triangle}
+        self.covers = rules[len(self.corners)](*self.corners)
+
+    def pixels(self):
+        """Those in which it may cover something."""
+        width, height = self.scene["target"]["width"], self.scene["target"]["height"]
+        left, bottom, wide, high = viewport = self.scene["viewport"]
+        target = [0, 0, width, height]
+        boxes = [target, self.draw.get("scissor", target)]
+        # 13.7: lines and triangles are cut at the viewport. Of a point only the vertex is clipped:
+        # its square may reach beyond.
+        x, y = self.corners[0][:2]
+        if len(self.corners) > 1:
+            boxes.append(viewport)
+        elif not (0 <= x - left <= wide and 0 <= y - bottom <= high):
+            return []
+        return common(boxes)
+
+    def fragments(self, x, y, positions):
+        """Of a pixel, as invocations() has them. 14.3.1: without multisampling, its centre's."""
+        if self.use is None:
+            return [(1, CENTRE, CENTRE)] if self.covers((x + HALF, y + HALF)) else []
+        mask = sum(1 << s for s, at in enumerate(positions)
+                   if self.use["mask"] >> s & 1 and self.covers((x + at[0], y + at[1])))
+        return invocations(self.use, mask, positions)
+
+    def written(self, mask, color, samples):
+        """The samples that a fragment writes."""
+        if self.use is None:
+            return range(samples)
+        if self.use["alpha_to_coverage"]:
+            mask &= kept(color[3], samples)
+        return [s for s in range(samples) if mask >> s & 1]
+
+    def values_at(self, place):
+        way = self.draw["interpolation"]
+        if way == "flat":
+            return self.values[0 if self.draw["provoking_vertex"] == "first" else -1]
+        weights = window_weights(self.corners, place)
+        if way == "smooth":
+            weights, _ = perspective(weights, self.corners)
+        return [sum(w * n for w, n in zip(weights, values)) for values in zip(*self.values)]
+
+    def depth_at(self, place):
+        """Window depth, and 1/w."""
+        weights = window_weights(self.corners, place)
+        depth = sum(w * corner[2] for w, corner in zip(weights, self.corners))
+        return (depth + 1) / 2, perspective(weights, self.corners)[1]
+
+
 def render(scene):
-    width, height = scene["target"]["width"], scene["target"]["height"]
-    left, bottom, wide, high = viewport = scene["viewport"]
-    target, kind = [0, 0, width, height], scene["target"].get("depth")
-    pixels = [scene["target"]["clear"]] * (width * height)
-    depths = [Fraction(1)] * (width * height)
-    fragments, primitive = [], 0
-    for draw in scene["draws"]:
-        rules = {1: point(Fraction(draw["point_size"])), 2: line, 3: triangle}
-        way, provoking = draw["interpolation"], draw["provoking_vertex"]
-        for numbers in primitives(draw["primitive"], len(draw["vertices"])):
-            vertices = [draw["vertices"][n] for n in numbers]
-            corners = [window(v, viewport) for v in vertices]
-            key = "texture_coordinates" if "texture" in draw else "color"
-            colors = [[Fraction(n) for n in v[key]] for v in vertices]
-            covers = rules[len(corners)](*corners)
-            boxes = [target, draw.get("scissor", target)]
-            # 13.7: lines and triangles are cut at the viewport. Of a point only the vertex is
-            # clipped: its square may reach beyond.
-            if len(corners) > 1:
-                boxes.append(viewport)
-            elif not (0 <= corners[0][0] - left <= wide and 0 <= corners[0][1] - bottom <= high):
-                boxes.append([0, 0, 0, 0])
-            for x, y in common(boxes):
-                weights = covers(x, y)
-                if weights is None:
-                    continue
-                mix = lambda parts, values: sum(w * v for w, v in zip(parts, values))
-                in_clip_space, inverse_w = perspective(weights, corners)
-                if way == "flat":
-                    color = colors[0 if provoking == "first" else -1]
-                else:
-                    parts = in_clip_space if way == "smooth" else weights
-                    color = [mix(parts, values) for values in zip(*colors)]
-                if "texture" in draw:
-                    use, coordinates = draw["texture"], color
-                    color = nearest(scene["textures"][use["texture"]], use, coordinates)
-                depth = (mix(weights, [c[2] for c in corners]) + 1) / 2
-                pixels[y * width + x], depths[y * width + x] = color, depth
-                fragments.append({"x": x, "y": y, "primitive": primitive,
+    target, details = scene["target"], scene.get("details", [])
+    width, area, kind = target["width"], target["width"] * target["height"], target.get("depth")
+    positions = sample_positions(target)
+    # A plane for each sample, one after the other.
+    colors = [target["clear"]] * (area * len(positions))
+    depths, hits = ([n] * len(colors) for n in (Fraction(1), 0))
+    fragments = []
+    every = (Drawn(scene, draw, numbers) for draw in scene["draws"]
+             for numbers in primitives(draw["primitive"], len(draw["vertices"])))
+    for number, drawn in enumerate(every):
+        for x, y in drawn.pixels():
+            for mask, place, coordinates in drawn.fragments(x, y, positions):
+                values = color = drawn.values_at((x + place[0], y + place[1]))
+                if "texture" in drawn.draw:
+                    use = drawn.draw["texture"]
+                    color = nearest(scene["textures"][use["texture"]], use, values)
+                at = x + coordinates[0], y + coordinates[1]
+                depth, inverse_w = drawn.depth_at(at)
+                fragments.append({"x": x, "y": y, "primitive": number, "coverage": mask,
                                   "depth": float(depth), "color": [float(n) for n in color]})
-                if "coordinates" in scene.get("details", []):
-                    fragments[-1]["coordinates"] = [x + 0.5, y + 0.5, float(depth),
-                                                    float(inverse_w)]
-                if "texture" in draw and "texture" in scene.get("details", []):
-                    fragments[-1]["texture_coordinates"] = [float(n) for n in coordinates]
-            primitive += 1
-    # round() takes the nearest integer, and the even one of two.
-    unorm = [round(255 * min(max(Fraction(n), 0), 1)) for pixel in pixels for n in pixel]
-    result = {"pixels": unorm, "fragments": fragments}
+                if "coordinates" in details:
+                    fragments[-1]["coordinates"] = [float(n) for n in (*at, depth, inverse_w)]
+                if "texture" in drawn.draw and "texture" in details:
+                    fragments[-1]["texture_coordinates"] = [float(n) for n in values]
+                for s in drawn.written(mask, color, len(positions)):
+                    index = s * area + y * width + x
+                    colors[index] = color
+                    hits[index] += 1
+                    if kind:  # of each sample its own, even where they share a fragment
+                        within = positions[s] if drawn.use else CENTRE
+                        depths[index], _ = drawn.depth_at((x + within[0], y + within[1]))
+    planes = [n for color in colors for n in unorm(color)]
+    result = {"pixels": [resolved(planes[i::4 * area]) for i in range(4 * area)],
+              "fragments": fragments, "hits": hits}
     if kind:
         result["depths"] = [stored(depth, kind) for depth in depths]
+    if len(positions) > 1:
+        result["sample_pixels"] = planes
+        result["sample_positions"] = [[float(n) for n in at] for at in positions]
     return result
 
 
 def answer(scene):
-    if scene["target"]["samples"] != 1:
-        return {"not_run": "this example draws one sample per pixel"}
-    # 14.5.2.1: a width is rounded to a whole number of pixels.
-    if any(d["primitive"].startswith("line") and d["line_width"] >= 1.5 for d in scene["draws"]):
+    if "supersampling" in scene["target"]:
+        return {"not_run": "this example draws one pass"}
+    # 14.5.2.1: without multisampling a width is rounded to a whole number of pixels.
+    if any(d["primitive"].startswith("line") and d["line_width"] >= 1.5
+           and not d.get("multisampling", {}).get("enabled") for d in scene["draws"]):
         return {"not_run": "this example draws lines of width 1"}
     if scene["target"].get("depth") not in (None, "depth16", "depth24", "depth32f"):
         return {"not_run": "this example has no such depth buffer"}

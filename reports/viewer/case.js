@@ -49,7 +49,8 @@ const CaseView = {
     CaseView.list = new DisagreementList(answer, (index) => CaseView.choose(index, true));
     return h("main.case", {}, caseWords(one), rendererTabs(one, result),
       h("section.card.answer", {role: "tabpanel", "aria-label": result.renderer},
-        resultLine(result, CaseView.parts.stepper), CaseView.parts.finding),
+        h("div", {}, resultLine(result, CaseView.parts.stepper), CaseView.parts.finding),
+        samplePlan(one, result)),
       CaseView.pictures.element, CaseView.ramps.element, CaseView.list.element,
       valuesSection(answer, CaseView.pick), evidenceSection(answer),
       h("section.card", {}, h("h2", {}, "Reproduce"), CaseView.parts.commands),
@@ -181,6 +182,7 @@ function caseWords(one) {
     one.why && h("p.why", {dir: "auto"}, one.why),
     h("p.facts", {}, one.rules.map(ruleChip), one.spec && h("span", {}, one.spec),
       h("span", {}, one.width + " \u00d7 " + one.height + " " + one.surface),
+      one.samples && h("span", {}, plural(one.samples.count, "sample", "samples") + " a pixel"),
       one.tags.map((tag) => h("span", {}, "#" + tag)), originOf(one.origin)),
     one.expect_failures.length > 0 && h("div.card.alarm-box", {},
       h("b", {}, icon(BANG), " The exact side does not meet this case's hand-drawn truth"),

@@ -63,17 +63,22 @@ function unpackPixels(base64, size) {
   return out;
 }
 
-// The exact image of a case and, of an answer, the rendered one; null where there is none.
-function exactPixels(one) {
+function applyDifference(pixels, packed) {
+  const difference = unpackPixels(packed, pixels.length);
+  for (let i = 0; i < pixels.length; ++i) pixels[i] ^= difference[i];
+  return pixels;
+}
+
+// The exact image that an answer was held against and, of the answer, the rendered one; null where
+// there is none.
+function exactPixels(one, answer) {
   if (!one.pixels) return null;
-  return unpackPixels(one.pixels, 4 * one.width * one.height);
+  const pixels = unpackPixels(one.pixels, 4 * one.width * one.height);
+  return answer.exact ? applyDifference(pixels, answer.exact.difference) : pixels;
 }
 
 function renderedPixels(one, answer, exact) {
   if (answer.blank || !exact) return null;
   const pixels = exact.slice();
-  if (!answer.difference) return pixels;
-  const difference = unpackPixels(answer.difference, pixels.length);
-  for (let i = 0; i < pixels.length; ++i) pixels[i] ^= difference[i];
-  return pixels;
+  return answer.difference ? applyDifference(pixels, answer.difference) : pixels;
 }

@@ -8,7 +8,7 @@ function legality(d) {
 }
 
 const pixelText = (d) =>
-  "pixel (" + d.x + ", " + d.y + ")" + (d.sample ? " sample " + d.sample : "");
+  "pixel (" + d.x + ", " + d.y + ")" + (d.sample === undefined ? "" : " sample " + d.sample);
 const primitiveText = (d) => (d.primitive === undefined ? "" : "primitive " + d.primitive);
 
 // The chosen disagreement: what, where, by which rule, and the sentence.
@@ -63,7 +63,10 @@ class DisagreementList {
     this.choose = choose;
     this.chosen = -1;
     this.page = 0;
-    this.body = h("div.items", {role: "listbox", "aria-label": "Disagreements"});
+    const sampled = this.list.some((d) => d.sample !== undefined);
+    this.body = h("div.items", {
+      class: sampled ? "sampled" : "", role: "listbox", "aria-label": "Disagreements",
+    });
     this.pager = h("div.pager", {});
     const count = this.list.length + this.omitted;
     this.element = count > 0 && h("section.card", {},

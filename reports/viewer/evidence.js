@@ -32,7 +32,7 @@ function valuesCard(v, pick) {
       h("p", {}, "Worst: ",
         h("button.link.mono", {onclick: () => pick(worst.x, worst.y)},
           "pixel (" + worst.x + ", " + worst.y + ")"),
-        " component " + worst.component + ", " + short(worst.ulp) + " ULP: exact ",
+        (v.attribute === "written samples" ? " sample " : " component ") + worst.component + ", " + short(worst.ulp) + " ULP: exact ",
         h("span.mono", {}, short(worst.exact)), ", rendered ",
         h("span.mono", {}, short(worst.rendered))),
       h("p", {}, "Mean: " + short(v.mean_ulp) + " ULP over all " +
@@ -51,7 +51,8 @@ function valuesSection(answer, pick) {
 function evidenceSection(answer) {
   if (!answer.evidence.length && !answer.illegal_line_snaps.length) return null;
   const rows = answer.evidence.map((e) => h("tr", {},
-    h("th", {scope: "row"}, "primitive " + e.primitive),
+    h("th", {scope: "row"}, "primitive " + e.primitive +
+      (e.pass === undefined ? "" : ", pass " + (e.pass + 1))),
     h("td", {}, e.causes.length ? e.causes.map((c) => h("div", {}, causeChips(c)))
       : h("i.faint", {}, "no catalogued alternative reproduces it")),
     h("td.mono", {}, e.illegal_line_snaps.join(", ")), h("td", {}, e.broken_clause)));

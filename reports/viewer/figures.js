@@ -119,8 +119,17 @@ function drawFigure(plot, figure, withLabels) {
   if (withLabels) drawLabels(plot, figure);
 }
 
+// The shape of a kind about a place of the plot.
+function drawShape(plot, x, y, size, kind, width) {
+  const shape = new Path2D();
+  shape.addPath(new Path2D(KINDS[kind].path),
+    new DOMMatrix([size / 16, 0, 0, size / 16, x - size / 2, y - size / 2]));
+  strokeRimmed(plot, shape, {color: plot.theme["k-" + kind], width});
+}
+
 // The outline of a disputed pixel with its kind's shape inside; both in the kind's colour.
-// `style`: strong for the chosen one; bare without the shape, where a figure is drawn instead.
+// `style`: strong for the chosen one; thin where much else is drawn; bare without the shape, where
+// a figure is drawn instead.
 function drawMarker(plot, x, y, kind, style) {
   const {context, ratio, scale} = plot;
   const left = plot.x(x);
@@ -130,17 +139,13 @@ function drawMarker(plot, x, y, kind, style) {
     context.fillRect(left, top, Math.max(scale, 2), Math.max(scale, 2));
     return;
   }
-  const wide = (style.strong ? 2.5 : 1.5) * ratio;
+  const wide = (style.strong ? 2.5 : style.thin ? 0.75 : 1.5) * ratio;
   const box = new Path2D();
   box.rect(left + wide / 2, top + wide / 2, scale - wide, scale - wide);
   strokeRimmed(plot, box, {color: plot.theme["k-" + kind], width: wide / ratio});
   if (style.bare || scale < 11 * ratio) return;
   const size = Math.min(scale * 0.42, 64 * ratio);
-  const shape = new Path2D();
-  const place = new DOMMatrix([size / 16, 0, 0, size / 16,
-    left + (scale - size) / 2, top + (scale - size) / 2]);
-  shape.addPath(new Path2D(KINDS[kind].path), place);
-  strokeRimmed(plot, shape, {color: plot.theme["k-" + kind], width: 1.75});
+  drawShape(plot, left + scale / 2, top + scale / 2, size, kind, 1.75);
 }
 
 function drawGrid(plot, columns, rows) {

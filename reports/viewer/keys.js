@@ -5,8 +5,8 @@ const KEYS = [
   ["j  \u2193", "next case"], ["k  \u2191", "previous case"], ["Enter", "open the case"],
   ["n", "next disagreement"], ["p", "previous disagreement"],
   ["[  ]", "previous, next renderer"], ["+  -", "larger, smaller"], ["0", "whole image"],
-  ["z", "close to the chosen pixel"], ["\u2190  \u2192", "along a plot of levels"], ["Esc", "back to the list"], ["/", "search"],
-  ["?", "these keys"],
+  ["z", "close to the chosen pixel"], ["s", "pixels as samples, or resolved"], ["\u2190  \u2192", "along a plot of levels"],
+  ["Esc", "back to the list"], ["/", "search"], ["?", "these keys"],
 ];
 
 function showHelp() {
@@ -36,7 +36,8 @@ const CASE_KEYS = {
   "]": () => stepRenderer(1), "[": () => stepRenderer(-1),
   "+": () => CaseView.pictures?.zoom(1.25), "=": () => CaseView.pictures?.zoom(1.25),
   "-": () => CaseView.pictures?.zoom(0.8), 0: () => CaseView.pictures?.fit(),
-  z: () => CaseView.pictures?.close(), Escape: () => Route.leaveCase(),
+  z: () => CaseView.pictures?.close(), s: () => CaseView.pictures?.toggle("samples"),
+  Escape: () => Route.leaveCase(),
 };
 const LIST_KEYS = {
   j: () => CaseList.move(1), ArrowDown: () => CaseList.move(1),

@@ -5,11 +5,12 @@
 
 // What is drawn over the pixels; kept from case to case.
 const CLOSE_UP = 2.7;           // pixels across the close-up
+const RESOLVED_ALPHA = 0.3;     // of resolved pixels under their samples
 const CLOSE_UP_BELOW = 64;      // CSS pixels per pixel: above, the pictures are close enough
 
-const Layers = {grid: true, shapes: true, rule: true, markers: true};
+const Layers = {samples: true, grid: true, shapes: true, rule: true, markers: true};
 const LAYER_NAMES = {
-  grid: "Grid", shapes: "Primitives", rule: "Rule figure", markers: "Markers",
+  samples: "Samples", grid: "Grid", shapes: "Primitives", rule: "Rule figure", markers: "Markers",
 };
 
 class Pictures {
@@ -19,19 +20,23 @@ class Pictures {
     this.result = result;
     this.onpick = onpick;
     this.view = new View(one.width, one.height);
-    this.exact = exactPixels(one);
+    this.exact = exactPixels(one, result.answer);
     this.rendered = renderedPixels(one, result.answer, this.exact);
+    this.exactSamples = exactSamples(one, result.answer);
+    this.renderedSamples = renderedSamples(one, result.answer, this.exactSamples);
+    this.listed = listedSamples(result.answer.disagreements);
     this.selected = null;   // a disagreement
     this.pixel = null;      // the chosen pixel {x, y}
     this.hover = null;
     this.readout = h("div.readout.mono", {"aria-live": "off"});
+    this.table = this.exactSamples && h("div.scroll.of-samples", {});
     this.scaleText = h("output.scale", {});
     const titles = ["Exact", "Difference", "Rendered by " + result.renderer,
       "Close-up of the difference"];
     this.panes = titles.map((title) => this.pane(title));
     this.panes[3].view = new View(one.width, one.height);
     this.element = h("section.pictures", {"aria-label": "Pictures"},
-      this.tools(), h("div.panes", {}, this.panes.map((p) => p.element)), this.readout);
+      this.tools(), h("div.panes", {}, this.panes.map((p) => p.element)), this.readout, this.table);
     this.onresize = () => this.resize();
     addEventListener("resize", this.onresize);
     this.colors();
@@ -69,11 +74,13 @@ class Pictures {
   tools() {
     const button = (text, label, act) =>
       h("button", {type: "button", title: label, "aria-label": label, onclick: act}, text);
-    const toggles = Object.entries(LAYER_NAMES).map(([id, name]) => h("label", {},
-      h("input", {type: "checkbox", checked: Layers[id], onchange: (event) => {
-        Layers[id] = event.target.checked;
-        this.draw();
-      }}), name));
+    const layers = Object.keys(LAYER_NAMES).filter((id) => id !== "samples" || this.exactSamples);
+    this.boxes = Object.fromEntries(layers.map((id) => [id, h("input", {
+      type: "checkbox", checked: Layers[id], onchange: () => this.toggle(id),
+    })]));
+    const toggles = layers.map((id) => h("label", {
+      title: id === "samples" && "Pixels as their samples, where they are large enough (s)",
+    }, this.boxes[id], LAYER_NAMES[id]));
     return h("div.tools", {role: "toolbar", "aria-label": "View"},
       h("span.group", {},
         button("\u2212", "Smaller (-)", () => this.zoom(0.8)), this.scaleText,
@@ -83,10 +90,21 @@ class Pictures {
       h("span.group", {}, toggles), this.legend());
   }
 
+  // Shows a layer, or hides it.
+  toggle(id) {
+    if (!this.boxes[id]) return;
+    Layers[id] = !Layers[id];
+    this.boxes[id].checked = Layers[id];
+    this.draw();
+  }
+
   legend() {
     const kinds = Object.keys(KINDS).filter((kind) =>
       this.result.answer.disagreements.some((d) => d.kind === kind));
-    return h("span.group.legend", {}, kinds.map(kindLabel));
+    return h("span.group.legend", {}, this.exactSamples && [
+      h("span.key", {}, swatch("disc", null), "written sample"),
+      h("span.key", {}, swatch("ring", null), "not written"),
+    ], kinds.map(kindLabel));
   }
 
   // Canvas sizes: as high as the image needs at the width there is, and no higher than leaves the
@@ -165,14 +183,37 @@ class Pictures {
     context.clip();
     context.imageSmoothingEnabled = plot.scale < 1;
     const {width, height} = this.one;
+    const places = this.samplePlaces(pane, plot);
+    context.globalAlpha = places ? RESOLVED_ALPHA : 1;
     context.drawImage(pane.image, plot.x(0), plot.y(height), width * plot.scale,
       height * plot.scale);
+    context.globalAlpha = 1;
     if (Layers.grid) drawGrid(plot, width, height);
     if (Layers.shapes) drawFigure(plot, this.one.figure, false);
-    if (Layers.markers) this.drawMarkers(plot);
+    if (Layers.markers) this.drawMarkers(plot, places !== null);
+    this.drawRule(plot);
+    if (places) this.drawSamples(pane, plot, places);
     this.drawChosen(plot);
     context.restore();
     drawAxes(plot, width, height);
+  }
+
+  // Where a pane's samples are drawn; null where its pixels are drawn whole.
+  samplePlaces(pane, plot) {
+    const {exactSamples: exact, renderedSamples: rendered} = this;
+    if (!Layers.samples || !exact || (pane !== this.panes[0] && !rendered)) return null;
+    const places = pane === this.panes[2] ? placesOf(rendered, exact) : placesOf(exact, rendered);
+    return samplesFit(plot, places) ? places : null;
+  }
+
+  // The sample that the chosen one's rule decides is marked once more, over its dot.
+  drawSamples(pane, plot, places) {
+    const {one, exactSamples: exact, renderedSamples: rendered} = this;
+    if (pane === this.panes[0]) drawSamples(plot, one, exact, places);
+    else if (pane === this.panes[2]) drawSamples(plot, one, rendered, places);
+    else drawSampleDifference(plot, one, exact, rendered, places, this.listed);
+    if (Layers.rule) this.selected?.figure?.filter(([role]) => role === "sample")
+      .forEach((mark) => drawMark(plot, mark));
   }
 
   drawNothing(plot) {
@@ -184,18 +225,23 @@ class Pictures {
     context.fillText("no picture", plot.left + plot.width / 2, plot.top + plot.height / 2);
   }
 
-  drawMarkers(plot) {
+  // Among samples, frames are thin, and the kind's shape stands at the sample that differs.
+  drawMarkers(plot, sampled) {
     const chosen = this.selected;
+    const atSample = (d) => sampled && d.sample !== undefined;
     for (const d of this.result.answer.disagreements)
-      if (d !== chosen) drawMarker(plot, d.x, d.y, d.kind, {});
+      if (d !== chosen) drawMarker(plot, d.x, d.y, d.kind, {bare: atSample(d), thin: sampled});
     if (chosen)
       drawMarker(plot, chosen.x, chosen.y, chosen.kind,
-        {strong: true, bare: Layers.rule && chosen.figure});
+        {strong: !sampled, bare: atSample(chosen) || (Layers.rule && chosen.figure)});
+  }
+
+  drawRule(plot) {
+    const figure = this.selected?.figure;
+    if (Layers.rule && figure) drawFigure(plot, figure, plot.scale >= 40 * plot.ratio);
   }
 
   drawChosen(plot) {
-    const d = this.selected;
-    if (d && Layers.rule && d.figure) drawFigure(plot, d.figure, plot.scale >= 40 * plot.ratio);
     for (const place of [this.pixel, this.hover]) {
       if (!place) continue;
       const box = new Path2D();
@@ -310,21 +356,24 @@ class Pictures {
     return null;
   }
 
-  colorText(pixels, {x, y}) {
-    if (!pixels) return "none";
+  colorOf(pixels, {x, y}) {
     const at = 4 * (y * this.one.width + x);
-    return Array.from(pixels.subarray(at, at + 4)).join(" ");
+    return pixels && Array.from(pixels.subarray(at, at + 4));
   }
 
   // One line about the pixel under the pointer, or else the chosen one.
   tell() {
     const pixel = this.hover || this.pixel;
     if (!pixel) return void replace(this.readout, "Point at a pixel to read it.");
+    const exact = this.colorOf(this.exact, pixel);
+    const rendered = this.colorOf(this.rendered, pixel);
+    const text = (name, color) => h("span", {}, name + " " + (color ? color.join(" ") : "none"));
+    if (this.table) replace(this.table, sampleTable(this.exactSamples, this.renderedSamples, pixel,
+      {exact, rendered}));
     replace(this.readout,
       h("b", {}, "(" + pixel.x + ", " + pixel.y + ")"),
       h("span", {}, "centre (" + (pixel.x + 0.5) + ", " + (pixel.y + 0.5) + ")"),
-      h("span", {}, "exact " + this.colorText(this.exact, pixel)),
-      h("span", {}, "rendered " + this.colorText(this.rendered, pixel)),
+      !this.table && [text("exact", exact), text("rendered", rendered)],
       this.near && h("span.near", {}, [this.near.role.replace("-", " "), this.near.label, "at",
         coordinate(this.near.x) + ", " + coordinate(this.near.y)].filter(Boolean).join(" ")));
   }

@@ -116,10 +116,23 @@ Details read_details(const Place& place, Findings& findings) {
   return {asked("coordinates"), asked("derivatives"), false};
 }
 
+// What is drawn with one sample alone so far.
+void refuse_of_several_samples(const ObjectReader& object, const CaseFields& fields,
+                               Findings& findings) {
+  if (fields.target.target.samples <= 1) return;
+  if (const auto textures = object.find("textures"))
+    findings.add_key(*textures, "textures with several samples are not supported yet",
+                     "remove them, or write \"samples\": 1 into the target");
+  if (fields.details.derivatives)
+    findings.add(*object.find("details"), "derivatives with several samples are not supported yet",
+                 "remove \"derivatives\", or write \"samples\": 1 into the target");
+}
+
 void read_scene(const ObjectReader& object, MeshShelf& meshes, TextureShelf& shelf,
                 Findings& findings, CaseFields& fields) {
   if (const auto place = object.find("target")) fields.target = read_target(*place, findings);
   if (const auto place = object.find("details")) fields.details = read_details(*place, findings);
+  refuse_of_several_samples(object, fields, findings);
   std::optional<TextureList> textures = TextureList{};
   if (const auto place = object.find("textures")) textures = read_textures(*place, shelf, findings);
   const std::size_t before = findings.size();
@@ -128,8 +141,9 @@ void read_scene(const ObjectReader& object, MeshShelf& meshes, TextureShelf& she
   if (findings.size() != before) transform.reset();
   fields.draws_place = object.find("draws");
   if (!fields.draws_place) return;
-  fields.draws = read_draws(*fields.draws_place, transform ? &*transform : nullptr, textures,
-                            meshes, findings);
+  const DrawContext context{fields.target.target.samples, transform ? &*transform : nullptr,
+                            textures, meshes};
+  fields.draws = read_draws(*fields.draws_place, context, findings);
   fields.details.texture =
       std::any_of(fields.draws.begin(), fields.draws.end(),
                   [](const DrawFields& draw) { return draw.draw.texture.has_value(); });

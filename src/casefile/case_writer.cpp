@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "casefile/json_layout.h"
@@ -40,10 +41,33 @@ JsonPiece strings(const std::vector<std::string>& words) {
 }
 
 bool chosen_by_loader(const Scene& scene) {
-  const std::optional<Viewport> chosen = choose_viewport(scene.target, scene.draws);
+  const std::optional<Viewport> chosen =
+      choose_viewport(scene.target, scene.draws, scene.supersampling);
   const Viewport& own = scene.viewport;
   return chosen && chosen->x == own.x && chosen->y == own.y && chosen->width == own.width &&
          chosen->height == own.height;
+}
+
+JsonPiece positions_piece(const SamplePositions& positions) {
+  Pieces items;
+  for (const Point within : positions)
+    items.push_back(json_array({coordinate(within.x), coordinate(within.y)}));
+  return json_array(std::move(items));
+}
+
+// The passes one by one, whichever pattern and kernel they came from.
+JsonPiece passes_piece(const Supersampling& passes) {
+  Pieces samples;
+  Pieces weights;
+  for (const ShadingPass& pass : passes) {
+    samples.push_back(json_array({coordinate(pass.at.x), coordinate(pass.at.y)}));
+    weights.push_back(json_scalar(std::to_string(pass.weight)));
+  }
+  Pieces members{named("samples", json_array(std::move(samples)))};
+  const auto counts_one = [](const ShadingPass& pass) { return pass.weight == 1; };
+  if (!std::ranges::all_of(passes, counts_one))
+    members.push_back(named("weights", json_array(std::move(weights))));
+  return json_object(std::move(members));
 }
 
 JsonPiece target_piece(const Scene& scene) {
@@ -53,6 +77,10 @@ JsonPiece target_piece(const Scene& scene) {
   const Target standard;
   if (target.samples != standard.samples)
     members.push_back(named("samples", integer_piece(target.samples)));
+  if (!target.sample_positions.empty())
+    members.push_back(named("sample_positions", positions_piece(target.sample_positions)));
+  if (!scene.supersampling.empty())
+    members.push_back(named("supersample", passes_piece(scene.supersampling)));
   if (target.color != standard.color)
     members.push_back(named("color", json_string(name_of(target.color))));
   if (target.depth != standard.depth)
@@ -97,6 +125,24 @@ int dimensions_of(const Draw& draw, const Scene& scene) {
   return draw.texture ? scene.textures[draw.texture->texture]->dimensions : 0;
 }
 
+JsonPiece flag_piece(bool value) {
+  return json_scalar(value ? "true" : "false");
+}
+
+void add_multisampling(const Multisampling& own, Pieces& members) {
+  const Multisampling standard;
+  if (own.enabled != standard.enabled)
+    members.push_back(named("multisample", flag_piece(own.enabled)));
+  if (own.location != standard.location)
+    members.push_back(named("attribute_location", json_string(name_of(own.location))));
+  if (own.min_sample_shading)
+    members.push_back(named("min_sample_shading", exact_piece(*own.min_sample_shading)));
+  if (own.mask != standard.mask)
+    members.push_back(named("sample_mask", json_scalar(std::to_string(own.mask))));
+  if (own.alpha_to_coverage != standard.alpha_to_coverage)
+    members.push_back(named("alpha_to_coverage", flag_piece(own.alpha_to_coverage)));
+}
+
 std::optional<JsonPiece> state_piece(const Draw& draw, int dimensions) {
   const Draw standard;
   Pieces members;
@@ -109,6 +155,7 @@ std::optional<JsonPiece> state_piece(const Draw& draw, int dimensions) {
   if (draw.point_size != standard.point_size)
     members.push_back(named("point_size", coordinate(draw.point_size)));
   if (draw.scissor) members.push_back(named("scissor", rectangle(*draw.scissor)));
+  add_multisampling(draw.multisampling, members);
   if (draw.texture)
     for (JsonPiece& member : texture_use_pieces(*draw.texture, dimensions))
       members.push_back(std::move(member));

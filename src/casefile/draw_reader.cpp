@@ -4,6 +4,7 @@
 #include "casefile/mesh.h"
 #include "casefile/numbers.h"
 #include "casefile/sampler_reader.h"
+#include "casefile/samples_reader.h"
 #include "casefile/scene_reader.h"
 #include "casefile/transform.h"
 #include "casefile/vertex_reader.h"
@@ -12,10 +13,14 @@ namespace edgecase {
 namespace {
 
 const Keys kDrawKeys{{"primitive"}, {"vertices", "mesh", "state", "color", "transform"}, {}};
-const Keys kStateKeys{{},
-                      {"interpolation", "provoking_vertex", "line_width", "point_size", "scissor",
-                       "texture", "sampler", "lookup"},
-                      {"depth", "stencil", "blend", "cull", "polygon_offset", "sample_mask"}};
+Keys state_keys() {
+  Keys keys{{},
+            {"interpolation", "provoking_vertex", "line_width", "point_size", "scissor", "texture",
+             "sampler", "lookup"},
+            {"depth", "stencil", "blend", "cull", "polygon_offset"}};
+  for (std::string& name : multisampling_keys()) keys.optional.push_back(std::move(name));
+  return keys;
+}
 
 const Names kPrimitiveNames{
     {"points", "lines", "line_strip", "line_loop", "triangles", "triangle_strip", "triangle_fan"},
@@ -25,8 +30,9 @@ const Names kPrimitiveNames{
 constexpr FixedRange kSizeRange{Fixed::from_raw(1), Fixed::from_integer(64)};
 constexpr Float32Range kColorRange{-kMaxColor, kMaxColor};
 
-TextureState read_state(const Place& place, const std::optional<TextureList>& textures, Draw& draw,
+TextureState read_state(const Place& place, const DrawContext& context, Draw& draw,
                         Findings& findings) {
+  static const Keys kStateKeys = state_keys();
   const ObjectReader object(place, "a state", kStateKeys, findings);
   if (const auto interpolation = object.find("interpolation"))
     read_enum(*interpolation, "interpolation", {{"flat", "smooth", "noperspective"}, {}}, findings,
@@ -42,7 +48,8 @@ TextureState read_state(const Place& place, const std::optional<TextureList>& te
         read_coordinate(*size, "point_size", kSizeRange, findings).value_or(draw.point_size);
   if (const auto scissor = object.find("scissor"))
     draw.scissor = read_rectangle(*scissor, "a scissor", 0, findings);
-  TextureState texture = read_texture_state(object, textures, findings);
+  draw.multisampling = read_multisampling(object, context.samples, findings);
+  TextureState texture = read_texture_state(object, context.textures, findings);
   draw.texture = texture.use;
   // A flat lookup shows one texel all over: nobody means it who does not say so.
   if (draw.texture && !object.find("interpolation")) draw.interpolation = Interpolation::smooth;
@@ -78,14 +85,6 @@ void read_vertices(const Place& place, std::optional<Primitive> primitive,
     vertices.push_back(read_vertex(place.child(i), defaults, findings));
 }
 
-// What a draw's reader needs to know of the case.
-struct Context {
-  const Transform* transform = nullptr;
-  const std::optional<TextureList>& textures;
-  MeshShelf& meshes;
-  TransformUse use;  // of the case's transform, by the draws that have none of their own
-};
-
 void read_mesh(const Place& place, std::optional<Primitive> primitive,
                const VertexDefaults& defaults, MeshShelf& meshes, Findings& findings,
                std::vector<VertexFields>& vertices) {
@@ -107,21 +106,22 @@ void check_use(const Transform& transform, TransformUse use, Findings& findings)
                  "give vertices as \"object\" or a mesh, or remove them");
 }
 
-void transform_draw(const std::optional<Place>& own, Context& context, Findings& findings,
-                    std::vector<VertexFields>& vertices) {
+// Moves the vertices of a draw; tells which parts of the case's transform acted on them.
+TransformUse transform_draw(const std::optional<Place>& own, const Transform* of_case,
+                            Findings& findings, std::vector<VertexFields>& vertices) {
   const std::size_t before = findings.size();
   if (own) {
     const Transform transform = read_transform(*own, findings);
-    if (findings.size() != before) return;
+    if (findings.size() != before) return {};
     check_use(transform, transform_vertices(&transform, vertices, findings), findings);
-    return;
+    return {};
   }
-  const TransformUse use = transform_vertices(context.transform, vertices, findings);
-  context.use.affine = context.use.affine || use.affine;
-  context.use.matrix = context.use.matrix || use.matrix;
+  return transform_vertices(of_case, vertices, findings);
 }
 
-DrawFields read_draw(const Place& place, Context& context, Findings& findings) {
+// `use`: of the case's transform, by the draws that have none of their own.
+DrawFields read_draw(const Place& place, const DrawContext& context, TransformUse& use,
+                     Findings& findings) {
   const std::size_t before = findings.size();
   DrawFields fields;
   const ObjectReader object(place, "a draw", kDrawKeys, findings);
@@ -132,7 +132,7 @@ DrawFields read_draw(const Place& place, Context& context, Findings& findings) {
   }
   VertexDefaults defaults;
   if (const auto state = object.find("state")) {
-    const TextureState texture = read_state(*state, context.textures, fields.draw, findings);
+    const TextureState texture = read_state(*state, context, fields.draw, findings);
     defaults.textured = texture.textured;
     defaults.dimensions = texture.dimensions;
   }
@@ -154,17 +154,20 @@ DrawFields read_draw(const Place& place, Context& context, Findings& findings) {
     findings.add(place, "a draw lacks \"vertices\"", "add \"vertices\": [...], or a \"mesh\"");
   const auto transform = object.find("transform");
   // Vertices that were refused have stand-in numbers: nothing can be said of where they land.
-  if (findings.size() == before)
-    transform_draw(transform, context, findings, fields.vertices);
-  else if (transform)
+  if (findings.size() == before) {
+    const TransformUse own =
+        transform_draw(transform, context.transform, findings, fields.vertices);
+    use.affine = use.affine || own.affine;
+    use.matrix = use.matrix || own.matrix;
+  } else if (transform) {
     read_transform(*transform, findings);
+  }
   return fields;
 }
 
 }  // namespace
 
-std::vector<DrawFields> read_draws(const Place& place, const Transform* transform,
-                                   const std::optional<TextureList>& textures, MeshShelf& meshes,
+std::vector<DrawFields> read_draws(const Place& place, const DrawContext& context,
                                    Findings& findings) {
   const std::size_t before = findings.size();
   std::vector<DrawFields> draws;
@@ -174,16 +177,16 @@ std::vector<DrawFields> read_draws(const Place& place, const Transform* transfor
     findings.add(place, fmt::format("a case has {} draws", count),
                  fmt::format("write 1 to {} draws", kMaxDraws));
   }
-  Context context{transform, textures, meshes, {}};
+  TransformUse use;
   std::size_t vertices = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    draws.push_back(read_draw(place.child(i), context, findings));
+    draws.push_back(read_draw(place.child(i), context, use, findings));
     vertices += draws.back().vertices.size();
   }
   if (vertices > kMaxVertices)
     findings.add(place, fmt::format("a case has {} vertices", vertices),
                  fmt::format("write {} at most, over all draws", kMaxVertices));
-  if (transform && findings.size() == before) check_use(*transform, context.use, findings);
+  if (context.transform && findings.size() == before) check_use(*context.transform, use, findings);
   return draws;
 }
 

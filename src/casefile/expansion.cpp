@@ -11,6 +11,7 @@
 #include "casefile/expect_when.h"
 #include "casefile/fault_sheet.h"
 #include "casefile/mesh.h"
+#include "casefile/supersample_reader.h"
 #include "casefile/sweep.h"
 #include "casefile/texture_reader.h"
 #include "casefile/variants.h"
@@ -70,6 +71,14 @@ JsonNode without_lists(const JsonNode& root) {
   return result;
 }
 
+// A mask says which samples are covered, not by which of several primitives.
+void check_primitives(const Place& drawing, std::size_t count, Findings& findings) {
+  if (count != 1)
+    findings.add(drawing,
+                 fmt::format("\"masks\" is of one primitive, and the case draws {}", count),
+                 "give each primitive a case of its own, or leave the drawing out");
+}
+
 class Expansion {
  public:
   Expansion(const JsonNode& root, const CaseOrigin& origin, Plan plan, Findings& findings)
@@ -124,8 +133,10 @@ void Expansion::read_as_written() {
   read_case_fields(root_, origin_.known_rules, meshes_, textures_, findings_);
   const auto expect = member_of(root_, "expect");
   if (!expect || expect->node->kind != JsonKind::array) return;
+  Target unknown;
+  unknown.samples = 0;
   for (std::size_t i = 0; i < expect->node->children.size(); ++i)
-    read_drawing(expect->child(i), Target{}, origin_.file.parent_path(), findings_);
+    read_drawing(expect->child(i), unknown, origin_.file.parent_path(), findings_);
 }
 
 void Expansion::expand(const Combination& combination) {
@@ -165,17 +176,25 @@ Case Expansion::make_case(const CaseFields& fields, const Combination& combinati
   TargetFields target = fields.target;
   std::vector<DrawFields> draws = fields.draws;
   if (fields.draws_place) apply_image(image, target, draws, *fields.draws_place, findings);
+  std::vector<Place> drawings;
   for (std::size_t i = 0; i < plan_.conditions.size(); ++i) {
     if (!holds(plan_.conditions[i], plan_.sweep, combination, image)) continue;
     used_.insert(i);
-    const Place drawing = member_of(root_, "expect")->child(i);
+    drawings.push_back(member_of(root_, "expect")->child(i));
+    check_no_drawing(target, drawings.back(), findings);
     result.expect.push_back(
-        read_drawing(drawing, target.target, origin_.file.parent_path(), findings));
+        read_drawing(drawings.back(), target.target, origin_.file.parent_path(), findings));
   }
   if (fields.draws_place)
     result.scene = complete_scene(target, draws, result.id, *fields.draws_place, findings);
   result.scene.details = fields.details;
   result.scene.textures = fields.textures;
+  if (findings.empty()) check_pass_work(result.scene, target, findings);
+  // Of a faulty scene nothing can be said of its primitives.
+  const bool sound = findings.empty();
+  for (std::size_t i = 0; sound && i < drawings.size(); ++i)
+    if (!result.expect[i].masks.empty())
+      check_primitives(drawings[i], primitives_of(result.scene).size(), findings);
   return result;
 }
 

@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <string>
 
+#include "casefile/mask_drawing.h"
 #include "casefile/text.h"
 #include "casefile/text_file.h"
 
 namespace edgecase {
 namespace {
 
-const Keys kExpectKeys{{}, {"policy", "when", "coverage", "coverage_file"}, {"values"}};
+const Keys kExpectKeys{{}, {"policy", "when", "coverage", "coverage_file", "masks"}, {"values"}};
 
 // One row of a drawing and the place that messages about it name.
 struct Row {
@@ -115,6 +116,38 @@ void read_drawing_file(const Place& place, const Target& target,
   expect.coverage = rows_to_hits(rows_of_text(*file.text, place), place, target, findings);
 }
 
+// The one drawing that an expectation must have, as fits the target's samples; none, and a finding,
+// where there is no such.
+std::optional<Place> find_drawing(const Place& place, const ObjectReader& object, int samples,
+                                  Findings& findings) {
+  std::optional<Place> drawing;
+  for (const char* name : {"coverage", "coverage_file", "masks"}) {
+    const auto found = object.find(name);
+    if (!found) continue;
+    if (drawing) {
+      findings.add(
+          place,
+          fmt::format("an expectation has both {} and {}", quote(drawing->node->name), quote(name)),
+          "give exactly one of them");
+      return std::nullopt;
+    }
+    drawing = found;
+  }
+  if (!drawing) {
+    findings.add(place, "an expectation has no drawing",
+                 "add \"coverage\", \"coverage_file\" or, of several samples, \"masks\"");
+    return std::nullopt;
+  }
+  const bool masks = drawing->node->name == "masks";
+  if (samples == 0 || masks == (samples > 1)) return drawing;
+  findings.add_key(*drawing,
+                   masks ? "\"masks\" tells several samples apart, and the target has 1"
+                         : fmt::format("{} cannot tell the target's {} samples apart",
+                                       quote(drawing->node->name), samples),
+                   masks ? "draw \"coverage\"" : "draw \"masks\"");
+  return std::nullopt;
+}
+
 }  // namespace
 
 Expect read_drawing(const Place& place, const Target& target, const std::filesystem::path& folder,
@@ -124,21 +157,19 @@ Expect read_drawing(const Place& place, const Target& target, const std::filesys
   if (!object.valid()) return expect;
   if (const auto policy = object.find("policy"))
     expect.policy = read_text(*policy, "a policy's name", {1, 100}, findings).value_or("");
-  const auto drawing = object.find("coverage");
-  const auto file = object.find("coverage_file");
-  if (drawing.has_value() == file.has_value())
-    findings.add(place,
-                 drawing ? "an expectation has both \"coverage\" and \"coverage_file\""
-                         : "an expectation has neither \"coverage\" nor \"coverage_file\"",
-                 "give exactly one of the two");
-  const Place& shown = drawing ? *drawing : file ? *file : place;
-  expect.where = fmt::format("{}:{}: {}", findings.file(), shown.node->line, shown.pointer);
-  if (drawing && expect_kind(*drawing, JsonKind::array, "coverage", findings)) {
+  const auto drawing = find_drawing(place, object, target.samples, findings);
+  if (!drawing) return expect;
+  expect.where = fmt::format("{}:{}: {}", findings.file(), drawing->node->line, drawing->pointer);
+  const std::string& name = drawing->node->name;
+  if (name == "coverage_file") {
+    read_drawing_file(*drawing, target, folder, findings, expect);
+  } else if (name == "masks") {
+    expect.masks = read_masks(*drawing, target, findings);
+  } else if (expect_kind(*drawing, JsonKind::array, "coverage", findings)) {
     const std::size_t before = findings.size();
     const std::vector<Row> rows = rows_of_array(*drawing, findings);
     if (findings.size() == before) expect.coverage = rows_to_hits(rows, *drawing, target, findings);
   }
-  if (file && !drawing) read_drawing_file(*file, target, folder, findings, expect);
   return expect;
 }
 

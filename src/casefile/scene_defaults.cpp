@@ -4,6 +4,7 @@
 #include "casefile/clip_space.h"
 #include "casefile/salted_colors.h"
 #include "casefile/scene_reader.h"
+#include "casefile/supersample_reader.h"
 #include "casefile/viewport.h"
 #include "exact/numeral.h"
 
@@ -31,20 +32,69 @@ std::vector<Draw> fill_colors(const std::vector<DrawFields>& draws, std::uint64_
   return result;
 }
 
+// One axis of a viewport, and what a vertex's coordinates along it are multiplied with.
+struct Axis {
+  char name = 'x';
+  ViewportSide side;
+  float w = 1;
+};
+
 void check_coordinate(const std::optional<Place>& place, const std::optional<Inexactness>& fault,
                       Findings& findings) {
   if (place && fault) findings.add(*place, fault->message, fault->remedy);
 }
 
-// A vertex in window coordinates reaches OpenGL as written.
-void check_exactness(const VertexFields& fields, const Viewport& viewport, Findings& findings) {
+// A coordinate as each pass moves it; the first fault, if any.
+std::optional<Inexactness> find_moved_inexactness(Fixed coordinate,
+                                                  const std::vector<Fixed>& shifts,
+                                                  const Axis& axis) {
+  for (const Fixed shift : shifts) {
+    const Fixed moved = coordinate + shift;
+    auto fault = find_inexactness(moved, axis.side, axis.name, axis.w);
+    if (!fault && !moved.in_coordinate_range())
+      fault = Inexactness{fmt::format("{} = {}, out of range", axis.name, to_decimal(moved)),
+                          "move the vertex nearer to the target"};
+    if (!fault) continue;
+    if (shift != Fixed())
+      fault->message = fmt::format("moved by {} for a pass of \"supersample\", {}",
+                                   to_decimal(shift), fault->message);
+    return fault;
+  }
+  return std::nullopt;
+}
+
+// A vertex in window coordinates reaches OpenGL as written, in each pass.
+void check_exactness(const VertexFields& fields, const Shifts& shifts, const Viewport& viewport,
+                     Findings& findings) {
   const Vertex& vertex = fields.vertex;
   const Point at = vertex.position;
-  const ViewportSide columns{viewport.x, viewport.width};
-  const ViewportSide rows{viewport.y, viewport.height};
-  check_coordinate(fields.x, find_inexactness(at.x, columns, 'x', vertex.w), findings);
-  check_coordinate(fields.y, find_inexactness(at.y, rows, 'y', vertex.w), findings);
+  const Axis columns{'x', {viewport.x, viewport.width}, vertex.w};
+  const Axis rows{'y', {viewport.y, viewport.height}, vertex.w};
+  check_coordinate(fields.x, find_moved_inexactness(at.x, shifts.x, columns), findings);
+  check_coordinate(fields.y, find_moved_inexactness(at.y, shifts.y, rows), findings);
   check_coordinate(fields.z, find_depth_inexactness(vertex.z, vertex.w), findings);
+}
+
+// Clip coordinates stay within the clip volume, and where they land in range, in each pass.
+bool check_passes(const Place& place, const Vertex& vertex, const Scene& scene,
+                  Findings& findings) {
+  for (const ShadingPass& pass : scene.supersampling) {
+    const Point shift = shift_of(pass);
+    const Vertex moved = moved_vertex(vertex, shift, scene.viewport);
+    auto fault =
+        find_clip_fault(*moved.clip, fmt::format("the vertex, moved by ({}, {}) for a pass of "
+                                                 "\"supersample\",",
+                                                 to_decimal(shift.x), to_decimal(shift.y)));
+    if (!fault && !is_in_range(moved))
+      fault = Inexactness{fmt::format("a pass of \"supersample\" moves the vertex to ({}, {}), "
+                                      "out of range",
+                                      to_decimal(moved.position.x), to_decimal(moved.position.y)),
+                          "move the vertex nearer to the target"};
+    if (!fault) continue;
+    findings.add(place, fault->message, fault->remedy);
+    return false;
+  }
+  return true;
 }
 
 // Where clip coordinates land; false, and a finding, where that is out of range.
@@ -61,15 +111,18 @@ bool place_vertex(const Place& place, const Viewport& viewport, Vertex& vertex,
 }
 
 void place_vertices(const std::vector<DrawFields>& draws, Scene& scene, Findings& findings) {
+  const Shifts shifts = shifts_of(scene.supersampling);
   for (std::size_t d = 0; d < draws.size(); ++d) {
     for (std::size_t i = 0; i < draws[d].vertices.size(); ++i) {
       const VertexFields& fields = draws[d].vertices[i];
       if (!fields.vertex.clip) {
-        check_exactness(fields, scene.viewport, findings);
+        check_exactness(fields, shifts, scene.viewport, findings);
         continue;
       }
       Vertex& vertex = scene.draws[d].vertices[i];
-      if (!place_vertex(fields.place, scene.viewport, vertex, findings) && fields.of_mesh) break;
+      const bool sound = place_vertex(fields.place, scene.viewport, vertex, findings) &&
+                         check_passes(fields.place, vertex, scene, findings);
+      if (!sound && fields.of_mesh) break;
     }
   }
 }
@@ -83,10 +136,14 @@ Scene complete_scene(const TargetFields& target, const std::vector<DrawFields>& 
   scene.target = target.target;
   scene.target.clear = target.clear.value_or(salted_clear(hash));
   scene.draws = fill_colors(draws, hash);
+  scene.supersampling = target.supersampling;
   // Vertices of a faulty file have stand-in coordinates: nothing can be said about those.
   if (!findings.empty()) return scene;
+  check_pass_work(scene, target, findings);
+  if (!findings.empty()) return scene;
   const std::optional<Viewport> viewport =
-      target.viewport ? target.viewport : choose_viewport(scene.target, scene.draws);
+      target.viewport ? target.viewport
+                      : choose_viewport(scene.target, scene.draws, scene.supersampling);
   if (!viewport) {
     findings.add(draws_place,
                  "no viewport of at most 16384 pixels holds the target and all vertices",

@@ -26,11 +26,15 @@ constexpr int kMaxTargetSize = 4096;         // pixels along a side
 constexpr std::size_t kMaxDraws = 64;        // of a case
 constexpr std::size_t kMaxVertices = 65536;  // of a case, all draws together
 
-// A target as written; what it leaves open is absent.
+// A target as written; what it leaves open is absent. A size or a number of samples that is faulty
+// is 0.
 struct TargetFields {
   Target target;
   std::optional<Color> clear;
   std::optional<Viewport> viewport;
+  std::optional<Place> positions_place;  // of "sample_positions"
+  Supersampling supersampling;
+  std::optional<Place> supersample_place;
   bool y_down = false;  // the file counts y from the target's upper edge downwards
 };
 
@@ -60,11 +64,17 @@ struct DrawFields {
 class MeshShelf;
 struct Transform;
 
-// What draws share: `transform` is the case's own, for draws without one; null: there is none.
-// `textures` are the case's; none: their list is faulty, so that no number can be judged.
-// Reads its vertices to where they are drawn, but for what depends on the viewport.
-std::vector<DrawFields> read_draws(const Place& place, const Transform* transform,
-                                   const std::optional<TextureList>& textures, MeshShelf& meshes,
+// What the draws of a case share.
+struct DrawContext {
+  int samples = 1;                       // of the target; 0: not known
+  const Transform* transform = nullptr;  // of draws without one; null: there is none
+  // None: the list is faulty, so that no texture's number can be judged.
+  const std::optional<TextureList>& textures;
+  MeshShelf& meshes;
+};
+
+// Reads vertices to where they are drawn, but for what depends on the viewport.
+std::vector<DrawFields> read_draws(const Place& place, const DrawContext& context,
                                    Findings& findings);
 
 // Joins both to a scene, with every default filled in. `id` salts the colours. Adds findings for

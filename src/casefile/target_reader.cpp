@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "casefile/numbers.h"
+#include "casefile/samples_reader.h"
 #include "casefile/scene_reader.h"
+#include "casefile/supersample_reader.h"
 #include "casefile/viewport.h"
 
 namespace edgecase {
 namespace {
 
 const Keys kTargetKeys{{"width", "height"},
-                       {"samples", "color", "depth", "surface", "clear", "viewport", "y"},
-                       {"stencil", "sample_positions", "supersample"}};
+                       {"samples", "sample_positions", "color", "depth", "surface", "clear",
+                        "viewport", "y", "supersample"},
+                       {"stencil"}};
 const Keys kRectangleKeys{{"x", "y", "width", "height"}, {}, {}};
 
 void read_into(const ObjectReader& object, const char* name, IntegerRange range, Findings& findings,
@@ -16,13 +19,6 @@ void read_into(const ObjectReader& object, const char* name, IntegerRange range,
   const auto place = object.find(name);
   if (!place) return;
   value = read_integer(*place, name, range, findings).value_or(value);
-}
-
-void read_samples(const Place& place, Findings& findings) {
-  constexpr int kMostSamples = 64;
-  const auto samples = read_integer(place, "samples", {1, kMostSamples}, findings);
-  if (samples && *samples != 1)
-    findings.add(place, "more than one sample is not supported yet", "write 1, or leave it out");
 }
 
 }  // namespace
@@ -45,7 +41,6 @@ TargetFields read_target(const Place& place, Findings& findings) {
   const ObjectReader object(place, "a target", kTargetKeys, findings);
   read_into(object, "width", {1, kMaxTargetSize}, findings, fields.target.width);
   read_into(object, "height", {1, kMaxTargetSize}, findings, fields.target.height);
-  if (const auto samples = object.find("samples")) read_samples(*samples, findings);
   if (const auto color = object.find("color"))
     read_enum(*color, "a colour format", {{"rgba8"}, {}}, findings, fields.target.color);
   if (const auto depth = object.find("depth"))
@@ -53,6 +48,8 @@ TargetFields read_target(const Place& place, Findings& findings) {
               fields.target.depth);
   if (const auto surface = object.find("surface"))
     read_enum(*surface, "a surface", {{"fbo", "window"}, {}}, findings, fields.target.surface);
+  read_samples(object, fields, findings);
+  read_supersample(object, fields, findings);
   if (const auto clear = object.find("clear"))
     fields.clear = read_color(*clear, "a clear colour", {0, 1}, findings);
   if (const auto viewport = object.find("viewport"))

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "casefile/exact_quotient.h"
+#include "casefile/split_mix.h"
 
 namespace edgecase {
 namespace {
@@ -71,15 +72,6 @@ double raised_cosine(std::int64_t turned, std::int64_t quarter) {
   const double angle =
       std::numbers::pi * static_cast<double>(at) / (2 * static_cast<double>(quarter));
   return 0.5 + 0.5 * sign * std::cos(angle);
-}
-
-// SplitMix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014).
-std::uint64_t next_word(std::uint64_t& state) {
-  state += 0x9E3779B97F4A7C15U;
-  std::uint64_t word = state;
-  word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9U;
-  word = (word ^ (word >> 27)) * 0x94D049BB133111EBU;
-  return word ^ (word >> 31);
 }
 
 }  // namespace

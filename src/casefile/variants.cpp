@@ -84,6 +84,14 @@ void turn_gradients(Lookup& lookup, int octant) {
   if (octant & 4) std::swap(lookup.dx, lookup.dy);
 }
 
+// A sample turns about its pixel's centre as the pixel turns within the target, and keeps its
+// index.
+void turn_position(Point& within, int octant) {
+  if (octant & 1) within.x = Fixed::from_integer(1) - within.x;
+  if (octant & 2) within.y = Fixed::from_integer(1) - within.y;
+  if (octant & 4) std::swap(within.x, within.y);
+}
+
 void settle_viewport(TargetFields& target, const std::vector<DrawFields>& draws) {
   if (target.viewport) return;
   const bool any = std::any_of(draws.begin(), draws.end(), [](const DrawFields& draw) {
@@ -100,6 +108,8 @@ void turn(int octant, TargetFields& target, std::vector<DrawFields>& draws) {
     if (draw.draw.texture) turn_gradients(draw.draw.texture->lookup, octant);
   }
   if (target.viewport) target.viewport = octant_of(*target.viewport, octant, target.target);
+  for (Point& within : target.target.sample_positions) turn_position(within, octant);
+  for (ShadingPass& pass : target.supersampling) turn_position(pass.at, octant);
   if (octant & 4) std::swap(target.target.width, target.target.height);
 }
 
@@ -145,6 +155,18 @@ void check_vertex(const VertexFields& fields, const char* mover, Findings& findi
           "move the vertex nearer to the target");
 }
 
+// The image of a pixel's left side is the right one, which belongs to the next pixel.
+void check_positions(const TargetFields& target, const char* mover, Findings& findings) {
+  for (const Point within : target.target.sample_positions)
+    if (std::max(within.x, within.y) >= Fixed::from_integer(1)) {
+      findings.add(*target.positions_place,
+                   fmt::format("{} moves a sample to ({}, {}), out of its pixel", mover,
+                               to_decimal(within.x), to_decimal(within.y)),
+                   "give positions above 0, whose images lie below 1");
+      return;
+    }
+}
+
 void check_ranges(const TargetFields& target, const std::vector<DrawFields>& draws,
                   const char* mover, const Place& draws_place, Findings& findings) {
   if (std::max(target.target.width, target.target.height) > kMaxTargetSize)
@@ -153,6 +175,7 @@ void check_ranges(const TargetFields& target, const std::vector<DrawFields>& dra
                              target.target.height),
                  fmt::format("use a target that leaves room below {} pixels", kMaxTargetSize));
   check_rectangle(target.viewport, mover, "the viewport", draws_place, findings);
+  check_positions(target, mover, findings);
   for (const DrawFields& draw : draws) {
     check_rectangle(draw.draw.scissor, mover, "a scissor", draws_place, findings);
     for (const VertexFields& vertex : draw.vertices) check_vertex(vertex, mover, findings);

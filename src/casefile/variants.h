@@ -10,6 +10,10 @@
 //              exchanged, too
 //   translate  everything moved by (3, 2) pixels, the target as much larger
 //
+// Positions of samples turn with the image, each with its index, where the file gives them; where
+// it gives none, an image has them wherever the case itself has. The places where a supersampled
+// scene is shaded turn likewise.
+//
 // Texture coordinates stay with their vertices; gradients that a lookup gives turn with the image.
 // All keep coordinates exact, since sizes of targets and steps are whole. Clip coordinates turn
 // about the viewport's centre and move with it, so where any vertex has them the viewport is
@@ -54,7 +58,8 @@ void apply_image(const Image& image, TargetFields& target, std::vector<DrawField
                  const Place& draws_place, Findings& findings);
 
 // Turns a scene whose y counts from the target's upper edge downwards into the same scene with y
-// up: of vertices, clip coordinates, viewport and scissors. Adds findings as apply_image does.
+// up: of vertices, clip coordinates, viewport, scissors and positions of samples, of either kind.
+// Adds findings as apply_image does.
 void turn_y_up(TargetFields& target, std::vector<DrawFields>& draws, const Place& draws_place,
                Findings& findings);
 

@@ -134,16 +134,32 @@ bool has_clip_vertices(const std::vector<Draw>& draws) {
   });
 }
 
-std::optional<Viewport> choose_viewport(const Target& target, const std::vector<Draw>& draws) {
+Shifts shifts_of(const Supersampling& passes) {
+  if (passes.empty()) return {{Fixed()}, {Fixed()}};
+  Shifts shifts;
+  for (const ShadingPass& pass : passes) {
+    shifts.x.push_back(shift_of(pass).x);
+    shifts.y.push_back(shift_of(pass).y);
+  }
+  for (std::vector<Fixed>* side : {&shifts.x, &shifts.y}) {
+    std::ranges::sort(*side);
+    side->erase(std::unique(side->begin(), side->end()), side->end());
+  }
+  return shifts;
+}
+
+std::optional<Viewport> choose_viewport(const Target& target, const std::vector<Draw>& draws,
+                                        const Supersampling& passes) {
   if (has_clip_vertices(draws)) return clip_viewport(target);
   Demands across{0, target.width, -kNoBound, kNoBound};
   Demands up{0, target.height, -kNoBound, kNoBound};
+  const Shifts shifts = shifts_of(passes);
   for (const Draw& draw : draws) {
     const int room = room_of(draw);
     for (const Vertex& vertex : draw.vertices) {
       const std::int64_t odd = odd_part(vertex.w);
-      demand(vertex.position.x, odd, room, across);
-      demand(vertex.position.y, odd, room, up);
+      for (const Fixed shift : shifts.x) demand(vertex.position.x + shift, odd, room, across);
+      for (const Fixed shift : shifts.y) demand(vertex.position.y + shift, odd, room, up);
     }
   }
   const std::optional<ViewportSide> columns = choose_side(across);

@@ -33,8 +33,18 @@ constexpr int kMaxViewportSize = 16384;
 // their vertices. Where exactness cannot be had, the smallest that contains all is returned and
 // find_inexactness tells which vertex is to blame. None when a side would exceed kMaxViewportSize.
 // Where any vertex is given as clip coordinates, whose place depends on the viewport: that of
-// clip_viewport.
-std::optional<Viewport> choose_viewport(const Target& target, const std::vector<Draw>& draws);
+// clip_viewport. All of it holds for vertices as they are moved by each pass, where there are
+// some.
+std::optional<Viewport> choose_viewport(const Target& target, const std::vector<Draw>& draws,
+                                        const Supersampling& passes = {});
+
+// By which the passes move vertices along x and along y: each distance once, in pixels. Without
+// passes nothing is moved: 0.
+struct Shifts {
+  std::vector<Fixed> x;
+  std::vector<Fixed> y;
+};
+Shifts shifts_of(const Supersampling& passes);
 
 // The smallest viewport at (0, 0) that contains the target and has powers of two as sizes.
 Viewport clip_viewport(const Target& target);

@@ -2,17 +2,14 @@
 #include "diff/compare.h"
 
 #include <algorithm>
-#include <optional>
 #include <tuple>
 #include <utility>
 
-#include "diff/alternatives.h"
-#include "diff/coverage_compare.h"
-#include "diff/coverage_diff.h"
-#include "diff/explanation.h"
-#include "diff/legality.h"
-#include "diff/texture_values.h"
-#include "diff/value_diff.h"
+#include "diff/coverage/alternatives.h"
+#include "diff/coverage/explanation.h"
+#include "diff/coverage/legality.h"
+#include "diff/drawing_compare.h"
+#include "diff/samples/pass_compare.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
 
@@ -20,37 +17,19 @@ namespace edgecase {
 namespace {
 
 bool reads_before(const Disagreement& a, const Disagreement& b) {
-  return std::tie(a.y, a.x, a.primitive, a.kind, a.rule) <
-         std::tie(b.y, b.x, b.primitive, b.kind, b.rule);
+  return std::tie(a.y, a.x, a.primitive, a.sample, a.kind, a.rule) <
+         std::tie(b.y, b.x, b.primitive, b.sample, b.kind, b.rule);
 }
 
 }  // namespace
 
 Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
                const Rendering& rendered, const RendererFacts& facts) {
-  const Surface surface = scene.target.surface;
-  const RuleChoices choices = resolve(policy, surface);
-  const int bits = latitude_bits(facts.reported_subpixel_bits);
-  const std::vector<ScenePrimitive> primitives = primitives_of(scene);
-  const auto coverage = match_coverage(primitives.size(), exact, rendered);
-  std::optional<RuleChoices> profile;
-  if (facts.profile != nullptr) profile = resolve(*facts.profile, surface);
-
-  Result result;
-  result.pixels = rendered.pixels;
-  result.refuted.assign(alternative_names().size(), '0');
-  compare_coverage(
-      {scene, primitives, coverage, choices, profile ? &*profile : nullptr, policy.latitude, bits},
-      result);
-  const ValueContext values(scene, primitives, choices, bits, policy.latitude);
-  compare_fragment_values(values, rendered, result);
-  compare_coordinates(values, rendered, result);
-  compare_derivatives(values, rendered, result);
-  compare_texture_lookups(values, rendered, profile ? &profile->textures : nullptr, result);
-  compare_mip_chains(values, exact, rendered, result);
-  // A renderer that was asked for coverage alone has neither pixels nor depths.
-  if (!rendered.pixels.empty()) compare_pixels(values, rendered, result);
-  if (!rendered.depths.empty()) compare_depths(values, rendered, result);
+  const Drawing drawing{scene, policy, exact, rendered, facts};
+  std::string none_refuted(alternative_names().size(), '0');
+  Result result = scene.supersampling.empty() ? compare_drawing(drawing, std::move(none_refuted))
+                                              : compare_passes(drawing, std::move(none_refuted));
+  std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
   return result;
 }
@@ -85,12 +64,17 @@ std::vector<PixelExplanation> explain_pixel(const Scene& scene, const Policy& po
   std::vector<PixelExplanation> result;
   for (const ScenePrimitive& primitive : primitives_of(scene)) {
     const CoverageChoice& choice = choices.of(primitive.kind);
-    const auto pixels = covered_pixels(primitive, scene.target, choice);
-    Explanation why = explain(primitive, {x, y}, choice);
-    result.push_back({primitive.index,
-                      std::find(pixels.begin(), pixels.end(), PixelPosition{x, y}) != pixels.end(),
-                      coverage_rule_of(primitive.kind), std::move(why.text),
-                      std::move(why.figure)});
+    const SamplePositions positions = positions_of(scene.target, choice, {});
+    const SampleCoverage coverage = covered_samples(primitive, scene.target, choice, {});
+    const bool multisampled = is_multisampled(*primitive.state, scene.target);
+    for (std::size_t s = 0; s < (multisampled ? positions.size() : 1); ++s) {
+      const Point within = multisampled ? positions[s] : centre_of_pixel();
+      Explanation why = explain(primitive, place_in({x, y}, within), scene.target, choice);
+      const bool covered = std::ranges::find(coverage[s], PixelPosition{x, y}) != coverage[s].end();
+      result.push_back({primitive.index, multisampled ? static_cast<int>(s) : -1, covered,
+                        rule_on_coverage(primitive, scene.target), std::move(why.text),
+                        std::move(why.figure)});
+    }
   }
   return result;
 }

@@ -30,10 +30,11 @@ Result not_run(Failure failure);
 // The outlines and vertices of a scene's primitives.
 Figure scene_figure(const Scene& scene);
 
-// Why pixel (x, y) is or is not drawn by each primitive under a policy: a sentence each, with the
-// rule's figure.
+// Why pixel (x, y), of multisampled primitives each of its samples, is or is not drawn by each
+// primitive under a policy: a sentence each, with the rule's figure.
 struct PixelExplanation {
   int primitive = 0;
+  int sample = -1;  // -1: the pixel
   bool covered = false;
   std::string rule;
   std::string text;

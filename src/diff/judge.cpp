@@ -2,19 +2,21 @@
 #include "diff/judge.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include "diff/alternatives.h"
-#include "diff/cause.h"
-#include "diff/legality.h"
+#include "diff/coverage/alternatives.h"
+#include "diff/coverage/cause.h"
+#include "diff/coverage/legality.h"
 #include "rules/coverage/snap.h"
 
 namespace edgecase {
@@ -43,41 +45,58 @@ std::string choose_line_reading(std::span<Result* const> results) {
 using Counts = std::map<std::string, std::ptrdiff_t>;
 
 // How many primitives of the run each alternative helps to reproduce, alone or with another, less
-// the cases that refute it.
+// the cases that refute it. A primitive of several passes counts once.
 Counts count_alternatives(std::span<Result* const> results) {
   Counts counts;
   for (const Result* result : results) {
-    for (const Result::Evidence& evidence : result->evidence) {
-      std::set<std::string> helpful;
+    std::set<std::pair<int, std::string>> helpful;
+    for (const Result::Evidence& evidence : result->evidence)
       for (const std::string& cause : evidence.causes)
-        for (const std::string& part : parts_of(cause)) helpful.insert(part);
-      for (const std::string& part : helpful) ++counts[part];
-    }
+        for (const std::string& part : parts_of(cause)) helpful.emplace(evidence.primitive, part);
+    for (const auto& [primitive, part] : helpful) ++counts[part];
     for (std::size_t i = 0; i < result->refuted.size(); ++i)
       if (result->refuted[i] == '1') --counts[alternative_names()[i]];
   }
   return counts;
 }
 
+// Is it what the evidence is about?
+bool is_of(const Disagreement& d, const Result::Evidence& evidence) {
+  return d.primitive == evidence.primitive && (evidence.pass < 0 || d.sample == evidence.pass);
+}
+
 // Is what was drawn of a primitive inside the specification, lines read as they are?
 bool is_legal(const Result& result, const Result::Evidence& evidence, const std::string& reading) {
   return std::all_of(
       result.disagreements.begin(), result.disagreements.end(), [&](const Disagreement& d) {
-        if (d.primitive != evidence.primitive || d.policy_agrees) return true;
+        if (!is_of(d, evidence) || d.policy_agrees) return true;
         if (d.kind == DisagreementKind::value) return true;
         return is_about_a_line(d) ? !contains(evidence.illegal_line_snaps, reading) : d.legal;
       });
 }
 
-// The candidate whose alternatives explain most of the run; the first in catalogue order of those
-// that tie. Of what is legal, one that the specification leaves open comes before one that it does
-// not. What is illegal, a hole in a shared edge say, speaks for neither.
+// Does the run speak for each of these alternatives more often than against it?
+bool is_followed(const std::vector<std::string>& parts, const Counts& counts) {
+  return std::all_of(parts.begin(), parts.end(),
+                     [&](const std::string& part) { return counts.at(part) > 0; });
+}
+
+// The candidate whose alternatives explain most of the run, on average; the first in catalogue
+// order of those that tie. Of what is legal, one that the specification leaves open comes before
+// one that it does not; if it is not among the smallest, it must be what the renderer does
+// elsewhere. What is illegal, a hole in a shared edge say, speaks for neither.
 std::string choose_cause(const Result::Evidence& evidence, bool legal, const Counts& counts) {
   std::string best;
-  std::pair most{false, std::numeric_limits<std::ptrdiff_t>::min()};
+  std::pair most{false, -std::numeric_limits<double>::infinity()};
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const std::string& cause : evidence.causes) least = std::min(least, parts_of(cause).size());
   for (const std::string& cause : evidence.causes) {
-    std::pair<bool, std::ptrdiff_t> score{legal && is_open_choice(cause), 0};
-    for (const std::string& part : parts_of(cause)) score.second += counts.at(part);
+    const std::vector<std::string> parts = parts_of(cause);
+    std::ptrdiff_t sum = 0;
+    for (const std::string& part : parts) sum += counts.at(part);
+    const bool likely = parts.size() == least || is_followed(parts, counts);
+    const std::pair score{legal && likely && is_open_choice(cause),
+                          static_cast<double>(sum) / static_cast<double>(parts.size())};
     if (score <= most) continue;
     most = score;
     best = cause;
@@ -88,12 +107,35 @@ std::string choose_cause(const Result::Evidence& evidence, bool legal, const Cou
 void judge_primitive(const Result::Evidence& evidence, const std::string& reading,
                      const std::string& cause, Result& result) {
   for (Disagreement& d : result.disagreements) {
-    if (d.primitive != evidence.primitive || d.kind == DisagreementKind::value) continue;
+    if (!is_of(d, evidence) || d.kind == DisagreementKind::value) continue;
     if (d.policy_agrees) continue;
     d.cause = cause;
     if (!is_about_a_line(d)) continue;
     d.legal = !contains(evidence.illegal_line_snaps, reading);
     if (cause == kInteriorGap && d.legal) d.ruling = 3;
+  }
+}
+
+// Alternatives of sample.enable that ignore it for points and triangles: what follows from that is
+// the same.
+constexpr const char* kIgnored[] = {"sample.enable=ignored", "sample.enable=ignored-but-for-lines",
+                                    "sample.enable=ignored-but-whole-lines"};
+
+// What follows from ignoring GL_MULTISAMPLE is told with the alternative that explains most of what
+// the run covers.
+void name_switch(const Counts& counts, Result& result) {
+  const char* most = nullptr;
+  for (const char* name : kIgnored)
+    if (counts.contains(name) && (most == nullptr || counts.at(name) > counts.at(most)))
+      most = name;
+  if (most == nullptr) return;
+  for (Disagreement& d : result.disagreements) {
+    if (d.kind != DisagreementKind::value) continue;
+    std::vector<std::string> parts = parts_of(d.cause);
+    for (std::string& part : parts)
+      if (std::find(std::begin(kIgnored), std::end(kIgnored), part) != std::end(kIgnored))
+        part = most;
+    d.cause = fmt::format("{}", fmt::join(parts, " + "));
   }
 }
 
@@ -110,15 +152,15 @@ Verdict verdict_of(const Result& result, Latitude latitude) {
   return all_open ? Verdict::convention : Verdict::permitted;
 }
 
-// FNV-1a, 64 bits, of rule, kind and pixel set. Values inside the permitted interval count by rule
-// only, and beside a violation not at all: which of them are off by an ULP may change with the
-// processor. Without a rendering, the
-// kind of failure stands in its place.
+// FNV-1a, 64 bits, of rule, kind and set of pixels or samples. Values inside the permitted interval
+// count by rule only, and beside a violation not at all: which of them are off by an ULP may change
+// with the processor. Without a rendering, the kind of failure stands in its place.
 std::string fingerprint_of(const Result& result) {
   if (result.failure) return name_of(result.failure->kind);
   std::set<std::string> lines;
   for (const Disagreement& d : result.disagreements)
-    lines.insert(fmt::format("{} {} {} {}\n", d.rule, name_of(d.kind), d.x, d.y));
+    lines.insert(fmt::format("{} {} {} {}{}\n", d.rule, name_of(d.kind), d.x, d.y,
+                             d.sample > 0 ? fmt::format(" {}", d.sample) : ""));
   for (const ValueAggregate& values : result.values)
     if (result.verdict != Verdict::violation)
       lines.insert(fmt::format("{} {} {}\n", values.rule, values.attribute,
@@ -141,6 +183,7 @@ std::string judge(std::span<Result* const> results, Latitude latitude) {
         judge_primitive(evidence, reading,
                         choose_cause(evidence, is_legal(*result, evidence, reading), counts),
                         *result);
+    name_switch(counts, *result);
     result->verdict = verdict_of(*result, latitude);
     result->fingerprint = fingerprint_of(*result);
   }

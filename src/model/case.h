@@ -3,6 +3,7 @@
 // Case: one scene with the words around it, as a case file gives them.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,8 +15,12 @@ namespace edgecase {
 // The author's hand-drawn truth for the exact side under one policy.
 struct Expect {
   std::string policy = "opengl";
-  // Hits per pixel, row by row from the bottom, width * height of them.
+  // Hits per pixel, row by row from the bottom, width * height of them; empty where
+  // `masks` is drawn.
   std::vector<int> coverage;
+  // Of one primitive on a multisampled target: which samples it covers, per pixel in the same
+  // order, bit s for sample s.
+  std::vector<std::uint32_t> masks;
   std::string where;  // FILE:LINE and JSON pointer of the drawing, for messages
 };
 

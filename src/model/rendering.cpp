@@ -8,7 +8,7 @@
 namespace edgecase {
 
 bool precedes(const Fragment& a, const Fragment& b) {
-  return std::tie(a.y, a.x, a.primitive) < std::tie(b.y, b.x, b.primitive);
+  return std::tie(a.y, a.x, a.primitive, a.coverage) < std::tie(b.y, b.x, b.primitive, b.coverage);
 }
 
 void sort_fragments(Rendering& rendering) {

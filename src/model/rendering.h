@@ -10,6 +10,7 @@
 #include <map>
 #include <vector>
 
+#include "model/sampling.h"
 #include "model/texture.h"
 
 namespace edgecase {
@@ -37,11 +38,14 @@ struct FragmentDetail {
 
 // One fragment shader invocation.
 struct Fragment {
-  int x = 0;                   // pixel column, 0 to width - 1
-  int y = 0;                   // pixel row, 0 to height - 1, y up
-  int primitive = 0;           // index in drawing order, see primitives_of
-  std::uint32_t coverage = 1;  // bit s set: sample s is covered
-  double depth = 0;            // window depth, 0 to 1
+  int x = 0;          // pixel column, 0 to width - 1
+  int y = 0;          // pixel row, 0 to height - 1, y up
+  int primitive = 0;  // index in drawing order, see primitives_of
+  // Bit s set: sample s is covered and in the draw's sample mask, as gl_SampleMaskIn tells it; of a
+  // shader that runs for each sample, the samples it runs for. 1 without multisampling, whichever
+  // samples are written. Alpha to coverage comes after the shader and clears nothing here.
+  std::uint32_t coverage = 1;
+  double depth = 0;  // window depth, 0 to 1
   std::array<double, 4>
       color{};            // as the shader writes it, before conversion to the target's format
   bool has_depth = true;  // false: the renderer tells no depth
@@ -49,28 +53,50 @@ struct Fragment {
   int detail = -1;        // index into Rendering::details; -1: none was told
 };
 
-// Orders by pixel (row, then column) and primitive: the order in which renderings are stored.
+// Orders by pixel (row, then column), primitive and coverage: the order in which renderings are
+// stored.
 bool precedes(const Fragment& a, const Fragment& b);
 
 struct Rendering {
   int width = 0;
   int height = 0;
   int samples = 1;
-  // RGBA8, row by row from the bottom, 4 * width * height; empty where coverage alone was asked
-  // for.
+  // Where the renderer says that the samples of a pixel lie; empty where it says nothing.
+  SamplePositions sample_positions;
+  // RGBA8, row by row from the bottom, 4 * width * height; of a multisampled target, resolved.
+  // Empty where coverage alone was asked for.
   std::vector<std::uint8_t> pixels;
-  std::vector<std::uint32_t> hits;      // fragments per pixel from a pass of its own; empty: none
+  // Of a multisampled target, before it is resolved: one such plane for each sample. A renderer
+  // need not tell them.
+  std::vector<std::uint8_t> sample_pixels;
+  // Fragments written per pixel, from a pass of its own; of a multisampled target, per sample: a
+  // plane for each. Empty: none.
+  std::vector<std::uint32_t> hits;
   std::vector<Fragment> fragments;      // sorted by `precedes`, equal ones in drawing order
   std::vector<FragmentDetail> details;  // of the fragments that point here
-  // The depth buffer, 0 to 1, row by row from the bottom; empty where the target has none.
+  // The depth buffer, 0 to 1, row by row from the bottom, a plane for each sample; empty where the
+  // target has none.
   std::vector<double> depths;
   // What the renderer made of the scene's textures whose levels it generates: whole chains, by the
   // texture's number. A renderer need not tell them.
   std::map<std::size_t, std::vector<TextureLevel>> mip_chains;
+  // Of a supersampled scene: what each of its passes made, in their order, all of it. Fragments,
+  // hits, depths and mip chains are told there alone.
+  std::vector<Rendering> passes;
+  // And the weighted mean of what they show, before conversion to 8 bits: red, green, blue, alpha,
+  // row by row from the bottom. A pass shows the colour of the last fragment, as the shader writes
+  // it, or the clear colour. `pixels` is to_unorm8 of it.
+  std::vector<double> accumulated;
 
   std::size_t pixel_index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(x);
+  }
+  // The same within planes of samples.
+  std::size_t sample_index(int x, int y, int sample) const {
+    return static_cast<std::size_t>(sample) * static_cast<std::size_t>(width) *
+               static_cast<std::size_t>(height) +
+           pixel_index(x, y);
   }
 };
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "model/renderer.h"
+#include "model/sample_image.h"
 #include "model/verdict.h"
 
 namespace edgecase {
@@ -37,6 +38,7 @@ struct Result {
     std::vector<std::string>
         illegal_line_snaps;     // lines: snaps under which a ruling on lines fails
     std::string broken_clause;  // lines: what the segment as given breaks, or empty
+    int pass = -1;              // index, where the scene is supersampled; else -1
   };
 
   // lambda' of one fragment: exact, the least and the most that is permitted, and as the renderer
@@ -57,13 +59,19 @@ struct Result {
   std::vector<ValueAggregate> values;
   std::vector<Evidence> evidence;               // of the primitives that have a disagreement
   std::vector<std::string> illegal_line_snaps;  // snaps under which some line is not legal
-  // A character per alternative of the catalogue (alternative_names in diff/alternatives.h): '1'
-  // where some primitive that agrees with exact would not do so under that alternative, else '0'.
+  // A character per alternative of the catalogue (alternative_names in
+  // diff/coverage/alternatives.h): '1' where some primitive that agrees with exact would not do so
+  // under that alternative, else '0'.
   std::string refuted;
-  // Of cases that ask for it (diff/level_ramp.h): the levels of detail along a row that fragments
-  // of textured draws tell.
+  // Of cases that ask for it (diff/textures/level_ramp.h): the levels of detail along a row that
+  // fragments of textured draws tell.
   std::vector<LevelPoint> ramp;
   std::vector<std::uint8_t> pixels;  // RGBA8, bottom row first; empty when not run
+  // The same of exact, where it is another than the case's: with samples where this renderer says
+  // that its own lie.
+  std::vector<std::uint8_t> exact_pixels;
+  SampleImage samples;        // of the renderer, where the case is multisampled
+  SampleImage exact_samples;  // of exact, where exact_pixels is set
   Standing standing = Standing::expected;
   std::string expectation;  // the reason that the matching expectation gives, or why none matches
 };

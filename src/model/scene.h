@@ -14,6 +14,8 @@
 
 #include "exact/fixed.h"
 #include "exact/homogeneous.h"
+#include "model/sampling.h"
+#include "model/supersampling.h"
 #include "model/texture.h"
 
 namespace edgecase {
@@ -72,9 +74,12 @@ struct Viewport {
 };
 
 struct Target {
-  int width = 0;   // 1 to 4096 pixels
-  int height = 0;  // 1 to 4096 pixels
-  int samples = 1;
+  int width = 0;    // 1 to 4096 pixels
+  int height = 0;   // 1 to 4096 pixels
+  int samples = 1;  // 1: not multisampled; to kMaxSamples
+  // Where the case puts a pixel's samples, `samples` of them; empty: wherever the renderer has
+  // them.
+  SamplePositions sample_positions;
   ColorFormat color = ColorFormat::rgba8;
   DepthFormat depth = DepthFormat::none;  // every fragment is written: there is no depth test
   Surface surface = Surface::fbo;
@@ -88,12 +93,18 @@ struct Draw {
   Fixed line_width = Fixed::from_integer(1);  // pixels, more than 0, at most 64
   Fixed point_size = Fixed::from_integer(1);  // pixels, more than 0, at most 64
   std::optional<Viewport> scissor;            // fragments outside are dropped; a size may be 0
+  Multisampling multisampling;                // of multisampled targets
   std::optional<TextureUse> texture;          // what fragments show instead of vertices' colours
   std::vector<Vertex> vertices;               // as many as is_vertex_count allows
 };
 
 // What a draw's fragments interpolate of a vertex: its colour, or for a texture s, t, 0 and 1.
 Color interpolated_attribute(const Draw& draw, const Vertex& vertex);
+
+// Is the draw rasterized sample by sample? Else the pixel's centre decides for all its samples.
+inline bool is_multisampled(const Draw& draw, const Target& target) {
+  return target.samples > 1 && draw.multisampling.enabled;
+}
 
 // What is told of each fragment beside its colour and its depth.
 struct Details {
@@ -114,6 +125,8 @@ struct Scene {
   // Shared by the cases that a file expands to; none is null.
   std::vector<std::shared_ptr<const Texture>> textures;
   std::vector<Draw> draws;
+  // Where pixels are shaded, each time to a target of one sample; empty: once, at their centres.
+  Supersampling supersampling;
 };
 
 // The exact window position of clip coordinates: the quotients by w, mapped onto the viewport (GL

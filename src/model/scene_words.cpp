@@ -109,7 +109,8 @@ bool same_rectangle(const Viewport& a, const Viewport& b) {
 
 bool same_target(const Target& a, const Target& b) {
   return a.width == b.width && a.height == b.height && a.samples == b.samples &&
-         a.color == b.color && a.depth == b.depth && a.surface == b.surface && a.clear == b.clear;
+         a.sample_positions == b.sample_positions && a.color == b.color && a.depth == b.depth &&
+         a.surface == b.surface && a.clear == b.clear;
 }
 
 bool same_vertex(const Vertex& a, const Vertex& b) {
@@ -127,8 +128,8 @@ bool same_draw(const Draw& a, const Draw& b) {
   if (a.scissor && !same_rectangle(*a.scissor, *b.scissor)) return false;
   return a.primitive == b.primitive && a.interpolation == b.interpolation &&
          a.provoking_vertex == b.provoking_vertex && a.line_width == b.line_width &&
-         a.point_size == b.point_size && a.texture == b.texture &&
-         std::ranges::equal(a.vertices, b.vertices, same_vertex);
+         a.point_size == b.point_size && a.multisampling == b.multisampling &&
+         a.texture == b.texture && std::ranges::equal(a.vertices, b.vertices, same_vertex);
 }
 
 }  // namespace
@@ -142,6 +143,9 @@ std::string scene_words(const Scene& scene) {
   if (!text.empty()) text += ", ";
   text += std::to_string(scene.target.width) + "x" + std::to_string(scene.target.height);
   if (scene.target.samples != 1) text += ", " + std::to_string(scene.target.samples) + " samples";
+  if (!scene.supersampling.empty())
+    text += ", " + std::to_string(scene.supersampling.size()) +
+            (scene.supersampling.size() == 1 ? " pass" : " passes");
   if (scene.target.depth != DepthFormat::none)
     text += std::string(", ") + name_of(scene.target.depth);
   if (scene.target.surface != Surface::fbo)
@@ -151,7 +155,8 @@ std::string scene_words(const Scene& scene) {
 
 bool same_scene(const Scene& a, const Scene& b) {
   return same_target(a.target, b.target) && same_rectangle(a.viewport, b.viewport) &&
-         a.details == b.details && std::ranges::equal(a.textures, b.textures, same_texture) &&
+         a.details == b.details && a.supersampling == b.supersampling &&
+         std::ranges::equal(a.textures, b.textures, same_texture) &&
          std::ranges::equal(a.draws, b.draws, same_draw);
 }
 

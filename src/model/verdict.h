@@ -26,14 +26,16 @@ const char* name_of(DisagreementKind);
 struct Disagreement {
   int x = 0;  // pixel column
   int y = 0;  // pixel row, y up
+  // Of a multisampled target, the sample's index, or -1: an invocation, or the pixel as a whole. Of
+  // a supersampled scene, the pass's index, or -1: the image of all passes. Of others 0.
   int sample = 0;
   int primitive = -1;  // index in drawing order; -1: the pixel as a whole
   DisagreementKind kind = DisagreementKind::missing;
-  std::string rule;            // id, "line.diamond-exit"
-  bool legal = false;          // the specification allows it, whatever explains it
-  std::string cause;           // "rule=alternative", several joined by " + "; empty: none found
-  std::string situation;       // where it lies on the primitive, in words (diff/situation.h)
-  int ruling = 0;              // number of the ruling by which `legal` was decided
+  std::string rule;       // id, "line.diamond-exit"
+  bool legal = false;     // the specification allows it, whatever explains it
+  std::string cause;      // "rule=alternative", several joined by " + "; empty: none found
+  std::string situation;  // where it lies on the primitive, in words (diff/coverage/situation.h)
+  int ruling = 0;         // number of the ruling by which `legal` was decided
   bool policy_agrees = false;  // the policy draws it too: held against the specification alone
   std::vector<double> exact;   // hits (missing, extra, duplicate) or components (value)
   std::vector<double> rendered;
@@ -65,7 +67,7 @@ struct ValueAggregate {
   double worst_rendered = 0;
   // Error in units of the last place of the value's format, of the larger of the two.
   double worst_ulp = 0;
-  double mean_ulp = 0;   // over all components compared, those without error included
+  double mean_ulp = 0;  // over all components compared, those without error included
   // Largest error as a share of the attribute's range over the vertices of its primitive; 0 where
   // the attribute has no range.
   double worst_relative = 0;

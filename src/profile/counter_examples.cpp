@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "diff/compare.h"
-#include "diff/coverage_compare.h"
+#include "diff/coverage/coverage_compare.h"
+#include "diff/coverage/legality.h"
 #include "diff/judge.h"
-#include "diff/legality.h"
 #include "raster/rasterizer.h"
 
 namespace edgecase {
@@ -17,9 +17,14 @@ std::vector<PrimitiveCoverage> coverage_under(const RuleChoices& choices, const 
                                               std::span<const ScenePrimitive> primitives,
                                               const Observation& observation) {
   std::vector<PrimitiveCoverage> coverage;
-  for (const ScenePrimitive& primitive : primitives)
-    coverage.push_back({covered_pixels(primitive, scene.target, choices.of(primitive.kind)),
-                        observation.drawn[static_cast<std::size_t>(primitive.index)]});
+  for (const ScenePrimitive& primitive : primitives) {
+    const auto index = static_cast<std::size_t>(primitive.index);
+    const bool is_multisampled = scene.target.samples > 1;
+    coverage.push_back(
+        {covered_samples(primitive, scene.target, choices.of(primitive.kind),
+                         observation.positions),
+         is_multisampled ? observation.samples[index] : SampleCoverage{observation.drawn[index]}});
+  }
   return coverage;
 }
 
@@ -50,7 +55,8 @@ bool CounterExamples::add(const Observation& observation) {
   }
 
   Result result;
-  compare_coverage({scene, primitives, coverage, choices_, nullptr, Latitude::opengl, bits_, false},
+  compare_coverage({scene, primitives, coverage, choices_, nullptr, Latitude::opengl, bits_, false,
+                    observation.positions},
                    result);
   if (result.disagreements.empty()) return follows;
   CaseResults one;

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "diff/alternatives.h"
+#include "diff/coverage/alternatives.h"
 #include "raster/rasterizer.h"
 
 namespace edgecase {
@@ -30,18 +30,32 @@ std::string rule_of(const std::string& cause) {
 
 bool draws(const CoverageChoice& choice, const Observation& observation) {
   const auto primitives = primitives_of(observation.scene);
-  return covered_pixels(primitives[0], observation.scene.target, choice) == observation.drawn[0];
+  return is_drawn_by(choice, primitives[0], observation);
+}
+
+OpenRules openness_of(const std::string& rule) {
+  if (rule == "line.width") return OpenRules::width;
+  return rule == "sample.positions" ? OpenRules::placement : OpenRules::coverage;
 }
 
 // The rules that have a say, each with its alternatives beside the start's.
 std::vector<RuleAlternatives> open_rules(const InferenceQuestion& question,
                                          const Observation& observation) {
   const auto primitives = primitives_of(observation.scene);
-  auto rules = alternatives_beside(primitives[0], question.start);
+  auto rules = alternatives_beside(primitives[0], observation.scene.target, question.start);
   std::erase_if(rules, [&](const RuleAlternatives& rule) {
-    const bool width = rule_of(rule.front().cause) == "line.width";
-    return width != question.width_only;
+    return openness_of(rule_of(rule.front().cause)) != question.open;
   });
+  // Placements that put the samples where they are anyhow are none.
+  const auto places = [&](const CoverageChoice& choice) {
+    return positions_of(observation.scene.target, choice, observation.positions);
+  };
+  for (RuleAlternatives& rule : rules)
+    if (question.open == OpenRules::placement)
+      std::erase_if(rule, [&](const Change& change) {
+        return places(change.applied_to(question.start)) == places(question.start);
+      });
+  std::erase_if(rules, [](const RuleAlternatives& rule) { return rule.empty(); });
   return rules;
 }
 

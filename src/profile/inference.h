@@ -41,11 +41,18 @@ struct Inference {
   std::vector<InferredRule> rules;  // those that have a say in the scenes
 };
 
+// Which rules are in question.
+enum class OpenRules {
+  coverage,   // all that have a say, but for the next two
+  width,      // line.width
+  placement,  // sample.positions
+};
+
 // Which rules are open, and what holds for the others.
 struct InferenceQuestion {
   PrimitiveKind kind = PrimitiveKind::triangle;
-  CoverageChoice start;     // preferred where candidates tie: fewest rules chosen otherwise
-  bool width_only = false;  // lines: only line.width is in question
+  CoverageChoice start;  // preferred where candidates tie: fewest rules chosen otherwise
+  OpenRules open = OpenRules::coverage;
 };
 
 // Observations that failed are left out; all others must have one primitive of the kind. Without

@@ -11,13 +11,14 @@
 #include <thread>
 #include <utility>
 
-#include "diff/legality.h"
+#include "diff/coverage/legality.h"
 #include "profile/counter_examples.h"
-#include "profile/probe_scenes.h"
-#include "profile/probe_traits.h"
-#include "profile/random_scenes.h"
-#include "profile/texture_measurement.h"
-#include "profile/value_measurement.h"
+#include "profile/probes/probe_scenes.h"
+#include "profile/probes/probe_traits.h"
+#include "profile/random/random_scenes.h"
+#include "profile/samples/sample_measurement.h"
+#include "profile/textures/texture_measurement.h"
+#include "profile/values/value_measurement.h"
 #include "rules/choices.h"
 
 namespace edgecase {
@@ -119,6 +120,7 @@ class SurfaceMeasurement {
     for (const Observations* observations : scenes_.all()) total_ += observations->size();
     total_ += value_scene_count(options.scenes_per_kind);
     total_ += texture_scene_count(options.scenes_per_kind);
+    total_ += sample_scene_count(options.scenes_per_kind);
   }
 
   std::size_t total() const { return total_; }
@@ -141,6 +143,7 @@ class SurfaceMeasurement {
     ask_probes();
     ask_values(renderer, progress);
     ask_textures(renderer, progress);
+    ask_samples(renderer, progress);
     gather_counter_examples();
   }
 
@@ -191,13 +194,14 @@ class SurfaceMeasurement {
                                                                   : found_.triangles;
       // Lines that are areas have their ties decided as triangles have.
       if (kKinds[k] == PrimitiveKind::line) choice.ties = found_.triangles.ties;
-      const Inference inference = infer({kKinds[k], choice, false}, scenes_for(kKinds[k]));
+      const Inference inference =
+          infer({kKinds[k], choice, OpenRules::coverage}, scenes_for(kKinds[k]));
       choice = inference.choice;
       adopt(inference);
     }
     std::vector<const Observation*> wide_lines;
     for (const Observation& observation : scenes_.wide_lines) wide_lines.push_back(&observation);
-    const Inference wide = infer({PrimitiveKind::line, found_.lines, true}, wide_lines);
+    const Inference wide = infer({PrimitiveKind::line, found_.lines, OpenRules::width}, wide_lines);
     found_.lines = wide.choice;
     adopt(wide);
   }
@@ -254,12 +258,28 @@ class SurfaceMeasurement {
     if (profile_.first_failure.empty()) profile_.first_failure = findings.first_failure;
   }
 
+  void ask_samples(Renderer& renderer, const ObservationProgress& progress) {
+    const SampleMeasureQuestion question{options_.seed, profile_.surface, options_.scenes_per_kind,
+                                         choices_};
+    SampleFindings findings = measure_samples(renderer, question, progress, options_.stop);
+    for (Trait& trait : findings.traits) profile_.traits.push_back(std::move(trait));
+    for (OwnershipTable& table : findings.tables) profile_.tables.push_back(std::move(table));
+    choices_.merge(findings.choices);
+    profile_.samples = std::move(findings.profile);
+    multisampled_ = std::move(findings.observations);
+    profile_.scenes += findings.drawn.scenes;
+    profile_.not_drawn += findings.drawn.not_drawn;
+    if (profile_.first_failure.empty()) profile_.first_failure = findings.drawn.first_failure;
+  }
+
   void gather_counter_examples() {
     Policy policy;
     policy.name = options_.name;
     policy.rules = choices_;
     CounterExamples examples(std::move(policy), profile_.surface, info_.subpixel_bits);
-    for (const Observations* observations : scenes_.all()) {
+    std::vector<Observations*> all = scenes_.all();
+    all.push_back(&multisampled_);
+    for (const Observations* observations : all) {
       // Whether clipping moves fragments is a trait; what it does is not catalogued yet.
       if (observations == &scenes_.seen_clips || observations == &scenes_.seen_unclipped) continue;
       for (const Observation& observation : *observations) {
@@ -274,6 +294,7 @@ class SurfaceMeasurement {
   const MeasureOptions& options_;
   Scenes scenes_;
   std::vector<Outcome> provoking_outcomes_;
+  Observations multisampled_;
   std::size_t total_ = 0;
   RendererInfo info_;
   RuleChoices found_;

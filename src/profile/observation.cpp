@@ -8,6 +8,8 @@
 #include <utility>
 #include <variant>
 
+#include "raster/rasterizer.h"
+
 namespace edgecase {
 namespace {
 
@@ -18,11 +20,41 @@ std::vector<std::vector<PixelPosition>> drawn_of(const Scene& scene, const Rende
   return drawn;
 }
 
+void take(const Rendering& rendering, Observation& observation) {
+  if (observation.scene.target.samples == 1) {
+    observation.drawn = drawn_of(observation.scene, rendering);
+    return;
+  }
+  observation.samples = covered_by_fragments(observation.scene, rendering);
+  observation.positions = rendering.sample_positions;
+}
+
 void check(const std::atomic<bool>* stop) {
   if (stop != nullptr && stop->load()) throw MeasurementStopped{};
 }
 
 }  // namespace
+
+std::vector<SampleCoverage> covered_by_fragments(const Scene& scene, const Rendering& rendering) {
+  const auto samples = static_cast<std::size_t>(scene.target.samples);
+  std::vector<SampleCoverage> covered(primitives_of(scene).size(), SampleCoverage(samples));
+  for (const Fragment& fragment : rendering.fragments)
+    for (std::size_t s = 0; s < samples; ++s)
+      if ((fragment.coverage >> s & 1) != 0)
+        covered[static_cast<std::size_t>(fragment.primitive)][s].push_back(
+            {fragment.x, fragment.y});
+  return covered;
+}
+
+bool is_drawn_by(const CoverageChoice& choice, const ScenePrimitive& primitive,
+                 const Observation& observation) {
+  const Target& target = observation.scene.target;
+  const auto index = static_cast<std::size_t>(primitive.index);
+  if (target.samples == 1)
+    return covered_pixels(primitive, target, choice) == observation.drawn[index];
+  return covered_samples(primitive, target, choice, observation.positions) ==
+         observation.samples[index];
+}
 
 void observe(Renderer& renderer, std::span<Observation> observations,
              const ObservationProgress& progress, const std::atomic<bool>* stop) {
@@ -36,14 +68,14 @@ void observe(Renderer& renderer, std::span<Observation> observations,
   });
   std::vector<Task> tasks;
   for (const Observation* observation : by_size)
-    tasks.push_back({observation->id, &observation->scene, true});
+    tasks.push_back({observation->id, &observation->scene, observation->scene.target.samples == 1});
   renderer.render(tasks, [&](std::size_t index, Outcome outcome) {
     check(stop);
     Observation& observation = *by_size[index];
     if (const auto* failure = std::get_if<Failure>(&outcome))
       observation.failure = fmt::format("{}: {}", name_of(failure->kind), failure->reason);
     else
-      observation.drawn = drawn_of(observation.scene, std::get<Rendering>(outcome));
+      take(std::get<Rendering>(outcome), observation);
     if (progress) progress(1);
   });
 }

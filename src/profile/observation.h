@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Observation: what a renderer was seen to draw of generated scenes. Coverage alone, unless a
-// question is about colours.
+// question is about colours; of multisampled targets, what each sample was covered by.
 #pragma once
 
 #include <atomic>
@@ -11,9 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "diff/coverage_diff.h"
+#include "diff/coverage/coverage_diff.h"
 #include "model/renderer.h"
 #include "model/scene.h"
+#include "rules/choices.h"
 
 namespace edgecase {
 
@@ -22,11 +23,21 @@ struct Observation {
   std::string id;  // "triangle/000123", for counter-examples
   Scene scene;
   std::vector<std::vector<PixelPosition>> drawn;  // by primitive, row first, as often as it came
-  std::string failure;                            // why there is no rendering; empty: there is one
+  // Of a multisampled target, in the place of `drawn`: by primitive, the same of each sample.
+  std::vector<SampleCoverage> samples;
+  SamplePositions positions;  // where the renderer says that they lie
+  std::string failure;        // why there is no rendering; empty: there is one
 };
 
 // A new renderer of the one that is measured: each surface is measured with its own.
 using MakeRenderer = std::function<std::unique_ptr<Renderer>()>;
+
+// What the fragments of a rendering cover of a multisampled target, by primitive and sample.
+std::vector<SampleCoverage> covered_by_fragments(const Scene& scene, const Rendering& rendering);
+
+// Is the observed coverage of a primitive what the choice draws? There must be no failure.
+bool is_drawn_by(const CoverageChoice& choice, const ScenePrimitive& primitive,
+                 const Observation& observation);
 
 // Called with the number of scenes that were drawn since the last call; from any thread.
 using ObservationProgress = std::function<void(std::size_t)>;

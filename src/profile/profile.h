@@ -16,8 +16,9 @@
 #include "model/renderer.h"
 #include "model/scene.h"
 #include "profile/inference.h"
-#include "profile/texture_residuals.h"
-#include "profile/value_errors.h"
+#include "profile/samples/sample_profile.h"
+#include "profile/textures/texture_residuals.h"
+#include "profile/values/value_errors.h"
 #include "results/clusters.h"
 
 namespace edgecase {
@@ -67,6 +68,7 @@ struct SurfaceProfile {
   std::vector<OwnershipTable> tables;
   std::vector<ValueErrors> values;
   std::vector<LevelResiduals> levels;
+  SampleProfile samples;
   std::size_t illegal_scenes = 0;        // in which something is outside the specification
   std::vector<ProfileCluster> clusters;  // of what differs from the profile, or is illegal
 };

@@ -9,8 +9,9 @@
 #include "casefile/case_writer.h"
 #include "model/scene_words.h"
 #include "profile/profile_text.h"
-#include "profile/texture_json.h"
-#include "profile/value_json.h"
+#include "profile/samples/sample_json.h"
+#include "profile/textures/texture_json.h"
+#include "profile/values/value_json.h"
 
 namespace edgecase {
 namespace {
@@ -95,6 +96,7 @@ Json to_json(const SurfaceProfile& surface) {
   json["tables"] = list_of(surface.tables);
   json["values"] = value_errors_json(surface.values);
   json["levels_of_detail"] = level_residuals_json(surface.levels);
+  json["samples"] = sample_profile_json(surface.samples);
   json["clusters"] = list_of(surface.clusters);
   return json;
 }

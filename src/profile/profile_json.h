@@ -14,8 +14,8 @@ namespace edgecase {
 // a cluster is the text of a case file where a case file can say it.
 std::string profile_json(const Profile& profile, const std::string& tool);
 
-// What casefile/policy_reader.h reads: the profile as a policy that OpenGL judges, with the measured
-// rates as its why.
+// What casefile/policy_reader.h reads: the profile as a policy that OpenGL judges, with the
+// measured rates as its why.
 std::string policy_text(const Profile& profile);
 
 }  // namespace edgecase

@@ -7,8 +7,9 @@
 #include <iterator>
 
 #include "model/scene_words.h"
-#include "profile/texture_text.h"
-#include "profile/value_text.h"
+#include "profile/samples/sample_text.h"
+#include "profile/textures/texture_text.h"
+#include "profile/values/value_text.h"
 
 namespace edgecase {
 namespace {
@@ -21,9 +22,9 @@ void print(Buffer& out, fmt::format_string<Args...> format, Args&&... args) {
 }
 
 void print_traits(Buffer& out, const SurfaceProfile& surface) {
-  print(out, "  {:<33}{:<33}{:<26}{}\n", "rule or probe", "follows", "agreement", "runner-up");
+  print(out, "  {:<38}{:<33}{:<26}{}\n", "rule or probe", "follows", "agreement", "runner-up");
   for (const Trait& trait : surface.traits) {
-    print(out, "  {:<33}{:<33}{:<26}", trait.id, trait.alternative,
+    print(out, "  {:<38}{:<33}{:<26}", trait.id, trait.alternative,
           fmt::format("{} ({} of {})", percent(trait.rate), trait.rate.agreeing, trait.rate.of));
     if (!trait.runner_up.empty())
       print(out, "{} {}", trait.runner_up, percent(trait.runner_up_rate));
@@ -84,6 +85,7 @@ void print_surface(Buffer& out, const SurfaceProfile& surface, std::size_t most_
   print_traits(out, surface);
   print(out, "{}", value_errors_text(surface.values));
   print(out, "{}", level_residuals_text(surface.levels));
+  print(out, "{}", sample_profile_text(surface.samples));
   for (const OwnershipTable& table : surface.tables) print_table(out, table);
   print_clusters(out, surface, most_clusters);
 }

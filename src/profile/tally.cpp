@@ -28,8 +28,7 @@ Trait Tally::trait(std::string id, None none) const {
   const std::size_t first = best();
   const std::size_t of = of_ + (none == None::counted ? none_ : 0);
   Trait trait{std::move(id), names_[first], {agreeing_[first], of}, "", {}, ""};
-  if (none_ > 0)
-    trait.remark = fmt::format("nothing catalogued yields {} of {}", none_, all_);
+  if (none_ > 0) trait.remark = fmt::format("nothing catalogued yields {} of {}", none_, all_);
   if (of == 0) {
     if (none_ == 0) trait.remark = "nothing that is told tells the alternatives apart";
     return trait;

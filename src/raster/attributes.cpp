@@ -57,6 +57,17 @@ double component_of(const Vertex& vertex, std::size_t c, bool textured) {
   return c < 2 ? static_cast<double>(vertex.texture_coordinates[c]) : c == 2 ? 0 : 1;
 }
 
+// Everything but the colour.
+Fragment fragment_at(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
+                     PixelPosition pixel, Point place) {
+  Fragment fragment;
+  fragment.x = pixel.x;
+  fragment.y = pixel.y;
+  fragment.primitive = primitive.index;
+  fragment.depth = middle(interpolate_exact(attributes.depth, place));
+  return fragment;
+}
+
 }  // namespace
 
 HomogeneousPoint snapped_position(const ScenePrimitive& primitive, std::size_t vertex,
@@ -86,10 +97,23 @@ PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleCho
     });
     result.color[c].perspective = divides_by_w(draw.interpolation, choices.values.perspective);
   }
+  result.w_of_centre = choices.values.perspective == PerspectiveChoice::w_of_centre;
   result.depth = with_values(geometry, primitive, depth_of);
   result.inverse_w =
       with_values(geometry, primitive, [](const Vertex& vertex) { return quotient(1, vertex.w); });
   return result;
+}
+
+Interval color_exact(const PrimitiveAttributes& attributes, std::size_t component, Point place,
+                     PixelPosition pixel) {
+  const Point w_place = attributes.w_of_centre ? pixel_centre(pixel.x, pixel.y) : place;
+  return interpolate_exact(attributes.color[component], place, w_place);
+}
+
+Interval color_inexact(const PrimitiveAttributes& attributes, std::size_t component, Point place,
+                       PixelPosition pixel) {
+  const Point w_place = attributes.w_of_centre ? pixel_centre(pixel.x, pixel.y) : place;
+  return interpolate_inexact(attributes.color[component], place, w_place);
 }
 
 double middle(Interval value) {
@@ -99,17 +123,27 @@ double middle(Interval value) {
 }
 
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
+               PixelPosition pixel, const ShadingPlaces& places) {
+  Fragment fragment = fragment_at(primitive, attributes, pixel, places.depth);
+  for (std::size_t c = 0; c < 4; ++c)
+    fragment.color[c] = middle(color_exact(attributes, c, places.color, pixel));
+  return fragment;
+}
+
+Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
                PixelPosition pixel, const ExactLookup* lookup) {
   const Point sample = pixel_centre(pixel.x, pixel.y);
-  Fragment fragment;
-  fragment.x = pixel.x;
-  fragment.y = pixel.y;
-  fragment.primitive = primitive.index;
-  fragment.depth = middle(interpolate_exact(attributes.depth, sample));
-  for (std::size_t c = 0; c < 4; ++c)
-    fragment.color[c] =
-        middle(lookup ? lookup->color[c] : interpolate_exact(attributes.color[c], sample));
+  if (!lookup) return shade(primitive, attributes, pixel, {sample, sample, sample});
+  Fragment fragment = fragment_at(primitive, attributes, pixel, sample);
+  for (std::size_t c = 0; c < 4; ++c) fragment.color[c] = middle(lookup->color[c]);
   return fragment;
+}
+
+std::array<double, 4> coordinates_at(const PrimitiveAttributes& attributes,
+                                     const ShadingPlaces& places) {
+  return {places.coordinates.x.to_double(), places.coordinates.y.to_double(),
+          middle(interpolate_exact(attributes.depth, places.depth)),
+          middle(interpolate_exact(attributes.inverse_w, places.coordinates))};
 }
 
 FragmentDetail shade_details(const PrimitiveAttributes& attributes, const QuadPixel& at,
@@ -118,10 +152,7 @@ FragmentDetail shade_details(const PrimitiveAttributes& attributes, const QuadPi
   const Point sample = pixel_centre(at.pixel.x, at.pixel.y);
   FragmentDetail detail;
   detail.has_coordinates = asked.coordinates;
-  if (asked.coordinates)
-    detail.coordinates = {sample.x.to_double(), sample.y.to_double(),
-                          middle(interpolate_exact(attributes.depth, sample)),
-                          middle(interpolate_exact(attributes.inverse_w, sample))};
+  if (asked.coordinates) detail.coordinates = coordinates_at(attributes, {sample, sample, sample});
   if (asked.texture && lookup) {
     detail.has_texture_coordinates = detail.has_level_of_detail = true;
     detail.texture_coordinates = {middle(lookup->coordinates[0]), middle(lookup->coordinates[1])};

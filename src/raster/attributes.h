@@ -20,9 +20,16 @@ struct PrimitiveAttributes {
   // A flat colour is the same at all vertices, that of the provoking one. A textured draw has s, t,
   // 0 and 1 in the colour's place.
   std::array<Interpolant, 4> color;
-  Interpolant depth;      // window depth, 0 to 1
-  Interpolant inverse_w;  // 1/w, as gl_FragCoord.w has it
+  Interpolant depth;         // window depth, 0 to 1
+  Interpolant inverse_w;     // 1/w, as gl_FragCoord.w has it
+  bool w_of_centre = false;  // the colour is multiplied by w at the centre of the pixel
 };
+
+// A component of the colour at a place of a pixel, as interpolate_exact has it.
+Interval color_exact(const PrimitiveAttributes& attributes, std::size_t component, Point place,
+                     PixelPosition pixel);
+Interval color_inexact(const PrimitiveAttributes& attributes, std::size_t component, Point place,
+                       PixelPosition pixel);
 
 PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleChoices& choices,
                                   const Target& target);
@@ -44,6 +51,18 @@ double middle(Interval value);
 // draw, whose colour is what was looked up.
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
                PixelPosition pixel, const ExactLookup* lookup = nullptr);
+
+// Where in the window a fragment of a multisampled target takes its values.
+struct ShadingPlaces {
+  Point color;
+  Point depth;        // gl_FragCoord.z
+  Point coordinates;  // gl_FragCoord.xy, and w
+};
+Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
+               PixelPosition pixel, const ShadingPlaces& places);
+// gl_FragCoord.
+std::array<double, 4> coordinates_at(const PrimitiveAttributes& attributes,
+                                     const ShadingPlaces& places);
 
 // What a scene asks to be told of the fragment beside; of textures, where there is a lookup.
 FragmentDetail shade_details(const PrimitiveAttributes& attributes, const QuadPixel& at,

@@ -5,6 +5,9 @@
 //
 //   primitives_of -> snap -> coverage (rules/coverage) -> attributes (rules/values)
 //     -> textures (rules/textures) -> pixels
+//
+// A multisampled target's path is in raster/multisample.h, a supersampled scene's in
+// raster/supersample.h.
 #pragma once
 
 #include <vector>
@@ -21,11 +24,29 @@ namespace edgecase {
 PixelBounds drawable_bounds(const Draw& draw, const Target& target);
 
 // The pixels of the target that one primitive covers under a choice of rules, sorted by row,
-// column.
+// column: as without multisampling.
 std::vector<PixelPosition> covered_pixels(const ScenePrimitive& primitive, const Target& target,
                                           const CoverageChoice& choice);
 
-// The rendering that a policy's rules, applied without rounding, produce.
-Rendering rasterize(const Scene& scene, const Policy& policy);
+// Where the samples of a target's pixels lie under a choice of rules: those that a renderer
+// reports, or, where `reported` is empty, those of the case, or the standard ones; moved as the
+// choice moves them. The centre alone where the target is not multisampled.
+SamplePositions positions_of(const Target& target, const CoverageChoice& choice,
+                             const SamplePositions& reported);
+
+// How a primitive's samples are covered under a choice of rules: each by itself where
+// GL_MULTISAMPLE is enabled, and otherwise as the choice has it.
+Unsampled sampling_of(const ScenePrimitive& primitive, const Target& target,
+                      const CoverageChoice& choice);
+
+// What one primitive covers of the draw's sample mask under a choice of rules. Where the pixel's
+// centre decides for all samples, what it covers as on a target of one sample, in list 0 alone, or
+// in all of them where the coverage is to have all bits.
+SampleCoverage covered_samples(const ScenePrimitive& primitive, const Target& target,
+                               const CoverageChoice& choice, const SamplePositions& reported);
+
+// The rendering that a policy's rules, applied without rounding, produce. `reported`: where the
+// renderer that it is held against says that samples lie; empty: nobody says.
+Rendering rasterize(const Scene& scene, const Policy& policy, const SamplePositions& reported = {});
 
 }  // namespace edgecase

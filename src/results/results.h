@@ -32,6 +32,7 @@ struct CaseResults {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> pixels;          // of the exact side, RGBA8, bottom row first
+  SampleImage samples;                       // of the exact side, where it is multisampled
   std::size_t fragments = 0;                 // of the exact side
   Figure figure;                             // the case's primitives and vertices
   std::vector<std::string> expect_failures;  // hand-drawn truths that exact does not meet

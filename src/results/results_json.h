@@ -14,6 +14,12 @@
 // A result's "ramp", absent where it is empty, is a list of [x, y, exact, low, high, rendered]:
 // levels of detail along a row of pixels (Result::ramp).
 //
+// Of multisampled cases, a case and its results have "samples" (samples_json.h), and a result that
+// was held against exact with samples elsewhere "exact_pixels" and "exact_samples".
+//
+// Of supersampled cases, evidence has a "pass", and a disagreement's "sample" is a pass, both counted
+// from 0; -1 is the image of all passes.
+//
 // Clusters (results/clusters.h) and the summary are counted from the cases, and not read back.
 #pragma once
 

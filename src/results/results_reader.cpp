@@ -6,26 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "results/hex.h"
 #include "results/results_json.h"
+#include "results/samples_json.h"
 
 namespace edgecase {
 namespace {
 
 using Json = nlohmann::json;
-
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  throw std::runtime_error(fmt::format("'{}' is no lower-case hexadecimal digit", c));
-}
-
-std::vector<std::uint8_t> from_hex(const std::string& text) {
-  if (text.size() % 2 != 0) throw std::runtime_error("pixels have an odd number of digits");
-  std::vector<std::uint8_t> bytes(text.size() / 2);
-  for (std::size_t i = 0; i < bytes.size(); ++i)
-    bytes[i] = static_cast<std::uint8_t>(16 * hex_digit(text[2 * i]) + hex_digit(text[2 * i + 1]));
-  return bytes;
-}
 
 // RGBA8 of a picture of the given size.
 std::vector<std::uint8_t> to_pixels(const std::string& hex, int width, int height) {
@@ -135,6 +123,7 @@ ValueAggregate to_values(const Json& json) {
 Result::Evidence to_evidence(const Json& json) {
   Result::Evidence evidence;
   evidence.primitive = json.at("primitive");
+  evidence.pass = json.value("pass", -1);
   evidence.causes = json.at("causes").get<std::vector<std::string>>();
   evidence.illegal_line_snaps = json.value("illegal_line_snaps", std::vector<std::string>{});
   evidence.broken_clause = json.value("broken_clause", "");
@@ -173,6 +162,12 @@ Result to_result(const Json& json, const CaseResults& exact) {
     const std::string pixels = json.at("pixels");
     result.pixels = pixels == "exact" ? exact.pixels : to_pixels(pixels, exact.width, exact.height);
   }
+  if (json.contains("exact_pixels"))
+    result.exact_pixels = to_pixels(json.at("exact_pixels"), exact.width, exact.height);
+  if (json.contains("samples"))
+    result.samples = to_samples(json.at("samples"), exact.width, exact.height);
+  if (json.contains("exact_samples"))
+    result.exact_samples = to_samples(json.at("exact_samples"), exact.width, exact.height);
   return result;
 }
 
@@ -191,6 +186,8 @@ CaseResults to_case(const Json& json, const std::vector<RendererInfo>& renderers
   one.height = json.at("height");
   one.fragments = json.at("fragments");
   one.pixels = to_pixels(json.at("pixels"), one.width, one.height);
+  if (json.contains("samples"))
+    one.samples = to_samples(json.at("samples"), one.width, one.height);
   one.figure = to_figure(json.at("figure"));
   one.expect_failures = json.at("expect_failures").get<std::vector<std::string>>();
   for (const RendererInfo& info : renderers)

@@ -5,23 +5,14 @@
 #include <ostream>
 
 #include "results/clusters.h"
+#include "results/hex.h"
 #include "results/results_json.h"
+#include "results/samples_json.h"
 
 namespace edgecase {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string hex(const std::vector<std::uint8_t>& bytes) {
-  constexpr char kDigits[] = "0123456789abcdef";
-  std::string text;
-  text.reserve(2 * bytes.size());
-  for (std::uint8_t byte : bytes) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
-}
 
 // JSON has no NaN or infinity; strings say so rather than a null that might mean anything.
 Json number(double value) {
@@ -94,6 +85,7 @@ Json values_json(const ValueAggregate& values) {
 
 Json evidence_json(const Result::Evidence& evidence) {
   Json object = {{"primitive", evidence.primitive}, {"causes", evidence.causes}};
+  if (evidence.pass >= 0) object["pass"] = evidence.pass;
   if (!evidence.illegal_line_snaps.empty())
     object["illegal_line_snaps"] = evidence.illegal_line_snaps;
   if (!evidence.broken_clause.empty()) object["broken_clause"] = evidence.broken_clause;
@@ -128,7 +120,11 @@ Json result_json(const Result& result, const CaseResults& exact) {
   if (!result.ramp.empty()) object["ramp"] = list(result.ramp, level_json);
   // Equal pictures are said to be so, not stored twice.
   if (!result.failure)
-    object["pixels"] = result.pixels == exact.pixels ? "exact" : hex(result.pixels);
+    object["pixels"] = result.pixels == exact.pixels ? "exact" : to_hex(result.pixels);
+  if (!result.exact_pixels.empty()) object["exact_pixels"] = to_hex(result.exact_pixels);
+  if (result.samples.samples > 1) object["samples"] = samples_json(result.samples);
+  if (result.exact_samples.samples > 1)
+    object["exact_samples"] = samples_json(result.exact_samples);
   return object;
 }
 
@@ -136,22 +132,24 @@ Json case_json(const CaseResults& one, const std::vector<RendererInfo>& renderer
   Json results = Json::object();
   for (std::size_t i = 0; i < one.results.size(); ++i)
     results[renderers[i].name] = result_json(one.results[i], one);
-  return {{"id", one.id},
-          {"title", one.title},
-          {"why", one.why},
-          {"rules", one.rules},
-          {"spec", one.spec},
-          {"origin", one.origin},
-          {"tags", one.tags},
-          {"file", one.file},
-          {"surface", one.surface},
-          {"width", one.width},
-          {"height", one.height},
-          {"fragments", one.fragments},
-          {"pixels", hex(one.pixels)},
-          {"figure", figure_json(one.figure)},
-          {"expect_failures", one.expect_failures},
-          {"results", std::move(results)}};
+  Json object = {{"id", one.id},
+                 {"title", one.title},
+                 {"why", one.why},
+                 {"rules", one.rules},
+                 {"spec", one.spec},
+                 {"origin", one.origin},
+                 {"tags", one.tags},
+                 {"file", one.file},
+                 {"surface", one.surface},
+                 {"width", one.width},
+                 {"height", one.height},
+                 {"fragments", one.fragments},
+                 {"pixels", to_hex(one.pixels)}};
+  if (one.samples.samples > 1) object["samples"] = samples_json(one.samples);
+  object["figure"] = figure_json(one.figure);
+  object["expect_failures"] = one.expect_failures;
+  object["results"] = std::move(results);
+  return object;
 }
 
 Json renderer_json(const RendererInfo& info) {

@@ -13,6 +13,14 @@
 #include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
+#include "rules/samples/accumulation.h"
+#include "rules/samples/alpha_to_coverage.h"
+#include "rules/samples/attribute_location.h"
+#include "rules/samples/multisampled_line.h"
+#include "rules/samples/resolve.h"
+#include "rules/samples/sample_mask.h"
+#include "rules/samples/sample_placement.h"
+#include "rules/samples/shading_rate.h"
 #include "rules/textures/anisotropy.h"
 #include "rules/textures/level_of_detail.h"
 #include "rules/textures/level_selection.h"
@@ -72,6 +80,17 @@ std::span<const Rule> all_rules() {
       quad_rows_rule(),
       depth_rule(),
       fragment_coordinates_rule(),
+      sample_positions_rule(),
+      multisample_switch_rule(),
+      multisampled_line_rule(),
+      sample_mask_rule(),
+      shading_rate_rule(),
+      attribute_location_rule(),
+      centroid_rule(),
+      sample_depth_rule(),
+      alpha_to_coverage_rule(),
+      resolve_rule(),
+      accumulation_rule(),
       texel_filter_rule(),
       texel_grid_rule(),
       wrap_rule(),

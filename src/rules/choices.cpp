@@ -42,6 +42,10 @@ CoverageChoice resolve_primitive(const Policy& policy, Surface surface, Primitiv
   parse_name(chosen_or_standard(policy, surface, row_order_rule_of(kind)), result.rows);
   parse_name(chosen_or_standard(policy, surface, "point.offset"), result.point_offset);
   parse_name(chosen_or_standard(policy, surface, "triangle.algorithm"), result.triangle_algorithm);
+  parse_name(chosen_or_standard(policy, surface, "sample.positions"), result.placement);
+  parse_name(chosen_or_standard(policy, surface, "line.multisampled"), result.multisampled_line);
+  parse_name(chosen_or_standard(policy, surface, "sample.enable"), result.multisample_switch);
+  parse_name(chosen_or_standard(policy, surface, "sample.mask"), result.sample_mask);
   return result;
 }
 
@@ -58,6 +62,10 @@ ValueChoice resolve_values(const Policy& policy, Surface surface) {
     parse_name(chosen_or_standard(policy, surface, derivative_rule_of(derivative)),
                result.derivatives[form_of(derivative)]);
   parse_name(chosen_or_standard(policy, surface, "derivative.quad-rows"), result.quad_rows);
+  LocationChoice& locations = result.locations;
+  parse_name(chosen_or_standard(policy, surface, "attribute.location"), locations.plain);
+  parse_name(chosen_or_standard(policy, surface, "attribute.centroid"), locations.centroid);
+  parse_name(chosen_or_standard(policy, surface, "sample.depth"), locations.depth);
   return result;
 }
 
@@ -80,6 +88,16 @@ TextureChoice resolve_textures(const Policy& policy, Surface surface) {
   resolve_rule("mipmap.filter", result.mipmap.filter);
   resolve_rule("mipmap.rounding", result.mipmap.rounding);
   result.mipmap.linear_srgb = chosen_or_standard(policy, surface, "mipmap.srgb") == "linear";
+  return result;
+}
+
+SampleChoice resolve_samples(const Policy& policy, Surface surface) {
+  SampleChoice result;
+  parse_name(chosen_or_standard(policy, surface, "sample.shading-rate"), result.rate);
+  parse_name(chosen_or_standard(policy, surface, "sample.alpha-to-coverage"),
+             result.alpha_to_coverage);
+  parse_name(chosen_or_standard(policy, surface, "sample.resolve"), result.resolve);
+  parse_name(chosen_or_standard(policy, surface, "supersample.accumulation"), result.accumulation);
   return result;
 }
 
@@ -137,7 +155,9 @@ RuleChoices resolve(const Policy& policy, Surface surface) {
   return {resolve_primitive(policy, surface, PrimitiveKind::point),
           resolve_primitive(policy, surface, PrimitiveKind::line),
           resolve_primitive(policy, surface, PrimitiveKind::triangle),
-          resolve_values(policy, surface), resolve_textures(policy, surface)};
+          resolve_values(policy, surface),
+          resolve_textures(policy, surface),
+          resolve_samples(policy, surface)};
 }
 
 }  // namespace edgecase

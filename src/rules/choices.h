@@ -15,6 +15,14 @@
 #include "rules/coverage/snap.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/coverage/triangle_algorithm.h"
+#include "rules/samples/accumulation.h"
+#include "rules/samples/alpha_to_coverage.h"
+#include "rules/samples/attribute_location.h"
+#include "rules/samples/multisampled_line.h"
+#include "rules/samples/resolve.h"
+#include "rules/samples/sample_mask.h"
+#include "rules/samples/sample_placement.h"
+#include "rules/samples/shading_rate.h"
 #include "rules/textures/texture_choice.h"
 #include "rules/values/derivative.h"
 #include "rules/values/flat_attribute.h"
@@ -31,6 +39,11 @@ struct CoverageChoice {
   LineChoice line;  // of lines alone
   PointOffset point_offset = PointOffset::none;                              // of points alone
   TriangleAlgorithm triangle_algorithm = TriangleAlgorithm::edge_functions;  // of triangles alone
+  // Of multisampled targets.
+  SamplePlacement placement;
+  MultisampledLine multisampled_line = MultisampledLine::rectangle;  // of lines alone
+  MultisampleSwitch multisample_switch = MultisampleSwitch::honoured;
+  SampleMask sample_mask = SampleMask::applied;
 };
 
 // What a policy says of attributes.
@@ -43,6 +56,15 @@ struct ValueChoice {
   std::array<DerivativeMethod, 3> derivatives{DerivativeMethod::fine, DerivativeMethod::fine,
                                               DerivativeMethod::coarse_bottom_left};
   RowOrder quad_rows = RowOrder::bottom_up;
+  LocationChoice locations;  // of multisampled targets
+};
+
+// What a policy says of invocations and samples of multisampled targets, and of passes.
+struct SampleChoice {
+  ShadingRate rate = ShadingRate::as_needed;
+  AlphaToCoverage alpha_to_coverage = AlphaToCoverage::proportional;
+  ResolveMethod resolve = ResolveMethod::nearest_even;
+  Accumulation accumulation = Accumulation::exact_mean;  // of supersampled scenes
 };
 
 // What a policy says for one surface.
@@ -52,6 +74,7 @@ struct RuleChoices {
   CoverageChoice triangles;
   ValueChoice values;
   TextureChoice textures;
+  SampleChoice samples;
 
   const CoverageChoice& of(PrimitiveKind kind) const;
 };

@@ -30,15 +30,21 @@ Scene empty_scene() {
 // one; and for the chains of textures whose levels the renderer generates, 32 bytes a number.
 std::size_t longest_answer(const Scene& scene) {
   constexpr std::size_t kBase = std::size_t{1} << 26;
-  constexpr std::size_t kPerPixel = 1024;
+  constexpr std::size_t kPerSample = 1024;
   // A chain has at most twice the numbers of its first level.
   constexpr std::size_t kPerNumber = 2 * 32;
   std::size_t chains = 0;
   for (const auto& texture : scene.textures)
     if (texture->generated) chains += kPerNumber * texture->levels[0].texels.size();
-  return std::min(kMaxLineLength, kBase + chains +
-                                      kPerPixel * static_cast<std::size_t>(scene.target.width) *
-                                          static_cast<std::size_t>(scene.target.height));
+  const auto samples = static_cast<std::size_t>(scene.target.width) *
+                       static_cast<std::size_t>(scene.target.height) *
+                       static_cast<std::size_t>(scene.target.samples);
+  return std::min(kMaxLineLength, kBase + chains + kPerSample * samples);
+}
+
+// Runs of pixels cannot tell which samples are covered: several samples take whole answers.
+bool takes_coverage(const Task& task) {
+  return task.coverage_only && task.scene->target.samples == 1;
 }
 
 // The end of a text as one line of printable characters.
@@ -95,7 +101,7 @@ Outcome ProcessRenderer::attempt(const Task& task) {
   if (child_ == nullptr && !start()) return Failure{FailureKind::unavailable, unavailable_};
   const Scene& scene = *task.scene;
   const std::string scene_text = scene_json(scene);
-  const std::string request = request_line(task.id, scene_text, task.coverage_only);
+  const std::string request = request_line(task.id, scene_text, takes_coverage(task));
   std::string answer;
   const auto status = child_->exchange(request, answer, longest_answer(scene),
                                        ChildProcess::Clock::now() + patience(), spec_.stop);
@@ -110,7 +116,7 @@ Outcome ProcessRenderer::read(const std::string& line, const std::string& digest
   child_answered_ = true;
   ever_answered_ = true;
   silent_deaths_ = 0;
-  auto parsed = parse_answer(line, digest, *task.scene, task.coverage_only);
+  auto parsed = parse_answer(line, digest, *task.scene, takes_coverage(task));
   if (const auto* error = std::get_if<WireError>(&parsed)) {
     // Nobody knows what else is on its way: only a new process is sure to be in step.
     child_->kill();

@@ -12,7 +12,7 @@
 
 #include "diff/compare.h"
 #include "diff/judge.h"
-#include "diff/level_ramp.h"
+#include "diff/textures/level_ramp.h"
 #include "raster/rasterizer.h"
 #include "run/expectation_check.h"
 
@@ -25,7 +25,8 @@ constexpr std::size_t kLeastSlice = 200;
 // Thrown out of a renderer's sink when the run should end.
 struct Stopped {};
 
-// The exact rendering of every case, each made once by whoever asks first.
+// The exact rendering of every case, each made once by whoever asks first, with samples where the
+// policy has them when no renderer says where its own lie.
 class ExactSide {
  public:
   ExactSide(const std::vector<Case>& cases, const Policy& policy)
@@ -127,9 +128,28 @@ class Run {
     const auto& rendering = std::get<Rendering>(outcome);
     const RendererFacts facts{info.subpixel_bits,
                               profile != options_.profiles.end() ? &profile->second : nullptr};
-    Result result = compare(one.scene, options_.policy, exact_[index], rendering, facts);
+    Result result = compare_with_exact(index, rendering, facts);
     if (std::ranges::find(one.tags, kRampTag) != one.tags.end())
       result.ramp = level_ramp(one.scene, options_.policy, rendering, facts);
+    return result;
+  }
+
+  // A renderer that has its samples elsewhere is held against exact with samples there.
+  Result compare_with_exact(std::size_t index, const Rendering& rendering,
+                            const RendererFacts& facts) {
+    const Scene& scene = suite_.cases[index].scene;
+    const Rendering& usual = exact_[index];
+    const SamplePositions& reported = rendering.sample_positions;
+    if (reported.empty() || reported == usual.sample_positions) {
+      Result result = compare(scene, options_.policy, usual, rendering, facts);
+      result.samples = sample_image(rendering);
+      return result;
+    }
+    Rendering own = rasterize(scene, options_.policy, reported);
+    Result result = compare(scene, options_.policy, own, rendering, facts);
+    result.samples = sample_image(rendering);
+    result.exact_samples = sample_image(own);
+    result.exact_pixels = std::move(own.pixels);
     return result;
   }
 
@@ -155,7 +175,9 @@ class Run {
     result.width = exact.width;
     result.height = exact.height;
     result.pixels = exact.pixels;
+    result.samples = sample_image(exact);
     result.fragments = exact.fragments.size();
+    for (const Rendering& pass : exact.passes) result.fragments += pass.fragments.size();
     result.figure = scene_figure(one.scene);
     result.expect_failures = unmet_drawings(one, options_.policy.name, exact);
     return result;

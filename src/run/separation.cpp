@@ -2,7 +2,7 @@
 #include "run/separation.h"
 
 #include <algorithm>
-#include <utility>
+#include <vector>
 
 #include "model/policy.h"
 #include "raster/rasterizer.h"
@@ -12,21 +12,33 @@ namespace edgecase {
 namespace {
 
 constexpr const char* kCoverageRules[] = {
-    "point.ownership",   "point.offset",       "point.snap",         "point.row-order",
-    "line.algorithm",    "line.diamond-exit",  "line.width",         "line.snap",
-    "line.row-order",    "triangle.algorithm", "triangle.fill-rule", "triangle.snap",
-    "triangle.row-order"};
+    "point.ownership",    "point.offset",       "point.snap",         "point.row-order",
+    "line.algorithm",     "line.diamond-exit",  "line.width",         "line.snap",
+    "line.row-order",     "triangle.algorithm", "triangle.fill-rule", "triangle.snap",
+    "triangle.row-order", "line.multisampled",  "sample.positions",   "sample.enable",
+    "sample.mask"};
 
-using Fragments = std::vector<std::pair<int, PixelPosition>>;
+// What is drawn of a scene.
+struct Drawn {
+  std::vector<SampleCoverage> covered;  // by each primitive
+  std::vector<double> depths;           // of samples, where a draw does without GL_MULTISAMPLE
+  friend bool operator==(const Drawn&, const Drawn&) = default;
+};
 
-// The primitives and pixels of all fragments of a scene; colours play no part.
-Fragments fragments_under(const Scene& scene, const Policy& policy) {
+bool is_switched_off(const Scene& scene) {
+  return scene.target.samples > 1 && std::ranges::any_of(scene.draws, [](const Draw& draw) {
+           return !draw.multisampling.enabled;
+         });
+}
+
+Drawn drawn_under(const Scene& scene, const Policy& policy) {
   const RuleChoices choices = resolve(policy, scene.target.surface);
-  Fragments result;
+  Drawn drawn;
   for (const ScenePrimitive& primitive : primitives_of(scene))
-    for (PixelPosition pixel : covered_pixels(primitive, scene.target, choices.of(primitive.kind)))
-      result.emplace_back(primitive.index, pixel);
-  return result;
+    drawn.covered.push_back(
+        covered_samples(primitive, scene.target, choices.of(primitive.kind), SamplePositions{}));
+  if (is_switched_off(scene)) drawn.depths = rasterize(scene, policy).depths;
+  return drawn;
 }
 
 Policy policy_with(const std::string& rule, const std::string& alternative) {
@@ -36,9 +48,9 @@ Policy policy_with(const std::string& rule, const std::string& alternative) {
 }
 
 void count_case(const Scene& scene, SeparationMatrix& matrix) {
-  std::vector<Fragments> drawn;
+  std::vector<Drawn> drawn;
   for (const std::string& alternative : matrix.alternatives)
-    drawn.push_back(fragments_under(scene, policy_with(matrix.rule, alternative)));
+    drawn.push_back(drawn_under(scene, policy_with(matrix.rule, alternative)));
   for (std::size_t i = 0; i < drawn.size(); ++i)
     for (std::size_t j = 0; j < drawn.size(); ++j)
       if (drawn[i] != drawn[j]) ++matrix.cases[i][j];
@@ -51,7 +63,7 @@ bool has_tie(const Scene& scene) {
     open.rules[rule] = "open";
     closed.rules[rule] = "closed";
   }
-  return fragments_under(scene, open) != fragments_under(scene, closed);
+  return drawn_under(scene, open) != drawn_under(scene, closed);
 }
 
 SeparationMatrix empty_matrix(const std::string& id) {

@@ -3,9 +3,11 @@
 // Separation: does the suite tell the alternatives of every rule from one another?
 //
 // A suite that renders the same under two alternatives cannot say which of them a renderer follows.
-// For every rule of coverage and each pair of its alternatives, the cases are counted whose exact
-// fragments differ. Ties are counted too: the cases in which something lies exactly on a boundary,
-// so that `open` and `closed` boundaries give different fragments.
+// For every rule of coverage and each pair of its alternatives, the cases are counted in which
+// exact covers other pixels, or other samples of them, where their positions are those of the case
+// or the standard ones; of draws without GL_MULTISAMPLE those, too, in which samples have other
+// depths. Ties are counted too: the cases in which something lies exactly on a boundary, so that
+// `open` and `closed` boundaries cover differently.
 #pragma once
 
 #include <cstddef>

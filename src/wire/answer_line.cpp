@@ -8,8 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "wire/coverage_runs.h"
+#include "wire/fragment_values.h"
 #include "wire/reading.h"
 #include "wire/rendering_json.h"
+#include "wire/sample_values.h"
 #include "wire/texture_values.h"
 
 namespace edgecase {
@@ -40,7 +42,16 @@ std::string claims_member(const RendererInfo* claims) {
 
 std::string hits_member(const Rendering& rendering) {
   if (rendering.hits.empty()) return "";
-  return fmt::format(",\"hits\":[{}]", fmt::join(rendering.hits, ","));
+  return ",\"hits\":" + hits_json(rendering);
+}
+
+std::string samples_members(const Rendering& rendering) {
+  std::string members;
+  if (!rendering.sample_positions.empty())
+    members += ",\"sample_positions\":" + sample_positions_json(rendering);
+  if (!rendering.sample_pixels.empty())
+    members += ",\"sample_pixels\":" + sample_pixels_json(rendering);
+  return members;
 }
 
 std::string depths_member(const Rendering& rendering) {
@@ -73,87 +84,6 @@ RendererInfo read_claims(const json& value, const Path& path) {
   return claims;
 }
 
-// What the fragments of one scene must keep to.
-struct Bounds {
-  int width;
-  int height;
-  int samples;
-  std::vector<bool> textured;  // by primitive: is its draw?
-  Details details;             // what was asked for
-};
-
-template <std::size_t N>
-void read_numbers(const json& value, const Path& path, std::array<double, N>& numbers) {
-  wire::require_array(value, path, N);
-  for (std::size_t i = 0; i < N; ++i) numbers[i] = wire::read_number(value[i], {path, i});
-}
-
-void read_derivatives(const json& value, const Path& path, FragmentDetail& detail) {
-  wire::require_object(value, path,
-                       {kDerivativeNames[0], kDerivativeNames[1], kDerivativeNames[2],
-                        kDerivativeNames[3], kDerivativeNames[4], kDerivativeNames[5]});
-  for (std::size_t i = 0; i < kDerivatives; ++i) {
-    const json* four = wire::optional_member(value, kDerivativeNames[i]);
-    if (four == nullptr) continue;
-    read_numbers(*four, {path, kDerivativeNames[i]}, detail.derivatives[i]);
-    detail.has_derivative[i] = true;
-  }
-}
-
-// What a fragment tells beside colour and depth; none where it tells nothing of the kind.
-std::optional<FragmentDetail> read_detail(const json& value, const Path& path, Details asked,
-                                          bool is_textured) {
-  const auto find = [&](const char* key, bool is_asked, bool is_there = true) {
-    const json* found = wire::optional_member(value, key);
-    if (found != nullptr && !is_asked)
-      throw Refusal(
-          fmt::format("{} has \"{}\", which the request does not ask for", path.text(), key));
-    if (found != nullptr && !is_there)
-      throw Refusal(fmt::format("{} has \"{}\", but its draw has no texture", path.text(), key));
-    return found;
-  };
-  const json* coordinates = find("coordinates", asked.coordinates);
-  const json* derivatives = find("derivatives", asked.derivatives);
-  const json* texture = find("texture_coordinates", asked.texture, is_textured);
-  const json* level = find("level_of_detail", asked.texture, is_textured);
-  if (coordinates == nullptr && derivatives == nullptr && texture == nullptr && level == nullptr)
-    return std::nullopt;
-  FragmentDetail detail;
-  const auto read = [&](const json* found, const char* key, auto& numbers) {
-    if (found != nullptr) read_numbers(*found, {path, key}, numbers);
-    return found != nullptr;
-  };
-  detail.has_coordinates = read(coordinates, "coordinates", detail.coordinates);
-  detail.has_texture_coordinates = read(texture, "texture_coordinates", detail.texture_coordinates);
-  detail.has_level_of_detail = read(level, "level_of_detail", detail.level_of_detail);
-  if (derivatives != nullptr) read_derivatives(*derivatives, {path, "derivatives"}, detail);
-  return detail;
-}
-
-Fragment read_fragment(const json& value, const Path& path, const Bounds& bounds) {
-  wire::require_object(value, path,
-                       {"x", "y", "primitive", "coverage", "depth", "color", "coordinates",
-                        "derivatives", "texture_coordinates", "level_of_detail"});
-  const auto read_index = [&](const char* key, int count) {
-    return static_cast<int>(
-        wire::read_integer(wire::member(value, path, key), {path, key}, 0, count - 1));
-  };
-  Fragment fragment;
-  fragment.x = read_index("x", bounds.width);
-  fragment.y = read_index("y", bounds.height);
-  fragment.primitive = read_index("primitive", static_cast<int>(bounds.textured.size()));
-  if (const json* coverage = wire::optional_member(value, "coverage"))
-    fragment.coverage = static_cast<std::uint32_t>(wire::read_integer(
-        *coverage, {path, "coverage"}, 1, (std::int64_t{1} << bounds.samples) - 1));
-  const json* depth = wire::optional_member(value, "depth");
-  fragment.has_depth = depth != nullptr;
-  if (depth != nullptr) fragment.depth = wire::read_number(*depth, {path, "depth"});
-  const json* color = wire::optional_member(value, "color");
-  fragment.has_color = color != nullptr;
-  if (color != nullptr) read_numbers(*color, {path, "color"}, fragment.color);
-  return fragment;
-}
-
 template <class Integer>
 std::vector<Integer> read_integers(const json& value, const Path& path, std::size_t size) {
   wire::require_array(value, path, size);
@@ -163,29 +93,6 @@ std::vector<Integer> read_integers(const json& value, const Path& path, std::siz
     result.push_back(static_cast<Integer>(
         wire::read_integer(value[i], {path, i}, 0, std::numeric_limits<Integer>::max())));
   return result;
-}
-
-std::vector<bool> textured_primitives(const Scene& scene) {
-  std::vector<bool> textured;
-  for (const ScenePrimitive& primitive : primitives_of(scene))
-    textured.push_back(primitive.state->texture.has_value());
-  return textured;
-}
-
-void read_fragments(const json& value, const Path& path, const Bounds& bounds,
-                    Rendering& rendering) {
-  wire::require_array(value, path, value.size());
-  rendering.fragments.reserve(value.size());
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    const Path at(path, i);
-    Fragment fragment = read_fragment(value[i], at, bounds);
-    const bool is_textured = bounds.textured[static_cast<std::size_t>(fragment.primitive)];
-    if (const auto detail = read_detail(value[i], at, bounds.details, is_textured)) {
-      fragment.detail = static_cast<int>(rendering.details.size());
-      rendering.details.push_back(*detail);
-    }
-    rendering.fragments.push_back(fragment);
-  }
 }
 
 // A float32 buffer may hold a depth that rounding took beyond 0 or 1; an unsigned one cannot.
@@ -206,7 +113,7 @@ std::vector<double> read_depths(const json& value, const Path& path, std::size_t
 
 // Either the key "coverage", or "pixels" and "fragments".
 void read_drawn(const json& document, const Path& root, const Scene& scene, Rendering& rendering) {
-  const std::vector<bool> textured = textured_primitives(scene);
+  const std::vector<bool> textured = wire::textured_primitives(scene);
   const json* coverage = wire::optional_member(document, "coverage");
   const char* key = coverage != nullptr ? "coverage" : "fragments";
   const json& list = coverage != nullptr ? *coverage : wire::member(document, root, key);
@@ -217,33 +124,107 @@ void read_drawn(const json& document, const Path& root, const Scene& scene, Rend
     rendering.fragments = wire::read_coverage_runs(
         list, at, {rendering.width, rendering.height, static_cast<int>(textured.size())});
   else
-    read_fragments(list, at,
-                   {rendering.width, rendering.height, rendering.samples, textured, scene.details},
-                   rendering);
+    wire::read_fragments(list, at, scene, textured, rendering);
 }
 
-Rendering read_rendering(const json& document, const Path& root, const Scene& scene) {
+// What is told of samples, where there are several.
+void read_samples(const json& document, const Path& root, std::size_t size, Rendering& rendering) {
+  if (const json* positions = wire::optional_member(document, "sample_positions"))
+    rendering.sample_positions =
+        wire::read_told_positions(*positions, {root, "sample_positions"}, rendering.samples);
+  const json* pixels = wire::optional_member(document, "sample_pixels");
+  if (pixels == nullptr) return;
+  if (rendering.samples == 1)
+    throw Refusal("the line has \"sample_pixels\", but the target has one sample");
+  rendering.sample_pixels = read_integers<std::uint8_t>(*pixels, {root, "sample_pixels"}, size);
+}
+
+void check_depths(const json& document, const Path& path, const Scene& scene) {
+  if (document.contains("depths") && scene.target.depth == DepthFormat::none)
+    throw Refusal(path.text() + " has \"depths\", but the target has no depth buffer");
+}
+
+Rendering blank_rendering(const Target& target) {
   Rendering rendering;
-  rendering.width = scene.target.width;
-  rendering.height = scene.target.height;
-  rendering.samples = scene.target.samples;
-  const std::size_t area =
-      static_cast<std::size_t>(rendering.width) * static_cast<std::size_t>(rendering.height);
+  rendering.width = target.width;
+  rendering.height = target.height;
+  rendering.samples = target.samples;
+  return rendering;
+}
+
+std::size_t area_of(const Target& target) {
+  return static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height);
+}
+
+// What was drawn at one go: a scene that is not supersampled, or a pass.
+Rendering read_drawing(const json& document, const Path& root, const Scene& scene) {
+  Rendering rendering = blank_rendering(scene.target);
+  const std::size_t area = area_of(scene.target);
+  // Hits and depths are told of every sample, a plane for each.
+  const std::size_t planes = area * static_cast<std::size_t>(rendering.samples);
   if (!document.contains("coverage")) {
     rendering.pixels = read_integers<std::uint8_t>(wire::member(document, root, "pixels"),
                                                    {root, "pixels"}, 4 * area);
     if (scene.target.depth != DepthFormat::none)
-      rendering.depths = read_depths(wire::member(document, root, "depths"), {root, "depths"}, area,
-                                     scene.target.depth);
+      rendering.depths = read_depths(wire::member(document, root, "depths"), {root, "depths"},
+                                     planes, scene.target.depth);
   }
   if (const json* hits = wire::optional_member(document, "hits"))
-    rendering.hits = read_integers<std::uint32_t>(*hits, {root, "hits"}, area);
+    rendering.hits = read_integers<std::uint32_t>(*hits, {root, "hits"}, planes);
+  read_samples(document, root, 4 * planes, rendering);
   if (const json* chains = wire::optional_member(document, "mip_chains"))
     rendering.mip_chains = wire::read_mip_chains(*chains, {root, "mip_chains"}, scene);
   read_drawn(document, root, scene, rendering);
   sort_fragments(rendering);
+  return rendering;
+}
+
+// A pass has no samples to tell of, and answers in whole.
+Rendering read_pass(const json& value, const Path& path, const Scene& scene) {
+  wire::require_object(value, path, {"pixels", "fragments", "depths", "mip_chains", "hits"});
+  check_depths(value, path, scene);
+  Rendering rendering = read_drawing(value, path, scene);
+  if (auto contradiction = contradiction_of_hits(rendering))
+    throw Refusal(fmt::format("{}: {}", path.text(), *contradiction));
+  return rendering;
+}
+
+// Passes differ from the scene in places alone, which play no part in reading.
+Rendering read_supersampled(const json& document, const Path& root, const Scene& scene) {
+  Rendering rendering = blank_rendering(scene.target);
+  const std::size_t size = 4 * area_of(scene.target);
+  rendering.pixels =
+      read_integers<std::uint8_t>(wire::member(document, root, "pixels"), {root, "pixels"}, size);
+  const json& accumulated = wire::member(document, root, "accumulated");
+  const Path image(root, "accumulated");
+  wire::require_array(accumulated, image, size);
+  for (std::size_t i = 0; i < size; ++i)
+    rendering.accumulated.push_back(wire::read_number(accumulated[i], {image, i}));
+  const json& passes = wire::member(document, root, "passes");
+  const Path at(root, "passes");
+  wire::require_array(passes, at, scene.supersampling.size());
+  for (std::size_t k = 0; k < passes.size(); ++k)
+    rendering.passes.push_back(read_pass(passes[k], {at, k}, scene));
+  return rendering;
+}
+
+Rendering read_rendering(const json& document, const Path& root, const Scene& scene) {
+  if (!scene.supersampling.empty()) return read_supersampled(document, root, scene);
+  Rendering rendering = read_drawing(document, root, scene);
   if (auto contradiction = contradiction_of_hits(rendering)) throw Refusal(*contradiction);
   return rendering;
+}
+
+// Fragments and what belongs to them are told of each pass.
+void check_supersampled_form(const json& document, bool is_supersampled) {
+  for (const char* key : {"passes", "accumulated"})
+    if (!is_supersampled && document.contains(key))
+      throw Refusal(fmt::format("the line has \"{}\", but the scene is not supersampled", key));
+  for (const char* key : {"fragments", "coverage", "depths", "mip_chains", "hits",
+                          "sample_positions", "sample_pixels"})
+    if (is_supersampled && document.contains(key))
+      throw Refusal(
+          fmt::format("the line has \"{}\" beside the passes of a supersampled scene", key));
 }
 
 // Keys that exclude each other, and an answer in a form that was not asked for.
@@ -254,10 +235,12 @@ void check_form(const json& document, const Scene& scene, bool coverage_only) {
       if (document.contains(key))
         throw Refusal(fmt::format("the line has both \"{}\" and \"{}\"", first, key));
   };
-  refuse_beside("not_run", {"pixels", "fragments", "coverage", "depths", "mip_chains", "hits"});
-  refuse_beside("coverage", {"pixels", "fragments", "depths", "mip_chains"});
-  if (document.contains("depths") && scene.target.depth == DepthFormat::none)
-    throw Refusal("the line has \"depths\", but the target has no depth buffer");
+  refuse_beside("not_run", {"pixels", "fragments", "coverage", "depths", "mip_chains", "hits",
+                            "sample_positions", "sample_pixels", "passes", "accumulated"});
+  refuse_beside("coverage", {"pixels", "fragments", "depths", "mip_chains", "sample_positions",
+                             "sample_pixels"});
+  check_supersampled_form(document, !scene.supersampling.empty());
+  check_depths(document, Path(), scene);
   if (!document.contains("coverage")) return;
   if (!coverage_only)
     throw Refusal("the line has \"coverage\", but the request asked for a whole answer");
@@ -268,9 +251,10 @@ void check_form(const json& document, const Scene& scene, bool coverage_only) {
 Answer read_answer(const json& document, const std::string& digest, const Scene& scene,
                    bool coverage_only) {
   const Path root;
-  wire::require_object(document, root,
-                       {"digest", "pixels", "fragments", "coverage", "depths", "mip_chains", "hits",
-                        "renderer", "not_run"});
+  wire::require_object(
+      document, root,
+      {"digest", "pixels", "fragments", "coverage", "depths", "mip_chains", "hits",
+       "sample_positions", "sample_pixels", "passes", "accumulated", "renderer", "not_run"});
   const std::string& given =
       wire::read_string(wire::member(document, root, "digest"), {root, "digest"});
   if (given != digest)
@@ -292,9 +276,14 @@ Answer read_answer(const json& document, const std::string& digest, const Scene&
 
 std::string answer_line(const std::string& digest, const Rendering& rendering,
                         const RendererInfo* claims) {
-  return fmt::format(R"({{"digest":{},"pixels":{},"fragments":{}{}{}{}{}}})", text_of(digest),
-                     pixels_json(rendering), fragments_json(rendering), depths_member(rendering),
-                     mip_chains_member(rendering), hits_member(rendering), claims_member(claims));
+  if (!rendering.passes.empty())
+    return fmt::format(R"({{"digest":{},"pixels":{},"accumulated":{},"passes":{}{}}})",
+                       text_of(digest), pixels_json(rendering), accumulated_json(rendering),
+                       passes_json(rendering), claims_member(claims));
+  return fmt::format(R"({{"digest":{},"pixels":{},"fragments":{}{}{}{}{}{}}})", text_of(digest),
+                     pixels_json(rendering), fragments_json(rendering), samples_members(rendering),
+                     depths_member(rendering), mip_chains_member(rendering), hits_member(rendering),
+                     claims_member(claims));
 }
 
 std::string coverage_line(const std::string& digest, const Rendering& rendering,
@@ -320,7 +309,7 @@ std::variant<Answer, WireError> parse_answer(std::string_view line, const std::s
 }
 
 std::optional<std::string> contradiction_of_hits(const Rendering& rendering) {
-  if (rendering.hits.empty()) return std::nullopt;
+  if (rendering.hits.empty() || rendering.samples != 1) return std::nullopt;
   std::vector<std::uint32_t> captured(rendering.hits.size());
   for (const Fragment& fragment : rendering.fragments)
     ++captured[rendering.pixel_index(fragment.x, fragment.y)];

@@ -44,7 +44,8 @@ std::variant<Answer, WireError> parse_answer(std::string_view line, const std::s
                                              const Scene& scene, bool coverage_only = false);
 
 // How the hit counts of a rendering contradict its fragments, naming the first pixel (bottom row
-// first) where they do; nothing when they agree, or when the rendering has no hit counts.
+// first) where they do; nothing when they agree, when the rendering has no hit counts, or when its
+// target has several samples: which of those are written is decided after the shader.
 std::optional<std::string> contradiction_of_hits(const Rendering& rendering);
 
 }  // namespace edgecase

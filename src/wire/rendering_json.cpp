@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "wire/sample_values.h"
 #include "wire/texture_values.h"
 
 namespace edgecase {
@@ -20,6 +21,18 @@ using wire::Output;
 // A double as the shortest decimal that reads back as the same double.
 void write_number(Output out, double value) {
   if (!wire::write_not_finite(out, value)) fmt::format_to(out, "{}", value);
+}
+
+std::string numbers_json(const std::vector<double>& numbers) {
+  fmt::memory_buffer text;
+  const Output out(text);
+  text.push_back('[');
+  for (const double number : numbers) {
+    if (text.size() > 1) text.push_back(',');
+    write_number(out, number);
+  }
+  text.push_back(']');
+  return fmt::to_string(text);
 }
 
 template <std::size_t N>
@@ -89,16 +102,39 @@ std::string pixels_json(const Rendering& rendering) {
   return fmt::format("[{}]", fmt::join(rendering.pixels, ","));
 }
 
-std::string depths_json(const Rendering& rendering) {
+std::string sample_positions_json(const Rendering& rendering) {
   fmt::memory_buffer text;
-  const Output out(text);
-  text.push_back('[');
-  for (double depth : rendering.depths) {
-    if (text.size() > 1) text.push_back(',');
-    write_number(out, depth);
-  }
-  text.push_back(']');
+  wire::write_positions(Output(text), rendering.sample_positions);
   return fmt::to_string(text);
+}
+
+std::string sample_pixels_json(const Rendering& rendering) {
+  return fmt::format("[{}]", fmt::join(rendering.sample_pixels, ","));
+}
+
+std::string depths_json(const Rendering& rendering) {
+  return numbers_json(rendering.depths);
+}
+
+std::string accumulated_json(const Rendering& rendering) {
+  return numbers_json(rendering.accumulated);
+}
+
+std::string hits_json(const Rendering& rendering) {
+  return fmt::format("[{}]", fmt::join(rendering.hits, ","));
+}
+
+std::string passes_json(const Rendering& rendering) {
+  std::string text = "[";
+  for (const Rendering& pass : rendering.passes) {
+    if (text.size() > 1) text += ',';
+    text += "{\"pixels\":" + pixels_json(pass) + ",\"fragments\":" + fragments_json(pass);
+    if (!pass.depths.empty()) text += ",\"depths\":" + depths_json(pass);
+    if (!pass.mip_chains.empty()) text += ",\"mip_chains\":" + mip_chains_json(pass);
+    if (!pass.hits.empty()) text += ",\"hits\":" + hits_json(pass);
+    text += '}';
+  }
+  return text + "]";
 }
 
 std::string mip_chains_json(const Rendering& rendering) {
@@ -118,15 +154,24 @@ std::string mip_chains_json(const Rendering& rendering) {
 }
 
 std::string rendering_json(const std::string& id, const Rendering& rendering) {
+  const std::string positions = rendering.sample_positions.empty()
+                                    ? ""
+                                    : ",\"sample_positions\":" + sample_positions_json(rendering);
+  const std::string samples =
+      rendering.sample_pixels.empty() ? "" : ",\"sample_pixels\":" + sample_pixels_json(rendering);
   const std::string depths =
       rendering.depths.empty() ? "" : ",\"depths\":" + depths_json(rendering);
   const std::string chains =
       rendering.mip_chains.empty() ? "" : ",\"mip_chains\":" + mip_chains_json(rendering);
+  const std::string passes = rendering.passes.empty()
+                                 ? ""
+                                 : ",\"accumulated\":" + accumulated_json(rendering) +
+                                       ",\"passes\":" + passes_json(rendering);
   return fmt::format(
-      R"({{"id":{},"width":{},"height":{},"samples":{},"fragments":{},"pixels":{}{}{}}})",
+      R"({{"id":{},"width":{},"height":{},"samples":{},"fragments":{},"pixels":{}{}{}{}{}{}}})",
       nlohmann::json(id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace),
       rendering.width, rendering.height, rendering.samples, fragments_json(rendering),
-      pixels_json(rendering), depths, chains);
+      pixels_json(rendering), positions, samples, depths, chains, passes);
 }
 
 }  // namespace edgecase

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "wire/reading.h"
+#include "wire/sample_values.h"
 #include "wire/scene_values.h"
+#include "wire/supersampling_values.h"
 #include "wire/texture_values.h"
 
 namespace edgecase {
@@ -51,7 +53,7 @@ void write_all(Output out, const std::vector<Item>& items, Write write_item) {
   *out++ = ']';
 }
 
-void write(Output out, const Draw& draw) {
+void write(Output out, const Draw& draw, int samples) {
   fmt::format_to(out, R"({{"primitive":"{}","interpolation":"{}","provoking_vertex":"{}")",
                  name_of(draw.primitive), name_of(draw.interpolation),
                  name_of(draw.provoking_vertex));
@@ -62,6 +64,10 @@ void write(Output out, const Draw& draw) {
   if (draw.scissor) {
     fmt::format_to(out, R"(,"scissor":)");
     write(out, *draw.scissor);
+  }
+  if (samples > 1) {
+    fmt::format_to(out, R"(,"multisampling":)");
+    wire::write_multisampling(out, draw.multisampling, samples);
   }
   if (draw.texture) {
     fmt::format_to(out, R"(,"texture":)");
@@ -93,13 +99,23 @@ void write_textures(Output out, const Scene& scene) {
   });
 }
 
-void write(Output out, const Target& target) {
-  fmt::format_to(out, R"({{"width":{},"height":{},"samples":{},"color":"{}")", target.width,
-                 target.height, target.samples, name_of(target.color));
+void write_target(Output out, const Scene& scene) {
+  const Target& target = scene.target;
+  fmt::format_to(out, R"({{"width":{},"height":{},"samples":{})", target.width, target.height,
+                 target.samples);
+  if (!target.sample_positions.empty()) {
+    fmt::format_to(out, R"(,"sample_positions":)");
+    wire::write_positions(out, target.sample_positions);
+  }
+  fmt::format_to(out, R"(,"color":"{}")", name_of(target.color));
   if (target.depth != DepthFormat::none)
     fmt::format_to(out, R"(,"depth":"{}")", name_of(target.depth));
   fmt::format_to(out, R"(,"surface":"{}","clear":)", name_of(target.surface));
   wire::write_color(out, target.clear);
+  if (!scene.supersampling.empty()) {
+    fmt::format_to(out, R"(,"supersampling":)");
+    wire::write_supersampling(out, scene.supersampling);
+  }
   *out++ = '}';
 }
 
@@ -114,18 +130,25 @@ Fixed read_thickness(const json& draw, const Path& path, const char* key) {
   return thickness;
 }
 
-Target read_target(const json& value, const Path& path) {
+void read_target(const json& value, const Path& path, Scene& scene) {
   wire::require_object(value, path,
-                       {"width", "height", "samples", "color", "depth", "surface", "clear"});
-  Target target;
+                       {"width", "height", "samples", "sample_positions", "color", "depth",
+                        "surface", "clear", "supersampling"});
+  Target& target = scene.target;
   target.width = read_int(wire::member(value, path, "width"), {path, "width"}, 1, kMaxSize);
   target.height = read_int(wire::member(value, path, "height"), {path, "height"}, 1, kMaxSize);
-  target.samples = read_int(wire::member(value, path, "samples"), {path, "samples"}, 1, 32);
+  target.samples =
+      read_int(wire::member(value, path, "samples"), {path, "samples"}, 1, kMaxSamples);
+  if (const json* positions = wire::optional_member(value, "sample_positions"))
+    target.sample_positions =
+        wire::read_positions(*positions, {path, "sample_positions"}, target.samples);
   target.color = read_name<ColorFormat>(value, path, "color");
   if (value.contains("depth")) target.depth = read_name<DepthFormat>(value, path, "depth");
   target.surface = read_name<Surface>(value, path, "surface");
   target.clear = wire::read_clear_color(wire::member(value, path, "clear"), {path, "clear"});
-  return target;
+  if (const json* passes = wire::optional_member(value, "supersampling"))
+    scene.supersampling =
+        wire::read_supersampling(*passes, {path, "supersampling"}, target.samples);
 }
 
 // x, y, width and height; both sizes at least `smallest`.
@@ -137,11 +160,20 @@ Viewport read_box(const json& value, const Path& path, int smallest) {
           read_int(value[3], {path, std::size_t{3}}, smallest, kMaxViewport)};
 }
 
-// A draw of a scene whose viewport and textures have been read.
+// There where the target has several samples, and nowhere else.
+void read_multisampling(const json& value, const Path& path, int samples, Draw& draw) {
+  if (samples > 1)
+    draw.multisampling = wire::read_multisampling(wire::member(value, path, "multisampling"),
+                                                  {path, "multisampling"}, samples);
+  else if (value.contains("multisampling"))
+    throw Refusal(path.text() + " has \"multisampling\", but the target has one sample");
+}
+
+// A draw of a scene whose target, viewport and textures have been read.
 Draw read_draw(const json& value, const Path& path, const Scene& scene) {
   wire::require_object(value, path,
                        {"primitive", "interpolation", "provoking_vertex", "line_width",
-                        "point_size", "scissor", "texture", "vertices"});
+                        "point_size", "scissor", "multisampling", "texture", "vertices"});
   Draw draw;
   draw.primitive = read_name<Primitive>(value, path, "primitive");
   draw.interpolation = read_name<Interpolation>(value, path, "interpolation");
@@ -150,6 +182,7 @@ Draw read_draw(const json& value, const Path& path, const Scene& scene) {
   draw.point_size = read_thickness(value, path, "point_size");
   if (const json* scissor = wire::optional_member(value, "scissor"))
     draw.scissor = read_box(*scissor, {path, "scissor"}, 0);
+  read_multisampling(value, path, scene.target.samples, draw);
   if (const json* texture = wire::optional_member(value, "texture"))
     draw.texture = wire::read_texture_use(*texture, {path, "texture"}, scene);
   const json& vertices = wire::member(value, path, "vertices");
@@ -194,7 +227,8 @@ void read_textures(const json& value, const Path& path, Scene& scene) {
 Scene read_scene(const json& value, const Path& path) {
   wire::require_object(value, path, {"target", "viewport", "details", "textures", "draws"});
   Scene scene;
-  scene.target = read_target(wire::member(value, path, "target"), {path, "target"});
+  const Path target(path, "target");
+  read_target(wire::member(value, path, "target"), target, scene);
   scene.viewport = read_box(wire::member(value, path, "viewport"), {path, "viewport"}, 1);
   if (const json* details = wire::optional_member(value, "details"))
     scene.details = read_details(*details, {path, "details"});
@@ -205,6 +239,7 @@ Scene read_scene(const json& value, const Path& path) {
   wire::require_array(draws, at, draws.size());
   for (std::size_t i = 0; i < draws.size(); ++i)
     scene.draws.push_back(read_draw(draws[i], {at, i}, scene));
+  wire::check_passes(scene, {target, "supersampling"});
   return scene;
 }
 
@@ -237,13 +272,13 @@ std::string scene_json(const Scene& scene) {
   fmt::memory_buffer text;
   const Output out(text);
   fmt::format_to(out, R"({{"target":)");
-  write(out, scene.target);
+  write_target(out, scene);
   fmt::format_to(out, R"(,"viewport":)");
   write(out, scene.viewport);
   write_details(out, scene.details);
   write_textures(out, scene);
   fmt::format_to(out, R"(,"draws":)");
-  write_all(out, scene.draws, [&](const Draw& draw) { write(out, draw); });
+  write_all(out, scene.draws, [&](const Draw& draw) { write(out, draw, scene.target.samples); });
   text.push_back('}');
   return fmt::to_string(text);
 }

@@ -232,8 +232,8 @@ TEST(CaseWriter, SaysWhatACaseFileCannotSay) {
   scene.draws[0].vertices[1].position.y = Fixed::from_integer(3);
   EXPECT_TRUE(case_text(scene, some_words()).diagnostics.empty());
   Scene samples = scene;
-  samples.target.samples = 4;
-  EXPECT_NE(fault_of(samples).find("more than one sample"), std::string::npos);
+  samples.target.samples = 17;
+  EXPECT_NE(fault_of(samples).find("samples is 17, out of range"), std::string::npos);
   Scene bright = scene;
   bright.target.clear[0] = 1.5F;
   EXPECT_NE(fault_of(bright).find("out of range"), std::string::npos);

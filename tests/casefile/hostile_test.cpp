@@ -4,6 +4,7 @@
 // refused with a place and a remedy, and what is loaded keeps the model's promises.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -83,6 +84,25 @@ void check_texture(const Texture* texture) {
   }
 }
 
+void check_samples(const Scene& scene) {
+  const Target& target = scene.target;
+  EXPECT_GE(target.samples, 1);
+  EXPECT_LE(target.samples, kMaxSamples);
+  const auto count = static_cast<std::size_t>(target.samples);
+  EXPECT_TRUE(target.sample_positions.empty() || target.sample_positions.size() == count);
+  for (const Point within : target.sample_positions) {
+    EXPECT_GE(std::min(within.x, within.y), Fixed());
+    EXPECT_LT(std::max(within.x, within.y), Fixed::from_integer(1));
+  }
+  for (const Draw& draw : scene.draws) {
+    if (target.samples == 1) {
+      EXPECT_EQ(draw.multisampling, Multisampling{});
+    }
+    const float share = draw.multisampling.min_sample_shading.value_or(0);
+    EXPECT_TRUE(share >= 0 && share <= 1);
+  }
+}
+
 void check(const LoadedCases& loaded) {
   EXPECT_EQ(loaded.cases.empty(), !loaded.diagnostics.empty());
   for (const Diagnostic& fault : loaded.diagnostics) {
@@ -92,6 +112,7 @@ void check(const LoadedCases& loaded) {
   }
   for (const Case& one : loaded.cases) {
     for (const auto& texture : one.scene.textures) check_texture(texture.get());
+    check_samples(one.scene);
     for (const Draw& draw : one.scene.draws) {
       for (const Vertex& vertex : draw.vertices) check_vertex(vertex);
       if (!draw.texture) continue;
@@ -105,7 +126,7 @@ TEST(Hostile, SpoiltFilesAreLoadedOrRefused) {
   std::mt19937 random(9);
   int loaded_files = 0;
   for (const char* name : {"values-everything.json", "everything.json", "sweep-everything.json",
-                           "textures-everything.json"}) {
+                           "textures-everything.json", "samples-everything.json"}) {
     const std::string sound = text_of(kGood / name);
     ASSERT_FALSE(sound.empty());
     for (int round = 0; round < 500; ++round) {
@@ -122,7 +143,7 @@ TEST(Hostile, SpoiltFilesAreLoadedOrRefused) {
     }
   }
   EXPECT_GT(loaded_files, 100);
-  EXPECT_LT(loaded_files, 1900);
+  EXPECT_LT(loaded_files, 2400);
 }
 
 }  // namespace

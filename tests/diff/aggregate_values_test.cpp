@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "diff/compare.h"
-#include "diff/value_diff.h"
+#include "diff/values/value_diff.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/value_mutants.h"
 
@@ -92,10 +92,16 @@ TEST(ValueAggregator, TheHistogramCountsComponentsByPowersOfTwo) {
               ElementsAre(Pair(-1074, 1), Pair(-2, 2), Pair(0, 2), Pair(1, 2), Pair(10, 1)));
 }
 
-TEST(ValueAggregator, NothingIsToldWhereNothingDiffers) {
+// Passes of one scene are added up before anything is left out.
+TEST(ValueAggregator, WhatWasComparedIsToldThoughNothingDiffers) {
   ValueAggregator aggregator("color", "attribute.smooth", 9);
-  aggregator.count_compared(4);
   EXPECT_TRUE(flushed(aggregator).values.empty());
+  aggregator.count_compared(4);
+  const Result result = flushed(aggregator);
+  ASSERT_EQ(result.values.size(), 1u);
+  EXPECT_EQ(result.values[0].compared, 1u);
+  EXPECT_EQ(result.values[0].components, 4u);
+  EXPECT_EQ(result.values[0].mean_ulp, 0);
 }
 
 TEST(FloatUlp, IsTheDistanceToTheNextNumber) {

@@ -9,8 +9,8 @@
 
 #include <deque>
 
-#include "diff/alternatives.h"
 #include "diff/compare.h"
+#include "diff/coverage/alternatives.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/raster/random_scenes.h"
@@ -126,6 +126,23 @@ TEST(Judge, AnOpenChoiceComesBeforeAnIllegalOne) {
   judge_all(results);
   EXPECT_EQ(results[0].disagreements[0].cause, open);
   EXPECT_EQ(results[1].disagreements[0].cause, illegal);
+}
+
+TEST(Judge, ALargerOpenChoiceMustBeWhatTheRunSpeaksFor) {
+  const std::string illegal = "triangle.fill-rule=closed";
+  const std::string order = "triangle.fill-rule=left-bottom";
+  const std::string open = order + " + triangle.snap=8-half-even";
+  std::deque<Result> results = {triangle_result({illegal, open})};
+  judge_all(results);
+  EXPECT_EQ(results[0].disagreements[0].cause, open);
+  Result agreeing;
+  agreeing.refuted.assign(alternative_names().size(), '0');
+  const auto names = alternative_names();
+  agreeing.refuted[static_cast<std::size_t>(std::find(names.begin(), names.end(), order) -
+                                            names.begin())] = '1';
+  results = {triangle_result({illegal, open}), agreeing};
+  judge_all(results);
+  EXPECT_EQ(results[0].disagreements[0].cause, illegal);
 }
 
 // No conforming choice makes a hole in a shared edge: what explains more of the run is the cause.

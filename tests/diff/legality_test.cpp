@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // What legality is computed from: the bits that count, shared edges one by one.
-#include "diff/legality.h"
+#include "diff/coverage/legality.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "diff/compare.h"
-#include "diff/coverage_diff.h"
+#include "diff/coverage/coverage_diff.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/raster/random_scenes.h"

@@ -10,9 +10,9 @@
 #include <map>
 #include <set>
 
-#include "diff/alternatives.h"
-#include "diff/cause.h"
 #include "diff/compare.h"
+#include "diff/coverage/alternatives.h"
+#include "diff/coverage/cause.h"
 #include "diff/judge.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Each phrase for a place on a primitive, by a drawn example.
-#include "diff/situation.h"
+#include "diff/coverage/situation.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ std::string situation(Primitive kind, const std::vector<Point>& points, PixelPos
   Scene scene = blank_scene(16, 16);
   scene.draws = {make_draw(kind, points)};
   scene.draws[0].line_width = scene.draws[0].point_size = at(size, 0).x;
-  return situation_of(primitives_of(scene)[0], pixel);
+  return situation_of(primitives_of(scene)[0], pixel_centre(pixel.x, pixel.y), scene.target);
 }
 
 std::string line(Point a, Point b, PixelPosition pixel, double width = 1) {

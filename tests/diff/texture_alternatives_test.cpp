@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <map>
 
-#include "diff/cause.h"
+#include "diff/coverage/cause.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "tests/diff/texture_judging.h"

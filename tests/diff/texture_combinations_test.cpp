@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "diff/cause.h"
+#include "diff/coverage/cause.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/texture_judging.h"
 

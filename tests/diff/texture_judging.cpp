@@ -8,7 +8,7 @@
 
 #include "diff/compare.h"
 #include "diff/judge.h"
-#include "diff/value_diff.h"
+#include "diff/values/value_diff.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/value_mutants.h"
 #include "tests/raster/random_scenes.h"

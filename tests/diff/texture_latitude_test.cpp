@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "diff/level_ramp.h"
-#include "diff/texture_lookups.h"
+#include "diff/textures/level_ramp.h"
+#include "diff/textures/texture_lookups.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/texture_judging.h"
 #include "tests/raster/texture_scenes.h"

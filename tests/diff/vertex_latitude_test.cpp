@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Ruling 15: what a division by w may err is held against nobody, and no more than that.
-#include "diff/vertex_latitude.h"
+#include "diff/values/vertex_latitude.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "diff/compare.h"
-#include "diff/explanation.h"
-#include "diff/joint_faults.h"
-#include "diff/legality.h"
-#include "diff/situation.h"
+#include "diff/coverage/explanation.h"
+#include "diff/coverage/joint_faults.h"
+#include "diff/coverage/legality.h"
+#include "diff/coverage/situation.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
 
@@ -200,7 +200,7 @@ TEST(Ruling15, AddsToTheStepOfRuling4) {
     vertex.position = {Fixed::from_raw(8 * Fixed::kOne - beyond),
                        Fixed::from_raw(9 * Fixed::kOne / 2)};
     const ScenePrimitive point = primitives_of(scene)[0];
-    return judge_sample(point, {{8, 4}, 0, 1}, viewport, 8);
+    return judge_sample(point, {{8, 4}, 0, 0, 1}, centre_of_pixel(), viewport, 8);
   };
   // Of y: 2 |4.5 - 8| + 4.5 = 11.5 parts; of x 8 and a little.
   const std::int64_t reach = Fixed::kOne / 256 + (23 * Fixed::kOne / 2 + 99999) / 100000 + 1;
@@ -248,18 +248,20 @@ TEST(ClipCoordinates, AreExplainedAsQuotients) {
   const std::string note =
       "; vertices given as clip coordinates are quotients by w, here told to the nearest 1/65536 "
       "pixel";
-  const std::string tie = explain(point, {5, 9}, choices.points).text;
+  const std::string tie = explain(point, pixel_centre(5, 9), scene.target, choices.points).text;
   EXPECT_TRUE(tie.ends_with(note)) << tie;
   // A bit to the left the nearest multiple still ties, and the quotient does not.
   Scene off = scene;
   off.draws[0].vertices[0].clip->x = std::nextafter(-0.75F, -1.0F);
-  const std::string other = explain(primitives_of(off)[0], {5, 9}, choices.points).text;
+  const std::string other =
+      explain(primitives_of(off)[0], pixel_centre(5, 9), off.target, choices.points).text;
   EXPECT_TRUE(other.ends_with(note + ", and as quotients they cover the pixel")) << other;
   Policy snapping;
   snapping.rules["subpixel.snap"] = "8-half-even";
-  const auto snapped = explain(point, {5, 9}, resolve(snapping, Surface::fbo).points).text;
+  const auto snapped =
+      explain(point, pixel_centre(5, 9), scene.target, resolve(snapping, Surface::fbo).points).text;
   EXPECT_EQ(snapped.find("quotient"), std::string::npos);
-  EXPECT_EQ(situation_of(point, {5, 9}),
+  EXPECT_EQ(situation_of(point, pixel_centre(5, 9), scene.target),
             "point of size 1, centre exactly on the left side, to the nearest 1/65536 pixel");
 }
 

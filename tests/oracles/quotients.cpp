@@ -21,8 +21,12 @@ Fraction moved_by(const Fraction& value, int size) {
   return size < 0 ? Fraction(value - amount(-size)) : Fraction(value + amount(size));
 }
 
+Location moved(const Location& place, const Move& move) {
+  return {moved_by(place.x, move.x), moved_by(place.y, move.y)};
+}
+
 Location moved_centre(int x, int y, const Move& move) {
-  return {moved_by(x + kHalf, move.x), moved_by(y + kHalf, move.y)};
+  return moved({x + kHalf, y + kHalf}, move);
 }
 
 Fraction turn(const Location& a, const Location& b, const Location& c) {
@@ -63,8 +67,20 @@ Location divided(const HomogeneousPoint& point) {
   return {Fraction(point.x) / point.w, Fraction(point.y) / point.w};
 }
 
+Location location(Point place) {
+  return {Fraction(place.x.raw(), Fixed::kOne), Fraction(place.y.raw(), Fixed::kOne)};
+}
+
 bool triangle_has(const std::array<Location, 3>& t, int x, int y, const Ties& ties) {
-  const Location sample = moved_centre(x, y, ties.move);
+  return triangle_has(t, Location{x + kHalf, y + kHalf}, ties);
+}
+
+bool point_has(const Location& vertex, const Fraction& size, int x, int y, const Ties& ties) {
+  return point_has(vertex, size, Location{x + kHalf, y + kHalf}, ties);
+}
+
+bool triangle_has(const std::array<Location, 3>& t, const Location& at, const Ties& ties) {
+  const Location sample = moved(at, ties.move);
   const int winding = turn(t[0], t[1], t[2]).sign();
   if (winding == 0) return false;
   for (std::size_t i = 0; i < 3; ++i)
@@ -72,10 +88,23 @@ bool triangle_has(const std::array<Location, 3>& t, int x, int y, const Ties& ti
   return true;
 }
 
-bool point_has(const Location& vertex, const Fraction& size, int x, int y, const Ties& ties) {
-  const Location sample = moved_centre(x, y, ties.move);
+bool point_has(const Location& vertex, const Fraction& size, const Location& at, const Ties& ties) {
+  const Location sample = moved(at, ties.move);
   return ties.accept(Fraction(size / 2 - abs(sample.x - vertex.x)).sign()) &&
          ties.accept(Fraction(size / 2 - abs(sample.y - vertex.y)).sign());
+}
+
+bool rectangle_has(const Location& a, const Location& b, const Fraction& width, const Location& at,
+                   const Ties& ties) {
+  const Location p = moved(at, ties.move);
+  const Location run{b.x - a.x, b.y - a.y};
+  const Fraction squared_length = run.x * run.x + run.y * run.y;
+  if (squared_length == 0) return false;
+  const Fraction along = (p.x - a.x) * run.x + (p.y - a.y) * run.y;
+  const Fraction across = turn(a, b, p);
+  // The distance from the line is across / length: compare squares.
+  return ties.accept(along.sign()) && ties.accept(Fraction(squared_length - along).sign()) &&
+         ties.accept(Fraction(width * width * squared_length - 4 * across * across).sign());
 }
 
 bool segment_has(const Location& a, const Location& b, int x, int y, const Boundary& boundary) {

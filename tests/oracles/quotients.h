@@ -26,10 +26,18 @@ struct Location {
 };
 
 Location divided(const HomogeneousPoint& point);
+Location location(Point place);
 
 // GL 4.6 core, 14.6.1, 14.4 and 14.5.1. The point's size in pixels.
 bool triangle_has(const std::array<Location, 3>& triangle, int x, int y, const Ties& ties);
 bool point_has(const Location& vertex, const Fraction& size, int x, int y, const Ties& ties);
+bool triangle_has(const std::array<Location, 3>& triangle, const Location& sample,
+                  const Ties& ties);
+bool point_has(const Location& vertex, const Fraction& size, const Location& sample,
+               const Ties& ties);
+// 14.5.4: the rectangle of a multisampled line, whose width is given in pixels.
+bool rectangle_has(const Location& a, const Location& b, const Fraction& width,
+                   const Location& sample, const Ties& ties);
 bool segment_has(const Location& a, const Location& b, int x, int y, const Boundary& boundary);
 
 // A coordinate on the grid of 2^-bits, by the name of the rounding, as multiple of 2^-16.

@@ -181,6 +181,19 @@ TEST(Measure, KeepsWhatNothingExplainsAndWhatWasNotDrawn) {
   EXPECT_EQ(missing, fill.rate.of - fill.rate.agreeing);
 }
 
+// What is measured of multisampled targets is part of the policy, of framebuffer objects alone.
+TEST(Measure, FindsRulesOfMultisampledTargets) {
+  Policy policy;
+  policy.rules = {{"sample.resolve", "truncated"}, {"attribute.centroid", "first-covered"}};
+  const Profile profile = profile_of(policy, 1, 100);
+  EXPECT_EQ(profile.policy.rules.at("sample.resolve"), "truncated");
+  EXPECT_EQ(profile.policy.rules.at("attribute.centroid"), "first-covered");
+  EXPECT_TRUE(profile.policy.surfaces.empty());
+  EXPECT_EQ(profile.surfaces.at(0).samples.samples, 4);
+  EXPECT_EQ(profile.surfaces.at(0).samples.positions.size(), 4u);
+  EXPECT_EQ(profile.surfaces.at(1).samples.unavailable, "a window's samples cannot be chosen");
+}
+
 // A renderer without lines has a profile of the rest.
 TEST(Measure, LeavesOutWhatARendererDoesNotDraw) {
   class NoLines final : public Renderer {

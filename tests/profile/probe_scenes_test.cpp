@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Probes of single primitives: each asks what it says it asks, and nothing else.
-#include "profile/probe_scenes.h"
+#include "profile/probes/probe_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <set>
 #include <tuple>
 
-#include "profile/diamond_places.h"
-#include "profile/random_scenes.h"
+#include "profile/probes/diamond_places.h"
+#include "profile/random/random_scenes.h"
 #include "profile/scene_parts.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/diamond_exit.h"

@@ -7,7 +7,7 @@
 #include "casefile/policy_reader.h"
 #include "profile/profile_json.h"
 #include "profile/profile_text.h"
-#include "profile/value_text.h"
+#include "profile/values/value_text.h"
 
 namespace edgecase {
 namespace {

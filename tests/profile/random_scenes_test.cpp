@@ -2,7 +2,7 @@
 //
 // 20,000 random scenes of each kind: the same every time, exact on their way to OpenGL, of every
 // size, and with ties enough.
-#include "profile/random_scenes.h"
+#include "profile/random/random_scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "profile/texture_measurement.h"
+#include "profile/textures/texture_measurement.h"
 #include "raster/rasterizer.h"
 #include "tests/profile/altered_renderer.h"
 

@@ -10,9 +10,9 @@
 #include "profile/profile_json.h"
 #include "profile/profile_text.h"
 #include "profile/tally.h"
-#include "profile/texture_json.h"
-#include "profile/texture_residuals.h"
-#include "profile/texture_text.h"
+#include "profile/textures/texture_json.h"
+#include "profile/textures/texture_residuals.h"
+#include "profile/textures/texture_text.h"
 #include "raster/rasterizer.h"
 
 namespace edgecase {

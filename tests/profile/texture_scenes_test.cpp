@@ -10,7 +10,7 @@
 
 #include "casefile/case_writer.h"
 #include "casefile/viewport.h"
-#include "profile/texture_scenes.h"
+#include "profile/textures/texture_scenes.h"
 #include "raster/rasterizer.h"
 #include "raster/texture_stage.h"
 

@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include "profile/value_measurement.h"
+#include "profile/values/value_measurement.h"
 #include "raster/rasterizer.h"
 #include "rules/values/derivative.h"
 #include "tests/profile/altered_renderer.h"

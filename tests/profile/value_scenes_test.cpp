@@ -8,8 +8,8 @@
 #include "casefile/case_writer.h"
 #include "casefile/viewport.h"
 #include "model/scene_words.h"
-#include "profile/value_measurement.h"
-#include "profile/value_scenes.h"
+#include "profile/values/value_measurement.h"
+#include "profile/values/value_scenes.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
 

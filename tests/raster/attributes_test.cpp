@@ -134,6 +134,29 @@ TEST_F(Attributes, SmoothIsDividedByWAndNoperspectiveIsNot) {
   }
 }
 
+// 1/w is 1 + x/16 and red over w x/8: at x = 4 red over w is 1/2, w 4/5, and half a pixel farther
+// right, at the centre, 32/41.
+TEST_F(Attributes, WMayBeThatOfTheCentre) {
+  const Point positions[] = {at(0, 0), at(16, 0), at(0, 16)};
+  draw() = make_draw(Primitive::triangles, positions);
+  draw().interpolation = Interpolation::smooth;
+  for (std::size_t i = 0; i < 3; ++i) draw().vertices[i].color[0] = i == 1 ? 1 : 0;
+  draw().vertices[1].w = 0.5F;
+  EXPECT_FALSE(PrimitiveAttributes{}.w_of_centre);
+  for (const auto& [choice, red] :
+       {std::pair{PerspectiveChoice::as_set, 2.0 / 5},
+        std::pair{PerspectiveChoice::always, 2.0 / 5}, std::pair{PerspectiveChoice::never, 1.0 / 4},
+        std::pair{PerspectiveChoice::w_of_centre, 16.0 / 41}}) {
+    choices_.values.perspective = choice;
+    const PrimitiveAttributes result = attributes();
+    EXPECT_NEAR(middle(color_exact(result, 0, at(4, 4), {4, 4})), red, 1e-15);
+    EXPECT_NEAR(middle(color_inexact(result, 0, at(4, 4), {4, 4})), red, 1e-6);
+    const Fragment fragment =
+        shade(primitive(), result, {4, 4}, ShadingPlaces{at(4, 4), at(4, 4), at(4, 4)});
+    EXPECT_NEAR(fragment.color[0], red, 1e-15);
+  }
+}
+
 TEST_F(Attributes, TheLineParameterIsTheChosenOne) {
   choices_.values.line_parameter = LineParameter::major_axis;
   EXPECT_EQ(attributes().color[2].line_parameter, LineParameter::major_axis);

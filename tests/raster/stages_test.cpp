@@ -255,13 +255,17 @@ TEST(Rasterize, MakesARenderingOfTheTargetsSize) {
   EXPECT_EQ(rendering.height, 3);
   EXPECT_EQ(rendering.samples, 4);
   EXPECT_EQ(rendering.pixels.size(), 60u);
-  EXPECT_EQ(rendering.hits.size(), 15u);
+  EXPECT_EQ(rendering.sample_pixels.size(), 240u);
+  EXPECT_EQ(rendering.hits.size(), 60u);
   for (std::size_t pixel : {0u, 14u}) {
     EXPECT_EQ(rendering.pixels[4 * pixel], 255);
     EXPECT_EQ(rendering.pixels[4 * pixel + 1], 0);
     EXPECT_EQ(rendering.pixels[4 * pixel + 2], 51);
     EXPECT_EQ(rendering.pixels[4 * pixel + 3], 255);
   }
+  scene.target.samples = 1;
+  EXPECT_EQ(rasterize(scene, {}).hits.size(), 15u);
+  EXPECT_TRUE(rasterize(scene, {}).sample_pixels.empty());
 }
 
 TEST(ExactRendererInfo, NamesNoDeviceButItself) {

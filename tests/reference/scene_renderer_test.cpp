@@ -180,15 +180,6 @@ TEST_P(SceneRendererTest, ManySizesOneAfterTheOther) {
   }
 }
 
-TEST_P(SceneRendererTest, RefusesSeveralSamplesWithAReason) {
-  Scene scene = blank(8, 8);
-  scene.target.samples = 4;
-  const Outcome outcome = render_outcome(renderer(), scene);
-  ASSERT_TRUE(std::holds_alternative<Failure>(outcome));
-  EXPECT_EQ(std::get<Failure>(outcome).kind, FailureKind::unsupported);
-  EXPECT_THAT(std::get<Failure>(outcome).reason, HasSubstr("4 samples"));
-}
-
 TEST_P(SceneRendererTest, SaysWhoItIs) {
   const RendererInfo info = renderer().info();
   EXPECT_EQ(info.name, name());

@@ -369,6 +369,7 @@ Results results() {
   results.cases.push_back(tiny_case());
   results.cases.push_back(hostile_case());
   for (CaseResults& one : ramp_cases()) results.cases.push_back(std::move(one));
+  results.cases.push_back(multisampled_case());
   results.cases[3].origin = "https://gitlab.example.org/mesa/-/issues/1";
   results.cases[3].expect_failures = {
       "cases/lines/octant-03.json:14: /expect/0/coverage: row 5 has "

@@ -24,6 +24,10 @@ ReportTexts texts();
 // Those of the cases that have levels of detail along a row of pixels.
 std::vector<CaseResults> ramp_cases();
 
+// With four samples a pixel: a renderer that agrees, one that lacks sample 0 of pixel (3, 3) and
+// resolves it wrongly, one with samples elsewhere, and one that tells neither positions nor hits.
+CaseResults multisampled_case();
+
 // One disagreement at (x, y) without figure.
 Disagreement disagreement(int x, int y, DisagreementKind kind, bool legal);
 

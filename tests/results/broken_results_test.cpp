@@ -78,6 +78,13 @@ TEST(BrokenResults, DamageIsNamedWithItsCase) {
       {"\"ramp\":[[0,0,0.1,", "\"ramp\":[[0,0,\"much\",", "\"much\""},
       {",\"inf\",\"nan\"]", ",\"inf\"]", "array index 5"},
       {"\"ramp\":[", "\"ramp\":7,\"x\":[", "list"},
+      {"\"count\":2", "\"count\":1", "no number of samples"},
+      {"\"count\":2", "\"count\":17", "no number of samples"},
+      {"\"count\":2", "\"count\":3", "\"positions\" of samples has 2 items instead of 3"},
+      {"\"hits\":[0,", "\"hits\":[", "\"hits\" of samples has 3 items instead of 4"},
+      {"\"coverage\":[0,3]", "\"coverage\":[0,3,1]", "\"coverage\" of samples has 3 items"},
+      {"\"pixels\":\"00102030", "\"pixels\":\"00102030ff", "\"pixels\" of samples has 17"},
+      {"\"positions\":[[0.5,0.5]", "\"positions\":[[0.5]", "array index 1"},
       {"\"disagreements\":[{", "\"disagreements\":[7,{", "number"},
   };
   for (const Damage& damage : damages) {

@@ -58,9 +58,10 @@ void expect_disagreement(const Disagreement& a, const Disagreement& b) {
 }
 
 void expect_values(const ValueAggregate& a, const ValueAggregate& b) {
-  EXPECT_EQ(
-      std::tie(a.attribute, a.rule, a.ruling, a.cause, a.compared, a.components, a.worst_component, a.ulp_histogram),
-      std::tie(b.attribute, b.rule, b.ruling, b.cause, b.compared, b.components, b.worst_component, b.ulp_histogram));
+  EXPECT_EQ(std::tie(a.attribute, a.rule, a.ruling, a.cause, a.compared, a.components,
+                     a.worst_component, a.ulp_histogram),
+            std::tie(b.attribute, b.rule, b.ruling, b.cause, b.compared, b.components,
+                     b.worst_component, b.ulp_histogram));
   const auto place = [](const ValueAggregate::Place& p) {
     return std::tuple(p.x, p.y, p.primitive);
   };
@@ -87,6 +88,9 @@ void expect_ramp(const std::vector<Result::LevelPoint>& a,
 
 void expect_result(const Result& a, const Result& b) {
   EXPECT_EQ(a.refuted, b.refuted);
+  EXPECT_TRUE(a.samples == b.samples);
+  EXPECT_TRUE(a.exact_samples == b.exact_samples);
+  EXPECT_EQ(a.exact_pixels, b.exact_pixels);
   expect_ramp(a.ramp, b.ramp);
   EXPECT_EQ(
       std::tie(a.verdict, a.fingerprint, a.illegal_line_snaps, a.pixels, a.standing, a.expectation),
@@ -105,8 +109,8 @@ void expect_result(const Result& a, const Result& b) {
   ASSERT_EQ(a.evidence.size(), b.evidence.size());
   for (std::size_t i = 0; i < a.evidence.size(); ++i) {
     const auto &e = a.evidence[i], &f = b.evidence[i];
-    EXPECT_EQ(std::tie(e.primitive, e.causes, e.illegal_line_snaps, e.broken_clause),
-              std::tie(f.primitive, f.causes, f.illegal_line_snaps, f.broken_clause));
+    EXPECT_EQ(std::tie(e.primitive, e.pass, e.causes, e.illegal_line_snaps, e.broken_clause),
+              std::tie(f.primitive, f.pass, f.causes, f.illegal_line_snaps, f.broken_clause));
   }
 }
 
@@ -115,6 +119,7 @@ void expect_case(const CaseResults& a, const CaseResults& b) {
             std::tie(b.id, b.title, b.why, b.rules, b.spec, b.origin, b.tags, b.file, b.surface));
   EXPECT_EQ(std::tie(a.width, a.height, a.pixels, a.fragments, a.expect_failures),
             std::tie(b.width, b.height, b.pixels, b.fragments, b.expect_failures));
+  EXPECT_TRUE(a.samples == b.samples);
   expect_figure(a.figure, b.figure);
   ASSERT_EQ(a.results.size(), b.results.size());
   for (std::size_t i = 0; i < a.results.size(); ++i) expect_result(a.results[i], b.results[i]);
@@ -167,6 +172,21 @@ TEST(ResultsJson, ARampIsCompactAndAbsentWhereItIsEmpty) {
   for (CaseResults& one : results.cases)
     for (Result& result : one.results) result.ramp.clear();
   EXPECT_EQ(written(results).find("\"ramp\""), std::string::npos);
+}
+
+TEST(ResultsJson, SamplesAreAbsentWhereNothingIsMultisampled) {
+  Results results = full_results();
+  EXPECT_NE(written(results).find(R"("samples":{"count":2,"positions":[[0.5,0.5],)"),
+            std::string::npos);
+  for (CaseResults& one : results.cases) {
+    one.samples = {};
+    for (Result& result : one.results) {
+      result.samples = result.exact_samples = {};
+      result.exact_pixels.clear();
+    }
+  }
+  EXPECT_EQ(written(results).find("samples\""), std::string::npos);
+  EXPECT_EQ(written(results).find("exact_pixels"), std::string::npos);
 }
 
 TEST(ResultsJson, EachCaseStandsOnALineOfItsOwn) {

@@ -18,6 +18,17 @@ Figure figure() {
            {MarkRole::snapped_vertex, false, {{8192, -8192}}, ""}}};
 }
 
+// Of a picture of two pixels.
+SampleImage samples() {
+  SampleImage image;
+  image.samples = 2;
+  image.positions = {centre_of_pixel(), {Fixed::from_raw(1), Fixed::from_raw(Fixed::kOne - 1)}};
+  for (std::uint8_t i = 0; i < 16; ++i) image.pixels.push_back(static_cast<std::uint8_t>(16 * i));
+  image.hits = {0, 1, 7, 4294967295U};
+  image.coverage = {0, 3};
+  return image;
+}
+
 Disagreement disagreement() {
   Disagreement d;
   d.x = 3;
@@ -63,13 +74,19 @@ Result full_result() {
   result.fingerprint = "0123456789abcdef";
   result.disagreements = {disagreement(), Disagreement{}};
   result.values = {aggregate()};
-  result.evidence = {{4, {"a=b", "c=d + e=f"}, {"none", "8-half-even"}, "column 3 holds two"}, {}};
+  result.evidence = {{4, {"a=b", "c=d + e=f"}, {"none", "8-half-even"}, "column 3 holds two", 7},
+                     {}};
   result.illegal_line_snaps = {"none", "8-truncate"};
   result.refuted = "0110";
   result.ramp = {{0, 0, 0.1, -0.0, 1.0 / 3, 5e-324},
                  {1, 0, -kInfinity, -kInfinity, kInfinity, kNaN},
                  {1, 3, kNaN, kNaN, kNaN, 1.7976931348623157e308}};
   result.pixels = {9, 8, 7, 6, 5, 4, 3, 255};
+  result.samples = samples();
+  result.samples.coverage.clear();
+  result.exact_samples = samples();
+  result.exact_samples.positions.clear();
+  result.exact_pixels = {1, 2, 3, 4, 5, 6, 7, 8};
   result.standing = Standing::changed;
   result.expectation = kHostile;
   return result;
@@ -98,6 +115,7 @@ CaseResults full_case(const std::string& id) {
   one.width = 2;
   one.height = 1;
   one.pixels = {0, 1, 2, 255, 16, 32, 64, 128};
+  one.samples = samples();
   one.fragments = 17;
   one.figure = figure();
   one.expect_failures = {"a:7: /expect/0", kHostile};

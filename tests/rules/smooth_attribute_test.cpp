@@ -54,7 +54,8 @@ TEST(SmoothAttribute, NamesOfChoicesReadAndNoOthersDo) {
   const std::pair<const char*, PerspectiveChoice> kPerspective[] = {
       {"as-set", PerspectiveChoice::as_set},
       {"always", PerspectiveChoice::always},
-      {"never", PerspectiveChoice::never}};
+      {"never", PerspectiveChoice::never},
+      {"w-of-centre", PerspectiveChoice::w_of_centre}};
   for (const auto& [name, choice] : kPerspective) {
     // Another one before, so that the name alone can have set it.
     PerspectiveChoice read =

@@ -71,6 +71,18 @@ for r in requests():
   EXPECT_EQ(std::get<Rendering>(outcomes[1]).pixels.size(), 32u);
 }
 
+TEST_F(ProcessRendererTest, AsksForWholeAnswersOfSeveralSamples) {
+  ProcessRenderer renderer(
+      python("for r in requests(): answer(r, renderer={'device': str(r.get('answer'))})"));
+  Scene scene = scene_of(4, 2);
+  scene.target.samples = 4;
+  const Task tasks[] = {{"a", &scene, true}};
+  renderer.render(tasks, [&](std::size_t, const Outcome& outcome) {
+    EXPECT_TRUE(is_rendering(outcome)) << reason_of(outcome);
+  });
+  EXPECT_EQ(renderer.info().device, "None");
+}
+
 TEST_F(ProcessRendererTest, CoverageThatNobodyAskedForIsGarbage) {
   ProcessRenderer renderer(
       python("for r in requests(): print(json.dumps({'digest': r['digest'], 'coverage': []}), "

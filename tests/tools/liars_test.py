@@ -1,22 +1,30 @@
 # SPDX-License-Identifier: MIT
 """Renderers that lie about the whole suite: none gets `agree` for an answer that is not right."""
+import collections
+import json
 import re
 import unittest
 
-from support import RENDERER, SUITE, UNEXPECTED, CommandTest, component_bits, rendered_suite
+from support import (RENDERER, SUITE, UNEXPECTED, CommandTest, component_bits, drawings,
+                     rendered_suite)
 
 # The line of a case that one renderer ran: its id, and the verdict.
 CASE = re.compile(r'{"id":"([^"\\]*)".*?"verdict":"([a-z-]+)"')
 
 
 def picture(rendering):
-    return (rendering["width"], rendering["height"], tuple(rendering["pixels"]),
-            tuple(rendering.get("depths", ())))
+    """All that is drawn, in one colour's order; of samples, each of them."""
+    planes = [tuple(drawn.get(key, ())) for drawn in drawings(rendering)
+              for key in ("pixels", "depths", "sample_pixels")]
+    return (rendering["width"], rendering["height"], tuple(rendering["pixels"]), *planes)
 
 
-def rows_of(rendering, key, components):
+def planes_of(rendering, key, components):
+    """Planes of rows; of a sample each, where there are several."""
     values, length = rendering.get(key, []), components * rendering["width"]
-    return [values[start:start + length] for start in range(0, len(values), length)]
+    rows = [values[start:start + length] for start in range(0, len(values), length)]
+    height = rendering["height"]
+    return [rows[start:start + height] for start in range(0, len(rows), height)]
 
 
 def told_of(fragment):
@@ -26,13 +34,30 @@ def told_of(fragment):
 
 
 def upside_down_is_the_same(rendering):
-    """Is the rendering its own mirror image, float32 value by float32 value?"""
-    height = rendering["height"]
-    fragments = {(f["x"], f["y"], f["primitive"]): told_of(f) for f in rendering["fragments"]}
-    mirrored = {(x, height - 1 - y, primitive): value
-                for (x, y, primitive), value in fragments.items()}
-    tables = rows_of(rendering, "pixels", 4), rows_of(rendering, "depths", 1)
-    return all(rows == rows[::-1] for rows in tables) and fragments == mirrored
+    """Is the rendering its own mirror image, float32 value by float32 value? Pixel by pixel: a
+    mirror image leaves samples where they are in their pixels."""
+    return (all(is_symmetric(drawn) for drawn in drawings(rendering))
+            and all(rows == rows[::-1] for key in ("pixels", "accumulated")
+                    for rows in planes_of(rendering, key, 4)))
+
+
+def is_symmetric(drawn):
+    height = drawn["height"]
+    fragments = {(f["x"], f["y"], f["primitive"], f["coverage"]): told_of(f)
+                 for f in drawn["fragments"]}
+    mirrored = {(x, height - 1 - y, *which): value
+                for (x, y, *which), value in fragments.items()}
+    planes = [plane for key, length in (("pixels", 4), ("sample_pixels", 4), ("depths", 1))
+              for plane in planes_of(drawn, key, length)]
+    return all(rows == rows[::-1] for rows in planes) and fragments == mirrored
+
+
+def with_a_twin():
+    """The cases of which another one is rendered just the same, fragment by fragment."""
+    twins = collections.defaultdict(list)
+    for name, rendering in rendered_suite().items():
+        twins[json.dumps({**rendering, "id": ""})].append(name)
+    return {name for names in twins.values() for name in names if len(names) > 1}
 
 
 class Liars(CommandTest):
@@ -63,9 +88,10 @@ class Liars(CommandTest):
     def test_fragments_of_the_first_case_do_not_either(self):
         self.assertNotIn("agree", self.verdicts("first-fragments", RENDERER).values())
 
-    def test_the_previous_answer_never_agrees(self):
+    def test_the_previous_answer_agrees_only_where_it_is_right(self):
         found = self.verdicts("echo", RENDERER)
-        self.assertNotIn("agree", found.values())
+        agreeing = {name for name, verdict in found.items() if verdict == "agree"}
+        self.assertEqual(agreeing - with_a_twin(), set())
         # Where two neighbours have one size, the echo is a rendering and is judged as one.
         self.assertGreater(list(found.values()).count("violation"), len(found) // 2)
 
@@ -78,12 +104,17 @@ class Liars(CommandTest):
         # A suite of symmetric cases would prove nothing.
         self.assertLess(len(symmetric), len(found) // 3)
 
-    def test_no_two_cases_have_one_picture(self):
-        """So no constant and no other case's image is ever right, whichever it is."""
+    def test_no_two_files_have_one_picture(self):
+        """So no constant and no other file's image is ever right, whichever it is. Samples lie so
+        far apart that a sweep across them may leave a picture as it was: hardly any does."""
         pictures = {}
+        again = 0
         for name, rendering in rendered_suite().items():
             other = pictures.setdefault(picture(rendering), name)
-            self.assertEqual(other, name)
+            again += other != name
+            self.assertEqual(other.split(":")[0], name.split(":")[0])
+            self.assertTrue(other == name or name.startswith("samples/"), name)
+        self.assertLess(again, len(rendered_suite()) / 50)
 
 
 if __name__ == "__main__":

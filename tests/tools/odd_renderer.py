@@ -14,37 +14,62 @@ import time
 GREY = [70, 80, 90, 255]
 
 
-def image(truth, color):
+TOLD = ("pixels", "fragments", "depths", "sample_pixels", "sample_positions")
+
+
+def of_passes(truth, change):
+    """The truth with each pass changed, where there are several; they alone have fragments."""
+    return {key: truth[key] for key in ("pixels", "accumulated")} | {
+        "passes": [change({**truth, **drawn}) for drawn in truth["passes"]]}
+
+
+def image(truth, color, fragments):
     """One colour everywhere, and depth 0 where there is a depth buffer."""
     area = truth["width"] * truth["height"]
-    return {"pixels": color * area, **({"depths": [0] * area} if "depths" in truth else {})}
+    answer = {"pixels": color * area, "fragments": fragments(truth)}
+    if "depths" in truth:
+        answer["depths"] = [0] * len(truth["depths"])
+    if "sample_pixels" in truth:
+        answer["sample_pixels"] = color * (area * truth["samples"])
+    return answer
+
+
+def painted_with(truth, color, fragments):
+    if "passes" not in truth:
+        return image(truth, color, fragments)
+    area = truth["width"] * truth["height"]
+    return {**of_passes(truth, lambda drawn: image(drawn, color, fragments)),
+            "pixels": color * area, "accumulated": [n / 255 for n in color] * area}
 
 
 def honest(truth):
-    return {key: truth[key] for key in ("pixels", "fragments", "depths") if key in truth}
+    if "passes" in truth:
+        return {key: truth[key] for key in ("pixels", "accumulated", "passes")}
+    return {key: truth[key] for key in TOLD if key in truth}
 
 
 # Liars: the truth of the case and the previous answer (None at first) to an answer.
 
 def constant(color):
-    return lambda truth, _: {**image(truth, color), "fragments": []}
+    return lambda truth, _: painted_with(truth, color, lambda _: [])
 
 
 def painted(truth, _):
     """A constant image, with fragments that are just right."""
-    return {**image(truth, GREY), "fragments": truth["fragments"]}
+    return painted_with(truth, GREY, lambda drawn: drawn["fragments"])
 
 
 def first_fragments(truth, previous):
     """A constant image, with the fragments of the first case."""
-    fragments = truth["fragments"] if previous is None else previous["fragments"]
-    return {**image(truth, GREY), "fragments": fragments}
+    if previous is None:
+        first_fragments.first = truth["fragments"]
+    return painted_with(truth, GREY, lambda _: first_fragments.first)
 
 
 def echo(truth, previous):
     """The previous case's answer. At first, nothing drawn on grey."""
     current = honest(truth)
-    answer = echo.before or {**image(truth, GREY), "fragments": []}
+    answer = echo.before or image(truth, GREY, lambda _: [])
     echo.before = current
     return answer
 
@@ -52,19 +77,29 @@ def echo(truth, previous):
 echo.before = None
 
 
-def upside_down(values, width):
-    """Of rows of so many values each."""
+def upside_down(values, width, height):
+    """Of planes of so many rows of so many values each."""
     rows = [values[start:start + width] for start in range(0, len(values), width)]
-    return sum(reversed(rows), [])
+    planes = [rows[start:start + height] for start in range(0, len(rows), height)]
+    return [value for plane in planes for row in reversed(plane) for value in row]
+
+
+def mirror_drawing(truth):
+    """Pixel by pixel: within a pixel samples stay where they are."""
+    width, height = truth["width"], truth["height"]
+    answer = {"fragments": [dict(f, y=height - 1 - f["y"]) for f in truth["fragments"]]}
+    for key, length in (("pixels", 4), ("sample_pixels", 4), ("depths", 1)):
+        if key in truth:
+            answer[key] = upside_down(truth[key], length * width, height)
+    return answer
 
 
 def mirror(truth, _):
-    width, height = truth["width"], truth["height"]
-    answer = {"pixels": upside_down(truth["pixels"], 4 * width),
-              "fragments": [dict(f, y=height - 1 - f["y"]) for f in truth["fragments"]]}
-    if "depths" in truth:
-        answer["depths"] = upside_down(truth["depths"], width)
-    return answer
+    if "passes" not in truth:
+        return mirror_drawing(truth)
+    size = 4 * truth["width"], truth["height"]
+    return {**of_passes(truth, mirror_drawing), "pixels": upside_down(truth["pixels"], *size),
+            "accumulated": upside_down(truth["accumulated"], *size)}
 
 
 LIARS = {

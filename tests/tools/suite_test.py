@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""The whole suite: as expected on the four Mesa renderers, the same bytes each time; exact agrees
-with itself; the Python example agrees; a new case needs no build; no disagreement is lost."""
+"""The whole suite: as expected on the four Mesa renderers, the same bytes each time and whoever
+else is judged; exact agrees with itself; the Python example agrees; a new case needs no build; no
+disagreement is lost."""
 import collections
 import fractions
 import json
 import math
+import operator
 import struct
 import unittest
 import xml.etree.ElementTree
 
-from support import (KNOWN_NOT_RUN, MESA, ROOT, SUITE, CommandTest, component_bits, float32,
-                     only_result, places, rendered_suite, triangle_case, verdicts)
+from support import (MESA, ROOT, SUITE, CommandTest, component_bits, drawings, float32,
+                     known_not_run, only_result, places, rendered_suite, triangle_case, verdicts)
 
 AGAINST_MESA = [word for renderer in MESA for word in ("--against", renderer)]
 FORMATS = ("json", "junit", "html")
@@ -29,18 +31,25 @@ class WholeSuite(CommandTest):
         results = json.loads(first["json"])
         self.assertGreaterEqual(len(results["cases"]), 50)
         self.assertEqual(results["diagnostics"], [])
+        exact = rendered_suite()
         for case in results["cases"]:
             self.assertEqual(list(case["results"]), MESA)
             for renderer, result in case["results"].items():
                 self.assertEqual(result["standing"], "expected", case["id"])
-                known = KNOWN_NOT_RUN.get((renderer, case["id"]))
+                known = known_not_run(renderer, exact[case["id"]])
                 self.assertEqual(result["verdict"] == "not-run", known is not None, case["id"])
                 if known:
                     self.assertIn(known, result["failure"]["reason"])
-        for name, arguments in {"second": [], "one": ["--jobs", 1], "four": ["--jobs", 4]}.items():
-            again = self.reports(name, *arguments)
+        for jobs in 1, 4:
+            again = self.reports(str(jobs), "--jobs", jobs)
             for kind in FORMATS:
-                self.assertTrue(again[kind] == first[kind], f"{kind} of {name} differs")
+                self.assertTrue(again[kind] == first[kind], f"{kind} of {jobs} threads differs")
+        self.check_that_each_is_judged_alone(results)
+
+    def check_that_each_is_judged_alone(self, together):
+        alone = self.results(SUITE, "--against", "osmesa:softpipe", expect=None)
+        for one, many in zip(alone["cases"], together["cases"], strict=True):
+            self.assertEqual(one["results"]["osmesa:softpipe"], many["results"]["osmesa:softpipe"])
 
     def test_exact_agrees_with_itself_without_expectations(self):
         nothing = self.write("none.json", {"renderer": "exact", "measured": "", "expectations": []})
@@ -68,20 +77,19 @@ class WholeSuite(CommandTest):
         return drawn, refused
 
     def test_the_python_example_agrees(self):
-        drawn, refused = self.check_the_python_example("draws lines of width 1",
-                                                       SUITE, "--exclude", "textures/*")
+        drawn, refused = self.check_the_python_example(
+            "draws lines of width 1", SUITE, "--exclude", "textures/*", "--exclude", "samples/*")
         self.assertLess(refused, drawn / 9)
+
+    def test_the_python_example_agrees_on_every_sample(self):
+        drawn, _ = self.check_the_python_example("draws lines of width 1|draws one pass",
+                                                 ROOT / "cases/samples")
+        self.assertGreater(drawn, 5000)
 
     def test_the_python_example_agrees_on_nearest_texels(self):
         folders = [ROOT / "cases/textures" / name for name in ("wrap", "filter", "formats")]
         drawn, _ = self.check_the_python_example("this example ", *folders)
         self.assertGreater(drawn, 200)
-
-    def test_each_renderer_is_judged_alone(self):
-        together = self.results(SUITE, *AGAINST_MESA, expect=None)
-        alone = self.results(SUITE, "--against", "osmesa:softpipe", expect=None)
-        for one, many in zip(alone["cases"], together["cases"]):
-            self.assertEqual(one["results"]["osmesa:softpipe"], many["results"]["osmesa:softpipe"])
 
     def test_a_run_without_arguments(self):
         self.copy_suite()
@@ -154,11 +162,17 @@ def detail_numbers(fragment):
     return numbers
 
 
+def places_told(result):
+    """The pixels of which something is told."""
+    return ({tuple(d["pixel"]) for d in result["disagreements"]}
+            | {tuple(place[:2]) for values in result["values"] for place in values["differing"]})
+
+
 class NothingIsLost(CommandTest):
     """Results against a comparison of two `render` outputs that is written here."""
 
     def independent_coverage(self, exact, rendered):
-        """(x, y, primitive, kind) of every fragment that one has and the other has not."""
+        """(x, y, primitive, sample, kind) of all that one covers and the other does not."""
         wanted = collections.Counter(places(exact["fragments"]))
         drawn = collections.Counter(places(rendered["fragments"]))
         found = [(*place, "missing") for place in wanted if drawn[place] == 0]
@@ -167,9 +181,16 @@ class NothingIsLost(CommandTest):
         return sorted(found)
 
     def check_coverage(self, exact, rendered, result):
-        told = sorted((*d["pixel"], d["primitive"], d["kind"]) for d in result["disagreements"]
-                      if d["kind"] != "value")
-        self.assertEqual(told, self.independent_coverage(exact, rendered))
+        """How many disagreements there are. Those of a pass have its number instead of a sample."""
+        told = collections.Counter((*d["pixel"], d["primitive"], d.get("sample", 0), d["kind"])
+                                   for d in result["disagreements"] if d["kind"] != "value")
+        found = collections.Counter()
+        for number, pair in enumerate(zip(drawings(exact), drawings(rendered))):
+            for x, y, primitive, sample, kind in self.independent_coverage(*pair):
+                which = number if "passes" in exact else sample
+                found[x, y, primitive, which, kind] += 1
+        self.assertEqual(told, found)
+        return found.total()
 
     def check_values(self, exact, rendered, result):
         """Every fragment with another float32 colour or depth than exact's is told; returns how
@@ -179,20 +200,22 @@ class NothingIsLost(CommandTest):
             told[values["attribute"]] |= {tuple(place) for place in values["differing"]}
         beyond = {(*d["pixel"], d["primitive"]) for d in result["disagreements"]
                   if d["kind"] == "value"}
-        truth = {(f["x"], f["y"], f["primitive"]): component_bits(f) for f in exact["fragments"]}
+        key = operator.itemgetter("x", "y", "primitive", "coverage")
+        truth = {key(f): component_bits(f) for f in exact["fragments"]}
         own_levels = rendered.get("mip_chains") != exact.get("mip_chains")
         if own_levels:
             # Colours are looked up in the renderer's own levels, and those are told.
             told_levels = [d for d in result["disagreements"] if d["rule"].startswith("mipmap.")]
             told_levels += [v for v in result["values"] if v["rule"].startswith("mipmap.")]
             self.assertNotEqual(told_levels, [])
-        details = {(f["x"], f["y"], f["primitive"]): detail_numbers(f) for f in exact["fragments"]}
+        details = {key(f): detail_numbers(f) for f in exact["fragments"]}
+        told["gl_FragCoord.z"] |= told["gl_FragCoord.xy"]
         count = 0
         for fragment in rendered["fragments"]:
-            place = (fragment["x"], fragment["y"], fragment["primitive"])
-            if place not in truth:
+            if key(fragment) not in truth:
                 continue
-            for attribute, wanted, drawn in zip(("color", "depth"), truth[place],
+            place = key(fragment)[:3]
+            for attribute, wanted, drawn in zip(("color", "depth"), truth[key(fragment)],
                                                 component_bits(fragment)):
                 if wanted != drawn and not (own_levels and attribute == "color"):
                     count += 1
@@ -200,7 +223,7 @@ class NothingIsLost(CommandTest):
                     either = told[attribute] | told["texture " + attribute]
                     self.assertIn(place, either | beyond, attribute)
             for attribute, drawn in detail_numbers(fragment).items():
-                if drawn != details[place][attribute]:
+                if drawn != details[key(fragment)][attribute]:
                     count += 1
                     self.assertIn(place, told[attribute] | beyond, attribute)
         return count
@@ -209,8 +232,7 @@ class NothingIsLost(CommandTest):
         """Every pixel of another colour or depth has something that is told of it, unless it is
         what the renderer's own last fragment converts to: check_values holds that against exact's,
         which may round otherwise where it lies beside the middle of two steps."""
-        told = {tuple(d["pixel"]) for d in result["disagreements"]}
-        told |= {tuple(place[:2]) for values in result["values"] for place in values["differing"]}
+        told = places_told(result)
         own = {f["y"] * exact["width"] + f["x"]: conversions(f) for f in rendered["fragments"]}
         for index in range(exact["width"] * exact["height"]):
             part = slice(4 * index, 4 * index + 4)
@@ -222,6 +244,51 @@ class NothingIsLost(CommandTest):
             if pair[0] != pair[1] and pair[1] not in own.get(index, {}).get("depths", ()):
                 self.assertIn((index % exact["width"], index // exact["width"]), told)
 
+    def check_samples(self, exact, rendered, result):
+        """The same of samples, which hold the colour of any of the pixel's own fragments, and of
+        their mean. Each has a depth of its own, which is told where it differs."""
+        told, width = places_told(result), exact["width"]
+        area = width * exact["height"]
+        own = collections.defaultdict(list)
+        for f in rendered["fragments"]:
+            own[f["y"] * width + f["x"]].append(conversions(f)["pixel"])
+        for index in range(area):
+            if (index % width, index // width) in told:
+                continue
+            planes = [range(4 * (index + s * area), 4 * (index + s * area) + 4)
+                      for s in range(exact["samples"])]
+            drawn, wanted = ([[of["sample_pixels"][i] for i in plane] for plane in planes]
+                             for of in (rendered, exact))
+            for sample, (one, other) in enumerate(zip(drawn, wanted)):
+                self.assertIn(one, [other, *own[index]], (index, sample))
+            mean = [round(fractions.Fraction(sum(n), len(n))) for n in zip(*drawn)]
+            self.assertEqual(rendered["pixels"][4 * index:4 * index + 4], mean, index)
+            for key in ("depths",) if "depths" in exact else ():
+                self.assertEqual(rendered[key][index::area], exact[key][index::area], index)
+
+    def check_all(self, exact, rendered, result):
+        """How much disagrees in coverage and in values."""
+        coverage, values = self.check_coverage(exact, rendered, result), 0
+        for pair in zip(drawings(exact), drawings(rendered)):
+            values += self.check_values(*pair, result)
+            check = self.check_samples if exact["samples"] > 1 else self.check_pixels
+            check(*pair, result)
+        self.check_accumulation(exact, rendered, result)
+        return coverage, values
+
+    def check_accumulation(self, exact, rendered, result):
+        """Of a pixel of which nothing is told, all passes have exact's colours, to the float32
+        number. The numbers behind those lie half a unit off at most, and so do their means, which
+        are rounded once more: one unit of what is no larger than the largest colour."""
+        told, width = places_told(result), exact["width"]
+        numbers = exact.get("accumulated", [])
+        largest = max([1.0, *map(abs, (n for drawn in drawings(exact) for f in drawn["fragments"]
+                                       for n in f["color"]))]) if numbers else 1
+        for index, wanted in enumerate(numbers):
+            if (index // 4 % width, index // 4 // width) not in told:
+                self.assertLessEqual(abs(rendered["accumulated"][index] - wanted),
+                                     largest * 2 ** -23)
+
     def test_of_all_renderers(self):
         results = self.results(SUITE, *AGAINST_MESA, expect=None)
         exact = rendered_suite()
@@ -230,16 +297,15 @@ class NothingIsLost(CommandTest):
         for renderer in MESA:
             for case in results["cases"]:
                 result = case["results"][renderer]
-                if (renderer, case["id"]) in KNOWN_NOT_RUN:
+                if known_not_run(renderer, exact[case["id"]]):
                     continue
                 pair = exact[case["id"]], rendered_suite(renderer)[case["id"]]
                 with self.subTest(case=case["id"], renderer=renderer):
-                    self.check_coverage(*pair, result)
-                    values += self.check_values(*pair, result)
-                    self.check_pixels(*pair, result)
-                    coverage += len(self.independent_coverage(*pair))
+                    found = self.check_all(*pair, result)
+                    coverage += found[0]
+                    values += found[1]
                     if result["verdict"] == "agree":
-                        self.assertEqual(places(pair[0]["fragments"]), places(pair[1]["fragments"]))
+                        self.assertEqual(found[0], 0)
         # The comparison has found something to compare.
         self.assertGreater(coverage, 100)
         self.assertGreater(values, 20)

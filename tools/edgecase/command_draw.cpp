@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <sstream>
+#include <utility>
 
 #include "diff/compare.h"
 #include "raster/rasterizer.h"
@@ -36,14 +37,10 @@ AlternativesPicture draw_all(const Case& one, const Rule& rule, bool as_text) {
   for (const Alternative& alternative : rule.alternatives) {
     Policy policy;
     policy.rules[rule.id] = alternative.name;
-    const Rendering rendering = rasterize(one.scene, policy);
-    DrawnAlternative drawn{alternative.name, {}};
-    for (const Fragment& fragment : rendering.fragments)
-      drawn.pixels.emplace_back(fragment.x, fragment.y);
-    picture.alternatives.push_back(std::move(drawn));
+    std::vector<int> hits = hits_of(rasterize(one.scene, policy));
     if (as_text)
-      fmt::print("{}\n{}\n", alternative.name,
-                 draw_hits(hits_of(rendering), picture.width, picture.height));
+      fmt::print("{}\n{}\n", alternative.name, draw_hits(hits, picture.width, picture.height));
+    picture.alternatives.push_back({alternative.name, std::move(hits)});
   }
   return picture;
 }

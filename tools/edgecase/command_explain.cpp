@@ -9,6 +9,7 @@
 
 #include "diff/compare.h"
 #include "raster/rasterizer.h"
+#include "reports/text.h"
 #include "rules/all_rules.h"
 #include "run/expectation_check.h"
 #include "tools/edgecase/commands.h"
@@ -55,17 +56,36 @@ bool check_pixel(const std::string& text, const Suite& suite) {
   return false;
 }
 
-void print_exact_pixel(const Case& one, const Policy& policy, Pixel pixel) {
-  fmt::print("Pixel ({}, {}), centre ({}, {}), by policy {}:\n", pixel.x, pixel.y, pixel.x + .5,
-             pixel.y + .5, policy.name);
-  for (const PixelExplanation& why : explain_pixel(one.scene, policy, pixel.x, pixel.y))
-    fmt::print("  primitive {} {} it ({}): {}.\n", why.primitive,
-               why.covered ? "draws" : "does not draw", why.rule, why.text);
+void print_coverage(const Scene& scene, const Policy& policy) {
+  const Rendering exact = rasterize(scene, policy);
+  if (exact.samples > 1) {
+    fmt::print("Samples that are covered, in hexadecimal, bit s for sample s:\n{}",
+               draw_masks(masks_of(exact).covered, exact.width, exact.height));
+    return;
+  }
+  if (!exact.passes.empty())
+    fmt::print("Fragments of all {} passes together:\n", exact.passes.size());
+  fmt::print("{}", draw_hits(hits_of(exact), exact.width, exact.height));
 }
 
-void print_disagreement(const Disagreement& d) {
-  fmt::print("  ({}, {}) {}, {}, {}{}\n    {}\n", d.x, d.y, name_of(d.kind), d.rule,
-             d.legal ? "allowed" : "NOT allowed",
+void print_exact_pixel(const Scene& scene, const Policy& policy, Pixel pixel) {
+  for (std::size_t k = 0; k < scene.supersampling.size(); ++k) {
+    fmt::print("In {}:\n", words_of_pass(scene.supersampling, k));
+    print_exact_pixel(pass_of(scene, k), policy, pixel);
+  }
+  if (!scene.supersampling.empty()) return;
+  fmt::print("Pixel ({}, {}), centre ({}, {}), by policy {}:\n", pixel.x, pixel.y, pixel.x + .5,
+             pixel.y + .5, policy.name);
+  for (const PixelExplanation& why : explain_pixel(scene, policy, pixel.x, pixel.y))
+    fmt::print("  primitive {} {} {} ({}): {}.\n", why.primitive,
+               why.covered ? "draws" : "does not draw",
+               why.sample < 0 ? "it" : fmt::format("sample {}", why.sample), why.rule, why.text);
+}
+
+void print_disagreement(const Disagreement& d, int samples) {
+  fmt::print("  ({}, {}){} {}, {}, {}{}\n    {}\n", d.x, d.y,
+             names_sample(d, samples) ? fmt::format(" sample {}", d.sample) : "", name_of(d.kind),
+             d.rule, d.legal ? "allowed" : "NOT allowed",
              d.cause.empty() ? "" : fmt::format(", cause {}", d.cause), d.explanation);
   if (const Ruling* ruling = find_ruling(d.ruling))
     fmt::print("    Ruling {}. {}\n", ruling->number, ruling->text);
@@ -81,12 +101,13 @@ void print_values(const ValueAggregate& values) {
       values.worst_relative);
 }
 
-void print_result(const Result& result, const RendererInfo& info, std::optional<Pixel> pixel) {
+void print_result(const Result& result, const RendererInfo& info, std::optional<Pixel> pixel,
+                  int samples) {
   fmt::print("{} ({}): {}\n", info.name, info.device, name_of(result.verdict));
   if (result.failure)
     fmt::print("  {}: {}\n", name_of(result.failure->kind), result.failure->reason);
   for (const Disagreement& d : result.disagreements)
-    if (!pixel || (pixel->x == d.x && pixel->y == d.y)) print_disagreement(d);
+    if (!pixel || (pixel->x == d.x && pixel->y == d.y)) print_disagreement(d, samples);
   for (const ValueAggregate& values : result.values) print_values(values);
 }
 
@@ -111,10 +132,9 @@ ExitCode explain(const ExplainCommand& command) {
       pixel = parse_pixel(command.pixel, one.scene.target);
       if (!pixel) continue;
     }
-    const Rendering exact = rasterize(one.scene, *policy);
-    fmt::print("{}: {}\n{}\n{}", one.id, one.title, one.why,
-               draw_hits(hits_of(exact), exact.width, exact.height));
-    if (pixel) print_exact_pixel(one, *policy, *pixel);
+    fmt::print("{}: {}\n{}\n", one.id, one.title, one.why);
+    print_coverage(one.scene, *policy);
+    if (pixel) print_exact_pixel(one.scene, *policy, *pixel);
     if (command.run.renderers.empty()) continue;
     const auto profiles = load_profiles(selection, command.run.renderers);
     if (!profiles) return ExitCode::usage;
@@ -125,7 +145,7 @@ ExitCode explain(const ExplainCommand& command) {
     if (results->cases.empty()) return ExitCode::unexpected;
     for (std::size_t r = 0; r < results->renderers.size(); ++r) {
       const Result& result = results->cases.front().results[r];
-      print_result(result, results->renderers[r], pixel);
+      print_result(result, results->renderers[r], pixel, one.scene.target.samples);
       if (result.failure) exit = ExitCode::renderer;
     }
   }

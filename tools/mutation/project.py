@@ -59,7 +59,8 @@ def edgecase(build):
     return Project(
         ROOT, build, ("src/exact", "src/rules", "src/raster"),
         ("CMakeLists.txt", "src", "tests", "reference", "reports", "tools", "cases"),
-        ("exact", "rules", "levels", "texels", "values", "raster", "texture_stage", "oracles"),
+        ("exact", "rules", "sample_rules", "levels", "texels", "values", "raster", "multisample",
+         "supersample", "texture_stage", "oracles"),
         frozenset({"RandomScenes.AMillionAgree", "InterpolationOracles.AMillionTrianglesAgree"}))
 
 

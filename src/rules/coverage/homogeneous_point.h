@@ -22,7 +22,10 @@ struct HomogeneousSizedPoint {
 // The vertex moved as an offset has it.
 HomogeneousPoint moved(const HomogeneousPoint& vertex, PointOffset offset);
 
-// Does the point produce a fragment at pixel (x, y)?
-bool point_covers(const HomogeneousSizedPoint& point, int x, int y, const TieRule& ties);
+// Does the point's square hold the sample, or the centre of pixel (x, y)?
+bool point_covers(const HomogeneousSizedPoint& point, Point sample, const TieRule& ties);
+inline bool point_covers(const HomogeneousSizedPoint& point, int x, int y, const TieRule& ties) {
+  return point_covers(point, pixel_centre(x, y), ties);
+}
 
 }  // namespace edgecase

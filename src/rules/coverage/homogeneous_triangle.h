@@ -14,6 +14,7 @@
 
 #include "exact/homogeneous.h"
 #include "exact/pixel.h"
+#include "model/sampling.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/coverage/triangle_algorithm.h"
 
@@ -24,13 +25,18 @@ using HomogeneousTriangle = std::array<HomogeneousPoint, 3>;
 // The nearest triangle whose coordinates are multiples of 2^-16.
 Triangle nearest_triangle(const HomogeneousTriangle& triangle);
 
-// Does the triangle produce the fragment of pixel (x, y)?
-bool triangle_covers(const HomogeneousTriangle& triangle, int x, int y, const TieRule& ties);
+// Does the triangle cover the sample, or the centre of pixel (x, y)? A sample's w is at most 2^16.
+bool triangle_covers(const HomogeneousTriangle& triangle, const HomogeneousPoint& sample,
+                     const TieRule& ties);
+inline bool triangle_covers(const HomogeneousTriangle& triangle, int x, int y,
+                            const TieRule& ties) {
+  return triangle_covers(triangle, homogeneous_centre(x, y), ties);
+}
 
-// The pixels within `bounds`, each once, in no particular order. Algorithms that round get the
-// nearest triangle.
+// The pixels within `bounds` whose sample, at `within` of the pixel, is covered, each once, in no
+// particular order. Algorithms that round get the nearest triangle.
 std::vector<PixelPosition> triangle_pixels(const HomogeneousTriangle& triangle,
                                            const PixelBounds& bounds, TriangleAlgorithm algorithm,
-                                           const TieRule& ties);
+                                           const TieRule& ties, Point within = centre_of_pixel());
 
 }  // namespace edgecase

@@ -51,33 +51,31 @@ bool within_half_height(const Segment& s, Fixed width, Point sample, const TieRu
 
 }  // namespace
 
-bool line_area_covers(const Segment& segment, Fixed width, LineArea area, PixelPosition pixel,
+bool line_area_covers(const Segment& segment, Fixed width, LineArea area, Point sample,
                       const TieRule& ties) {
   if (segment.a == segment.b) return false;
-  const Point sample = pixel_centre(pixel.x, pixel.y);
   if (!between_ends(segment, area, sample, ties)) return false;
   return area == LineArea::rectangle ? within_half_width(segment, width, sample, ties)
                                      : within_half_height(segment, width, sample, ties);
 }
 
-std::vector<PixelPosition> line_area_pixels(const Segment& segment, Fixed width, LineArea area,
-                                            const PixelBounds& bounds, const TieRule& ties) {
-  if (segment.a == segment.b) return {};
-  // Along the major axis, with slopes of at most 1, a sample within half the width of the line lies
-  // within the width of it along the minor axis: walk the columns (rows) and test those near it.
+std::vector<PixelPosition> pixels_near_line(const Segment& segment, Fixed width,
+                                            const PixelBounds& bounds) {
+  // Along the major axis, with slopes of at most 1, a point within half the width of the line lies
+  // within the width of it along the minor axis: walk the columns (rows) and take those near it.
   const bool x_major = segment.x_major();
   const auto major = [&](Point p) { return x_major ? p.x : p.y; };
   const auto minor = [&](Point p) { return x_major ? p.y : p.x; };
   const auto [first, last] = std::minmax({major(segment.a), major(segment.b)});
-  const Int128 run = major(segment.b).raw() - major(segment.a).raw();
+  const Int128 length = major(segment.b).raw() - major(segment.a).raw();
+  const Int128 run = length == 0 ? 1 : length;  // without length there is no rise either
   const Int128 rise = minor(segment.b).raw() - minor(segment.a).raw();
   const std::int64_t margin = width.ceil() + 2;
 
   std::vector<PixelPosition> pixels;
-  const auto test = [&](std::int64_t m, std::int64_t n) {
+  const auto take = [&](std::int64_t m, std::int64_t n) {
     const PixelPosition pixel{static_cast<int>(x_major ? m : n), static_cast<int>(x_major ? n : m)};
-    if (bounds.contains(pixel) && line_area_covers(segment, width, area, pixel, ties))
-      pixels.push_back(pixel);
+    if (bounds.contains(pixel)) pixels.push_back(pixel);
   };
   const std::int64_t begin =
       std::max<std::int64_t>(first.floor() - margin, x_major ? bounds.x_min : bounds.y_min);
@@ -87,8 +85,17 @@ std::vector<PixelPosition> line_area_pixels(const Segment& segment, Fixed width,
     const Int128 along = Fixed::centre_of(m).raw() - major(segment.a).raw();
     const std::int64_t at =
         (minor(segment.a) + Fixed::from_raw(static_cast<std::int64_t>(along * rise / run))).floor();
-    for (std::int64_t n = at - margin; n <= at + margin; ++n) test(m, n);
+    for (std::int64_t n = at - margin; n <= at + margin; ++n) take(m, n);
   }
+  return pixels;
+}
+
+std::vector<PixelPosition> line_area_pixels(const Segment& segment, Fixed width, LineArea area,
+                                            const PixelBounds& bounds, const TieRule& ties) {
+  std::vector<PixelPosition> pixels = pixels_near_line(segment, width, bounds);
+  std::erase_if(pixels, [&](PixelPosition pixel) {
+    return !line_area_covers(segment, width, area, pixel_centre(pixel.x, pixel.y), ties);
+  });
   return pixels;
 }
 

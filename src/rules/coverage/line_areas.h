@@ -19,10 +19,19 @@ namespace edgecase {
 
 enum class LineArea { rectangle, parallelogram };
 
-// Does the area of a line of some width (pixels, at most 64) hold the centre of pixel (x, y)? A
-// segment without length has no area.
-bool line_area_covers(const Segment& segment, Fixed width, LineArea area, PixelPosition pixel,
+// Does the area of a line of some width (pixels, at most 64) hold the sample, or the centre of a
+// pixel? A segment without length has no area.
+bool line_area_covers(const Segment& segment, Fixed width, LineArea area, Point sample,
                       const TieRule& ties);
+inline bool line_area_covers(const Segment& segment, Fixed width, LineArea area,
+                             PixelPosition pixel, const TieRule& ties) {
+  return line_area_covers(segment, width, area, pixel_centre(pixel.x, pixel.y), ties);
+}
+
+// Pixels within `bounds`, along the major axis: every one with a point at most half the width and
+// half a pixel away from the segment, and some more.
+std::vector<PixelPosition> pixels_near_line(const Segment& segment, Fixed width,
+                                            const PixelBounds& bounds);
 
 // The pixels within `bounds` whose centres the area holds, along the major axis.
 std::vector<PixelPosition> line_area_pixels(const Segment& segment, Fixed width, LineArea area,

@@ -80,19 +80,18 @@ Rule point_ownership_rule() {
         "2^-b away (b as in ruling 4), may be covered or not."}}};
 }
 
-bool point_covers(const SizedPoint& point, int x, int y, const TieRule& ties) {
-  const Point centre = pixel_centre(x, y);
+bool point_covers(const SizedPoint& point, Point sample, const TieRule& ties) {
   // Twice the distances, since half a size need not be a whole raw unit.
   const std::int64_t size = point.size.raw();
-  const std::int64_t dx = 2 * (centre.x.raw() - point.vertex.x.raw());
-  const std::int64_t dy = 2 * (centre.y.raw() - point.vertex.y.raw());
+  const std::int64_t dx = 2 * (sample.x.raw() - point.vertex.x.raw());
+  const std::int64_t dy = 2 * (sample.y.raw() - point.vertex.y.raw());
   return ties.positive(size + dx, 1, 0) && ties.positive(size - dx, -1, 0) &&
          ties.positive(size + dy, 0, 1) && ties.positive(size - dy, 0, -1);
 }
 
-Explanation explain_point(const SizedPoint& point, int x, int y, const TieRule& ties) {
-  const Point centre = pixel_centre(x, y);
-  const std::int64_t distance = chebyshev_distance(point.vertex, centre);
+Explanation explain_point(const SizedPoint& point, Point sample, const TieRule& ties) {
+  const bool centred = sample == pixel_centre(sample.x.floor(), sample.y.floor());
+  const std::int64_t distance = chebyshev_distance(point.vertex, sample);
   const std::int64_t size = point.size.raw();
   const char* where = 2 * distance < size    ? "inside"
                       : 2 * distance == size ? "exactly on the boundary of"
@@ -100,14 +99,14 @@ Explanation explain_point(const SizedPoint& point, int x, int y, const TieRule& 
   const double half = point.size.to_double() / 2;
   Explanation result;
   result.text = fmt::format(
-      "the pixel's centre {} lies {} the square of side {} round the point {} ({} from it along "
-      "the "
-      "axis where it is farther; {} is the boundary)",
-      format_point(centre), where, to_decimal(point.size), format_point(point.vertex),
+      "the {} {} lies {} the square of side {} round the point {} ({} from it along the axis where "
+      "it is farther; {} is the boundary)",
+      centred ? "pixel's centre" : "sample", format_point(sample), where, to_decimal(point.size), format_point(point.vertex),
       to_decimal(Fixed::from_raw(distance)), half);
   if (2 * distance == size)
-    result.text += fmt::format("; the tie is decided by {}, so the centre counts as {}", ties.name,
-                               point_covers(point, x, y, ties) ? "inside" : "outside");
+    result.text += fmt::format("; the tie is decided by {}, so the {} counts as {}", ties.name,
+                               centred ? "centre" : "sample",
+                               point_covers(point, sample, ties) ? "inside" : "outside");
   const double px = point.vertex.x.to_double();
   const double py = point.vertex.y.to_double();
   result.figure.marks = {{MarkRole::region,
@@ -117,18 +116,16 @@ Explanation explain_point(const SizedPoint& point, int x, int y, const TieRule& 
                            {px + half, py + half},
                            {px - half, py + half}},
                           ""},
-                         sample_mark(centre)};
+                         sample_mark(sample)};
   return result;
 }
 
-bool point_possibly_covered(const SizedPoint& point, int x, int y, Fixed reach) {
-  return 2 * chebyshev_distance(point.vertex, pixel_centre(x, y)) <
-         point.size.raw() + 2 * reach.raw();
+bool point_possibly_covered(const SizedPoint& point, Point sample, Fixed reach) {
+  return 2 * chebyshev_distance(point.vertex, sample) < point.size.raw() + 2 * reach.raw();
 }
 
-bool point_possibly_uncovered(const SizedPoint& point, int x, int y, Fixed reach) {
-  return 2 * chebyshev_distance(point.vertex, pixel_centre(x, y)) >
-         point.size.raw() - 2 * reach.raw();
+bool point_possibly_uncovered(const SizedPoint& point, Point sample, Fixed reach) {
+  return 2 * chebyshev_distance(point.vertex, sample) > point.size.raw() - 2 * reach.raw();
 }
 
 }  // namespace edgecase

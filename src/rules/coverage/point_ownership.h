@@ -42,15 +42,27 @@ struct SizedPoint {
   Fixed size = Fixed::from_integer(1);
 };
 
-// Does the point produce a fragment at pixel (x, y)?
-bool point_covers(const SizedPoint& point, int x, int y, const TieRule& ties);
+// Does the point's square hold the sample, or the centre of pixel (x, y)?
+bool point_covers(const SizedPoint& point, Point sample, const TieRule& ties);
+inline bool point_covers(const SizedPoint& point, int x, int y, const TieRule& ties) {
+  return point_covers(point, pixel_centre(x, y), ties);
+}
 
 // Why, in a sentence with numbers.
-Explanation explain_point(const SizedPoint& point, int x, int y, const TieRule& ties);
+Explanation explain_point(const SizedPoint& point, Point sample, const TieRule& ties);
+inline Explanation explain_point(const SizedPoint& point, int x, int y, const TieRule& ties) {
+  return explain_point(point, pixel_centre(x, y), ties);
+}
 
-// May the specification's latitude hold the pixel covered, may it hold it uncovered? The vertex may
-// move by less than `reach` in x and y, and boundaries are open.
-bool point_possibly_covered(const SizedPoint& point, int x, int y, Fixed reach);
-bool point_possibly_uncovered(const SizedPoint& point, int x, int y, Fixed reach);
+// May the specification's latitude hold the sample covered, may it hold it uncovered? The vertex
+// may move by less than `reach` in x and y, and boundaries are open.
+bool point_possibly_covered(const SizedPoint& point, Point sample, Fixed reach);
+bool point_possibly_uncovered(const SizedPoint& point, Point sample, Fixed reach);
+inline bool point_possibly_covered(const SizedPoint& point, int x, int y, Fixed reach) {
+  return point_possibly_covered(point, pixel_centre(x, y), reach);
+}
+inline bool point_possibly_uncovered(const SizedPoint& point, int x, int y, Fixed reach) {
+  return point_possibly_uncovered(point, pixel_centre(x, y), reach);
+}
 
 }  // namespace edgecase

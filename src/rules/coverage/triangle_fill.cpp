@@ -75,8 +75,7 @@ bool triangle_covers(const Triangle& triangle, int x, int y, const TieRule& ties
   return true;
 }
 
-Explanation explain_triangle(const Triangle& triangle, int x, int y, const TieRule& ties) {
-  const Point sample = pixel_centre(x, y);
+Explanation explain_triangle(const Triangle& triangle, Point sample, const TieRule& ties) {
   Explanation result;
   result.figure.marks = {sample_mark(sample)};
   if (doubled_area(triangle) == 0) {

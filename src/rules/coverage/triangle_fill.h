@@ -33,8 +33,11 @@ Triangle counter_clockwise(const Triangle& triangle);
 // Does the triangle produce the fragment of pixel (x, y)?
 bool triangle_covers(const Triangle& triangle, int x, int y, const TieRule& ties);
 
-// Why, in a sentence with numbers.
-Explanation explain_triangle(const Triangle& triangle, int x, int y, const TieRule& ties);
+// Why the sample, or the centre of pixel (x, y), is covered or not: a sentence with numbers.
+Explanation explain_triangle(const Triangle& triangle, Point sample, const TieRule& ties);
+inline Explanation explain_triangle(const Triangle& triangle, int x, int y, const TieRule& ties) {
+  return explain_triangle(triangle, pixel_centre(x, y), ties);
+}
 
 // May the specification's latitude hold the sample covered, may it hold it uncovered? Each vertex
 // may move by less than `reach` in x and in y, and ties on edges go either way. reach: more than 0,

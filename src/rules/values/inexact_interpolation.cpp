@@ -241,6 +241,14 @@ Interval interpolate_inexact(const Interpolant& f, Point sample) {
   return unmoved_mean(f, position_of(sample));
 }
 
+Interval interpolate_inexact(const Interpolant& f, Point sample, Point w_place) {
+  if (sample == w_place || !has_perspective(f)) return interpolate_inexact(f, sample);
+  Interpolant above = over_w(f);
+  for (Interval& value : above.values) value = kInexact.multiply(value, 1);
+  const Interval w = kInexact.divide(1, interpolate_inexact(inverse_w(f), w_place));
+  return kInexact.multiply(interpolate_inexact(above, sample), w);
+}
+
 Interval interpolate_permitted(const Interpolant& f, Point sample, double reach) {
   const Position p = position_of(sample);
   switch (f.kind) {

@@ -152,6 +152,23 @@ Interval interpolate_exact(const Interpolant& f, Point sample) {
   return mean_of(f, homogeneous(sample)).value();
 }
 
+Interpolant over_w(Interpolant f) {
+  for (std::size_t i = 0; i < count_of(f); ++i) f.values[i] = f.values[i] / f.w[i];
+  f.perspective = false;
+  return f;
+}
+
+Interpolant inverse_w(Interpolant f) {
+  for (std::size_t i = 0; i < count_of(f); ++i) f.values[i] = Interval(1) / f.w[i];
+  f.perspective = false;
+  return f;
+}
+
+Interval interpolate_exact(const Interpolant& f, Point sample, Point w_place) {
+  if (sample == w_place || !has_perspective(f)) return interpolate_exact(f, sample);
+  return interpolate_exact(over_w(f), sample) / interpolate_exact(inverse_w(f), w_place);
+}
+
 // With N / D the mean, its derivative is (N' - (N / D) D') / D. Weights are linear in the sample,
 // so N' and D' are differences over one pixel, exactly.
 Interval differentiate_exact(const Interpolant& f, Point sample, Axis axis) {

@@ -49,6 +49,10 @@ struct Interpolant {
 // Are the weights divided by w, and does that change anything? Not where all w are equal.
 bool has_perspective(const Interpolant& interpolant);
 
+// The attribute over w, and 1/w, without perspective: what runs linearly in the window.
+Interpolant over_w(Interpolant interpolant);
+Interpolant inverse_w(Interpolant interpolant);
+
 // Is the line longer in x than in y, or as long? Decided by its vertices as they are.
 bool is_x_major(const Interpolant& line);
 
@@ -61,6 +65,12 @@ Interval interpolate_inexact(const Interpolant& interpolant, Point sample);
 
 // `reach`: each vertex may have moved by less than this many pixels in x and in y.
 Interval interpolate_permitted(const Interpolant& interpolant, Point sample, double reach);
+
+// With w taken at one place and the attribute over w at another, as some implementations do with
+// samples beside the pixel's centre: the mean of the values over w at the sample, times w at
+// `w_place`. Without perspective the two above.
+Interval interpolate_exact(const Interpolant& interpolant, Point sample, Point w_place);
+Interval interpolate_inexact(const Interpolant& interpolant, Point sample, Point w_place);
 
 // How fast the value changes there, per pixel along x or along y: the analytic derivative.
 enum class Axis { x, y };

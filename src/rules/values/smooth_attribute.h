@@ -4,6 +4,7 @@
 // and 14.6.1). The arithmetic is in rules/values/interpolation.h.
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "model/scene.h"
@@ -22,7 +23,10 @@ enum class PerspectiveChoice {
   as_set,  // smooth ones are, noperspective ones are not
   always,
   never,
+  w_of_centre,  // as set, but by w at the pixel's centre, wherever the attribute is evaluated
 };
+std::span<const PerspectiveChoice> all_perspective_choices();
+const char* name_of(PerspectiveChoice choice);
 
 // From where are the weights of the vertices computed: where the vertices are, or where coverage
 // has snapped them to?

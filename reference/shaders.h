@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+//
+// The sources of the shaders that draw scenes. None has a version or says where its attributes are
+// evaluated: reference/programs.cpp puts the heads before them.
+#pragma once
+
+namespace edgecase::shaders {
+
+// Heads of the shaders: the version, where interpolated attributes are evaluated, what is switched
+// on, and for textured scenes how colours are looked up. One function serves pixels and capture, so
+// that both have the same colours.
+constexpr const char* kVersion = "#version 430 core\n";
+constexpr const char* kDetails = "#define DETAILS\n";
+constexpr const char* kSamples = "#define SAMPLES\n";
+constexpr const char* kAtCenter = "#define AT\n";
+constexpr const char* kAtCentroid = "#define AT centroid\n";
+constexpr const char* kAtSample = "#define AT sample\n";
+constexpr const char* kQuery = "#define QUERY\n";
+
+constexpr const char* kOneDimensional =
+    "#define SAMPLER sampler1D\n#define ST x\n#define DX x\n#define DY z\n";
+constexpr const char* kTwoDimensional =
+    "#define SAMPLER sampler2D\n#define ST xy\n#define DX xy\n#define DY zw\n";
+constexpr const char* kImage = R"(
+layout(location = 3) uniform float lookup_value;
+layout(location = 4) uniform vec4 gradients;
+layout(binding = 0) uniform SAMPLER image;
+)";
+constexpr const char* kUntextured = R"(#define TEXTURES
+vec4 looked_up(vec4 color) { return color; }
+vec2 queried(vec4 color) { return vec2(0.0); }
+)";
+constexpr const char* kTextured = R"(#define TEXTURES
+vec4 looked_up(vec4 color) { return LOOKUP; }
+#ifdef QUERY
+vec2 queried(vec4 color) { return textureQueryLod(image, color.ST); }
+#else
+vec2 queried(vec4 color) { return vec2(0.0); }
+#endif
+)";
+
+// One triangle, of three vertices without attributes, that covers the viewport.
+constexpr const char* kEverywhere = R"(
+void main() {
+  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+}
+)";
+
+constexpr const char* kVertexShader = R"(
+layout(location = 0) in vec4 position;
+layout(location = 1) in vec4 color;
+layout(location = 2) in int primitive;
+flat out vec4 flat_color;
+smooth AT out vec4 smooth_color;
+noperspective AT out vec4 noperspective_color;
+flat out int primitive_index;
+void main() {
+  gl_Position = position;
+  flat_color = color;
+  smooth_color = color;
+  noperspective_color = color;
+  primitive_index = primitive;
+}
+)";
+
+constexpr const char* kColorShader = R"(
+flat in vec4 flat_color;
+smooth AT in vec4 smooth_color;
+noperspective AT in vec4 noperspective_color;
+layout(location = 0) uniform int interpolation;
+layout(location = 0) out vec4 target;
+void main() {
+  vec4 color = interpolation == 0 ? flat_color
+                                  : (interpolation == 1 ? smooth_color : noperspective_color);
+#ifdef TEXTURES
+  color = looked_up(color);
+#endif
+  target = color;
+}
+)";
+
+constexpr const char* kCountShader = R"(
+layout(location = 2) uniform float hit_step;
+layout(location = 0) out vec4 target;
+void main() {
+  target = vec4(hit_step, 0.0, 0.0, 0.0);
+}
+)";
+
+// Counts hits of a multisampled target: by the colour's alpha, alpha to coverage decides which
+// samples are hit. Inputs are those of the colour's shader, so that it runs as often.
+constexpr const char* kSampledCountShader = R"(
+flat in vec4 flat_color;
+smooth AT in vec4 smooth_color;
+noperspective AT in vec4 noperspective_color;
+layout(location = 0) uniform int interpolation;
+layout(location = 2) uniform float hit_step;
+layout(location = 0) out vec4 target;
+void main() {
+  vec4 color = interpolation == 0 ? flat_color
+                                  : (interpolation == 1 ? smooth_color : noperspective_color);
+  target = vec4(hit_step, 0.0, 0.0, color.a);
+}
+)";
+
+// Without a version, and in two forms: DETAILS adds what reference/capture.h calls details, and
+// FINE_AND_COARSE the derivatives that not every GLSL has. The counter runs on beyond the capacity,
+// so that an overflow tells how much room is needed. SAMPLES, of multisampled targets, puts the
+// coverage into the upper half of x, which holds at most 16 samples and 4096 columns.
+constexpr const char* kCaptureShader = R"(
+flat in vec4 flat_color;
+smooth AT in vec4 smooth_color;
+noperspective AT in vec4 noperspective_color;
+flat in int primitive_index;
+layout(location = 0) uniform int interpolation;
+layout(location = 1) uniform uint capacity;
+layout(location = 0) out vec4 target;
+struct Record {
+  int x;
+  int y;
+  int primitive;
+  float depth;
+  float red;
+  float green;
+  float blue;
+  float alpha;
+#ifdef DETAILS
+  vec4 coordinates;
+  vec4 dx;
+  vec4 dy;
+  vec4 dx_fine;
+  vec4 dy_fine;
+  vec4 dx_coarse;
+  vec4 dy_coarse;
+#ifdef TEXTURES
+  vec2 texture_coordinates;
+  vec2 level_of_detail;
+#endif
+#endif
+};
+layout(std430, binding = 0) buffer Capture {
+  uint count;
+  uint unused[7];
+  Record records[];
+};
+void main() {
+  vec4 color = interpolation == 0 ? flat_color
+                                  : (interpolation == 1 ? smooth_color : noperspective_color);
+#ifdef DETAILS
+  vec4 dx = dFdx(color);
+  vec4 dy = dFdy(color);
+#ifdef FINE_AND_COARSE
+  vec4 dx_fine = dFdxFine(color);
+  vec4 dy_fine = dFdyFine(color);
+  vec4 dx_coarse = dFdxCoarse(color);
+  vec4 dy_coarse = dFdyCoarse(color);
+#else
+  vec4 dx_fine = vec4(0.0);
+  vec4 dy_fine = vec4(0.0);
+  vec4 dx_coarse = vec4(0.0);
+  vec4 dy_coarse = vec4(0.0);
+#endif
+#ifdef TEXTURES
+  vec2 texture_coordinates = color.xy;
+  vec2 level_of_detail = queried(color);
+#endif
+#endif
+#ifdef TEXTURES
+  color = looked_up(color);
+#endif
+  uint slot = atomicAdd(count, 1u);
+  if (slot < capacity) {
+    records[slot].x = int(gl_FragCoord.x);
+#ifdef SAMPLES
+    records[slot].x |= gl_SampleMaskIn[0] << 16;
+#endif
+    records[slot].y = int(gl_FragCoord.y);
+    records[slot].primitive = primitive_index;
+    records[slot].depth = gl_FragCoord.z;
+    records[slot].red = color.r;
+    records[slot].green = color.g;
+    records[slot].blue = color.b;
+    records[slot].alpha = color.a;
+#ifdef DETAILS
+    records[slot].coordinates = gl_FragCoord;
+    records[slot].dx = dx;
+    records[slot].dy = dy;
+    records[slot].dx_fine = dx_fine;
+    records[slot].dy_fine = dy_fine;
+    records[slot].dx_coarse = dx_coarse;
+    records[slot].dy_coarse = dy_coarse;
+#ifdef TEXTURES
+    records[slot].texture_coordinates = texture_coordinates;
+    records[slot].level_of_detail = level_of_detail;
+#endif
+#endif
+  }
+  target = color;
+}
+)";
+
+}  // namespace edgecase::shaders

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Alternatives: the catalogue of the coverage rules as changes of a choice, to try one after
+// another.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/scene.h"
+#include "rules/choices.h"
+
+namespace edgecase {
+
+// One alternative of a rule, as a change of a choice.
+struct Change {
+  std::string cause;  // "rule=alternative"
+  std::function<void(CoverageChoice&)> apply;
+
+  CoverageChoice applied_to(CoverageChoice choice) const {
+    apply(choice);
+    return choice;
+  }
+};
+
+// The alternatives of one rule, but for the one that is chosen.
+using RuleAlternatives = std::vector<Change>;
+
+// The alternatives of every rule that has a say in the primitive's coverage.
+std::vector<RuleAlternatives> alternatives_beside(const ScenePrimitive& primitive,
+                                                  const Target& target,
+                                                  const CoverageChoice& chosen);
+
+// What leads from one choice to another: a change for each rule in which they differ, of those that
+// have a say in the primitive's coverage.
+std::vector<Change> changes_between(const ScenePrimitive& primitive, const Target& target,
+                                    const CoverageChoice& from, const CoverageChoice& to);
+
+// The alternative of a coverage rule that a choice holds; empty for other rules.
+std::string choice_of(const CoverageChoice& choice, std::string_view rule);
+
+// Every single alternative of the coverage rules as a cause, in one fixed order.
+std::span<const std::string> alternative_names();
+
+}  // namespace edgecase

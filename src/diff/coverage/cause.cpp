@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "diff/coverage/cause.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "diff/coverage/alternatives.h"
+#include "raster/rasterizer.h"
+#include "rules/all_rules.h"
+#include "rules/coverage/homogeneous_line.h"
+
+namespace edgecase {
+namespace {
+
+// Does one fragment lack inside the run of those that were drawn, and nothing else differ?
+bool is_interior_gap(const ScenePrimitive& line, const PrimitiveCoverage& coverage) {
+  if (line.state->line_width != Fixed::from_integer(1)) return false;
+  if (coverage.drawn.size() != 1) return false;
+  const auto differing = differences(coverage);
+  if (differing.size() != 1 || differing[0].drawn != 0) return false;
+  const bool x_major = HomogeneousSegment{line.positions[0], line.positions[1]}.x_major();
+  const auto along = [&](PixelPosition p) { return x_major ? p.x : p.y; };
+  const int gap = along(differing[0].pixel);
+  const auto drawn_where = [&](auto where) {
+    return std::any_of(coverage.drawn[0].begin(), coverage.drawn[0].end(),
+                       [&](PixelPosition p) { return where(along(p)); });
+  };
+  return drawn_where([&](int at) { return at < gap; }) &&
+         drawn_where([&](int at) { return at > gap; });
+}
+
+// A set of changes that reproduces what was drawn.
+using Changes = std::vector<Change>;
+
+std::string text_of(const Changes& changes) {
+  std::vector<std::string> parts;
+  for (const Change& change : changes) parts.push_back(change.cause);
+  return fmt::format("{}", fmt::join(parts, " + "));
+}
+
+CoverageChoice applied(const Changes& changes, CoverageChoice choice) {
+  for (const Change& change : changes) change.apply(choice);
+  return choice;
+}
+
+// Looks for sets of alternatives that draw a primitive as it was drawn.
+class Search {
+ public:
+  Search(const CauseQuestion& question, const PrimitiveCoverage& coverage)
+      : question_(question), coverage_(coverage) {
+    if (question.profile != nullptr)
+      profile_ =
+          changes_between(question.primitive, question.target, question.chosen, *question.profile);
+  }
+
+  std::vector<Changes> operator()() const {
+    auto found = beside({});
+    if (has_answer(found)) return preferred(std::move(found));
+    if (found.empty()) return preferred(beside_profile());
+    if (!profile_.empty() && reproduces(profile_))
+      if (Changes own = needed(profile_); is_open(own)) found.push_back(std::move(own));
+    return preferred(std::move(found));
+  }
+
+ private:
+  bool reproduces(const Changes& changes) const {
+    return covered_samples(question_.primitive, question_.target,
+                           applied(changes, question_.chosen),
+                           question_.reported) == coverage_.drawn;
+  }
+
+  // `base` with one more alternative, in the place of its own of that rule if it has one.
+  static Changes with(Changes base, const Change& change) {
+    const auto rule_of = [](const Change& c) { return c.cause.substr(0, c.cause.find('=')); };
+    std::erase_if(base, [&](const Change& c) { return rule_of(c) == rule_of(change); });
+    base.push_back(change);
+    return base;
+  }
+
+  static bool is_open(const Changes& changes) { return is_open_choice(text_of(changes)); }
+
+  // Is there one that the specification leaves open, or that is what the renderer does elsewhere?
+  bool has_answer(const std::vector<Changes>& found) const {
+    return std::any_of(found.begin(), found.end(), [&](const Changes& changes) {
+      return is_open(changes) || in_profile(changes);
+    });
+  }
+
+  // All sets of one alternative; where none of them has an answer, those of two: all where there is
+  // none of one, else those that are open.
+  std::vector<Changes> beside(const Changes& base) const {
+    auto rules =
+        alternatives_beside(question_.primitive, question_.target, applied(base, question_.chosen));
+    std::vector<Changes> found;
+    for (const RuleAlternatives& rule : rules)
+      for (const Change& change : rule) keep_if_it_reproduces(with(base, change), found);
+    if (has_answer(found)) return found;
+    if (!found.empty())
+      for (RuleAlternatives& rule : rules)
+        std::erase_if(rule, [](const Change& change) { return !is_open_choice(change.cause); });
+    for (std::size_t i = 0; i < rules.size(); ++i)
+      for (std::size_t j = i + 1; j < rules.size(); ++j)
+        for (const Change& first : rules[i])
+          for (const Change& second : rules[j])
+            keep_if_it_reproduces(with(with(base, first), second), found);
+    return found;
+  }
+
+  // What the profile differs in, or that and more, without what can be left out.
+  std::vector<Changes> beside_profile() const {
+    if (profile_.empty()) return {};
+    if (reproduces(profile_)) return {needed(profile_)};
+    auto found = beside(profile_);
+    for (Changes& changes : found) changes = needed(std::move(changes));
+    return found;
+  }
+
+  void keep_if_it_reproduces(Changes changes, std::vector<Changes>& found) const {
+    if (reproduces(changes)) found.push_back(std::move(changes));
+  }
+
+  // Without those changes that can be left out.
+  Changes needed(Changes changes) const {
+    for (std::size_t i = 0; i < changes.size();) {
+      Changes without = changes;
+      without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+      if (reproduces(without))
+        changes = std::move(without);
+      else
+        ++i;
+    }
+    return changes;
+  }
+
+  bool in_profile(const Changes& changes) const {
+    return std::all_of(changes.begin(), changes.end(), [&](const Change& change) {
+      return std::any_of(profile_.begin(), profile_.end(),
+                         [&](const Change& own) { return own.cause == change.cause; });
+    });
+  }
+
+  std::vector<Changes> preferred(std::vector<Changes> found) const {
+    const auto own = [&](const Changes& changes) { return in_profile(changes); };
+    if (std::any_of(found.begin(), found.end(), own))
+      std::erase_if(found, [&](const Changes& changes) { return !own(changes); });
+    return found;
+  }
+
+  const CauseQuestion& question_;
+  const PrimitiveCoverage& coverage_;
+  Changes profile_;
+};
+
+}  // namespace
+
+std::vector<std::string> find_causes(const CauseQuestion& question,
+                                     const PrimitiveCoverage& coverage) {
+  std::vector<std::string> causes;
+  for (const Changes& changes : Search(question, coverage)()) causes.push_back(text_of(changes));
+  if (causes.empty() && question.primitive.kind == PrimitiveKind::line &&
+      is_interior_gap(question.primitive, coverage))
+    causes.push_back(kInteriorGap);
+  return causes;
+}
+
+void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
+                  std::string& refuted) {
+  static const auto places = [] {
+    std::map<std::string, std::size_t> map;
+    for (const std::string& name : alternative_names()) map.emplace(name, map.size());
+    return map;
+  }();
+  // Several changes may bear one name, as all swapped pairs of samples do: it is refuted where none
+  // of them draws so.
+  enum class Tried : char { no, draws_otherwise, draws_so };
+  std::vector<Tried> tried(places.size(), Tried::no);
+  for (const RuleAlternatives& rule :
+       alternatives_beside(question.primitive, question.target, question.chosen))
+    for (const Change& change : rule) {
+      const std::size_t place = places.at(change.cause);
+      if (refuted[place] == '1' || tried[place] == Tried::draws_so) continue;
+      const bool same =
+          covered_samples(question.primitive, question.target, change.applied_to(question.chosen),
+                          question.reported) == coverage.drawn;
+      tried[place] = same ? Tried::draws_so : Tried::draws_otherwise;
+    }
+  for (std::size_t i = 0; i < tried.size(); ++i)
+    if (tried[i] == Tried::draws_otherwise) refuted[i] = '1';
+}
+
+std::vector<std::string> parts_of(const std::string& cause) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at < cause.size();) {
+    const std::size_t end = std::min(cause.find(" + ", at), cause.size());
+    parts.push_back(cause.substr(at, end - at));
+    at = end + 3;
+  }
+  return parts;
+}
+
+bool is_open_choice(const std::string& cause) {
+  for (const std::string& part : parts_of(cause)) {
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos) return false;
+    const Rule* rule = find_rule(part.substr(0, equals));
+    const Alternative* alternative =
+        rule != nullptr ? find_alternative(*rule, part.substr(equals + 1)) : nullptr;
+    if (alternative == nullptr || alternative->openness == Openness::illegal) return false;
+  }
+  return !cause.empty();
+}
+
+}  // namespace edgecase

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: MIT
+#include "diff/coverage/coverage_compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "diff/coverage/cause.h"
+#include "diff/coverage/explanation.h"
+#include "diff/coverage/joint_faults.h"
+#include "diff/coverage/legality.h"
+#include "diff/coverage/situation.h"
+#include "raster/attributes.h"
+#include "raster/multisample.h"
+#include "raster/rasterizer.h"
+
+namespace edgecase {
+namespace {
+
+Disagreement at_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                       Point sample, const Target& target) {
+  Disagreement d;
+  d.x = difference.pixel.x;
+  d.y = difference.pixel.y;
+  d.sample = difference.sample;
+  d.primitive = primitive.index;
+  d.exact = {static_cast<double>(difference.exact)};
+  d.rendered = {static_cast<double>(difference.drawn)};
+  d.kind =
+      difference.drawn < difference.exact ? DisagreementKind::missing : DisagreementKind::extra;
+  d.rule = rule_on_coverage(primitive, target);
+  d.situation = situation_of(primitive, sample, target);
+  return d;
+}
+
+Disagreement duplicate(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                       Point sample, const Target& target) {
+  Disagreement d = at_sample(primitive, difference, sample, target);
+  d.kind = DisagreementKind::duplicate;
+  d.rule = "fragment.once";
+  d.ruling = 7;
+  d.explanation = fmt::format(
+      "primitive {} produces the fragment of {}pixel ({}, {}) {} times. Ruling 7: once at most.",
+      primitive.index, target.samples > 1 ? fmt::format("sample {} of ", d.sample) : "", d.x, d.y,
+      difference.drawn);
+  d.figure.marks = {sample_mark(sample)};
+  return d;
+}
+
+// Adds names to others, the whole in catalogue order.
+void merge_snaps(const std::vector<std::string>& more, std::vector<std::string>& names) {
+  std::set<std::string> all(names.begin(), names.end());
+  all.insert(more.begin(), more.end());
+  names.clear();
+  for (Snap snap : all_snaps())
+    if (all.contains(name_of(snap))) names.push_back(name_of(snap));
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+class CoverageComparison {
+ public:
+  CoverageComparison(const CoverageContext& context, Result& result)
+      : context_(context),
+        standard_(resolve(Policy{}, context.scene.target.surface)),
+        lawful_(positions_of(context.scene.target, standard_.triangles, context.reported)),
+        chosen_(positions_of(context.scene.target, context.choices.triangles, context.reported)),
+        result_(result) {}
+
+  void run() {
+    for (const ScenePrimitive& primitive : context_.primitives) {
+      compare_with_policy(primitive);
+      if (context_.latitude == Latitude::opengl) compare_samples_with_specification(primitive);
+    }
+    for (const ScenePrimitive& primitive : context_.primitives)
+      if (is_line(primitive)) judge_line(primitive);
+    judge_joints();
+    judge_shared_edges();
+  }
+
+ private:
+  const Scene& scene() const { return context_.scene; }
+  const Target& target() const { return context_.scene.target; }
+  const PrimitiveCoverage& coverage_of(const ScenePrimitive& primitive) const {
+    return context_.coverage[static_cast<std::size_t>(primitive.index)];
+  }
+  const ScenePrimitive& primitive_at(int index) const {
+    return context_.primitives[static_cast<std::size_t>(index)];
+  }
+  CauseQuestion question_about(const ScenePrimitive& primitive) const {
+    return {primitive, target(), context_.choices.of(primitive.kind),
+            context_.profile != nullptr ? &context_.profile->of(primitive.kind) : nullptr,
+            context_.reported};
+  }
+  bool is_multisampled(const ScenePrimitive& primitive) const {
+    return edgecase::is_multisampled(*primitive.state, target());
+  }
+  // A line whose coverage is judged as a whole, by the diamond-exit rule.
+  bool is_line(const ScenePrimitive& primitive) const {
+    return primitive.kind == PrimitiveKind::line && !is_multisampled(primitive);
+  }
+  Point within(const ScenePrimitive& primitive, const CoverageDifference& difference) const {
+    return within(primitive, difference, lawful_);
+  }
+  Point within(const ScenePrimitive& primitive, const CoverageDifference& difference,
+               const SamplePositions& positions) const {
+    return is_multisampled(primitive) ? positions[static_cast<std::size_t>(difference.sample)]
+                                      : centre_of_pixel();
+  }
+  Point place_of(const ScenePrimitive& primitive, const CoverageDifference& difference) const {
+    return place_in(difference.pixel, within(primitive, difference));
+  }
+  Disagreement at(const ScenePrimitive& primitive, const CoverageDifference& difference) const {
+    return at_sample(primitive, difference, place_of(primitive, difference), target());
+  }
+
+  void compare_with_policy(const ScenePrimitive& primitive) {
+    const PrimitiveCoverage& coverage = coverage_of(primitive);
+    const auto found = differences(coverage);
+    const CauseQuestion question = question_about(primitive);
+    if (found.empty()) {
+      if (context_.refute) mark_refuted(question, coverage, result_.refuted);
+      return;
+    }
+    for (const CoverageDifference& difference : found) {
+      if ((difference.drawn > 0) != (difference.exact > 0))
+        result_.disagreements.push_back(disagreement(primitive, difference));
+      if (difference.drawn > 1)
+        result_.disagreements.push_back(
+            duplicate(primitive, difference, place_of(primitive, difference), target()));
+    }
+    Result::Evidence evidence;
+    evidence.primitive = primitive.index;
+    evidence.causes = find_causes(question, coverage);
+    if (evidence.causes.empty() && lacks_invocations_by_others(primitive))
+      evidence.causes = {fmt::format("sample.alpha-to-coverage={}",
+                                     name_of(AlphaToCoverage::above_quotient_of_others))};
+    note_swapped(primitive, evidence.causes);
+    result_.evidence.push_back(std::move(evidence));
+  }
+
+  // Says which samples are exchanged, since all pairs have one name.
+  void note_swapped(const ScenePrimitive& primitive, const std::vector<std::string>& causes) {
+    const std::string swapped = fmt::format(
+        "sample.positions={}", name_of(SamplePlacement{SamplePlacement::Kind::swapped}));
+    if (!contains(causes, swapped)) return;
+    CoverageChoice choice = context_.choices.of(primitive.kind);
+    std::string pairs;
+    for (const SamplePlacement& placement : placements_of(target().samples)) {
+      choice.placement = placement;
+      if (placement.kind == SamplePlacement::Kind::swapped &&
+          covered_samples(primitive, target(), choice, context_.reported) ==
+              coverage_of(primitive).drawn)
+        pairs += fmt::format("{}{} and {}", pairs.empty() ? "" : ", or ", placement.first,
+                             placement.second);
+    }
+    for (Disagreement& d : result_.disagreements)
+      if (d.primitive == primitive.index && d.kind != DisagreementKind::value && !d.policy_agrees)
+        d.explanation += fmt::format(" With samples {} exchanged exact draws so.", pairs);
+  }
+
+  // Does all that differs from exact differ because alpha to coverage keeps invocations from
+  // running by the alphas of other samples?
+  bool lacks_invocations_by_others(const ScenePrimitive& primitive) const {
+    const SampleChoice choice{context_.choices.samples.rate,
+                              AlphaToCoverage::above_quotient_of_others};
+    if (!is_multisampled(primitive) ||
+        !heeds_others(primitive.state->multisampling, target().samples, choice))
+      return false;
+    const PrimitiveAttributes attributes = attributes_of(primitive, context_.choices, target());
+    SampleCoverage left = coverage_of(primitive).exact;
+    for (std::size_t s = 0; s < left.size(); ++s)
+      std::erase_if(left[s], [&](PixelPosition pixel) {
+        const std::uint32_t runs = runs_by_others(alphas_of_samples(
+            primitive, attributes, pixel, chosen_, context_.choices.values.locations));
+        return (runs >> s & 1) == 0;
+      });
+    return left == coverage_of(primitive).drawn;
+  }
+
+  Disagreement disagreement(const ScenePrimitive& primitive,
+                            const CoverageDifference& difference) const {
+    Disagreement d = at(primitive, difference);
+    Explanation why =
+        explain(primitive, place_in(difference.pixel, within(primitive, difference, chosen_)),
+                target(), context_.choices.of(primitive.kind));
+    d.explanation = fmt::format(
+        "{} {}: {}; exact {} {}, the renderer {}.", name_of(primitive.kind), primitive.index,
+        why.text, difference.exact > 0 ? "draws" : "does not draw",
+        target().samples > 1 ? fmt::format("sample {}", difference.sample) : "the pixel",
+        difference.drawn > 0 ? "draws it" : "does not");
+    d.figure = std::move(why.figure);
+    // Rulings on lines speak of whole segments: judge_line and judge() complete these.
+    if (is_line(primitive) && difference.sample == 0) return d;
+    const Legality legality = judge(primitive, difference);
+    d.legal = legality.legal;
+    d.rule = legality.rule;
+    d.ruling = legality.ruling;
+    d.explanation += fmt::format(" Ruling {}: {}.", legality.ruling, legality.reason);
+    return d;
+  }
+
+  Legality judge(const ScenePrimitive& primitive, const CoverageDifference& difference) const {
+    return judge_sample(primitive, difference, within(primitive, difference), scene().viewport,
+                        context_.bits);
+  }
+
+  // What the specification's own choice and the renderer differ in where the policy sides with the
+  // renderer.
+  std::vector<CoverageDifference> excused_by_policy(const ScenePrimitive& primitive) const {
+    const PrimitiveCoverage& coverage = coverage_of(primitive);
+    const auto own =
+        covered_samples(primitive, target(), standard_.of(primitive.kind), context_.reported);
+    if (own == coverage.exact) return {};
+    auto found = differences({own, coverage.drawn});
+    std::erase_if(found, [&](const CoverageDifference& difference) {
+      return std::any_of(result_.disagreements.begin(), result_.disagreements.end(),
+                         [&](const Disagreement& d) {
+                           return d.primitive == primitive.index && d.x == difference.pixel.x &&
+                                  d.y == difference.pixel.y && d.sample == difference.sample;
+                         });
+    });
+    return found;
+  }
+
+  void add_excused(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                   const Legality& why) {
+    Disagreement d = at(primitive, difference);
+    d.policy_agrees = true;
+    d.rule = why.rule;
+    d.ruling = why.ruling;
+    Explanation explanation =
+        explain(primitive, place_of(primitive, difference), target(), standard_.of(primitive.kind));
+    d.explanation = fmt::format(
+        "{} {}: {}. The policy has it as the renderer does. Ruling {} does not allow it: {}.",
+        name_of(primitive.kind), primitive.index, explanation.text, why.ruling, why.reason);
+    d.figure = std::move(explanation.figure);
+    d.cause = cause_of_excused(primitive);
+    result_.disagreements.push_back(std::move(d));
+  }
+
+  // Which of the policy's alternatives draw the primitive so.
+  const std::string& cause_of_excused(const ScenePrimitive& primitive) {
+    const auto [place, is_new] = excused_causes_.try_emplace(primitive.index);
+    if (is_new) {
+      const auto causes = find_causes({primitive, target(), standard_.of(primitive.kind),
+                                       &context_.choices.of(primitive.kind), context_.reported},
+                                      coverage_of(primitive));
+      if (!causes.empty()) place->second = causes.front();
+    }
+    return place->second;
+  }
+
+  void compare_samples_with_specification(const ScenePrimitive& primitive) {
+    if (is_line(primitive)) return;
+    for (const CoverageDifference& difference : excused_by_policy(primitive)) {
+      const Legality legality = judge(primitive, difference);
+      if (!legality.legal) add_excused(primitive, difference, legality);
+    }
+  }
+
+  Result::Evidence* evidence_of(const ScenePrimitive& primitive) {
+    for (Result::Evidence& evidence : result_.evidence)
+      if (evidence.primitive == primitive.index) return &evidence;
+    return nullptr;
+  }
+
+  // A broken ruling on lines. A line that differs from the policy has it as evidence, since judge()
+  // decides how lines are read; one that agrees is read as the policy says.
+  void break_line(const ScenePrimitive& line, const std::vector<std::string>& illegal_snaps,
+                  const std::string& clause, const char* rule, int ruling) {
+    if (Result::Evidence* evidence = evidence_of(line)) {
+      merge_snaps(illegal_snaps, evidence->illegal_line_snaps);
+      if (clause.empty() || !evidence->broken_clause.empty()) return;
+      evidence->broken_clause = clause;
+      say_of_line(line, rule, ruling,
+                  fmt::format("Ruling {}, for the segment as given: {}.", ruling, clause));
+      return;
+    }
+    const bool excused = context_.latitude == Latitude::opengl &&
+                         contains(illegal_snaps, name_of(context_.choices.lines.snap));
+    if (!excused) return;
+    const std::string reason = clause.empty() ? "not as the policy moves the segment" : clause;
+    for (const CoverageDifference& difference : excused_by_policy(line))
+      add_excused(line, difference, {false, ruling, rule, reason});
+  }
+
+  void say_of_line(const ScenePrimitive& line, const char* rule, int ruling,
+                   const std::string& sentence) {
+    for (Disagreement& d : result_.disagreements) {
+      if (d.primitive != line.index || !is_about_a_line(d) || d.policy_agrees) continue;
+      d.rule = rule;
+      d.ruling = ruling;
+      d.explanation += " " + sentence;
+    }
+  }
+
+  void judge_line(const ScenePrimitive& line) {
+    const PrimitiveCoverage& coverage = coverage_of(line);
+    const auto& drawn = coverage.drawn.front();
+    const auto illegal = illegal_line_snaps(line, drawn, scene());
+    merge_snaps(illegal, result_.illegal_line_snaps);
+    const int ruling = ruling_on_line(line, scene());
+    const std::string clause = broken_clause_unsnapped(line, drawn, scene());
+    if (!illegal.empty()) break_line(line, illegal, clause, "line.diamond-exit", ruling);
+    if (clause.empty())
+      say_of_line(line, "line.diamond-exit", ruling,
+                  fmt::format("Ruling {} holds for the segment as given.", ruling));
+  }
+
+  void judge_joints() {
+    for (const JointFault& fault : joint_faults(context_.primitives, context_.coverage, scene())) {
+      merge_snaps(fault.illegal_snaps, result_.illegal_line_snaps);
+      for (int index : {fault.first, fault.second})
+        break_line(primitive_at(index), fault.illegal_snaps, fault.clause, "line.joint", 14);
+    }
+  }
+
+  // A hole or a double hit on a shared edge turns the disagreements behind it into violations.
+  void judge_shared_edges() {
+    for (const SharedEdgeFault& fault : shared_edge_faults(context_.primitives, context_.coverage,
+                                                           scene(), context_.bits, lawful_)) {
+      const std::string reason = fmt::format(
+          "triangles {} and {} share the edge here and together hit this sample {} times instead "
+          "of once",
+          fault.first, fault.second, fault.hits);
+      if (blame(fault, reason) || context_.latitude != Latitude::opengl) continue;
+      const Legality broken{false, 5, "triangle.shared-edge", reason};
+      for (int index : {fault.first, fault.second})
+        for (const CoverageDifference& difference : excused_by_policy(primitive_at(index)))
+          if (difference.pixel == fault.pixel && difference.sample == fault.sample)
+            add_excused(primitive_at(index), difference, broken);
+    }
+  }
+
+  // Turns the disagreements of both triangles at the pixel; false where there is none.
+  bool blame(const SharedEdgeFault& fault, const std::string& reason) {
+    bool found = false;
+    for (Disagreement& d : result_.disagreements) {
+      const bool concerned = d.x == fault.pixel.x && d.y == fault.pixel.y &&
+                             d.sample == fault.sample &&
+                             (d.primitive == fault.first || d.primitive == fault.second);
+      if (!concerned || (d.rule != "triangle.fill-rule" && d.rule != "triangle.shared-edge"))
+        continue;
+      found = true;
+      d.legal = false;
+      d.rule = "triangle.shared-edge";
+      d.ruling = 5;
+      d.explanation += fmt::format(" Ruling 5: {}.", reason);
+    }
+    return found;
+  }
+
+  const CoverageContext& context_;
+  const RuleChoices standard_;
+  const SamplePositions lawful_;               // of samples, as they are reported
+  const SamplePositions chosen_;               // as the policy has them
+  std::map<int, std::string> excused_causes_;  // by primitive
+  Result& result_;
+};
+
+}  // namespace
+
+void compare_coverage(const CoverageContext& context, Result& result) {
+  CoverageComparison(context, result).run();
+}
+
+}  // namespace edgecase

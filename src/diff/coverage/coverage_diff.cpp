@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "diff/coverage/coverage_diff.h"
+
+#include <map>
+#include <utility>
+
+namespace edgecase {
+namespace {
+
+void add(const Fragment& fragment, SampleCoverage& coverage) {
+  for (std::size_t s = 0; s < coverage.size(); ++s)
+    if ((fragment.coverage >> s & 1) != 0) coverage[s].push_back({fragment.x, fragment.y});
+}
+
+std::vector<CoverageDifference> differences(const std::vector<PixelPosition>& exact,
+                                            const std::vector<PixelPosition>& drawn, int sample) {
+  // Keyed by row, then column: the order of the result.
+  std::map<std::pair<int, int>, CoverageDifference> hits;
+  for (PixelPosition p : exact) ++hits.try_emplace({p.y, p.x}, p, sample).first->second.exact;
+  for (PixelPosition p : drawn) ++hits.try_emplace({p.y, p.x}, p, sample).first->second.drawn;
+  std::vector<CoverageDifference> result;
+  for (const auto& [key, entry] : hits)
+    if (entry.exact != entry.drawn) result.push_back(entry);
+  return result;
+}
+
+}  // namespace
+
+std::vector<PrimitiveCoverage> match_coverage(std::size_t primitives, const Rendering& exact,
+                                              const Rendering& drawn) {
+  const SampleCoverage none(static_cast<std::size_t>(exact.samples));
+  std::vector<PrimitiveCoverage> result(primitives, {none, none});
+  for (const Fragment& f : exact.fragments)
+    add(f, result.at(static_cast<std::size_t>(f.primitive)).exact);
+  for (const Fragment& f : drawn.fragments)
+    add(f, result.at(static_cast<std::size_t>(f.primitive)).drawn);
+  return result;
+}
+
+std::vector<CoverageDifference> differences(const PrimitiveCoverage& coverage) {
+  std::vector<CoverageDifference> result;
+  for (std::size_t s = 0; s < coverage.exact.size(); ++s) {
+    // The usual case, and comparing is much cheaper than counting.
+    if (coverage.exact[s] == coverage.drawn[s]) continue;
+    const auto found = differences(coverage.exact[s], coverage.drawn[s], static_cast<int>(s));
+    result.insert(result.end(), found.begin(), found.end());
+  }
+  return result;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "diff/drawing_compare.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "diff/coverage/coverage_compare.h"
+#include "diff/coverage/coverage_diff.h"
+#include "diff/coverage/legality.h"
+#include "diff/textures/texture_values.h"
+#include "diff/values/value_diff.h"
+#include "raster/rasterizer.h"
+#include "rules/choices.h"
+
+namespace edgecase {
+namespace {
+
+// A disagreement on what a sample holds is shown where the sample lies.
+void mark_sample(Disagreement& d, const SamplePositions& positions) {
+  const auto sample = static_cast<std::size_t>(d.sample);
+  if (d.kind != DisagreementKind::value || d.sample < 0 || sample >= positions.size()) return;
+  for (Mark& mark : d.figure.marks)
+    if (mark.role == MarkRole::sample)
+      mark.points = {position_of(place_in({d.x, d.y}, positions[sample]))};
+}
+
+}  // namespace
+
+Result compare_drawing(const Drawing& drawing, std::string refuted) {
+  const auto& [scene, policy, exact, rendered, facts] = drawing;
+  const Surface surface = scene.target.surface;
+  const RuleChoices choices = resolve(policy, surface);
+  const int bits = latitude_bits(facts.reported_subpixel_bits);
+  const std::vector<ScenePrimitive> primitives = primitives_of(scene);
+  const auto coverage = match_coverage(primitives.size(), exact, rendered);
+  std::optional<RuleChoices> profile;
+  if (facts.profile != nullptr) profile = resolve(*facts.profile, surface);
+
+  Result result;
+  result.pixels = rendered.pixels;
+  result.refuted = std::move(refuted);
+  compare_coverage({scene, primitives, coverage, choices, profile ? &*profile : nullptr,
+                    policy.latitude, bits, true, rendered.sample_positions},
+                   result);
+  ValueContext values(scene, primitives, choices, bits, policy.latitude, rendered.sample_positions);
+  if (rendered.samples > 1) values.follow(followed_rate(values, rendered));
+  compare_fragment_values(values, rendered, result);
+  compare_coordinates(values, rendered, result);
+  compare_derivatives(values, rendered, result);
+  compare_texture_lookups(values, rendered, profile ? &profile->textures : nullptr, result);
+  compare_mip_chains(values, exact, rendered, result);
+  // A renderer that was asked for coverage alone has neither pixels nor depths.
+  const bool multisampled = rendered.samples > 1;
+  if (!(multisampled ? rendered.sample_pixels : rendered.pixels).empty())
+    compare_pixels(values, rendered, result);
+  if (multisampled) compare_invocations(values, rendered, result);
+  if (multisampled && !rendered.pixels.empty()) compare_resolved_pixels(values, rendered, result);
+  if (multisampled && !rendered.hits.empty()) compare_sample_hits(values, rendered, result);
+  if (!rendered.depths.empty()) compare_depths(values, rendered, result);
+  for (Disagreement& d : result.disagreements) {
+    if (multisampled)
+      mark_sample(d, exact.sample_positions);
+    else
+      d.sample = 0;
+  }
+  return result;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+//
+// How often the shader runs for a pixel of a multisampled primitive (ruling 34).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <vector>
+
+#include "diff/values/single_cause.h"
+#include "diff/values/value_diff.h"
+
+namespace edgecase {
+namespace {
+
+constexpr const char* kRule = "sample.shading-rate";
+constexpr int kRuling = 34;
+
+// The fragments of one primitive in one pixel.
+struct Invocations {
+  PixelPosition pixel;
+  int primitive = 0;
+  int count = 0;
+  std::uint32_t coverage = 0;  // by all of them together
+
+  int samples() const { return std::popcount(coverage); }
+};
+
+std::vector<Invocations> invocations_of(const ValueContext& context, const Rendering& rendered) {
+  std::vector<Invocations> all;
+  for (const Fragment& f : rendered.fragments) {
+    const ScenePrimitive& primitive = context.primitive_of(f);
+    if (!is_multisampled(*primitive.state, context.scene.target)) continue;
+    const PixelPosition pixel{f.x, f.y};
+    if (all.empty() || all.back().pixel != pixel || all.back().primitive != f.primitive)
+      all.push_back({pixel, f.primitive});
+    ++all.back().count;
+    all.back().coverage |= f.coverage;
+  }
+  return all;
+}
+
+class InvocationComparison {
+ public:
+  InvocationComparison(const ValueContext& context, const Rendering& rendered)
+      : context_(context),
+        all_(invocations_of(context, rendered)),
+        chosen_(context.choices.samples.rate) {}
+
+  // The rate that yields all of them, the chosen one before others, and it where none does.
+  ShadingRate followed() const {
+    if (yields(chosen_)) return chosen_;
+    const auto rates = all_shading_rates();
+    const auto found = std::ranges::find_if(rates, [&](ShadingRate rate) { return yields(rate); });
+    return found != rates.end() ? *found : chosen_;
+  }
+
+  void run(Result& result) {
+    ValueAggregator aggregator("invocations", kRule, kRuling, cause());
+    for (const Invocations& one : all_) {
+      aggregator.count_compared(1);
+      const int exact = expected(one, chosen_);
+      if (one.count == exact) continue;
+      if (one.count < least(one)) {
+        report(one, exact, result);
+        continue;
+      }
+      const ValueAggregate::Place place{one.pixel.x, one.pixel.y, one.primitive};
+      aggregator.add_error(place, {0, static_cast<double>(exact), static_cast<double>(one.count),
+                                   std::abs(static_cast<double>(one.count - exact)),
+                                   static_cast<double>(context_.scene.target.samples)});
+      aggregator.add_place(place);
+    }
+    aggregator.flush(result);
+  }
+
+ private:
+  const Multisampling& use_of(const Invocations& one) const {
+    return context_.primitives[static_cast<std::size_t>(one.primitive)].state->multisampling;
+  }
+
+  int expected(const Invocations& one, ShadingRate rate) const {
+    return runs_per_sample(use_of(one), context_.scene.target.samples, rate) ? one.samples() : 1;
+  }
+
+  // Of a pixel that is covered in part, in proportion: samples that share an invocation may be
+  // covered together.
+  int least(const Invocations& one) const {
+    const int samples = context_.scene.target.samples;
+    const int whole = least_invocations(use_of(one), samples);
+    return (whole * one.samples() + samples - 1) / samples;
+  }
+
+  bool yields(ShadingRate rate) const {
+    return std::ranges::all_of(
+        all_, [&](const Invocations& one) { return expected(one, rate) == one.count; });
+  }
+  std::string cause() const {
+    return cause_among(all_shading_rates(), chosen_, kRule,
+                       [&](ShadingRate rate) { return yields(rate); });
+  }
+
+  void report(const Invocations& one, int exact, Result& result) const {
+    Disagreement d = value_disagreement(one.pixel, one.primitive, kRule, kRuling);
+    d.exact = {static_cast<double>(exact)};
+    d.rendered = {static_cast<double>(one.count)};
+    d.cause = cause();
+    d.explanation = fmt::format(
+        "the shader runs {} times for the {} samples that primitive {} covers of the pixel; at "
+        "least {} are asked for",
+        one.count, one.samples(), one.primitive, least(one));
+    result.disagreements.push_back(std::move(d));
+  }
+
+  const ValueContext& context_;
+  const std::vector<Invocations> all_;
+  const ShadingRate chosen_;
+};
+
+}  // namespace
+
+ShadingRate followed_rate(const ValueContext& context, const Rendering& rendered) {
+  return InvocationComparison(context, rendered).followed();
+}
+
+void compare_invocations(const ValueContext& context, const Rendering& rendered, Result& result) {
+  InvocationComparison(context, rendered).run(result);
+}
+
+}  // namespace edgecase

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+//
+// What a multisampled target holds as a whole (rulings 31 to 33): each resolved pixel lies between
+// the renderer's own samples, those that it tells or else those that its fragments make, and each
+// sample was written as often as the renderer's own fragments cover it, less what alpha to coverage
+// takes from them.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdlib>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "diff/samples/sample_planes.h"
+#include "diff/samples/switched_off.h"
+#include "diff/values/single_cause.h"
+#include "diff/values/value_diff.h"
+#include "raster/multisample.h"
+#include "rules/samples/alpha_to_coverage.h"
+#include "rules/samples/resolve.h"
+
+namespace edgecase {
+namespace {
+
+constexpr const char* kAlphaRule = "sample.alpha-to-coverage";
+constexpr int kAlphaRuling = 33;
+
+class ResolveComparison {
+ public:
+  ResolveComparison(const ValueContext& context, const Rendering& rendered)
+      : context_(context),
+        rendered_(rendered),
+        chosen_(context.choices.samples.resolve),
+        are_told_(!rendered.sample_pixels.empty()),
+        samples_(are_told_ ? told_samples(rendered)
+                           : inferred_samples(context, rendered, AlphaEnds::heeded)) {}
+
+  void run(Result& result) {
+    ValueAggregator aggregator("resolved pixel", kRule, kRuling, cause());
+    for_each_pixel([&](PixelPosition pixel) {
+      aggregator.count_compared(4);
+      if (!is_permitted(samples_, pixel))
+        report(pixel, result);
+      else
+        aggregate(pixel, aggregator);
+      return true;
+    });
+    aggregator.flush(result);
+  }
+
+ private:
+  static constexpr const char* kRule = "sample.resolve";
+  static constexpr int kRuling = 31;
+
+  // Until `visit` returns false; whether it never did.
+  template <class Visit>
+  bool for_each_pixel(const Visit& visit) const {
+    for (int y = 0; y < rendered_.height; ++y)
+      for (int x = 0; x < rendered_.width; ++x)
+        if (!visit(PixelPosition{x, y})) return false;
+    return true;
+  }
+
+  std::vector<std::uint8_t> values_at(const std::vector<std::uint8_t>& planes, PixelPosition pixel,
+                                      std::size_t component) const {
+    std::vector<std::uint8_t> values;
+    for (int s = 0; s < rendered_.samples; ++s)
+      values.push_back(planes[4 * rendered_.sample_index(pixel.x, pixel.y, s) + component]);
+    return values;
+  }
+  std::vector<std::uint8_t> samples_at(PixelPosition pixel, std::size_t component) const {
+    return values_at(samples_.nearest, pixel, component);
+  }
+  std::uint8_t stored_at(PixelPosition pixel, std::size_t component) const {
+    return rendered_.pixels[4 * rendered_.pixel_index(pixel.x, pixel.y) + component];
+  }
+
+  // Does the method make all that is stored of such samples? It never falls as a sample grows, and
+  // by one code at most for one code.
+  bool yields(ResolveMethod method, const std::vector<std::uint8_t>& low,
+              const std::vector<std::uint8_t>& high) const {
+    return for_each_pixel([&](PixelPosition pixel) {
+      for (std::size_t c = 0; c < 4; ++c)
+        if (stored_at(pixel, c) < resolved(values_at(low, pixel, c), method) ||
+            stored_at(pixel, c) > resolved(values_at(high, pixel, c), method))
+          return false;
+      return true;
+    });
+  }
+
+  // Samples that are not told are taken to hold what is nearest before they explain anything.
+  std::string cause() const {
+    const auto among = [&](const std::vector<std::uint8_t>& low,
+                           const std::vector<std::uint8_t>& high) {
+      return cause_among(all_resolve_methods(), chosen_, kRule,
+                         [&](ResolveMethod method) { return yields(method, low, high); });
+    };
+    std::string found = among(samples_.nearest, samples_.nearest);
+    if (are_told_ || !found.empty() || yields(chosen_, samples_.low, samples_.high)) return found;
+    return among(samples_.low, samples_.high);
+  }
+
+  ResolvedRange permitted(const SamplePlanes& samples, PixelPosition pixel,
+                          std::size_t component) const {
+    return {resolve_permitted(values_at(samples.low, pixel, component)).low,
+            resolve_permitted(values_at(samples.high, pixel, component)).high};
+  }
+  bool is_permitted(const SamplePlanes& samples, PixelPosition pixel) const {
+    for (std::size_t c = 0; c < 4; ++c)
+      if (!permitted(samples, pixel, c).contains(stored_at(pixel, c))) return false;
+    return true;
+  }
+
+  void aggregate(PixelPosition pixel, ValueAggregator& aggregator) const {
+    const ValueAggregate::Place place{pixel.x, pixel.y, -1};
+    bool differs = false;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const int exact = resolved(samples_at(pixel, c), chosen_);
+      const int stored = stored_at(pixel, c);
+      if (exact == stored) continue;
+      differs = true;
+      aggregator.add_error(
+          place, {static_cast<int>(c), static_cast<double>(exact), static_cast<double>(stored),
+                  static_cast<double>(std::abs(stored - exact)), 255});
+    }
+    if (differs) aggregator.add_place(place);
+  }
+
+  // Samples that alpha to coverage should have left alone, or should not, account for the pixel.
+  bool is_due_to_alpha(PixelPosition pixel) {
+    if (are_told_) return false;
+    if (!without_alpha_) without_alpha_ = inferred_samples(context_, rendered_, AlphaEnds::open);
+    return is_permitted(*without_alpha_, pixel);
+  }
+
+  void report(PixelPosition pixel, Result& result) {
+    const bool alpha = is_due_to_alpha(pixel);
+    Disagreement d =
+        value_disagreement(pixel, -1, alpha ? kAlphaRule : kRule, alpha ? kAlphaRuling : kRuling);
+    std::string ranges;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const ResolvedRange range = permitted(samples_, pixel, c);
+      d.exact.push_back(resolved(samples_at(pixel, c), chosen_));
+      d.rendered.push_back(stored_at(pixel, c));
+      ranges += fmt::format("{}{} to {}", c == 0 ? "" : ", ", range.low, range.high);
+    }
+    d.explanation = fmt::format(
+        "the resolved pixel should hold ({}), the mean of its {} samples; it holds ({}), and the "
+        "renderer's own samples {} {}",
+        fmt::join(d.exact, ", "), rendered_.samples, fmt::join(d.rendered, ", "),
+        are_told_ ? "are" : "are, by its fragments,", ranges);
+    result.disagreements.push_back(std::move(d));
+  }
+
+  const ValueContext& context_;
+  const Rendering& rendered_;
+  const ResolveMethod chosen_;
+  const bool are_told_;
+  const SamplePlanes samples_;
+  std::optional<SamplePlanes> without_alpha_;
+};
+
+class HitComparison {
+ public:
+  HitComparison(const ValueContext& context, const Rendering& rendered)
+      : context_(context),
+        rendered_(rendered),
+        chosen_(context.choices.samples.alpha_to_coverage) {}
+
+  void run(Result& result) {
+    cause_ = cause();
+    ValueAggregator aggregator("written samples", kAlphaRule, kAlphaRuling, cause_);
+    for_each_sample([&](PixelPosition pixel, std::span<const Fragment> fragments, int sample) {
+      aggregator.count_compared(1);
+      compare(pixel, fragments, sample, aggregator, result);
+      return true;
+    });
+    aggregator.flush(result);
+  }
+
+ private:
+  template <class Visit>
+  bool for_each_sample(const Visit& visit) const {
+    auto next = rendered_.fragments.begin();
+    for (int y = 0; y < rendered_.height; ++y) {
+      for (int x = 0; x < rendered_.width; ++x) {
+        const auto first = next;
+        while (next != rendered_.fragments.end() && next->x == x && next->y == y) ++next;
+        for (int sample = 0; sample < rendered_.samples; ++sample)
+          if (!visit(PixelPosition{x, y}, std::span<const Fragment>(first, next), sample))
+            return false;
+      }
+    }
+    return true;
+  }
+
+  // How often a sample is written under a choice, by the renderer's own fragments.
+  std::uint32_t writes(std::span<const Fragment> fragments, int sample,
+                       AlphaToCoverage choice) const {
+    return writes(fragments, sample, choice, MultisampleSwitch::honoured);
+  }
+  std::uint32_t writes(std::span<const Fragment> fragments, int sample, AlphaToCoverage choice,
+                       MultisampleSwitch without) const {
+    std::uint32_t count = 0;
+    for (const Fragment& fragment : fragments) {
+      if (!covers_sample(context_, fragment, sample, without)) continue;
+      const std::uint32_t kept = is_thinned(context_, fragment)
+                                     ? kept_by_alpha(fragment, fragments, choice)
+                                     : ~std::uint32_t{0};
+      count += kept >> sample & 1;
+    }
+    return count;
+  }
+
+  // `at_pixel`: all fragments of its pixel.
+  std::uint32_t kept_by_alpha(const Fragment& fragment, std::span<const Fragment> at_pixel,
+                              AlphaToCoverage choice) const {
+    const ScenePrimitive& primitive = context_.primitive_of(fragment);
+    const bool by_others = heeds_others(primitive.state->multisampling, rendered_.samples,
+                                        {context_.choices.samples.rate, choice});
+    if (!by_others) return alpha_mask(fragment.color[3], rendered_.samples, choice);
+    // Invocations that did not run, or are not covered, tell nothing.
+    std::vector<double> alphas =
+        alphas_of_samples(primitive, context_.values_of(fragment).chosen, {fragment.x, fragment.y},
+                          context_.sample_positions(), context_.choices.values.locations);
+    for (const Fragment& told : at_pixel)
+      if (told.primitive == fragment.primitive && told.has_color && told.coverage != 0)
+        alphas[static_cast<std::size_t>(std::countr_zero(told.coverage))] = told.color[3];
+    return mask_by_others(alphas);
+  }
+
+  // The least and the most that ruling 33 permits.
+  std::pair<std::uint32_t, std::uint32_t> permitted(std::span<const Fragment> fragments,
+                                                    int sample) const {
+    std::uint32_t least = 0;
+    std::uint32_t most = 0;
+    for (const Fragment& fragment : fragments) {
+      if (!covers_sample(context_, fragment, sample)) continue;
+      const SampleCounts counts = written_samples(context_, fragment);
+      least += counts.least == rendered_.samples ? 1 : 0;
+      most += counts.most > 0 ? 1 : 0;
+    }
+    return {least, most};
+  }
+
+  std::uint32_t hits_at(PixelPosition pixel, int sample) const {
+    return rendered_.hits[rendered_.sample_index(pixel.x, pixel.y, sample)];
+  }
+
+  std::string cause() const {
+    return cause_among(all_alpha_to_coverages(), chosen_, kAlphaRule, [&](AlphaToCoverage choice) {
+      return for_each_sample(
+          [&](PixelPosition pixel, std::span<const Fragment> fragments, int sample) {
+            return writes(fragments, sample, choice) == hits_at(pixel, sample);
+          });
+    });
+  }
+
+  void compare(PixelPosition pixel, std::span<const Fragment> fragments, int sample,
+               ValueAggregator& aggregator, Result& result) const {
+    const std::uint32_t hits = hits_at(pixel, sample);
+    const std::uint32_t exact = writes(fragments, sample, chosen_);
+    if (hits == exact) return;
+    const auto [least, most] = permitted(fragments, sample);
+    if (hits < least || hits > most) {
+      report(pixel, fragments, sample, hits, result);
+      return;
+    }
+    const ValueAggregate::Place place{pixel.x, pixel.y, -1};
+    const double error = std::abs(static_cast<double>(hits) - static_cast<double>(exact));
+    aggregator.add_error(place, {sample, static_cast<double>(exact), static_cast<double>(hits),
+                                 error, static_cast<double>(rendered_.samples)});
+    aggregator.add_place(place);
+  }
+
+  // Which rule stands between what a fragment covers and what is written.
+  std::pair<const char*, int> rule_on(std::span<const Fragment> fragments) const {
+    if (std::ranges::any_of(fragments, [&](const Fragment& f) { return is_thinned(context_, f); }))
+      return {kAlphaRule, kAlphaRuling};
+    const bool switched_off = std::ranges::any_of(fragments, [&](const Fragment& f) {
+      return !context_.primitive_of(f).state->multisampling.enabled;
+    });
+    return switched_off ? std::pair("sample.enable", 35) : std::pair("sample.mask", 32);
+  }
+
+  void report(PixelPosition pixel, std::span<const Fragment> fragments, int sample,
+              std::uint32_t hits, Result& result) const {
+    const auto [rule, ruling] = rule_on(fragments);
+    Disagreement d = value_disagreement(pixel, -1, rule, ruling);
+    d.sample = sample;
+    d.exact = {static_cast<double>(writes(fragments, sample, chosen_))};
+    d.rendered = {static_cast<double>(hits)};
+    d.explanation = fmt::format(
+        "fragments wrote sample {}: {}; by those that the renderer tells of, it should have been "
+        "{}. "
+        "Ruling {}",
+        sample, hits, d.exact[0], ruling);
+    if (d.rule == kAlphaRule) d.cause = cause_;
+    for (const MultisampleSwitch choice : switches_beside(context_, fragments))
+      if (d.cause.empty() && writes(fragments, sample, chosen_, choice) == hits)
+        d.cause = cause_of(choice);
+    result.disagreements.push_back(std::move(d));
+  }
+
+  const ValueContext& context_;
+  const Rendering& rendered_;
+  const AlphaToCoverage chosen_;
+  std::string cause_;  // of what alpha to coverage does
+};
+
+}  // namespace
+
+void compare_resolved_pixels(const ValueContext& context, const Rendering& rendered,
+                             Result& result) {
+  ResolveComparison(context, rendered).run(result);
+}
+
+void compare_sample_hits(const ValueContext& context, const Rendering& rendered, Result& result) {
+  HitComparison(context, rendered).run(result);
+}
+
+}  // namespace edgecase

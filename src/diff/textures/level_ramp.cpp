@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "diff/textures/level_ramp.h"
+
+#include "diff/coverage/legality.h"
+#include "diff/textures/texture_lookups.h"
+#include "diff/values/value_diff.h"
+#include "rules/choices.h"
+
+namespace edgecase {
+
+std::vector<Result::LevelPoint> level_ramp(const Scene& scene, const Policy& policy,
+                                           const Rendering& rendered, const RendererFacts& facts) {
+  const RuleChoices choices = resolve(policy, scene.target.surface);
+  const std::vector<ScenePrimitive> primitives = primitives_of(scene);
+  const ValueContext context(scene, primitives, choices,
+                             latitude_bits(facts.reported_subpixel_bits), policy.latitude);
+  TextureLookups lookups(context, rendered);
+  std::vector<Result::LevelPoint> ramp;
+  // Fragments come row by row.
+  for (const Fragment& f : rendered.fragments) {
+    if (!ramp.empty() && f.y != ramp.front().y) break;
+    if (!context.primitive_of(f).state->texture) continue;
+    const FragmentDetail* detail = lookups.detail_of(f);
+    if (detail == nullptr || !detail->has_level_of_detail) continue;
+    const Interval band = lookups.permitted_lambda(f);
+    ramp.push_back({f.x, f.y, middle(lookups.exact(f).queried[1]), band.low, band.high,
+                    detail->level_of_detail[1]});
+  }
+  return ramp;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+//
+// Mip chains that a renderer made, against exact's (ruling 25): how many levels there are and how
+// large they are is fixed; what they hold is not, and is said by the filter and rounding that make
+// it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diff/textures/texture_values.h"
+
+namespace edgecase {
+namespace {
+
+constexpr int kRuling = 25;
+
+using Chain = std::vector<TextureLevel>;
+
+std::string sizes_of(const Chain& chain) {
+  std::string text;
+  for (const TextureLevel& level : chain)
+    text += fmt::format("{}{}x{}", text.empty() ? "" : ", ", level.width, level.height);
+  return text;
+}
+
+bool same_sizes(const Chain& a, const Chain& b) {
+  return std::ranges::equal(a, b, [](const TextureLevel& left, const TextureLevel& right) {
+    return left.width == right.width && left.height == right.height;
+  });
+}
+
+bool same_number(float a, float b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+bool same_texels(const TextureLevel& a, const TextureLevel& b) {
+  return std::ranges::equal(a.texels, b.texels, same_number);
+}
+
+// Does the method make each level of the one before, as the chain has it?
+bool makes(const MipmapMethod& method, const Chain& chain, TextureFormat format) {
+  for (std::size_t level = 1; level < chain.size(); ++level)
+    if (!same_texels(chain[level], reduced(chain[level - 1], format, method))) return false;
+  return true;
+}
+
+// What a method has that the policy's has not.
+std::vector<std::string> changes_of(const MipmapMethod& method, const MipmapMethod& chosen) {
+  std::vector<std::string> parts;
+  if (method.filter != chosen.filter)
+    parts.push_back(fmt::format("mipmap.filter={}", name_of(method.filter)));
+  if (method.rounding != chosen.rounding)
+    parts.push_back(fmt::format("mipmap.rounding={}", name_of(method.rounding)));
+  if (method.linear_srgb != chosen.linear_srgb)
+    parts.push_back(method.linear_srgb ? "mipmap.srgb=linear" : "mipmap.srgb=codes");
+  return parts;
+}
+
+// The catalogued way that makes exactly this chain of its level 0, as a cause of as few parts as
+// possible; none: no way does. Empty: the policy's own.
+std::optional<std::string> way_of(const Chain& chain, TextureFormat format,
+                                  const MipmapMethod& chosen) {
+  std::optional<std::vector<std::string>> fewest;
+  for (const MipmapFilter filter : all_mipmap_filters())
+    for (const MipmapRounding rounding : all_mipmap_roundings())
+      for (const bool linear_srgb : {true, false}) {
+        const MipmapMethod method{filter, rounding, linear_srgb};
+        std::vector<std::string> parts = changes_of(method, chosen);
+        if (fewest && fewest->size() <= parts.size()) continue;
+        if (makes(method, chain, format)) fewest = std::move(parts);
+      }
+  if (!fewest) return std::nullopt;
+  return fmt::format("{}", fmt::join(*fewest, " + "));
+}
+
+// A disagreement about a texture, which has no pixel: the first one stands for it.
+Disagreement about_texture(const char* rule) {
+  Disagreement d = value_disagreement({0, 0}, -1, rule, kRuling);
+  d.figure = {};
+  return d;
+}
+
+// How far two numbers lie apart; far, where one is none or infinite.
+double distance(double a, double b) {
+  const double difference = std::fabs(a - b);
+  return std::isfinite(difference) ? difference : 0x1p24;
+}
+
+void compare_texels(std::size_t texture, const Chain& exact, const Chain& told, Result& result) {
+  ValueAggregator aggregator(fmt::format("mip chain of texture {}", texture), "mipmap.filter",
+                             kRuling);
+  for (std::size_t level = 1; level < exact.size(); ++level) {
+    const TextureLevel& wanted = exact[level];
+    for (int j = 0; j < wanted.height; ++j) {
+      for (int i = 0; i < wanted.width; ++i) {
+        aggregator.count_compared(4);
+        bool differs = false;
+        for (std::size_t c = 0; c < 4; ++c) {
+          const float is = told[level].texels[wanted.index(i, j) + c];
+          const float should = wanted.texels[wanted.index(i, j) + c];
+          if (same_number(is, should)) continue;
+          differs = true;
+          const auto rendered = static_cast<double>(is);
+          const auto number = static_cast<double>(should);
+          aggregator.add_error(
+              {i, j, -1}, {static_cast<int>(c), number, rendered, distance(number, rendered), 0});
+        }
+        if (differs) aggregator.add_place({i, j, -1});
+      }
+    }
+  }
+  aggregator.flush(result);
+}
+
+// One chain that a renderer told, with what there is to hold it against.
+struct ToldChain {
+  std::size_t texture;
+  const Texture& given;
+  const Chain& exact;
+  const Chain& told;
+  const TextureChoice& chosen;
+  bool is_judged;  // by OpenGL, not by the policy alone
+};
+
+// The sizes that a chain of so many levels has.
+Chain sizes_for(const TextureLevel& base, LevelCount count) {
+  Chain chain;
+  const int levels = levels_of_chain(base.width, base.height, count);
+  for (int level = 0; level < levels; ++level)
+    chain.push_back({level_size(base.width, level), level_size(base.height, level), {}});
+  return chain;
+}
+
+// The count that makes such sizes, as a cause; empty: none does.
+std::string count_of(const ToldChain& chain) {
+  for (const LevelCount count : {LevelCount::larger_side, LevelCount::smaller_side})
+    if (same_sizes(chain.told, sizes_for(chain.given.levels.front(), count)))
+      return fmt::format("mipmap.level-count={}", name_of(count));
+  return "";
+}
+
+void report_sizes(const ToldChain& chain, bool legal, Result& result) {
+  Disagreement d = about_texture("mipmap.level-count");
+  d.legal = legal;
+  d.policy_agrees = same_sizes(chain.exact, chain.told);
+  d.cause = count_of(chain);
+  d.exact = {static_cast<double>(chain.exact.size())};
+  d.rendered = {static_cast<double>(chain.told.size())};
+  d.explanation = fmt::format("texture {} has the levels {}; the renderer made {}", chain.texture,
+                              sizes_of(chain.exact), sizes_of(chain.told));
+  result.disagreements.push_back(std::move(d));
+}
+
+// Level 0 is what the scene gives: nothing generates it.
+void report_base(const ToldChain& chain, Result& result) {
+  Disagreement d = about_texture("mipmap.filter");
+  const auto& should = chain.exact[0].texels;
+  const auto& is = chain.told[0].texels;
+  for (std::size_t i = 0; i < should.size() && d.exact.empty(); ++i) {
+    if (same_number(should[i], is[i])) continue;
+    d.exact = {static_cast<double>(should[i])};
+    d.rendered = {static_cast<double>(is[i])};
+    d.explanation =
+        fmt::format("level 0 of texture {} is not what was given: texel {} has {:.9g} for {:.9g}",
+                    chain.texture, i / 4, d.rendered[0], d.exact[0]);
+  }
+  result.disagreements.push_back(std::move(d));
+}
+
+void report_way(const ToldChain& chain, const std::string& way, Result& result) {
+  Disagreement d = about_texture("mipmap.filter");
+  if (way.find(" + ") == std::string::npos) d.rule = way.substr(0, way.find('='));
+  d.legal = true;
+  d.cause = way;
+  d.exact = {static_cast<double>(chain.exact.size())};
+  d.rendered = {static_cast<double>(chain.told.size())};
+  d.explanation = fmt::format("the levels of texture {} are what {} makes", chain.texture, way);
+  result.disagreements.push_back(std::move(d));
+}
+
+void compare_chain(const ToldChain& chain, Result& result) {
+  const bool legal =
+      same_sizes(chain.told, sizes_for(chain.given.levels.front(), LevelCount::larger_side));
+  const bool same = same_sizes(chain.exact, chain.told);
+  if (!same || (chain.is_judged && !legal)) report_sizes(chain, legal, result);
+  if (!same) return;
+  if (!same_texels(chain.exact[0], chain.told[0])) return report_base(chain, result);
+  if (std::ranges::equal(chain.exact, chain.told, same_texels)) return;
+  const std::optional<std::string> way =
+      way_of(chain.told, chain.given.format, chain.chosen.mipmap);
+  if (way && !way->empty())
+    report_way(chain, *way, result);
+  else
+    compare_texels(chain.texture, chain.exact, chain.told, result);
+}
+
+}  // namespace
+
+void compare_mip_chains(const ValueContext& context, const Rendering& exact,
+                        const Rendering& rendered, Result& result) {
+  for (const auto& [texture, told] : rendered.mip_chains) {
+    const auto wanted = exact.mip_chains.find(texture);
+    if (wanted == exact.mip_chains.end()) continue;
+    compare_chain({texture, *context.scene.textures[texture], wanted->second, told,
+                   context.choices.textures, context.latitude != Latitude::none},
+                  result);
+  }
+}
+
+}  // namespace edgecase

@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: MIT
+#include "diff/textures/texture_lookups.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rules/textures/directed.h"
+
+namespace edgecase {
+namespace {
+
+// About 1 part in 10^5 per operation (GL 4.6 core, 2.3).
+constexpr double kClause = 1e-5;
+// A product by a texture's size and what wraps it, in float32.
+constexpr double kFloat32 = 0x1p-22;
+// No number is the logarithm of 0: any stands for it that no bias leads out of magnification.
+constexpr double kLogarithmOfZero = -16;
+// Ruling 22 and 24: sub-texel positions and weights between levels have at least 8 bits.
+constexpr double kStep = 0x1p-8;
+
+// The largest of the numbers that are finite.
+double magnitude_of(const DecodedTexture& texture) {
+  double largest = 0;
+  for (const DecodedLevel& level : texture.levels)
+    for (const Texel& texel : level.texels)
+      for (const Interval component : texel)
+        if (std::isfinite(component.low) && std::isfinite(component.high))
+          largest = std::max(largest, component.magnitude());
+  return largest;
+}
+
+// Can lookups be made in the chain, whatever its sizes?
+bool is_chain(const std::vector<TextureLevel>& levels) {
+  return !levels.empty() && std::ranges::all_of(levels, [](const TextureLevel& level) {
+    return level.width > 0 && level.height > 0 &&
+           level.texels.size() == level.index(0, level.height);
+  });
+}
+
+// How many means of two a sampler takes at most of codes of 8 bits: along each axis, and between
+// levels.
+int means_of_codes(const Sampler& sampler, const Texture& texture) {
+  if (texture.format == TextureFormat::rgba32f) return 0;
+  const bool within = sampler.magnify == Filter::linear || sampler.minify == Filter::linear;
+  return (within ? texture.dimensions : 0) + (sampler.mipmap == MipFilter::linear ? 1 : 0);
+}
+
+// May a point be anywhere? A coordinate that is no number says nothing.
+Interval near(double coordinate, double error) {
+  return std::isfinite(coordinate) ? widened(coordinate, error) : Interval::everything();
+}
+
+Interval within(Interval value, double margin) {
+  return known({value.low - margin, value.high + margin});
+}
+
+Boxes anything(std::size_t components) {
+  return {std::vector<Interval>(components, Interval::everything())};
+}
+
+LevelRules rules_of(const TextureChoice& choice) {
+  return {choice.crossover, choice.nearest_level, choice.level_weight};
+}
+
+// lambda_base. Each end errs by a part of itself: one that is infinite says nothing of the other.
+Interval logarithm_of(Interval scale, Log2Method method) {
+  const Interval exact = log2_of(widened(scale, kClause), method);
+  return {widened(exact.low, kClause).low, widened(exact.high, kClause).high};
+}
+
+}  // namespace
+
+TextureLookups::TextureLookups(const ValueContext& context, const Rendering& rendered)
+    : context_(context),
+      rendered_(rendered),
+      stage_(context.scene, context.choices),
+      primitives_(context.primitives.size()) {
+  for (const auto& [number, chain] : rendered.mip_chains) {
+    const auto exact = stage_.chains().find(number);
+    if (exact == stage_.chains().end() || exact->second == chain || !is_chain(chain)) continue;
+    stage_.take_chains({{number, chain}});
+    if (exact->second != chain) own_[number] = decode(*context.scene.textures[number], chain);
+  }
+  for (std::size_t i = 0; i < context.scene.textures.size(); ++i)
+    magnitudes_.push_back(magnitude_of(decoded(i)));
+}
+
+const DecodedTexture& TextureLookups::decoded(std::size_t texture) const {
+  const auto own = own_.find(texture);
+  return own == own_.end() ? stage_.decoded(texture) : own->second;
+}
+
+const TextureUse& TextureLookups::use_of(const Fragment& fragment) const {
+  return *context_.primitive_of(fragment).state->texture;
+}
+
+const Texture& TextureLookups::texture_of(const Fragment& fragment) const {
+  return *context_.scene.textures[use_of(fragment).texture];
+}
+
+const FragmentDetail* TextureLookups::detail_of(const Fragment& fragment) const {
+  if (fragment.detail < 0) return nullptr;
+  return &rendered_.details[static_cast<std::size_t>(fragment.detail)];
+}
+
+LookupKinship TextureLookups::kinship_of(const Fragment& fragment, bool is_query) const {
+  const bool is_flat = context_.primitive_of(fragment).state->interpolation == Interpolation::flat;
+  const auto& color = context_.values_of(fragment).chosen.color;
+  return {&use_of(fragment), &texture_of(fragment),
+          !is_flat && (has_perspective(color[0]) || has_perspective(color[1])), is_query};
+}
+
+ExactLookup TextureLookups::exact(const Fragment& fragment) {
+  auto& exact = primitives_[static_cast<std::size_t>(fragment.primitive)].exact;
+  if (!exact)
+    exact = std::make_unique<TexturedPrimitive>(stage_, context_.primitive_of(fragment),
+                                                context_.values_of(fragment).chosen);
+  return exact->look_up({fragment.x, fragment.y});
+}
+
+Footprint TextureLookups::footprint_of(const Fragment& fragment, const Gradients& along) const {
+  const Texture& texture = texture_of(fragment);
+  const int base = use_of(fragment).sampler.base_level;
+  const TextureLevel& level = texture.levels.front();
+  return footprint(along.dx, along.dy, level_size(level.width, base),
+                   level_size(level.height, base), texture.dimensions);
+}
+
+TextureLookups::Gradients TextureLookups::gradients_of(const Fragment& fragment,
+                                                       DerivativeMethod method) {
+  auto& known_gradients = fragments_[&fragment].gradients;
+  for (const auto& [of_method, gradients] : known_gradients)
+    if (of_method == method) return gradients;
+  const auto& color = context_.values_of(fragment).chosen.color;
+  const QuadPixel at =
+      quad_of({fragment.x, fragment.y}, context_.choices.values, context_.scene.target);
+  const auto along = [&](Axis axis) {
+    return IntervalPair{derivative_inexact(color[0], at, axis, method),
+                        derivative_inexact(color[1], at, axis, method)};
+  };
+  known_gradients.emplace_back(method, Gradients{along(Axis::x), along(Axis::y)});
+  return known_gradients.back().second;
+}
+
+TextureLookups::Gradients TextureLookups::permitted_gradients(const Fragment& fragment,
+                                                              Reach reach) {
+  const TextureChoice lawful;
+  if (reach == Reach::near && !context_.values_of(fragment).differ)
+    return gradients_of(fragment, lawful.derivatives);
+  auto& permitted = primitives_[static_cast<std::size_t>(fragment.primitive)].permitted;
+  if (permitted.empty()) {
+    const PrimitiveValues& values = context_.values_of(fragment);
+    for (const std::size_t c : {0u, 1u})
+      permitted.emplace_back(values.lawful.color[c], values.reach);
+  }
+  const auto along = [&](Derivative derivative) {
+    return IntervalPair{permitted[0].at({fragment.x, fragment.y}, derivative),
+                        permitted[1].at({fragment.x, fragment.y}, derivative)};
+  };
+  return {along(Derivative::x), along(Derivative::y)};
+}
+
+bool TextureLookups::tells_level(const Fragment& fragment) const {
+  const TextureUse& use = use_of(fragment);
+  return use.lookup.kind == LookupKind::implicit && !(use.sampler.max_anisotropy > 1) &&
+         told_lambda(fragment).has_value();
+}
+
+// Of a lookup that is given its derivatives.
+TextureLookups::Gradients TextureLookups::asked_gradients(const Fragment& fragment) const {
+  const auto exactly = [](const std::array<float, 2>& vector) {
+    return IntervalPair{static_cast<double>(vector[0]), static_cast<double>(vector[1])};
+  };
+  const Lookup& lookup = use_of(fragment).lookup;
+  return {exactly(lookup.dx), exactly(lookup.dy)};
+}
+
+// Of the draw's own lookup, which may be given its level instead.
+TextureLookups::Gradients TextureLookups::lookup_gradients(const Fragment& fragment,
+                                                           DerivativeMethod method) {
+  const LookupKind kind = use_of(fragment).lookup.kind;
+  if (kind == LookupKind::gradients) return asked_gradients(fragment);
+  return kind == LookupKind::lod ? Gradients{} : gradients_of(fragment, method);
+}
+
+// One box; of a nearest level, which is a whole number, as many as lambda' leaves possible.
+Boxes TextureLookups::level_boxes(const Fragment& fragment, Interval lambda_prime,
+                                  const LevelRules& rules) const {
+  const TextureUse& use = use_of(fragment);
+  const int last = last_level_of(decoded(use.texture), use.sampler, texture_of(fragment));
+  const Interval accessed =
+      accessed_level(clamped(lambda_prime, use.sampler), use.sampler, last, rules);
+  if (use.sampler.mipmap != MipFilter::nearest) return {{accessed, lambda_prime}};
+  Boxes boxes;
+  for (double level = accessed.low; level <= accessed.high; ++level)
+    boxes.push_back({level, lambda_prime});
+  return boxes;
+}
+
+Boxes TextureLookups::levels(const Fragment& fragment, const TextureChoice& choice) {
+  const Sampler& sampler = use_of(fragment).sampler;
+  const ProbeRow row = probes(footprint_of(fragment, gradients_of(fragment, choice.derivatives)),
+                              sampler.max_anisotropy, choice.anisotropy, choice.scale_factor);
+  return level_boxes(
+      fragment, with_bias(logarithm_of(row.scale_factor, choice.log2), sampler, {}, choice.bias),
+      rules_of(choice));
+}
+
+bool TextureLookups::is_definite(const Fragment& fragment, const TextureChoice& choice,
+                                 bool is_query) {
+  if (!is_query && use_of(fragment).lookup.kind == LookupKind::lod) return true;
+  const Gradients gradients = is_query ? gradients_of(fragment, choice.derivatives)
+                                       : lookup_gradients(fragment, choice.derivatives);
+  const Interval scale = scale_factor(footprint_of(fragment, gradients), choice.scale_factor);
+  return scale.low > 0 || scale.high <= 0;
+}
+
+Interval TextureLookups::permitted_lambda(const Fragment& fragment, Reach reach) {
+  const Sampler& sampler = use_of(fragment).sampler;
+  if (sampler.max_anisotropy > 1) return Interval::everything();  // ruling 23
+  const Interval scale =
+      permitted_scale_factor(footprint_of(fragment, permitted_gradients(fragment, reach)));
+  Interval base = logarithm_of(scale, Log2Method::exact);
+  if (scale.low <= 0) base.high = std::max(base.high, kLogarithmOfZero);  // ruling 20
+  return with_bias(base, sampler, {}, {});
+}
+
+Boxes TextureLookups::permitted_levels(const Fragment& fragment, Reach reach) {
+  if (use_of(fragment).sampler.max_anisotropy > 1) return anything(2);
+  LevelRules rules;
+  rules.any_tie = true;
+  rules.slack = kStep;
+  const Interval band = permitted_lambda(fragment, reach);
+  Boxes boxes = level_boxes(fragment, told_lambda(fragment).value_or(band), rules);
+  for (std::vector<Interval>& box : boxes) box[1] = band;
+  return boxes;
+}
+
+// lambda' as the renderer tells it: what it makes of it must fit, wherever in the band it lies.
+std::optional<Interval> TextureLookups::told_lambda(const Fragment& fragment) const {
+  const FragmentDetail* detail = detail_of(fragment);
+  if (detail == nullptr || !detail->has_level_of_detail) return std::nullopt;
+  const double told = detail->level_of_detail[1];
+  if (!std::isfinite(told)) return std::nullopt;
+  return edgecase::widened(told, kClause);
+}
+
+TexturePoint TextureLookups::point_of(const Fragment& fragment,
+                                      const PrimitiveAttributes& attributes, double error) const {
+  const FragmentDetail* detail = detail_of(fragment);
+  if (detail != nullptr && detail->has_texture_coordinates)
+    return {near(detail->texture_coordinates[0], error),
+            near(detail->texture_coordinates[1], error)};
+  const double reach = context_.values_of(fragment).reach;
+  const Point sample = pixel_centre(fragment.x, fragment.y);
+  return {interpolate_permitted(attributes.color[0], sample, reach),
+          interpolate_permitted(attributes.color[1], sample, reach)};
+}
+
+// lambda of the draw's own lookup, clamped.
+Interval TextureLookups::lookup_lambda(const Fragment& fragment, Interval scale,
+                                       const TextureChoice& choice) const {
+  const TextureUse& use = use_of(fragment);
+  const Interval base = use.lookup.kind == LookupKind::lod
+                            ? Interval(static_cast<double>(use.lookup.value))
+                            : logarithm_of(scale, choice.log2);
+  return clamped(with_bias(base, use.sampler, use.lookup, choice.bias), use.sampler);
+}
+
+// The same as the specification permits it. Where the renderer tells the level of such a lookup,
+// that is what it looks up by, and whether it may is judged of the level itself.
+Interval TextureLookups::permitted_lookup_lambda(const Fragment& fragment, Reach reach) {
+  const TextureUse& use = use_of(fragment);
+  const LookupKind kind = use.lookup.kind;
+  if (tells_level(fragment)) return clamped(*told_lambda(fragment), use.sampler);
+  Interval scale;
+  if (kind == LookupKind::gradients)
+    scale = permitted_scale_factor(footprint_of(fragment, asked_gradients(fragment)));
+  else if (kind != LookupKind::lod && shows_level(kinship_of(fragment, false)))
+    scale = permitted_scale_factor(footprint_of(fragment, permitted_gradients(fragment, reach)));
+  return lookup_lambda(fragment, scale, {});
+}
+
+// The largest finite number that a lookup may take a mean of.
+double TextureLookups::largest_of(const TextureUse& use) const {
+  double largest = magnitudes_[use.texture];
+  for (const float component : use.sampler.border)
+    if (std::isfinite(component)) largest = std::max(largest, std::fabs(double{component}));
+  return largest;
+}
+
+bool TextureLookups::may_round(const Fragment& fragment) const {
+  return means_of_codes(use_of(fragment).sampler, texture_of(fragment)) > 0;
+}
+
+Boxes TextureLookups::widened(const Fragment& fragment, const std::vector<Texel>& colors,
+                              bool rounding) const {
+  const TextureUse& use = use_of(fragment);
+  // Half a code for each mean.
+  const double codes = rounding ? means_of_codes(use.sampler, texture_of(fragment)) * 0.5 / 255 : 0;
+  const double margin = largest_of(use) * kClause + codes;
+  Boxes boxes;
+  for (const Texel& color : colors) {
+    boxes.emplace_back();
+    for (const Interval component : color) boxes.back().push_back(within(component, margin));
+  }
+  return boxes;
+}
+
+Texel TextureLookups::weighted_probes(const Fragment& fragment, const TextureChoice& choice,
+                                      const Gradients& gradients, const ProbeRow& row) const {
+  const TextureUse& use = use_of(fragment);
+  const TexturePoint centre = point_of(fragment, context_.values_of(fragment).chosen, kFloat32);
+  const IntervalPair& along = row.along_x ? gradients.dx : gradients.dy;
+  const Interval lambda = lookup_lambda(fragment, row.scale_factor, choice);
+  Texel sum;
+  for (const Probe& probe : row.probes) {
+    const TexturePoint point{centre.s + Interval(probe.offset) * along[0],
+                             centre.t + Interval(probe.offset) * along[1]};
+    const Texel color = hull_of(
+        sample(decoded(use.texture), texture_of(fragment), use.sampler, choice, {point, lambda}));
+    for (std::size_t c = 0; c < 4; ++c) sum[c] = sum[c] + probe.weight * color[c];
+  }
+  return sum;
+}
+
+std::vector<Texel> TextureLookups::told_colors(const Fragment& fragment,
+                                               const TextureChoice& choice) const {
+  const TextureUse& use = use_of(fragment);
+  return sample(decoded(use.texture), texture_of(fragment), use.sampler, choice,
+                {point_of(fragment, context_.values_of(fragment).chosen, kFloat32),
+                 clamped(*told_lambda(fragment), use.sampler)});
+}
+
+std::vector<Texel> TextureLookups::probed_colors(const Fragment& fragment,
+                                                 const TextureChoice& choice) {
+  const TextureUse& use = use_of(fragment);
+  const LookupKinship kin = kinship_of(fragment, false);
+  ProbeRow row;
+  Gradients gradients;
+  if (use.lookup.kind != LookupKind::lod && (shows_level(kin) || use.sampler.max_anisotropy > 1)) {
+    gradients = lookup_gradients(fragment, choice.derivatives);
+    row = probes(footprint_of(fragment, gradients), use.sampler.max_anisotropy, choice.anisotropy,
+                 choice.scale_factor);
+  }
+  if (row.probes.size() > 1) return {weighted_probes(fragment, choice, gradients, row)};
+  return sample(decoded(use.texture), texture_of(fragment), use.sampler, choice,
+                {point_of(fragment, context_.values_of(fragment).chosen, kFloat32),
+                 lookup_lambda(fragment, row.scale_factor, choice)});
+}
+
+// Does the renderer tell that what it looked up is nowhere? No mean of texels is defined there.
+bool TextureLookups::has_unknown_coordinates(const Fragment& fragment) const {
+  const FragmentDetail* detail = detail_of(fragment);
+  if (detail == nullptr || !detail->has_texture_coordinates) return false;
+  const auto& [s, t] = detail->texture_coordinates;
+  const Sampler& sampler = use_of(fragment).sampler;
+  const bool is_linear = sampler.magnify == Filter::linear || sampler.minify == Filter::linear;
+  return is_linear &&
+         (!std::isfinite(s) || (texture_of(fragment).dimensions == 2 && !std::isfinite(t)));
+}
+
+bool TextureLookups::has_unknown_chain(const Fragment& fragment) const {
+  return texture_of(fragment).generated && !rendered_.mip_chains.contains(use_of(fragment).texture);
+}
+
+Boxes TextureLookups::colors(const Fragment& fragment, const TextureChoice& choice, bool rounding,
+                             bool as_told) {
+  if (has_unknown_coordinates(fragment)) return anything(4);
+  return widened(fragment,
+                 as_told ? told_colors(fragment, choice) : probed_colors(fragment, choice),
+                 rounding);
+}
+
+Boxes TextureLookups::permitted_colors(const Fragment& fragment, Reach reach) {
+  const TextureUse& use = use_of(fragment);
+  const bool is_anisotropic = use.sampler.max_anisotropy > 1;  // ruling 23
+  if (is_anisotropic || has_unknown_chain(fragment) || has_unknown_coordinates(fragment))
+    return anything(4);
+  const TextureChoice lawful;
+  const TextureSample at{point_of(fragment, context_.values_of(fragment).lawful, kClause),
+                         permitted_lookup_lambda(fragment, reach)};
+  return widened(fragment,
+                 sample(decoded(use.texture), texture_of(fragment), use.sampler, lawful, at,
+                        {kStep, kStep, true}),
+                 true);
+}
+
+}  // namespace edgecase

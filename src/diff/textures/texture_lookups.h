@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// What the lookups of a rendering's fragments may yield: exactly, under any choice with inexact
+// operations, and at most by what the specification permits (rulings 19 to 24).
+//
+// Coordinates are the renderer's own where it tells them, so that an error of interpolation, judged
+// by ruling 9, is not counted again as one of texturing.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "diff/textures/texture_relevance.h"
+#include "diff/values/value_diff.h"
+#include "raster/texture_stage.h"
+#include "rules/values/derivative.h"
+
+namespace edgecase {
+
+// Boxes, in any of which all components of a lookup may lie: of a colour four, of a level of detail
+// two, the level accessed (0 the base level) and lambda' before clamping, as textureQueryLod has
+// them.
+using Boxes = std::vector<std::vector<Interval>>;
+
+class TextureLookups {
+ public:
+  // Both must outlive this. Generated chains are the renderer's where it tells them: what differs
+  // in them is told once.
+  TextureLookups(const ValueContext& context, const Rendering& rendered);
+
+  // Of the rendering's own fragments of textured draws. Under the policy, exactly:
+  ExactLookup exact(const Fragment& fragment);
+
+  // Under a choice, every operation inexact.
+  Boxes levels(const Fragment& fragment, const TextureChoice& choice);
+  // `rounding`: means may besides be rounded to codes of 8 bits, where the format has them.
+  // `as_told`: of the level of detail that the renderer tells, which must tell it.
+  Boxes colors(const Fragment& fragment, const TextureChoice& choice, bool rounding, bool as_told);
+  bool may_round(const Fragment& fragment) const;
+  // Does a choice lead to a level at all? Not where the derivatives that it takes cancel: then the
+  // scale factor may be anything down to zero, and would explain every level.
+  bool is_definite(const Fragment& fragment, const TextureChoice& choice, bool is_query);
+
+  // By what the specification permits: anything, or quicker and short of that, with vertices where
+  // they are.
+  enum class Reach { all, near };
+  Boxes permitted_levels(const Fragment& fragment, Reach reach = Reach::all);
+  Boxes permitted_colors(const Fragment& fragment, Reach reach = Reach::all);
+  // Of the level of detail only lambda'.
+  Interval permitted_lambda(const Fragment& fragment, Reach reach = Reach::all);
+
+  const TextureUse& use_of(const Fragment& fragment) const;
+  const Texture& texture_of(const Fragment& fragment) const;
+  const FragmentDetail* detail_of(const Fragment& fragment) const;
+  LookupKinship kinship_of(const Fragment& fragment, bool is_query) const;
+  // Does the renderer tell the level of this very lookup?
+  bool tells_level(const Fragment& fragment) const;
+
+ private:
+  // Per pixel, of s and t.
+  struct Gradients {
+    IntervalPair dx;
+    IntervalPair dy;
+  };
+  // What is worked out once for a primitive.
+  struct OfPrimitive {
+    std::unique_ptr<TexturedPrimitive> exact;
+    std::vector<PermittedDerivatives> permitted;  // of s and of t
+  };
+  // What is worked out once for a fragment that does not agree exactly.
+  struct OfFragment {
+    std::vector<std::pair<DerivativeMethod, Gradients>> gradients;
+  };
+
+  Gradients gradients_of(const Fragment& fragment, DerivativeMethod method);
+  Gradients permitted_gradients(const Fragment& fragment, Reach reach);
+  Gradients asked_gradients(const Fragment& fragment) const;
+  Gradients lookup_gradients(const Fragment& fragment, DerivativeMethod method);
+  Footprint footprint_of(const Fragment& fragment, const Gradients& gradients) const;
+  TexturePoint point_of(const Fragment& fragment, const PrimitiveAttributes& attributes,
+                        double error) const;
+  Interval lookup_lambda(const Fragment& fragment, Interval scale_factor,
+                         const TextureChoice& choice) const;
+  Interval permitted_lookup_lambda(const Fragment& fragment, Reach reach);
+  std::optional<Interval> told_lambda(const Fragment& fragment) const;
+  Boxes level_boxes(const Fragment& fragment, Interval lambda_prime, const LevelRules& rules) const;
+  std::vector<Texel> told_colors(const Fragment& fragment, const TextureChoice& choice) const;
+  std::vector<Texel> probed_colors(const Fragment& fragment, const TextureChoice& choice);
+  Texel weighted_probes(const Fragment& fragment, const TextureChoice& choice,
+                        const Gradients& gradients, const ProbeRow& row) const;
+  bool has_unknown_coordinates(const Fragment& fragment) const;
+  bool has_unknown_chain(const Fragment& fragment) const;
+  const DecodedTexture& decoded(std::size_t texture) const;
+  double largest_of(const TextureUse& use) const;
+  Boxes widened(const Fragment& fragment, const std::vector<Texel>& colors, bool rounding) const;
+
+  const ValueContext& context_;
+  const Rendering& rendered_;
+  TextureStage stage_;
+  // The renderer's chains whose sizes are wrong, by the texture's number.
+  std::map<std::size_t, DecodedTexture> own_;
+  std::vector<double> magnitudes_;  // of each texture's numbers
+  std::vector<OfPrimitive> primitives_;
+  std::map<const Fragment*, OfFragment> fragments_;
+};
+
+}  // namespace edgecase

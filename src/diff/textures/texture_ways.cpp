@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+#include "diff/textures/texture_ways.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "diff/coverage/cause.h"
+
+namespace edgecase {
+namespace {
+
+struct TextureChange {
+  std::string rule;
+  std::string cause;
+  std::function<void(TextureChoice&)> apply;
+};
+using Changes = std::vector<TextureChange>;
+
+// Calls `visit` with each rule of a lookup: its name, its alternatives, and what holds the choice.
+template <class Visit>
+void for_each_rule(const Visit& visit) {
+  visit("texture.scale-factor", all_scale_factors(), &TextureChoice::scale_factor);
+  visit("texture.log2", all_log2_methods(), &TextureChoice::log2);
+  visit("texture.derivatives", all_derivative_methods(), &TextureChoice::derivatives);
+  visit("texture.nearest-level", all_nearest_levels(), &TextureChoice::nearest_level);
+  visit("texture.level-weight", all_level_weights(), &TextureChoice::level_weight);
+  visit("texture.crossover", all_crossovers(), &TextureChoice::crossover);
+  visit("texture.texel-grid", all_texel_grids(), &TextureChoice::texel_grid);
+  visit("texture.lod-bias", all_bias_choices(), &TextureChoice::bias);
+  visit("texture.wrap", std::array{WrapChoice::as_set, WrapChoice::mirrored_as_repeat},
+        &TextureChoice::wrap);
+  visit("texture.anisotropy",
+        std::array{Anisotropy::extension, Anisotropy::gaussian_5, Anisotropy::none},
+        &TextureChoice::anisotropy);
+}
+
+template <class Enum>
+std::string cause_of(const char* rule, Enum value) {
+  return fmt::format("{}={}", rule, name_of(value));
+}
+
+template <class Enum>
+bool is_illegal(const char* rule, Enum value) {
+  return !is_open_choice(cause_of(rule, value));
+}
+
+// Every alternative of every rule, but for those that `chosen` holds.
+Changes changes_beside(const TextureChoice& chosen) {
+  Changes changes;
+  for_each_rule([&](const char* rule, const auto& values, auto member) {
+    for (const auto value : values)
+      if (value != chosen.*member)
+        changes.push_back(
+            {rule, cause_of(rule, value), [=](TextureChoice& choice) { choice.*member = value; }});
+  });
+  return changes;
+}
+
+TextureChoice applied(TextureChoice choice, const TextureChange& change) {
+  change.apply(choice);
+  return choice;
+}
+
+TextureWay changed(const TextureWay& way, const TextureChange& change) {
+  TextureWay result = way;
+  change.apply(result.choice);
+  result.cause += (result.cause.empty() ? "" : " + ") + change.cause;
+  result.open = illegal_part(result.choice).empty();
+  return result;
+}
+
+// Can any of the lookups tell the two apart?
+bool differ(const TextureChoice& a, const TextureChoice& b, std::span<const LookupKinship> kinds) {
+  return std::ranges::any_of(kinds, [&](const LookupKinship& kin) {
+    return relevant_part(a, kin) != relevant_part(b, kin);
+  });
+}
+
+std::vector<TextureWay> singles_beside(const TextureWay& way, const Changes& changes) {
+  std::vector<TextureWay> singles;
+  for (const TextureChange& change : changes) singles.push_back(changed(way, change));
+  return singles;
+}
+
+// All pairs of changes of different rules, of which either shows beside the other.
+std::vector<TextureWay> pairs_beside(const TextureWay& way, const Changes& changes,
+                                     std::span<const LookupKinship> kinds) {
+  std::vector<TextureWay> pairs;
+  for (std::size_t i = 0; i < changes.size(); ++i)
+    for (std::size_t j = i + 1; j < changes.size(); ++j) {
+      if (changes[i].rule == changes[j].rule) continue;
+      TextureWay pair = changed(changed(way, changes[i]), changes[j]);
+      if (differ(pair.choice, applied(way.choice, changes[i]), kinds) &&
+          differ(pair.choice, applied(way.choice, changes[j]), kinds))
+        pairs.push_back(std::move(pair));
+    }
+  return pairs;
+}
+
+// The changes that lead from the policy to the profile and that lookups can tell.
+Changes steps_towards(const TextureChoice& chosen, const TextureChoice& profile,
+                      std::span<const LookupKinship> kinds) {
+  Changes steps;
+  for_each_rule([&](const char* rule, const auto&, auto member) {
+    const auto value = profile.*member;
+    if (value == chosen.*member) return;
+    TextureChange step{rule, cause_of(rule, value),
+                       [=](TextureChoice& choice) { choice.*member = value; }};
+    TextureChoice without = profile;
+    without.*member = chosen.*member;
+    if (differ(applied(chosen, step), chosen, kinds) || differ(profile, without, kinds))
+      steps.push_back(std::move(step));
+  });
+  return steps;
+}
+
+// The ways that lie between the policy and the profile: every set of these changes, the smallest
+// first. There are ten rules at most.
+std::vector<TextureWay> ways_by(const Changes& steps, const TextureWay& own) {
+  std::vector<TextureWay> ways;
+  for (unsigned set = 1; set < 1u << steps.size(); ++set) {
+    TextureWay way = own;
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      if ((set >> i & 1u) != 0) way = changed(way, steps[i]);
+    ways.push_back(std::move(way));
+  }
+  std::stable_sort(ways.begin(), ways.end(), [](const TextureWay& a, const TextureWay& b) {
+    return parts_of(a.cause).size() < parts_of(b.cause).size();
+  });
+  return ways;
+}
+
+constexpr std::size_t kSample = 48;
+
+// One search over one case.
+class Search {
+ public:
+  explicit Search(const WaySearchLookups& lookups)
+      : lookups_(lookups), agreeing_(sample_of(lookups.agreeing, kSample)), open_(lookups.others) {
+    std::iota(open_.begin(), open_.end(), std::size_t{0});
+  }
+
+  std::vector<std::optional<TextureWay>> run(const std::vector<std::vector<TextureWay>>& tiers) {
+    std::vector<std::optional<TextureWay>> result(lookups_.others);
+    while (first_ < open_.size()) {
+      const TextureWay* best = best_way(tiers);
+      if (best == nullptr) {
+        ++first_;  // nothing explains it
+        continue;
+      }
+      open_.erase(open_.begin(), open_.begin() + static_cast<std::ptrdiff_t>(first_));
+      first_ = 0;
+      std::erase_if(open_, [&](std::size_t index) {
+        const bool found = explains(*best, index);
+        if (found) result[index] = *best;
+        return found;
+      });
+    }
+    return result;
+  }
+
+ private:
+  // How well a way fits: how many lookups it explains, how many of those that agree it yields, and
+  // whether it is open.
+  using Fit = std::tuple<std::ptrdiff_t, std::ptrdiff_t, bool>;
+
+  bool explains(const TextureWay& way, std::size_t index) const {
+    return lookups_.yields(index, way.choice);
+  }
+
+  Fit fit_of(const TextureWay& way, const std::vector<std::size_t>& sample) const {
+    const auto explained = std::ranges::count_if(
+        sample, [&](std::size_t place) { return explains(way, open_[first_ + place]); });
+    const auto agreeing = std::ranges::count_if(
+        agreeing_, [&](std::size_t index) { return lookups_.agrees(index, way.choice); });
+    return {explained, agreeing, way.open};
+  }
+
+  const TextureWay* best_of(const std::vector<TextureWay>& tier,
+                            const std::vector<std::size_t>& sample, Fit& best_fit) const {
+    const TextureWay* best = nullptr;
+    for (const TextureWay& way : tier) {
+      if (!explains(way, open_[first_])) continue;
+      const Fit fit = fit_of(way, sample);
+      if (best != nullptr && fit <= best_fit) continue;
+      best = &way;
+      best_fit = fit;
+    }
+    return best;
+  }
+
+  // Of the first lookup that is still open.
+  const TextureWay* best_way(const std::vector<std::vector<TextureWay>>& tiers) {
+    const std::vector<std::size_t> sample = sample_of(open_.size() - first_, kSample);
+    const TextureWay* best = nullptr;
+    std::ptrdiff_t most = 0;
+    for (std::size_t tier = 0; tier < tiers.size(); ++tier) {
+      if (most == std::ssize(sample)) break;
+      if (tier + 1 == tiers.size() && !may_try_pairs()) break;
+      Fit fit;
+      const TextureWay* found = best_of(tiers[tier], sample, fit);
+      if (found == nullptr || std::get<0>(fit) <= 2 * most) continue;
+      best = found;
+      most = std::get<0>(fit);
+    }
+    return best;
+  }
+
+  // A search among all pairs is dear: after so many in one case they are no longer tried.
+  bool may_try_pairs() {
+    constexpr int kMostPairSearches = 8;
+    return pair_searches_++ < kMostPairSearches;
+  }
+
+  const WaySearchLookups& lookups_;
+  std::vector<std::size_t> agreeing_;
+  std::vector<std::size_t> open_;  // from first_ on
+  std::size_t first_ = 0;
+  int pair_searches_ = 0;
+};
+
+}  // namespace
+
+std::string illegal_part(const TextureChoice& choice) {
+  std::string part;
+  for_each_rule([&](const char* rule, const auto&, auto member) {
+    if (is_illegal(rule, choice.*member))
+      part += (part.empty() ? "" : " + ") + cause_of(rule, choice.*member);
+  });
+  return part;
+}
+
+std::vector<std::size_t> sample_of(std::size_t count, std::size_t most) {
+  constexpr std::size_t kScatter = 40503;
+  const std::size_t taken = std::min(count, most);
+  std::vector<std::size_t> sample;
+  for (std::size_t i = 0; i < taken; ++i) {
+    const std::size_t begin = i * count / taken;
+    const std::size_t stretch = (i + 1) * count / taken - begin;
+    sample.push_back(begin + i * kScatter / 16 % stretch);
+  }
+  return sample;
+}
+
+std::vector<TextureChoice> lawful_ways(const TextureChoice& choice) {
+  std::vector<TextureChoice> ways = {choice};
+  for_each_rule([&](const char* rule, const auto& values, auto member) {
+    if (!is_illegal(rule, choice.*member)) return;
+    std::vector<TextureChoice> others;
+    for (const TextureChoice& way : ways)
+      for (const auto value : values) {
+        if (is_illegal(rule, value)) continue;
+        others.push_back(way);
+        others.back().*member = value;
+      }
+    ways = std::move(others);
+  });
+  return ways;
+}
+
+TextureWaySearch::TextureWaySearch(const TextureChoice& chosen, const TextureChoice* profile,
+                                   std::span<const LookupKinship> kinds) {
+  const TextureWay own{chosen, "", illegal_part(chosen).empty()};
+  Changes changes = changes_beside(chosen);
+  std::erase_if(changes, [&](const TextureChange& change) {
+    return !differ(applied(chosen, change), chosen, kinds);
+  });
+  tiers_.push_back(singles_beside(own, changes));
+  const Changes steps = profile != nullptr ? steps_towards(chosen, *profile, kinds) : Changes{};
+  if (!steps.empty()) {
+    tiers_.push_back(ways_by(steps, own));
+    const TextureWay whole = tiers_.back().back();
+    Changes further = changes_beside(whole.choice);
+    std::erase_if(further, [&](const TextureChange& change) {
+      return std::ranges::any_of(steps,
+                                 [&](const auto& step) { return step.rule == change.rule; }) ||
+             !differ(applied(whole.choice, change), whole.choice, kinds);
+    });
+    tiers_.push_back(singles_beside(whole, further));
+  }
+  tiers_.push_back(pairs_beside(own, changes, kinds));
+}
+
+std::vector<std::optional<TextureWay>> TextureWaySearch::explain(
+    const WaySearchLookups& lookups) const {
+  return Search(lookups).run(tiers_);
+}
+
+}  // namespace edgecase

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+//
+// The depth buffer (ruling 18): each pixel must hold the depth of the renderer's own last fragment
+// there, as the format has it, or the clear value. A sample of a multisampled target has a depth of
+// its own, that of the primitive at the sample, wherever the fragment's attributes were evaluated.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "diff/samples/switched_off.h"
+#include "diff/values/location_causes.h"
+#include "diff/values/value_diff.h"
+#include "rules/values/depth_buffer.h"
+
+namespace edgecase {
+namespace {
+
+constexpr const char* kRule = "framebuffer.depth";
+constexpr int kRuling = 18;
+constexpr double kClearDepth = 1;
+
+// The depth before conversion: exact as far as it is known, and all that it may have been.
+struct DepthTruth {
+  double depth = kClearDepth;
+  Interval permitted = kClearDepth;
+  int primitive = -1;
+};
+
+// The depth of a sample, or of a pixel that is not multisampled, where a choice evaluates it.
+Point place_of(const ValueContext& context, const Fragment& fragment, int sample,
+               const LocationChoice& choice) {
+  const ScenePrimitive& primitive = context.primitive_of(fragment);
+  const bool multisampled = is_multisampled(*primitive.state, context.scene.target);
+  return place_in(
+      {fragment.x, fragment.y},
+      multisampled ? sample_depth_location(primitive.kind, context.sample_position(sample), choice)
+                   : centre_of_pixel());
+}
+
+Interval permitted_at(const ValueContext& context, const Fragment& fragment, Point place) {
+  const PrimitiveValues& values = context.values_of(fragment);
+  return interpolate_permitted(values.lawful.depth, place, values.reach);
+}
+
+DepthTruth truth_of(const ValueContext& context, const Fragment* last, int sample) {
+  if (last == nullptr) return {};
+  const bool multisampled =
+      is_multisampled(*context.primitive_of(*last).state, context.scene.target);
+  if (last->has_depth && !multisampled) return {last->depth, last->depth, last->primitive};
+  const Point chosen = place_of(context, *last, sample, context.choices.values.locations);
+  const Point lawful = place_of(context, *last, sample, {});
+  return {middle(interpolate_exact(context.values_of(*last).chosen.depth, chosen)),
+          permitted_at(context, *last, lawful), last->primitive};
+}
+
+// Does the format have this value?
+bool is_storable(double stored, DepthFormat format) {
+  return stored == to_depth(stored, format);
+}
+
+// Distance of the stored values next to this one.
+double step_at(double depth, DepthFormat format) {
+  const int bits = bits_of(format);
+  return bits == 0 ? float_ulp(depth) : 1 / (std::ldexp(1.0, bits) - 1);
+}
+
+void report(PixelPosition pixel, int sample, const DepthTruth& truth, double stored,
+            DepthFormat format, Result& result) {
+  Disagreement d = value_disagreement(pixel, -1, kRule, kRuling);
+  d.sample = sample;
+  d.exact = {to_depth(truth.depth, format)};
+  d.rendered = {stored};
+  d.explanation = fmt::format(
+      "the depth buffer should hold {:.9g}, {}; it holds {:.9g}", d.exact[0],
+      truth.primitive < 0
+          ? "the clear value, since no fragment was drawn there"
+          : fmt::format("the depth of primitive {}, the last drawn there", truth.primitive),
+      stored);
+  result.disagreements.push_back(std::move(d));
+}
+
+class DepthComparison {
+ public:
+  DepthComparison(const ValueContext& context, const Rendering& rendered)
+      : context_(context), rendered_(rendered), format_(context.scene.target.depth) {}
+
+  void run(Result& result) {
+    // Fragments are sorted by row, column and primitive: walk them along with the pixels.
+    auto next = rendered_.fragments.begin();
+    for (int y = 0; y < rendered_.height; ++y) {
+      for (int x = 0; x < rendered_.width; ++x) {
+        const auto first = next;
+        while (next != rendered_.fragments.end() && next->x == x && next->y == y) ++next;
+        for (int sample = 0; sample < rendered_.samples; ++sample)
+          compare({x, y}, sample, {first, next}, result);
+      }
+    }
+    aggregator_.flush(result);
+    blame(result);
+  }
+
+ private:
+  // A sample whose depth is beyond what is permitted.
+  struct Miss {
+    std::size_t disagreement = 0;  // index
+    std::span<const Fragment> fragments;
+    const Fragment* writer = nullptr;
+    int sample = 0;
+    double stored = 0;
+  };
+
+  bool is_permitted(const DepthTruth& truth, double stored) const {
+    return stored == to_depth(truth.depth, format_) ||
+           (is_storable(stored, format_) &&
+            depth_permitted(truth.permitted, format_).contains(stored));
+  }
+
+  void compare(PixelPosition pixel, int sample, std::span<const Fragment> fragments,
+               Result& result) {
+    aggregator_.count_compared(1);
+    const double stored = rendered_.depths[rendered_.sample_index(pixel.x, pixel.y, sample)];
+    const auto writers = last_writers(context_, fragments, sample);
+    for (const Fragment* writer : writers) {
+      const DepthTruth truth = truth_of(context_, writer, sample);
+      if (!is_permitted(truth, stored)) continue;
+      aggregate(pixel, truth, stored);
+      return;
+    }
+    misses_.push_back({result.disagreements.size(), fragments, writers.front(), sample, stored});
+    report(pixel, sample, truth_of(context_, writers.front(), sample), stored, format_, result);
+  }
+
+  // Each gets the cause that accounts for most of them.
+  void blame(Result& result) const {
+    std::map<std::string, int> counts;
+    std::vector<std::vector<std::string>> causes;
+    for (const Miss& miss : misses_)
+      for (const std::string& cause : causes.emplace_back(causes_of(miss))) ++counts[cause];
+    for (std::size_t i = 0; i < misses_.size(); ++i) {
+      Disagreement& d = result.disagreements[misses_[i].disagreement];
+      for (const std::string& cause : causes[i])
+        if (d.cause.empty() || counts[cause] > counts[d.cause]) d.cause = cause;
+      if (d.cause.starts_with("sample.depth=")) d.rule = "sample.depth";
+    }
+  }
+
+  // Where else samples have their depths, or what else is done without GL_MULTISAMPLE, if that
+  // yields what is stored.
+  std::vector<std::string> causes_of(const Miss& miss) const {
+    std::vector<std::string> causes;
+    const LocationChoice& chosen = context_.choices.values.locations;
+    if (miss.writer != nullptr &&
+        is_multisampled(*context_.primitive_of(*miss.writer).state, context_.scene.target))
+      for (const LocationChange& change : depth_locations_beside(chosen))
+        if (stores(*miss.writer, place_of(context_, *miss.writer, miss.sample, change.choice),
+                   miss.stored))
+          causes.push_back(change.cause);
+    for (const MultisampleSwitch choice : switches_beside(context_, miss.fragments))
+      add_causes_of_switch(miss, choice, causes);
+    return causes;
+  }
+
+  void add_causes_of_switch(const Miss& miss, MultisampleSwitch choice,
+                            std::vector<std::string>& causes) const {
+    const Fragment* writer = nullptr;
+    for (const Fragment& fragment : miss.fragments)
+      if (covers_sample(context_, fragment, miss.sample, choice) &&
+          writes_depth(context_, fragment, miss.sample, choice))
+        writer = &fragment;
+    const std::string cause = cause_of(choice);
+    if (writer == nullptr) {
+      if (miss.stored == to_depth(kClearDepth, format_)) causes.push_back(cause);
+      return;
+    }
+    const LocationChoice& chosen = context_.choices.values.locations;
+    if (stores_under(*writer, miss, choice, chosen)) {
+      causes.push_back(cause);
+      return;
+    }
+    for (const LocationChange& change : depth_locations_beside(chosen))
+      if (stores_under(*writer, miss, choice, change.choice))
+        causes.push_back(fmt::format("{} + {}", change.cause, cause));
+  }
+
+  bool stores_under(const Fragment& writer, const Miss& miss, MultisampleSwitch choice,
+                    const LocationChoice& locations) const {
+    const ScenePrimitive& primitive = context_.primitive_of(writer);
+    Point place = place_of(context_, writer, miss.sample, locations);
+    if (!primitive.state->multisampling.enabled &&
+        unsampled(primitive.kind, choice) == Unsampled::by_each_sample)
+      place = place_in(
+          {writer.x, writer.y},
+          sample_depth_location(primitive.kind, context_.sample_position(miss.sample), locations));
+    return stores(writer, place, miss.stored);
+  }
+
+  // Is what is stored the fragment's depth at a place?
+  bool stores(const Fragment& writer, Point place, double stored) const {
+    return depth_permitted(permitted_at(context_, writer, place), format_).contains(stored);
+  }
+
+  void aggregate(PixelPosition pixel, const DepthTruth& truth, double stored) {
+    if (stored == to_depth(truth.depth, format_)) return;
+    const ValueAggregate::Place place{pixel.x, pixel.y, truth.primitive};
+    aggregator_.add_error(place, {0, truth.depth, stored,
+                                  std::fabs(stored - truth.depth) / step_at(stored, format_), 1});
+    aggregator_.add_place(place);
+  }
+
+  const ValueContext& context_;
+  const Rendering& rendered_;
+  const DepthFormat format_;
+  ValueAggregator aggregator_{"depth buffer", kRule, kRuling};
+  std::vector<Miss> misses_;
+};
+
+}  // namespace
+
+void compare_depths(const ValueContext& context, const Rendering& rendered, Result& result) {
+  DepthComparison(context, rendered).run(result);
+}
+
+}  // namespace edgecase

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+//
+// Colours, depths and gl_FragCoord per fragment (rulings 8, 9, 13 and 17).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "diff/samples/switched_off.h"
+#include "diff/values/location_causes.h"
+#include "diff/values/value_causes.h"
+#include "diff/values/value_diff.h"
+#include "rules/coverage/line_algorithm.h"
+#include "rules/values/flat_attribute.h"
+
+namespace edgecase {
+namespace {
+
+// One component of a told value, with what is exact and what is permitted for it.
+struct Component {
+  double exact = 0;    // the double nearest to the exact value
+  Interval permitted;  // float32 values that the specification allows
+  double rendered = 0;
+  double range = 0;  // of the attribute over the vertices
+
+  // Equal to what exact itself would answer. Halfway between two float32 numbers the other one is
+  // told, half a unit off.
+  bool is_correct() const { return to_float(rendered) == to_float(exact); }
+  // NaN and infinity never are: where there is a primitive, there is a number.
+  bool is_permitted() const {
+    return std::isfinite(rendered) && permitted.contains(to_float(rendered));
+  }
+};
+
+// What is permitted at a sample of a line as wide as `width`, rounded: each fragment of a column
+// may have the value of its own centre or of any other of the column (ruling 13).
+Interval permitted_across(const Interpolant& interpolant, Point sample, int width, double reach) {
+  Interval result = interpolate_permitted(interpolant, sample, reach);
+  if (interpolant.kind != PrimitiveKind::line || width == 1) return result;
+  const bool x_major = is_x_major(interpolant);
+  const Fixed reach_across = Fixed::from_integer(width - 1);
+  for (const Fixed offset : {reach_across, -reach_across}) {
+    Point moved = sample;
+    (x_major ? moved.y : moved.x) = (x_major ? moved.y : moved.x) + offset;
+    result = hull(result, interpolate_permitted(interpolant, moved, reach));
+  }
+  return result;
+}
+
+// One attribute of one fragment: under the policy, and as OpenGL has it.
+class Judge {
+ public:
+  Judge(const ValueContext& context, const Fragment& fragment)
+      : primitive_(context.primitive_of(fragment)),
+        values_(context.values_of(fragment)),
+        place_(context.place_of(fragment, context.choices.values.locations)),
+        depth_place_(context.depth_place_of(fragment, context.choices.values.locations)),
+        pixel_{fragment.x, fragment.y},
+        depth_is_zero_(fragment_depth_is_zero(primitive_.state->multisampling,
+                                              context.choices.values.locations)),
+        corners_(context.permitted_places(fragment)),
+        forgiving_(context.latitude == Latitude::none) {}
+
+  // `exact`: what `chosen` yields.
+  Component component(Interval exact, const Interpolant& chosen, const Interpolant& lawful,
+                      Point place, double rendered) const {
+    Component result;
+    result.exact = middle(exact);
+    result.rendered = rendered;
+    result.range = range_of(chosen);
+    result.permitted = rounded_to_float(exact);
+    // Under a policy without latitude what is correct is permitted, whatever its formula.
+    if (result.is_correct() && (forgiving_ || !values_.differ)) return result;
+    // What lies near enough without moving any vertex needs no search over their moves.
+    result.permitted = rounded_to_float(interpolate_inexact(lawful, place));
+    if (result.is_permitted()) return result;
+    result.permitted = rounded_to_float(permitted(lawful, place));
+    return result;
+  }
+
+  Point place() const { return place_; }
+  Point depth_place() const { return depth_place_; }
+
+  Component color(std::size_t c, double rendered) const {
+    return component(color_exact(values_.chosen, c, place_, pixel_), values_.chosen.color[c],
+                     values_.lawful.color[c], place_, rendered);
+  }
+  Component depth(double rendered) const {
+    const Interval exact =
+        depth_is_zero_ ? 0 : interpolate_exact(values_.chosen.depth, depth_place_);
+    return component(exact, values_.chosen.depth, values_.lawful.depth, depth_place_, rendered);
+  }
+  Component inverse_w(double rendered) const {
+    return component(interpolate_exact(values_.chosen.inverse_w, depth_place_),
+                     values_.chosen.inverse_w, values_.lawful.inverse_w, depth_place_, rendered);
+  }
+
+ private:
+  // Of what has a value for the whole pixel or column, of all places where that may be taken.
+  Interval permitted(const Interpolant& lawful, Point place) const {
+    if (!corners_.empty())
+      return permitted_within(lawful, values_.lawful.inverse_w, corners_, values_.reach);
+    return permitted_across(lawful, place, rounded_width(primitive_.state->line_width),
+                            values_.reach);
+  }
+
+  const ScenePrimitive& primitive_;
+  const PrimitiveValues& values_;
+  Point place_;        // of the colour
+  Point depth_place_;  // of gl_FragCoord.z and gl_FragCoord.w
+  PixelPosition pixel_;
+  bool depth_is_zero_;
+  std::vector<Point> corners_;
+  bool forgiving_;
+};
+
+bool shows(const Fragment& fragment, const Color& color) {
+  return std::equal(color.begin(), color.end(), fragment.color.begin(),
+                    [](float a, double b) { return a == static_cast<float>(b); });
+}
+
+Color flat_attribute(const ScenePrimitive& primitive, ProvokingChoice choice) {
+  return interpolated_attribute(*primitive.state,
+                                *primitive.vertices[provoking_index(primitive, choice)]);
+}
+
+// The vertex whose colour a flat fragment shows against the scene's convention, as a cause.
+std::string wrong_provoking_vertex(const ScenePrimitive& primitive, const Fragment& fragment) {
+  for (const auto& [choice, name] :
+       {std::pair{ProvokingChoice::first, "first"}, std::pair{ProvokingChoice::last, "last"}}) {
+    if (shows(fragment, flat_attribute(primitive, choice)))
+      return fmt::format("attribute.provoking-vertex={}", name);
+  }
+  return "";
+}
+
+void compare_flat_color(const ValueContext& context, const Fragment& fragment, Result& result) {
+  const ScenePrimitive& primitive = context.primitive_of(fragment);
+  const Color color = flat_attribute(primitive, context.choices.values.provoking);
+  const bool legal = shows(fragment, flat_attribute(primitive, ProvokingChoice::as_set));
+  const bool agrees = shows(fragment, color);
+  if (agrees && (legal || context.latitude == Latitude::none)) return;
+  Disagreement d =
+      value_disagreement({fragment.x, fragment.y}, fragment.primitive, "attribute.flat", 8);
+  d.legal = legal;
+  d.policy_agrees = agrees;
+  d.exact.assign(color.begin(), color.end());
+  d.rendered.assign(fragment.color.begin(), fragment.color.end());
+  d.cause = wrong_provoking_vertex(primitive, fragment);
+  d.explanation = fmt::format(
+      "the flat {} of primitive {} is that of its {} vertex, ({:.9g}), copied without "
+      "computation; the renderer has ({:.9g}){}",
+      primitive.state->texture ? "texture coordinate" : "colour", fragment.primitive,
+      name_of(primitive.state->provoking_vertex), fmt::join(d.exact, ", "),
+      fmt::join(d.rendered, ", "), d.cause.empty() ? "" : ", that of another vertex");
+  result.disagreements.push_back(std::move(d));
+}
+
+// "the pixel's centre (2.5, 3.5)", "(2.375, 3.125)".
+std::string words_of_place(Point place) {
+  const bool is_centre = place == pixel_centre(place.x.floor(), place.y.floor());
+  return (is_centre ? "the pixel's centre " : "") + format_point(place);
+}
+
+Disagreement beyond_disagreement(std::span<const Component> components, const Component& beyond,
+                                 const Fragment& fragment, Point place, const char* rule) {
+  Disagreement d = value_disagreement({fragment.x, fragment.y}, fragment.primitive, rule, 9);
+  for (const Component& c : components) {
+    d.exact.push_back(c.exact);
+    d.rendered.push_back(c.rendered);
+  }
+  d.policy_agrees = std::all_of(components.begin(), components.end(),
+                                [](const Component& c) { return c.is_correct(); });
+  d.explanation = fmt::format(
+      "component {} of primitive {} is exactly {:.9g} at {}; the specification permits {:.9g} to "
+      "{:.9g}, the renderer has {:.9g}",
+      &beyond - components.data(), fragment.primitive, beyond.exact, words_of_place(place),
+      beyond.permitted.low, beyond.permitted.high, beyond.rendered);
+  return d;
+}
+
+// Components of one attribute of one fragment: agree, permitted (aggregated) or beyond. The
+// disagreement, if there is one.
+Disagreement* compare_components(std::span<const Component> components, const Fragment& fragment,
+                                 Point place, const char* rule, ValueAggregator& aggregator,
+                                 Result& result) {
+  aggregator.count_compared(components.size());
+  const auto beyond = std::find_if(components.begin(), components.end(),
+                                   [](const Component& c) { return !c.is_permitted(); });
+  if (beyond != components.end()) {
+    result.disagreements.push_back(beyond_disagreement(components, *beyond, fragment, place, rule));
+    return &result.disagreements.back();
+  }
+  const ValueAggregate::Place where{fragment.x, fragment.y, fragment.primitive};
+  bool differs = false;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const Component& c = components[i];
+    if (c.is_correct()) continue;
+    differs = true;
+    aggregator.add_error(where, {static_cast<int>(i), c.exact, c.rendered,
+                                 error_in_ulp(c.exact, c.rendered), c.range});
+  }
+  if (differs) aggregator.add_place(where);
+  return nullptr;
+}
+
+// Where a value is evaluated is a rule of its own.
+void blame(Disagreement& d, const std::string& cause) {
+  d.cause = cause;
+  if (cause.starts_with("attribute.location="))
+    std::tie(d.rule, d.ruling) = std::pair("attribute.location", 29);
+  if (cause.starts_with("attribute.centroid="))
+    std::tie(d.rule, d.ruling) = std::pair("attribute.centroid", 30);
+}
+
+// The fragment with what was interpolated in the colour's place.
+Fragment interpolated(const ValueContext& context, const Rendering& rendered, Fragment fragment) {
+  if (!context.primitive_of(fragment).state->texture) return fragment;
+  const FragmentDetail* detail =
+      fragment.detail < 0 ? nullptr : &rendered.details[static_cast<std::size_t>(fragment.detail)];
+  fragment.has_color = detail != nullptr && detail->has_texture_coordinates;
+  if (fragment.has_color)
+    fragment.color = {detail->texture_coordinates[0], detail->texture_coordinates[1], 0, 1};
+  return fragment;
+}
+
+}  // namespace
+
+void compare_fragment_values(const ValueContext& context, const Rendering& rendered,
+                             Result& result) {
+  ValueAggregator colors("color", "attribute.smooth", 9);
+  const FollowedLocation followed = followed_location(context, rendered);
+  ValueAggregator elsewhere("color", followed.rule, followed.ruling, followed.cause);
+  ValueAggregator coordinates("texture coordinates", "attribute.smooth", 9);
+  ValueAggregator depths("depth", "fragment.depth", 9);
+  const FollowedDepth followed_z = followed_depth(context, rendered);
+  ValueAggregator depths_elsewhere("depth", followed_z.rule, followed_z.ruling, followed_z.cause);
+  for (const Fragment& told : rendered.fragments) {
+    const Fragment f = interpolated(context, rendered, told);
+    const bool textured = context.primitive_of(f).state->texture.has_value();
+    const Judge judge(context, f);
+    if (f.has_color && context.primitive_of(f).state->interpolation == Interpolation::flat) {
+      compare_flat_color(context, f, result);
+    } else if (f.has_color) {
+      std::array<Component, 4> components;
+      for (std::size_t c = 0; c < 4; ++c) components[c] = judge.color(c, f.color[c]);
+      Disagreement* d = compare_components(std::span(components).first(textured ? 2 : 4), f,
+                                           judge.place(), "attribute.smooth",
+                                           textured                        ? coordinates
+                                           : followed.explains(context, f) ? elsewhere
+                                                                           : colors,
+                                           result);
+      if (d != nullptr) blame(*d, cause_of_color(context, f));
+    }
+    if (f.has_depth) {
+      const Component depth = judge.depth(f.depth);
+      Disagreement* d =
+          compare_components({&depth, 1}, f, judge.depth_place(), "fragment.depth",
+                             followed_z.explains(context, f) ? depths_elsewhere : depths, result);
+      if (d != nullptr) blame(*d, cause_of_depth(context, f));
+    }
+  }
+  colors.flush(result);
+  elsewhere.flush(result);
+  coordinates.flush(result);
+  depths.flush(result);
+  depths_elsewhere.flush(result);
+}
+
+namespace {
+
+// gl_FragCoord.xy elsewhere in the pixel than exact has it.
+void add_coordinates(ValueAggregator& aggregator, const Fragment& f, Point exact,
+                     const std::array<double, 2>& rendered) {
+  const std::array<double, 2> at{exact.x.to_double(), exact.y.to_double()};
+  const ValueAggregate::Place place{f.x, f.y, f.primitive};
+  for (std::size_t i = 0; i < at.size(); ++i)
+    if (rendered[i] != at[i])
+      aggregator.add_error(
+          place, {static_cast<int>(i), at[i], rendered[i], error_in_ulp(at[i], rendered[i]), 1});
+  aggregator.add_place(place);
+}
+
+}  // namespace
+
+void compare_coordinates(const ValueContext& context, const Rendering& rendered, Result& result) {
+  constexpr const char* kRule = "fragment.coordinates";
+  const FollowedDepth followed = followed_depth(context, rendered);
+  ValueAggregator depths("gl_FragCoord.z", kRule, 17);
+  ValueAggregator elsewhere("gl_FragCoord.z", followed.rule, followed.ruling, followed.cause);
+  ValueAggregator inverses("gl_FragCoord.w", kRule, 17);
+  ValueAggregator places("gl_FragCoord.xy", kRule, 17);
+  for (const Fragment& f : rendered.fragments) {
+    if (f.detail < 0) continue;
+    const FragmentDetail& detail = rendered.details[static_cast<std::size_t>(f.detail)];
+    if (!detail.has_coordinates) continue;
+    const auto& [x, y, z, w] = detail.coordinates;
+    const Point place = context.coordinates_of(f);
+    const bool exact = x == place.x.to_double() && y == place.y.to_double();
+    const bool anywhere = !context.permitted_places(f).empty();
+    const bool inside = x >= f.x && x <= f.x + 1 && y >= f.y && y <= f.y + 1;
+    if (!exact && anywhere && inside) {
+      add_coordinates(places, f, place, {x, y});
+    } else if (!exact) {
+      Disagreement d = value_disagreement({f.x, f.y}, f.primitive, kRule, 17);
+      d.exact = {place.x.to_double(), place.y.to_double()};
+      d.rendered = {x, y};
+      d.explanation =
+          fmt::format("gl_FragCoord.xy is ({:.9g}, {:.9g}), not {}", x, y, words_of_place(place));
+      const auto ignored = coordinates_if_ignored(context, f);
+      if (ignored && x == ignored->x.to_double() && y == ignored->y.to_double())
+        d.cause = cause_of(MultisampleSwitch::ignored);
+      result.disagreements.push_back(std::move(d));
+    }
+    const Judge judge(context, f);
+    const Component depth = judge.depth(z);
+    const Component inverse = judge.inverse_w(w);
+    Fragment told = f;
+    told.depth = z;
+    Disagreement* d =
+        compare_components({&depth, 1}, f, judge.depth_place(), kRule,
+                           followed.explains(context, told) ? elsewhere : depths, result);
+    if (d != nullptr) blame(*d, cause_of_depth(context, told));
+    compare_components({&inverse, 1}, f, judge.depth_place(), kRule, inverses, result);
+  }
+  depths.flush(result);
+  elsewhere.flush(result);
+  inverses.flush(result);
+  places.flush(result);
+}
+
+}  // namespace edgecase

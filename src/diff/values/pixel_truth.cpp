@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "diff/values/pixel_truth.h"
+
+#include <cmath>
+#include <vector>
+
+namespace edgecase {
+
+PixelTruth truth_of_clear(const Scene& scene) {
+  PixelTruth truth;
+  for (std::size_t c = 0; c < 4; ++c) {
+    truth.exact[c] = static_cast<double>(scene.target.clear[c]);
+    truth.permitted[c] = truth.exact[c];
+  }
+  return truth;
+}
+
+PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragment) {
+  PixelTruth truth;
+  if (fragment.has_color) {
+    truth.exact = fragment.color;
+    for (std::size_t c = 0; c < 4; ++c)
+      truth.permitted[c] = std::isnan(truth.exact[c]) ? Interval::everything() : truth.exact[c];
+    return truth;
+  }
+  // What a texture would have shown is judged where it is told.
+  if (context.primitive_of(fragment).state->texture) {
+    truth.permitted.fill(Interval::everything());
+    return truth;
+  }
+  const PrimitiveValues& values = context.values_of(fragment);
+  const Point place = context.place_of(fragment, context.choices.values.locations);
+  const std::vector<Point> places = context.permitted_places(fragment);
+  for (std::size_t c = 0; c < 4; ++c) {
+    const Interpolant& lawful = values.lawful.color[c];
+    const Interval permitted =
+        places.empty() ? interpolate_permitted(lawful, place, values.reach)
+                       : permitted_within(lawful, values.lawful.inverse_w, places, values.reach);
+    truth.exact[c] = middle(interpolate_exact(values.chosen.color[c], place));
+    truth.permitted[c] = hull(permitted, truth.exact[c]);
+  }
+  return truth;
+}
+
+}  // namespace edgecase

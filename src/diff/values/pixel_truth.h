@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// What a pixel should hold, by the renderer's own fragments.
+#pragma once
+
+#include <array>
+
+#include "diff/values/value_diff.h"
+#include "exact/interval.h"
+
+namespace edgecase {
+
+// Component by component, before conversion to 8 bits.
+struct PixelTruth {
+  std::array<double, 4> exact{};
+  std::array<Interval, 4> permitted{};
+};
+
+PixelTruth truth_of_clear(const Scene& scene);
+
+// The colour that the renderer told, or where it told none, all that it may have had.
+PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragment);
+
+}  // namespace edgecase

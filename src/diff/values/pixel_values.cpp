@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+//
+// Pixels (rulings 10 and 11): each must hold what the renderer's own last fragment there puts into
+// it, or the clear colour. A renderer that tells right fragments and shows a wrong picture is
+// caught here.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diff/samples/sample_planes.h"
+#include "diff/samples/switched_off.h"
+#include "diff/values/pixel_truth.h"
+#include "diff/values/value_diff.h"
+#include "rules/values/framebuffer.h"
+
+namespace edgecase {
+namespace {
+
+bool holds(const std::uint8_t* pixel, const PixelTruth& truth) {
+  for (std::size_t c = 0; c < 4; ++c) {
+    const Unorm8Range range = unorm8_permitted(truth.permitted[c]);
+    if (pixel[c] < range.low || pixel[c] > range.high) return false;
+  }
+  return true;
+}
+
+class PixelComparison {
+ public:
+  PixelComparison(const ValueContext& context, const Rendering& rendered)
+      : context_(context), rendered_(rendered), clear_(truth_of_clear(context.scene)) {}
+
+  void run(Result& result) {
+    // Fragments are sorted by row, column and primitive: walk them along with the pixels.
+    auto next = rendered_.fragments.begin();
+    for (int y = 0; y < rendered_.height; ++y) {
+      for (int x = 0; x < rendered_.width; ++x) {
+        const auto first = next;
+        while (next != rendered_.fragments.end() && next->x == x && next->y == y) ++next;
+        compare_samples({x, y}, {first, next}, result);
+      }
+    }
+    aggregator_.flush(result);
+  }
+
+ private:
+  bool is_multisampled() const { return rendered_.samples > 1; }
+
+  void compare_samples(PixelPosition pixel, std::span<const Fragment> fragments, Result& result) {
+    for (int sample = 0; sample < rendered_.samples; ++sample) {
+      const std::vector<std::uint8_t>& planes =
+          is_multisampled() ? rendered_.sample_pixels : rendered_.pixels;
+      compare(pixel, sample, fragments,
+              planes.data() + 4 * rendered_.sample_index(pixel.x, pixel.y, sample), result);
+    }
+  }
+
+  PixelTruth truth_of(const Fragment* fragment) const {
+    return fragment != nullptr ? truth_of_fragment(context_, *fragment) : clear_;
+  }
+
+  void compare(PixelPosition pixel, int sample, std::span<const Fragment> fragments,
+               const std::uint8_t* stored, Result& result) {
+    aggregator_.count_compared(4);
+    const auto all = last_writers(context_, fragments, sample);
+    // Which of them alpha to coverage kept from writing is held against hits where they are told.
+    const auto writers = rendered_.hits.empty() ? left_by_alpha(context_, all) : all;
+    const auto holds_color_of = [&](const Fragment* writer) {
+      return holds(stored, truth_of(writer));
+    };
+    const auto found = std::ranges::find_if(writers, holds_color_of);
+    if (found != writers.end()) {
+      aggregate(pixel, *found != nullptr ? (*found)->primitive : -1, truth_of(*found), stored);
+      return;
+    }
+    report(pixel, sample, fragments, writers.front(), stored, result);
+    result.disagreements.back().cause = cause_of_switch(fragments, sample, stored);
+    if (std::ranges::any_of(all, holds_color_of)) {
+      result.disagreements.back().rule = "sample.alpha-to-coverage";
+      result.disagreements.back().ruling = 33;
+    }
+  }
+
+  // What is done without GL_MULTISAMPLE, if that puts there what is stored.
+  std::string cause_of_switch(std::span<const Fragment> fragments, int sample,
+                              const std::uint8_t* stored) const {
+    for (const MultisampleSwitch choice : switches_beside(context_, fragments))
+      for (const Fragment* writer : last_writers(context_, fragments, sample, choice))
+        if (holds(stored, truth_of(writer))) return cause_of(choice);
+    return "";
+  }
+
+  void aggregate(PixelPosition pixel, int primitive, const PixelTruth& truth,
+                 const std::uint8_t* stored) {
+    const ValueAggregate::Place place{pixel.x, pixel.y, primitive};
+    bool differs = false;
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (stored[c] == to_unorm8(truth.exact[c])) continue;
+      differs = true;
+      const double exact = truth.exact[c] * 255;
+      aggregator_.add_error(place, {static_cast<int>(c), exact, static_cast<double>(stored[c]),
+                                    std::fabs(stored[c] - exact), 255});
+    }
+    if (differs) aggregator_.add_place(place);
+  }
+
+  // An earlier fragment that has the colour that is stored, or none.
+  const Fragment* earlier_one(std::span<const Fragment> fragments, int sample, const Fragment* last,
+                              const std::uint8_t* stored) const {
+    const Fragment* earlier = nullptr;
+    for (const Fragment& fragment : fragments) {
+      if (&fragment == last) break;
+      if (covers_sample(context_, fragment, sample) &&
+          holds(stored, truth_of_fragment(context_, fragment)))
+        earlier = &fragment;
+    }
+    return earlier;
+  }
+
+  void report(PixelPosition pixel, int sample, std::span<const Fragment> fragments,
+              const Fragment* last, const std::uint8_t* stored, Result& result) {
+    const PixelTruth truth = truth_of(last);
+    const Fragment* earlier = earlier_one(fragments, sample, last, stored);
+    Disagreement d = earlier != nullptr ? value_disagreement(pixel, -1, "framebuffer.order", 11)
+                                        : value_disagreement(pixel, -1, "framebuffer.unorm8", 10);
+    d.sample = sample;
+    for (std::size_t c = 0; c < 4; ++c) {
+      d.exact.push_back(to_unorm8(truth.exact[c]));
+      d.rendered.push_back(stored[c]);
+    }
+    const std::string what =
+        last == nullptr
+            ? "the clear colour, since no fragment was drawn there"
+            : fmt::format("the colour of primitive {}, the last drawn there", last->primitive);
+    std::string note;
+    if (earlier != nullptr)
+      note = fmt::format("; that is the colour of primitive {}, drawn earlier", earlier->primitive);
+    else if (last != nullptr && holds(stored, clear_))
+      note = "; that is the clear colour";
+    d.explanation = fmt::format("the {} should hold {}, ({}); it holds ({}){}",
+                                is_multisampled() ? fmt::format("sample {}", sample) : "pixel",
+                                what, fmt::join(d.exact, ", "), fmt::join(d.rendered, ", "), note);
+    result.disagreements.push_back(std::move(d));
+  }
+
+  const ValueContext& context_;
+  const Rendering& rendered_;
+  PixelTruth clear_;
+  ValueAggregator aggregator_{"pixel", "framebuffer.unorm8", 10};
+};
+
+}  // namespace
+
+void compare_pixels(const ValueContext& context, const Rendering& rendered, Result& result) {
+  PixelComparison(context, rendered).run(result);
+}
+
+}  // namespace edgecase

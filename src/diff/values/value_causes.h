@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// Which alternative of the rules on values yields what a fragment has, where that is beyond what
+// the specification permits.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "diff/values/value_diff.h"
+
+namespace edgecase {
+
+// "attribute.perspective=never" and the like: the first alternative in catalogue order under which
+// every component is what comes of inexact operations; of colours, where none is, the first two of
+// how and where they are interpolated. Empty when none is.
+std::string cause_of_color(const ValueContext& context, const Fragment& fragment);
+std::string cause_of_depth(const ValueContext& context, const Fragment& fragment);
+
+// The same of derivatives of the colour along x and y, both by one method, whichever.
+std::string cause_of_derivatives(const ValueContext& context, const Fragment& fragment,
+                                 const FragmentDetail& detail,
+                                 const std::array<Derivative, 2>& along);
+
+// The fragment's place in its quad, under the policy.
+QuadPixel quad_place(const ValueContext& context, const Fragment& fragment);
+
+// Does a method, every operation inexact, yield these derivatives of a colour's components?
+bool yields_derivative(const std::array<Interpolant, 4>& color, const QuadPixel& at,
+                       Derivative derivative, DerivativeMethod method,
+                       const std::array<double, 4>& rendered);
+
+}  // namespace edgecase

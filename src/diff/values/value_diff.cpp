@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "diff/values/value_diff.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "diff/values/vertex_latitude.h"
+#include "raster/rasterizer.h"
+#include "rules/coverage/explain.h"
+
+namespace edgecase {
+namespace {
+
+// What OpenGL's own rules say about attributes.
+RuleChoices lawful_choices(const RuleChoices& chosen) {
+  RuleChoices result = chosen;
+  result.values = ValueChoice{};
+  return result;
+}
+
+bool interpolates_lawfully(const ValueChoice& choice) {
+  const ValueChoice lawful;
+  return choice.provoking == lawful.provoking && choice.line_parameter == lawful.line_parameter &&
+         choice.perspective == lawful.perspective && choice.positions == lawful.positions;
+}
+
+}  // namespace
+
+ValueContext::ValueContext(const Scene& of, std::span<const ScenePrimitive> all,
+                           const RuleChoices& under, int bits, Latitude granted,
+                           const SamplePositions& reported)
+    : scene(of),
+      primitives(all),
+      choices(under),
+      latitude(granted),
+      bits_(bits),
+      positions_(positions_of(of.target, CoverageChoice{}, reported)),
+      values_(all.size()) {}
+
+const ScenePrimitive& ValueContext::primitive_of(const Fragment& fragment) const {
+  return primitives[static_cast<std::size_t>(fragment.primitive)];
+}
+
+// None where the draw is not multisampled, or the renderer tells of a fragment without samples.
+std::optional<Invocation> ValueContext::invocation_of(const Fragment& fragment) const {
+  const ScenePrimitive& primitive = primitive_of(fragment);
+  if (!is_multisampled(*primitive.state, scene.target) || fragment.coverage == 0)
+    return std::nullopt;
+  const bool per_sample =
+      std::has_single_bit(fragment.coverage) &&
+      runs_per_sample(primitive.state->multisampling, scene.target.samples, rate_);
+  return Invocation{primitive.kind, fragment.coverage, per_sample};
+}
+
+Point ValueContext::place_of(const Fragment& fragment, const LocationChoice& choice) const {
+  const auto invocation = invocation_of(fragment);
+  if (!invocation) return pixel_centre(fragment.x, fragment.y);
+  const AttributeLocation qualifier = primitive_of(fragment).state->multisampling.location;
+  return place_in({fragment.x, fragment.y},
+                  attribute_location(qualifier, *invocation, positions_, choice));
+}
+
+Point ValueContext::depth_place_of(const Fragment& fragment, const LocationChoice& choice) const {
+  const auto invocation = invocation_of(fragment);
+  if (!invocation) return pixel_centre(fragment.x, fragment.y);
+  return place_in({fragment.x, fragment.y},
+                  fragment_depth_location(*invocation, positions_, choice));
+}
+
+Point ValueContext::coordinates_of(const Fragment& fragment) const {
+  const auto invocation = invocation_of(fragment);
+  if (!invocation) return pixel_centre(fragment.x, fragment.y);
+  return place_in({fragment.x, fragment.y}, coordinates_location(*invocation, positions_));
+}
+
+std::vector<Point> ValueContext::permitted_places(const Fragment& fragment) const {
+  const auto invocation = invocation_of(fragment);
+  if (!invocation) return {};
+  const ScenePrimitive& primitive = primitive_of(fragment);
+  const auto sample = static_cast<std::size_t>(std::countr_zero(fragment.coverage));
+  return permitted_locations(primitive, {fragment.x, fragment.y}, positions_.at(sample),
+                             reach_of(primitive, scene.viewport, bits_));
+}
+
+const PrimitiveValues& ValueContext::values_of(const Fragment& fragment) const {
+  std::optional<PrimitiveValues>& values = values_[static_cast<std::size_t>(fragment.primitive)];
+  if (!values) {
+    const ScenePrimitive& primitive = primitive_of(fragment);
+    values = {attributes_of(primitive, choices, scene.target),
+              attributes_of(primitive, lawful_choices(choices), scene.target),
+              !interpolates_lawfully(choices.values),
+              reach_of(primitive, scene.viewport, bits_).to_double()};
+  }
+  return *values;
+}
+
+bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample) {
+  const Draw& draw = *context.primitive_of(fragment).state;
+  if (!is_multisampled(draw, context.scene.target)) return true;
+  return (fragment.coverage >> sample & 1) != 0;
+}
+
+std::vector<const Fragment*> last_writers(const ValueContext& context,
+                                          std::span<const Fragment> at_pixel, int sample) {
+  std::vector<const Fragment*> writers;
+  for (std::size_t i = at_pixel.size(); i-- > 0;) {
+    const Fragment& fragment = at_pixel[i];
+    if (!covers_sample(context, fragment, sample)) continue;
+    writers.push_back(&fragment);
+    const Draw& draw = *context.primitive_of(fragment).state;
+    const bool may_not_write =
+        is_multisampled(draw, context.scene.target) && draw.multisampling.alpha_to_coverage;
+    if (!may_not_write) return writers;
+  }
+  writers.push_back(nullptr);
+  return writers;
+}
+
+Interval permitted_within(const Interpolant& interpolant, const Interpolant& inverse_w,
+                          std::span<const Point> corners, double reach) {
+  Interval result = interpolate_permitted(interpolant, corners.front(), reach);
+  Interval below = interpolate_permitted(inverse_w, corners.front(), reach);
+  for (const Point corner : corners.subspan(1)) {
+    result = hull(result, interpolate_permitted(interpolant, corner, reach));
+    below = hull(below, interpolate_permitted(inverse_w, corner, reach));
+  }
+  return interpolant.perspective && below.low <= 0 ? Interval::everything() : result;
+}
+
+Disagreement value_disagreement(PixelPosition pixel, int primitive, std::string rule, int ruling) {
+  Disagreement d;
+  d.x = pixel.x;
+  d.y = pixel.y;
+  d.sample = -1;
+  d.primitive = primitive;
+  d.kind = DisagreementKind::value;
+  d.rule = std::move(rule);
+  d.ruling = ruling;
+  d.legal = false;
+  d.figure.marks = {sample_mark(pixel_centre(pixel.x, pixel.y))};
+  return d;
+}
+
+double float_ulp(double value) {
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  const float at = std::fabs(static_cast<float>(value));
+  if (at >= kLargest) return static_cast<double>(kLargest - std::nextafterf(kLargest, 0));
+  return static_cast<double>(std::nextafterf(at, HUGE_VALF)) - static_cast<double>(at);
+}
+
+double error_in_ulp(double exact, double rendered) {
+  // A number for an infinity: as far off as any two numbers of different signs.
+  if (std::isinf(exact) != std::isinf(rendered)) return 0x1p24;
+  return std::fabs(rendered - exact) / float_ulp(std::max(std::fabs(exact), std::fabs(rendered)));
+}
+
+double to_float(double value) {
+  return static_cast<double>(static_cast<float>(value));
+}
+
+Interval rounded_to_float(Interval value) {
+  return {to_float(value.low), to_float(value.high)};
+}
+
+double range_of(const Interpolant& interpolant) {
+  const auto count = vertices_of(interpolant.kind);
+  const auto [least, largest] =
+      std::minmax_element(interpolant.values.begin(), interpolant.values.begin() + count,
+                          [](Interval a, Interval b) { return a.low < b.low; });
+  const double range = largest->high - least->low;
+  return range > float_ulp(hull(*least, *largest).magnitude()) ? range : 0;
+}
+
+ValueAggregator::ValueAggregator(std::string attribute, std::string rule, int ruling,
+                                 std::string cause) {
+  aggregate_.attribute = std::move(attribute);
+  aggregate_.rule = std::move(rule);
+  aggregate_.ruling = ruling;
+  aggregate_.cause = std::move(cause);
+}
+
+void ValueAggregator::count_compared(std::size_t components) {
+  ++aggregate_.compared;
+  aggregate_.components += components;
+}
+
+void ValueAggregator::count_as(const ValueAggregator& whole) {
+  aggregate_.compared = whole.aggregate_.compared;
+  aggregate_.components = whole.aggregate_.components;
+}
+
+void ValueAggregator::add_error(ValueAggregate::Place place, const Error& error) {
+  // log2 of the least double stands for an error of zero: told apart by rounding alone.
+  const int bucket = error.ulp > 0 ? static_cast<int>(std::floor(std::log2(error.ulp))) : -1074;
+  const bool first = aggregate_.ulp_histogram.empty();
+  ++aggregate_.ulp_histogram[bucket];
+  ulp_sum_ += error.ulp;
+  if (error.range > 0)
+    aggregate_.worst_relative =
+        std::max(aggregate_.worst_relative, std::fabs(error.rendered - error.exact) / error.range);
+  if (error.ulp <= aggregate_.worst_ulp && !first) return;
+  aggregate_.worst = place;
+  aggregate_.worst_component = error.component;
+  aggregate_.worst_exact = error.exact;
+  aggregate_.worst_rendered = error.rendered;
+  aggregate_.worst_ulp = error.ulp;
+}
+
+void ValueAggregator::flush(Result& result) {
+  if (aggregate_.compared == 0) return;
+  if (ulp_sum_ > 0) aggregate_.mean_ulp = ulp_sum_ / static_cast<double>(aggregate_.components);
+  result.values.push_back(std::move(aggregate_));
+}
+
+}  // namespace edgecase

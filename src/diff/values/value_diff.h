@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+//
+// Values: what fragments carry and what ends up in pixels, held against what is exact under a
+// policy and against what the specification permits (rulings 8 to 11 and 16 to 18), which knows no
+// policy. Coverage is not looked at: a fragment that exact does not have is compared with the
+// attribute's value at its place all the same.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "exact/pixel.h"
+#include "model/policy.h"
+#include "model/rendering.h"
+#include "model/result.h"
+#include "model/scene.h"
+#include "raster/attributes.h"
+#include "rules/choices.h"
+
+namespace edgecase {
+
+// What is known of one primitive's attributes.
+struct PrimitiveValues {
+  PrimitiveAttributes chosen;  // under the policy
+  PrimitiveAttributes lawful;  // under OpenGL's own choices
+  bool differ = false;         // the policy interpolates otherwise than OpenGL does
+  double reach = 0;            // pixels that a vertex may have moved: rulings 4 and 15
+};
+
+// What the comparison of values needs of a case.
+class ValueContext {
+ public:
+  // All must outlive the context. `bits` as in ruling 4; `reported`: where the renderer says that
+  // samples lie.
+  ValueContext(const Scene& scene, std::span<const ScenePrimitive> primitives,
+               const RuleChoices& choices, int bits, Latitude latitude,
+               const SamplePositions& reported = {});
+
+  // How often the renderer runs its shader, where that is not as the policy has it.
+  void follow(ShadingRate rate) { rate_ = rate; }
+
+  const Scene& scene;
+  std::span<const ScenePrimitive> primitives;
+  const RuleChoices& choices;
+  Latitude latitude;
+
+  // Where within a pixel of the target a sample lies, as the renderer has it.
+  Point sample_position(int sample) const { return positions_[static_cast<std::size_t>(sample)]; }
+  const SamplePositions& sample_positions() const { return positions_; }
+
+  // Where in the window exact evaluates what a fragment carries: its attributes, its depth, and
+  // gl_FragCoord.xy itself. The pixel's centre, unless the draw is multisampled.
+  Point place_of(const Fragment& fragment, const LocationChoice& choice) const;
+  Point depth_place_of(const Fragment& fragment, const LocationChoice& choice) const;
+  Point coordinates_of(const Fragment& fragment) const;
+  // Corners of the region in which the specification lets attributes of a multisampled draw be
+  // evaluated; empty where it knows one place alone.
+  std::vector<Point> permitted_places(const Fragment& fragment) const;
+
+  const ScenePrimitive& primitive_of(const Fragment& fragment) const;
+  // Worked out when a primitive is first asked for.
+  const PrimitiveValues& values_of(const Fragment& fragment) const;
+
+ private:
+  std::optional<Invocation> invocation_of(const Fragment& fragment) const;
+
+  int bits_;
+  ShadingRate rate_;
+  SamplePositions positions_;
+  mutable std::vector<std::optional<PrimitiveValues>> values_;
+};
+
+// Each appends disagreements (beyond what is permitted) and aggregates (inside it) to `result`.
+
+// Colours and depths, as the renderer tells them per fragment.
+void compare_fragment_values(const ValueContext& context, const Rendering& rendered,
+                             Result& result);
+
+// gl_FragCoord and derivatives of the colour, where they were asked for and told.
+void compare_coordinates(const ValueContext& context, const Rendering& rendered, Result& result);
+void compare_derivatives(const ValueContext& context, const Rendering& rendered, Result& result);
+
+// Pixels and the depth buffer, of multisampled targets sample by sample, against the last fragment
+// that the renderer says it drew there.
+void compare_pixels(const ValueContext& context, const Rendering& rendered, Result& result);
+void compare_depths(const ValueContext& context, const Rendering& rendered, Result& result);
+
+// How often the shader ran for the pixels of multisampled draws.
+ShadingRate followed_rate(const ValueContext& context, const Rendering& rendered);
+void compare_invocations(const ValueContext& context, const Rendering& rendered, Result& result);
+
+// What a multisampled target holds as a whole: resolved pixels against the renderer's own samples,
+// and how often it wrote each sample against its own fragments.
+void compare_resolved_pixels(const ValueContext& context, const Rendering& rendered,
+                             Result& result);
+void compare_sample_hits(const ValueContext& context, const Rendering& rendered, Result& result);
+
+// Does the fragment cover the sample? Without multisampling it covers all.
+bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample);
+
+// The fragments of a pixel, in drawing order, by which a sample may have been written last: the
+// last one that covers it, and where alpha to coverage may have kept that from writing, those
+// before it too, the last one first. Null stands for the clear value.
+std::vector<const Fragment*> last_writers(const ValueContext& context,
+                                          std::span<const Fragment> at_pixel, int sample);
+
+// What is permitted wherever in a pixel of a multisampled target the attribute is evaluated:
+// `corners` of a convex region. A quotient of linear functions has its extremes at corners, unless
+// its denominator passes through 0 between them.
+Interval permitted_within(const Interpolant& interpolant, const Interpolant& inverse_w,
+                          std::span<const Point> corners, double reach);
+
+// A value disagreement at a pixel, not legal, with the pixel's centre marked; of no sample until
+// one is named. primitive -1: the pixel.
+Disagreement value_disagreement(PixelPosition pixel, int primitive, std::string rule, int ruling);
+
+// Distance between neighbouring float32 values at `value`.
+double float_ulp(double value);
+// How far two numbers lie apart, in units of the last place of the larger: beside a zero crossing,
+// where the exact value has hardly any place of its own, at most 2^24; that, too, where one of them
+// is infinite.
+double error_in_ulp(double exact, double rendered);
+// The nearest float32 value.
+double to_float(double value);
+// Correct rounding is monotonic, so the roundings of the interval's ends enclose that of the value.
+Interval rounded_to_float(Interval value);
+// Largest less least of the values at the vertices; 0 where float32 could hardly tell them apart.
+double range_of(const Interpolant& interpolant);
+
+// Counts the values of one attribute that differ inside the permitted range, and keeps the worst.
+class ValueAggregator {
+ public:
+  ValueAggregator(std::string attribute, std::string rule, int ruling, std::string cause = "");
+
+  // A place with so many components is compared.
+  void count_compared(std::size_t components);
+  // As many are compared as of another one, which a part of the values was taken from.
+  void count_as(const ValueAggregator& whole);
+  // Errors of one place: add_error for each component that differs, then add_place once.
+  // `range`: of the attribute, for the relative error.
+  struct Error {
+    int component = 0;
+    double exact = 0;
+    double rendered = 0;
+    double ulp = 0;
+    double range = 0;
+  };
+  void add_error(ValueAggregate::Place place, const Error& error);
+  void add_place(ValueAggregate::Place place) { aggregate_.differing.push_back(place); }
+  // Appends the aggregate to the result, if anything was compared: what is compared pass by pass is
+  // counted in whole. compare() leaves out those of which nothing differs.
+  void flush(Result& result);
+
+ private:
+  ValueAggregate aggregate_;
+  double ulp_sum_ = 0;
+};
+
+}  // namespace edgecase

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "profile/random/random_shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdlib>
+#include <utility>
+
+#include "profile/random/random_scenes.h"
+
+namespace edgecase {
+namespace {
+
+constexpr std::int64_t kOne = Fixed::kOne;
+
+// The nearest multiple of `step` towards zero; a shorter length stays as it is.
+std::int64_t coarsened(std::int64_t length, std::int64_t step) {
+  return std::abs(length) < step ? length : length - length % step;
+}
+
+// The shorter component of a vector whose longer one is `longer`, both without sign.
+std::int64_t random_shorter(RandomSource& random, std::int64_t longer) {
+  switch (random.below(8)) {
+    case 0:
+      return 0;
+    case 1:
+      return longer;
+    case 2:
+    case 3: {  // flat, down to a sub-pixel of rise over the whole length
+      const std::int64_t rise = random.log_uniform(20);
+      return std::min(rise, longer);
+    }
+    case 4: {  // a simple slope
+      const std::int64_t run = random.between(2, 8);
+      return longer / run * random.between(1, run - 1);
+    }
+    default:
+      return random.below(longer + 1);
+  }
+}
+
+// A coordinate of a square that contains a and b and is `size` wide.
+std::int64_t random_between(RandomSource& random, std::int64_t a, std::int64_t b, std::int64_t size,
+                            std::int64_t step) {
+  const auto [low, high] = std::minmax({a, b});
+  const std::int64_t left =
+      high - size + random.below(std::max<std::int64_t>(size - (high - low), 0) + 1);
+  const std::int64_t first = std::min(low, left);
+  const std::int64_t last = std::max(high, first + size);
+  return a + coarsened(random.between(first, last) - a, step);
+}
+
+// The whole pixels by which coordinates may be shifted to lie strictly between 0 and `target`.
+std::pair<std::int64_t, std::int64_t> shifts(std::int64_t low, std::int64_t high, int target) {
+  return {Fixed::from_raw(-low).floor() + 1, Fixed::from_raw(target * kOne - high).ceil() - 1};
+}
+
+}  // namespace
+
+Frame random_frame(RandomSource& random, int largest) {
+  const std::int64_t extent =
+      random.log_uniform(static_cast<int>(std::bit_width(static_cast<unsigned>(largest))) - 1);
+  Frame frame;
+  frame.target = static_cast<int>(std::max<std::uint64_t>(
+      kLeastRandomTarget, std::bit_ceil(static_cast<std::uint64_t>(extent))));
+  // A shift by whole pixels exists for certain when less than the target without a pixel is needed;
+  // the slack is for nudges and for what is coarsened.
+  frame.most = (frame.target - 1) * kOne - kOne / 4;
+  frame.extent = std::min(extent * kOne - random.below(kOne), frame.most);
+  return frame;
+}
+
+Grid random_grid(RandomSource& random) {
+  switch (random.below(10)) {
+    case 0:
+      return {kOne, 0};
+    case 1:
+      return {kOne, kOne / 2};
+    case 2: {  // midway between the steps of a sub-pixel grid
+      const std::int64_t step = kOne >> random.between(4, 12);
+      return {step, step / 2};
+    }
+    case 3:
+      return {kOne >> 8, kOne >> 9};
+    case 4:
+      return {kOne >> 4, kOne >> 5};
+    default:
+      return {random_step(random), 0};
+  }
+}
+
+std::int64_t random_step(RandomSource& random) {
+  constexpr std::array kBits{1, 1, 1, 2, 2, 4, 4, 8, 8, 12, 16, 16};
+  return kOne >> random.one_of(std::span<const int>(kBits));
+}
+
+RawVector random_vector(RandomSource& random, std::int64_t extent, std::int64_t step) {
+  const std::int64_t longer = coarsened(extent, step);
+  const std::int64_t shorter = coarsened(random_shorter(random, longer), step);
+  const std::int64_t sign_x = random.sign();
+  const std::int64_t sign_y = random.sign();
+  return random.one_in(2) ? RawVector{sign_x * longer, sign_y * shorter}
+                          : RawVector{sign_x * shorter, sign_y * longer};
+}
+
+Point random_point(RandomSource& random, const Grid& grid) {
+  const auto coordinate = [&] {
+    return Fixed::from_raw(grid.offset % grid.step + grid.step * random.below(kOne / grid.step));
+  };
+  const Fixed x = coordinate();
+  return {x, coordinate()};
+}
+
+Point random_neighbour(RandomSource& random, Point a, Point b, std::int64_t size,
+                       std::int64_t step) {
+  const std::int64_t x = random_between(random, a.x.raw(), b.x.raw(), size, step);
+  const std::int64_t y = random_between(random, a.y.raw(), b.y.raw(), size, step);
+  return {Fixed::from_raw(x), Fixed::from_raw(y)};
+}
+
+void shift_inside(RandomSource& random, int target, std::span<Point> points) {
+  const auto by_x = [](Point p, Point q) { return p.x < q.x; };
+  const auto by_y = [](Point p, Point q) { return p.y < q.y; };
+  const auto [left, right] = std::minmax_element(points.begin(), points.end(), by_x);
+  const auto [bottom, top] = std::minmax_element(points.begin(), points.end(), by_y);
+  const auto columns = shifts(left->x.raw(), right->x.raw(), target);
+  const auto rows = shifts(bottom->y.raw(), top->y.raw(), target);
+  const std::int64_t dx = random.between(columns.first, columns.second) * kOne;
+  const std::int64_t dy = random.between(rows.first, rows.second) * kOne;
+  for (Point& point : points) point = point + RawVector{dx, dy};
+}
+
+void nudge(RandomSource& random, int finest, int target, std::span<Point> points) {
+  const std::int64_t step = kOne >> random.between(4, finest);
+  // Eighths of a step; halves most of all, where roundings part.
+  constexpr std::array<std::int64_t, 8> kEighths{0, 0, 2, 4, 4, 4, 6, 8};
+  const auto move = [&] {
+    const std::int64_t length = random.one_of(std::span<const std::int64_t>(kEighths));
+    return random.sign() * length * step / 8;
+  };
+  for (Point& point : points) {
+    const std::int64_t dx = move();
+    const Point moved = point + RawVector{dx, move()};
+    if (strictly_inside(moved, target)) point = moved;
+  }
+}
+
+Theme random_theme(RandomSource& random) {
+  const std::int64_t share = random.below(20);
+  return share < 11 ? Theme::tie : share < 17 ? Theme::near_tie : Theme::free;
+}
+
+std::int64_t step_of(RandomSource& random, Theme theme) {
+  return theme == Theme::near_tie ? kOne >> random.between(1, 4) : random_step(random);
+}
+
+}  // namespace edgecase

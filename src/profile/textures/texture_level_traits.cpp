@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "profile/tally.h"
+#include "profile/textures/texture_levels.h"
+#include "profile/textures/texture_traits.h"
+
+namespace edgecase {
+namespace {
+
+// All combinations, by the indices of their parts.
+struct Combination {
+  std::size_t scale_factor = 0;
+  std::size_t log2 = 0;
+  std::size_t derivatives = 0;
+
+  std::size_t index() const {
+    return (derivatives * all_scale_factors().size() + scale_factor) * all_log2_methods().size() +
+           log2;
+  }
+};
+
+std::size_t combination_count() {
+  return all_derivative_methods().size() * all_scale_factors().size() * all_log2_methods().size();
+}
+
+// Rounding of float32 in scale factors and logarithms.
+constexpr double kScaleError = 0x1p-19;
+constexpr double kLevelError = 0x1p-17;
+
+// Of one lookup, which combinations yield it.
+using Yields = std::vector<bool>;
+
+bool holds(const RampLevels& ramp, Interval scale, Log2Method log2, double told,
+           LevelSource source) {
+  const Interval lambda = log2_of(widened(scale, kScaleError), log2);
+  const Interval level =
+      ramp.tellable({lambda.low - kLevelError, lambda.high + kLevelError}, source);
+  const double slack = source == LevelSource::color ? kLevelError : 0;
+  return told >= level.low - slack && told <= level.high + slack;
+}
+
+Yields yields_of(const RampLevels& ramp, const ToldLookup& lookup, LevelSource source,
+                 double told) {
+  Yields yields(combination_count());
+  for (std::size_t d = 0; d < all_derivative_methods().size(); ++d) {
+    const Footprint footprint = ramp.rounded_footprint(lookup, all_derivative_methods()[d]);
+    for (std::size_t s = 0; s < all_scale_factors().size(); ++s) {
+      const Interval scale = scale_factor(footprint, all_scale_factors()[s]);
+      for (std::size_t l = 0; l < all_log2_methods().size(); ++l)
+        yields[Combination{s, l, d}.index()] =
+            holds(ramp, scale, all_log2_methods()[l], told, source);
+    }
+  }
+  return yields;
+}
+
+std::vector<Yields> all_yields(std::span<const ToldScene> ramps, const RuleChoices& found) {
+  std::vector<Yields> result;
+  for (const ToldScene& told : ramps) {
+    const RampLevels ramp(told.scene, found);
+    for (const ToldLookup& lookup : told.lookups)
+      for (const LevelSource source : {LevelSource::query, LevelSource::color})
+        if (const auto level = ramp.told(lookup, source))
+          result.push_back(yields_of(ramp, lookup, source, *level));
+  }
+  return result;
+}
+
+// The catalogue's own comes first where several do as well.
+Combination best_of(const std::vector<Yields>& all) {
+  std::vector<std::size_t> counts(combination_count());
+  for (const Yields& yields : all)
+    for (std::size_t i = 0; i < yields.size(); ++i)
+      if (yields[i]) ++counts[i];
+  const auto methods = all_derivative_methods();
+  const auto standard = static_cast<std::size_t>(
+      std::find(methods.begin(), methods.end(), TextureChoice{}.derivatives) - methods.begin());
+  Combination best{0, 0, standard};
+  for (std::size_t d = 0; d < methods.size(); ++d)
+    for (std::size_t s = 0; s < all_scale_factors().size(); ++s)
+      for (std::size_t l = 0; l < all_log2_methods().size(); ++l)
+        if (const Combination other{s, l, d}; counts[other.index()] > counts[best.index()])
+          best = other;
+  return best;
+}
+
+// One rule, the two others as the best combination has them.
+template <class Values>
+Trait trait_of(const char* id, const Values& values, std::size_t Combination::*part,
+               const Combination& best, std::size_t standard, const std::vector<Yields>& all) {
+  std::vector<std::string> names;
+  for (const auto value : values) names.push_back(name_of(value));
+  Tally tally(std::move(names), standard);
+  for (const Yields& yields : all) {
+    std::vector<bool> agree;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      Combination other = best;
+      other.*part = i;
+      agree.push_back(yields[other.index()]);
+    }
+    tally.add(agree);
+  }
+  return tally.trait(id);
+}
+
+}  // namespace
+
+std::vector<Trait> infer_level_of_detail(std::span<const ToldScene> ramps,
+                                         const RuleChoices& found) {
+  const std::vector<Yields> all = all_yields(ramps, found);
+  const Combination best = best_of(all);
+  return {trait_of("texture.scale-factor", all_scale_factors(), &Combination::scale_factor, best,
+                   best.scale_factor, all),
+          trait_of("texture.log2", all_log2_methods(), &Combination::log2, best, best.log2, all),
+          trait_of("texture.derivatives", all_derivative_methods(), &Combination::derivatives, best,
+                   best.derivatives, all)};
+}
+
+}  // namespace edgecase

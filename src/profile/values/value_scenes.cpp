@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#include "profile/values/value_scenes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "casefile/viewport.h"
+#include "profile/random/random_shapes.h"
+
+namespace edgecase {
+namespace {
+
+// Far from the streams of profile/random/random_scenes.cpp; a mode and a purpose have one each.
+constexpr std::uint64_t kModeStreams = 0x100;
+constexpr std::uint64_t kDerivativeStream = 0x200;
+constexpr std::uint64_t kDepthStream = 0x300;
+// Scenes of windows are others, so that both surfaces together show more.
+constexpr std::uint64_t kWindowStreams = 0x1000;
+
+constexpr std::array<ValueMode, 10> kModes = {
+    {{PrimitiveKind::triangle, Interpolation::smooth, false},
+     {PrimitiveKind::triangle, Interpolation::smooth, true},
+     {PrimitiveKind::triangle, Interpolation::noperspective, false},
+     {PrimitiveKind::triangle, Interpolation::noperspective, true},
+     {PrimitiveKind::triangle, Interpolation::flat, false},
+     {PrimitiveKind::line, Interpolation::smooth, false},
+     {PrimitiveKind::line, Interpolation::smooth, true},
+     {PrimitiveKind::line, Interpolation::noperspective, false},
+     {PrimitiveKind::line, Interpolation::noperspective, true},
+     {PrimitiveKind::line, Interpolation::flat, false}}};
+
+std::uint64_t stream_of(const ValueScenes& of) {
+  const ValueMode& mode = of.mode;
+  return kModeStreams + (of.surface == Surface::window ? kWindowStreams : 0) +
+         64 * static_cast<std::uint64_t>(of.purpose) + 16 * static_cast<std::uint64_t>(mode.kind) +
+         4 * static_cast<std::uint64_t>(mode.interpolation) + (mode.perspective ? 1 : 0);
+}
+
+// ---------------------------------------------------------------------------------------- colours
+
+// From 0 to 1, of 24 bits.
+double fraction(RandomSource& random) {
+  return static_cast<double>(random.below(1 << 24)) * 0x1p-24;
+}
+
+double power_of_two(std::int64_t exponent) {
+  return std::ldexp(1.0, static_cast<int>(exponent));
+}
+
+// One component at each vertex of a primitive.
+std::array<float, 3> random_component(RandomSource& random) {
+  const std::int64_t kind = random.below(8);
+  const double base = fraction(random);
+  std::array<float, 3> values{};
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    double value = fraction(random);
+    switch (kind) {
+      case 2:  // beyond 0 to 1
+        value *= static_cast<double>(random.sign() * random.log_uniform(10));
+        break;
+      case 3:  // through zero
+        value *= v % 2 == 0 ? -1 : 1;
+        break;
+      case 4:  // a tiny range
+        value = base + value * 0x1p-16;
+        break;
+      case 5:  // a huge one
+        value = static_cast<double>(random.sign()) * (1 + value) *
+                power_of_two(random.between(-40, 40));
+        break;
+      case 6:  // tiny numbers
+        value *= static_cast<double>(random.sign()) * 0x1p-40;
+        break;
+      case 7:
+        value = base;
+        break;
+      default:  // in 0 to 1
+        break;
+    }
+    values[v] = static_cast<float>(value);
+  }
+  return values;
+}
+
+void set_colors(RandomSource& random, std::span<Vertex> primitive) {
+  for (std::size_t c = 0; c < 4; ++c) {
+    const auto values = random_component(random);
+    for (std::size_t v = 0; v < primitive.size(); ++v) primitive[v].color[c] = values[v];
+  }
+}
+
+// -------------------------------------------------------------------------------------- z and w
+
+constexpr std::array<std::int64_t, 6> kOddFactors{1, 1, 1, 3, 5, 7};
+
+// Are the clip coordinates of a vertex with this w float32 numbers?
+bool reaches_exactly(const Vertex& vertex, const Viewport& viewport, float w) {
+  return !find_inexactness(vertex.position.x, {viewport.x, viewport.width}, 'x', w) &&
+         !find_inexactness(vertex.position.y, {viewport.y, viewport.height}, 'y', w) &&
+         !find_depth_inexactness(vertex.z, w);
+}
+
+// A w of at most 2^octaves, or at least 2^-octaves, that the vertex bears.
+float random_w(RandomSource& random, const Vertex& vertex, const Viewport& viewport, int octaves) {
+  const double power = power_of_two(random.between(-octaves, octaves));
+  const auto odd = static_cast<double>(random.one_of<std::int64_t>(kOddFactors));
+  const auto w = static_cast<float>(power * odd);
+  return reaches_exactly(vertex, viewport, w) ? w : static_cast<float>(power);
+}
+
+// Ratios: mild, up to 2^8, up to 2^16; times 7.
+void set_w(RandomSource& random, const Viewport& viewport, bool perspective,
+           std::span<Vertex> primitive) {
+  if (!perspective) {
+    if (!random.one_in(4)) return;
+    const float w = static_cast<float>(power_of_two(random.between(-4, 4)));
+    for (Vertex& vertex : primitive) vertex.w = w;
+    return;
+  }
+  constexpr std::array<int, 3> kOctaves{1, 4, 8};
+  const int octaves = random.one_of<int>(kOctaves);
+  do {
+    for (Vertex& vertex : primitive) vertex.w = random_w(random, vertex, viewport, octaves);
+  } while (std::all_of(primitive.begin(), primitive.end(),
+                       [&](const Vertex& vertex) { return vertex.w == primitive[0].w; }));
+}
+
+void set_depths(RandomSource& random, std::span<Vertex> primitive) {
+  for (Vertex& vertex : primitive)
+    vertex.z = Fixed::from_raw(random.between(-Fixed::kOne + 1, Fixed::kOne - 1));
+}
+
+// ----------------------------------------------------------------------------------------- shapes
+
+// Some are large: they have most of the fragments.
+Frame value_frame(RandomSource& random) {
+  Frame frame = random_frame(random);
+  if (!random.one_in(8)) return frame;
+  frame.target = 256;
+  frame.most = 255 * Fixed::kOne - Fixed::kOne / 4;
+  frame.extent = random.between(128, 254) * Fixed::kOne;
+  return frame;
+}
+
+bool has_extent(std::span<const Point> points) {
+  if (points.size() == 2) return !(points[0] == points[1]);
+  return turn(points[1] - points[0], points[2] - points[0]) != 0;
+}
+
+std::vector<Point> shape_of(RandomSource& random, const Frame& frame, PrimitiveKind kind) {
+  for (;;) {
+    std::vector<Point> points = kind == PrimitiveKind::line ? random_line_shape(random, frame)
+                                                            : random_triangle_shape(random, frame);
+    if (has_extent(points)) return points;
+  }
+}
+
+// Corners that make an area of a quarter of the square or more, multiples of 1/16 pixel.
+std::vector<Point> large_triangle(RandomSource& random, int size) {
+  for (;;) {
+    std::vector<Point> points;
+    for (int i = 0; i < 3; ++i)
+      points.push_back(
+          in_sixteenths(random.between(1, 16 * size - 1), random.between(1, 16 * size - 1)));
+    const std::int64_t side = size * Fixed::kOne;
+    if (std::abs(turn(points[1] - points[0], points[2] - points[0])) >= side * side / 2)
+      return points;
+  }
+}
+
+}  // namespace
+
+std::span<const ValueMode> all_value_modes() {
+  return kModes;
+}
+
+std::string name_of(const ValueMode& mode) {
+  return fmt::format("{} {}{}", name_of(mode.kind), name_of(mode.interpolation),
+                     mode.perspective ? ", w differ" : "");
+}
+
+Scene value_scene(const ValueScenes& of, std::uint64_t index) {
+  RandomSource random(of.seed, stream_of(of), index);
+  const ValueMode& mode = of.mode;
+  const bool line = mode.kind == PrimitiveKind::line;
+  const Frame frame = value_frame(random);
+  std::vector<Point> points;
+  for (int i = 0; i < (line ? kLinesPerScene : 1); ++i)
+    for (Point point : shape_of(random, frame, mode.kind)) points.push_back(point);
+  Scene scene =
+      scene_of(of.surface, frame.target, line ? Primitive::lines : Primitive::triangles, points);
+  scene.details.coordinates =
+      mode.perspective && mode.interpolation == Interpolation::noperspective;
+  Draw& draw = scene.draws[0];
+  draw.interpolation = mode.interpolation;
+  draw.provoking_vertex = random.one_in(2) ? ProvokingVertex::first : ProvokingVertex::last;
+  const auto each = static_cast<std::size_t>(vertices_of(mode.kind));
+  for (std::size_t first = 0; first < draw.vertices.size(); first += each) {
+    const std::span<Vertex> primitive(&draw.vertices[first], each);
+    set_colors(random, primitive);
+    set_depths(random, primitive);
+    set_w(random, scene.viewport, mode.perspective, primitive);
+  }
+  return scene;
+}
+
+Scene derivative_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
+  RandomSource random(seed, kDerivativeStream, index);
+  constexpr int kSize = 32;
+  Scene scene = scene_of(surface, kSize, Primitive::triangles, large_triangle(random, kSize));
+  // Some rows of the viewport lie above the target.
+  if (random.one_in(2)) scene.target.height = kSize - 1;
+  scene.details.derivatives = true;
+  Draw& draw = scene.draws[0];
+  draw.interpolation = Interpolation::smooth;
+  for (std::size_t v = 0; v < 3; ++v) {
+    for (float& component : draw.vertices[v].color)
+      component = static_cast<float>(fraction(random));
+    draw.vertices[v].w = static_cast<float>(power_of_two(2 * static_cast<int>(v)));
+  }
+  for (std::size_t v = 2; v > 0; --v)
+    std::swap(draw.vertices[v].w,
+              draw.vertices[static_cast<std::size_t>(random.below(static_cast<int>(v) + 1))].w);
+  return scene;
+}
+
+Scene depth_scene(std::uint64_t seed, Surface surface, DepthFormat format, std::uint64_t index) {
+  RandomSource random(seed, kDepthStream, index);
+  constexpr int kSize = 64;
+  Scene scene = scene_of(surface, kSize, Primitive::triangles, large_triangle(random, kSize));
+  scene.target.depth = format;
+  set_depths(random, scene.draws[0].vertices);
+  return scene;
+}
+
+Scene only_primitive(const Scene& scene, int index) {
+  Scene result = scene;
+  result.draws.clear();
+  for (const ScenePrimitive& primitive : primitives_of(scene)) {
+    if (primitive.index != index) continue;
+    Draw draw = *primitive.state;
+    draw.primitive = primitive.kind == PrimitiveKind::triangle ? Primitive::triangles
+                     : primitive.kind == PrimitiveKind::line   ? Primitive::lines
+                                                               : Primitive::points;
+    draw.vertices.clear();
+    for (int v = 0; v < vertices_of(primitive.kind); ++v)
+      draw.vertices.push_back(*primitive.vertices[static_cast<std::size_t>(v)]);
+    result.draws.push_back(std::move(draw));
+  }
+  return result;
+}
+
+}  // namespace edgecase

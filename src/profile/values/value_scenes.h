@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// Random scenes by which values are measured: colours, depths, derivatives, depth buffers.
+//
+// Each is a function of its seed and index alone, as those of profile/random/random_scenes.h are,
+// with the same shapes and grids. Beside shapes, what an interpolation depends on is spread:
+// colours in 0 to 1 and beyond, through zero, of tiny and of huge ranges, constant; depths
+// anywhere; w all the same or in ratios up to 2^16.
+//
+// OpenGL gets the very numbers: (window position - centre) / (size / 2) * w is a float32 number,
+// and so is z * w. Every w is a power of two times 1, 3, 5 or 7, and a power of two where the odd
+// factor would take bits that the coordinates need.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "model/scene.h"
+#include "profile/random/random_source.h"
+
+namespace edgecase {
+
+// What is drawn, and how: errors are counted for each apart.
+struct ValueMode {
+  PrimitiveKind kind = PrimitiveKind::triangle;  // a triangle or lines
+  Interpolation interpolation = Interpolation::smooth;
+  bool perspective = false;  // the w of a primitive differ
+};
+
+// Triangles, then lines.
+std::span<const ValueMode> all_value_modes();
+// "triangle smooth", "line noperspective, w differ", …
+std::string name_of(const ValueMode& mode);
+
+// Scenes of different purpose have nothing in common.
+enum class ValuePurpose { traits, errors };
+
+struct ValueScenes {
+  std::uint64_t seed = 1;
+  Surface surface = Surface::fbo;
+  ValueMode mode;
+  ValuePurpose purpose = ValuePurpose::errors;
+};
+
+// One draw: a triangle, or kLinesPerScene separate lines. No primitive is without extent. Where the
+// w differ and colours are noperspective, gl_FragCoord is asked for.
+constexpr int kLinesPerScene = 24;
+Scene value_scene(const ValueScenes& of, std::uint64_t index);
+
+// A triangle of some hundred pixels with w in ratios from 4 up, so that ways to take a derivative
+// differ; the derivatives are asked for. The target's height is even or odd.
+Scene derivative_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
+
+// A large triangle whose depths are spread over 0 to 1, on a target with a depth buffer.
+Scene depth_scene(std::uint64_t seed, Surface surface, DepthFormat format, std::uint64_t index);
+
+// The scene of one of a scene's primitives alone.
+Scene only_primitive(const Scene& scene, int primitive);
+
+}  // namespace edgecase

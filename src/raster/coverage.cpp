@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+//
+// The exact rasterizer's coverage stage: the pixels and samples of one primitive.
+#include <algorithm>
+#include <tuple>
+
+#include "raster/rasterizer.h"
+#include "rules/coverage/homogeneous_line.h"
+#include "rules/coverage/homogeneous_point.h"
+#include "rules/coverage/homogeneous_triangle.h"
+#include "rules/coverage/line_areas.h"
+#include "rules/coverage/point_ownership.h"
+#include "rules/coverage/triangle_fill.h"
+#include "rules/samples/snapped_rectangle.h"
+
+namespace edgecase {
+namespace {
+
+using Pixels = std::vector<PixelPosition>;
+
+// How the pixels of a primitive are asked for.
+struct View {
+  PixelBounds bounds;
+  Point within = centre_of_pixel();  // which point of each pixel decides
+  // Do samples decide? Then lines are areas.
+  bool is_multisampled = false;
+};
+
+// What a primitive is made of, by where its vertices are: at multiples of 2^-16, or at quotients.
+struct Dyadic {
+  using Vertex = Point;
+  using Sized = SizedPoint;
+  using Line = Segment;
+};
+struct Quotient {
+  using Vertex = HomogeneousPoint;
+  using Sized = HomogeneousSizedPoint;
+  using Line = HomogeneousSegment;
+};
+
+Point nearest(Point vertex) {
+  return vertex;
+}
+Point nearest(const HomogeneousPoint& vertex) {
+  return nearest_point(vertex);
+}
+
+// Moved so that a point of each pixel becomes its centre.
+Point centred(Point vertex, Point within) {
+  const Point centre = centre_of_pixel();
+  return {vertex.x + centre.x - within.x, vertex.y + centre.y - within.y};
+}
+Segment centred(const Segment& line, Point within) {
+  return {centred(line.a, within), centred(line.b, within)};
+}
+
+// Pixels of which a point can lie in a point primitive's square, and some around it.
+PixelBounds bounds_near(Point vertex, Fixed size, const PixelBounds& all) {
+  const std::int64_t margin = size.ceil() / 2 + 1;
+  const auto low = [&](int bound, Fixed at) {
+    return static_cast<int>(std::max<std::int64_t>(bound, at.floor() - margin));
+  };
+  const auto high = [&](int bound, Fixed at) {
+    return static_cast<int>(std::min<std::int64_t>(bound, at.floor() + margin));
+  };
+  return {low(all.x_min, vertex.x), low(all.y_min, vertex.y), high(all.x_max, vertex.x),
+          high(all.y_max, vertex.y)};
+}
+
+template <class Sized>
+Pixels point_pixels(const Sized& point, const View& view, const TieRule& ties) {
+  const PixelBounds near = bounds_near(nearest(point.vertex), point.size, view.bounds);
+  Pixels pixels;
+  for (int y = near.y_min; y <= near.y_max; ++y)
+    for (int x = near.x_min; x <= near.x_max; ++x)
+      if (point_covers(point, place_in({x, y}, view.within), ties)) pixels.push_back({x, y});
+  return pixels;
+}
+
+Pixels area_pixels(const Segment& line, Fixed width, LineArea area, const View& view,
+                   const TieRule& ties) {
+  return line_area_pixels(centred(line, view.within), width, area, view.bounds, ties);
+}
+
+// Of a multisampled line that is an area.
+Pixels multisampled_pixels(const Segment& line, Fixed width, const View& view,
+                           const CoverageChoice& choice) {
+  const auto rounded = [&](RectangleRounding rounding) {
+    return rounded_rectangle_pixels(line, width, rounding, view.bounds, view.within, choice.ties);
+  };
+  switch (choice.multisampled_line) {
+    case MultisampledLine::rectangle:
+      return area_pixels(line, width, LineArea::rectangle, view, choice.ties);
+    case MultisampledLine::snapped_offset:
+      return rounded(RectangleRounding::offset);
+    case MultisampledLine::snapped_corners:
+      return rounded(RectangleRounding::corners);
+    case MultisampledLine::parallelogram:
+    case MultisampledLine::single_sampled:
+      break;
+  }
+  return area_pixels(line, width, LineArea::parallelogram, view, choice.ties);
+}
+// All but the rectangle get the nearest segment.
+Pixels multisampled_pixels(const HomogeneousSegment& line, Fixed width, const View& view,
+                           const CoverageChoice& choice) {
+  if (choice.multisampled_line == MultisampledLine::rectangle)
+    return multisampled_line_pixels(line, width, view.bounds, view.within, choice.ties);
+  return multisampled_pixels(nearest_segment(line), width, view, choice);
+}
+
+Pixels triangle_pixels_of(const Triangle& p, const View& view, const CoverageChoice& choice) {
+  return triangle_pixels(
+      {centred(p[0], view.within), centred(p[1], view.within), centred(p[2], view.within)},
+      view.bounds, choice.triangle_algorithm, choice.ties);
+}
+Pixels triangle_pixels_of(const HomogeneousTriangle& p, const View& view,
+                          const CoverageChoice& choice) {
+  return triangle_pixels(p, view.bounds, choice.triangle_algorithm, choice.ties, view.within);
+}
+
+// The pixels of a primitive whose vertices are where the choice has them, in no particular order.
+template <class Kind>
+Pixels pixels_of(const ScenePrimitive& primitive, const std::array<typename Kind::Vertex, 3>& p,
+                 const View& view, const CoverageChoice& choice) {
+  const Draw& state = *primitive.state;
+  switch (primitive.kind) {
+    case PrimitiveKind::point:
+      return point_pixels(typename Kind::Sized{moved(p[0], choice.point_offset), state.point_size},
+                          view, choice.ties);
+    case PrimitiveKind::line: {
+      const typename Kind::Line line{p[0], p[1]};
+      if (view.is_multisampled) return multisampled_pixels(line, state.line_width, view, choice);
+      return line_pixels(line, state.line_width, view.bounds, choice.line, choice.ties);
+    }
+    case PrimitiveKind::triangle:
+      return triangle_pixels_of(p, view, choice);
+  }
+  return {};
+}
+
+// How vertices are snapped. Rectangles of lines that are rounded have a grid of their own.
+Snap snap_of(const ScenePrimitive& primitive, const View& view, const CoverageChoice& choice) {
+  const bool rounded = choice.multisampled_line == MultisampledLine::snapped_offset ||
+                       choice.multisampled_line == MultisampledLine::snapped_corners;
+  if (primitive.kind == PrimitiveKind::line && view.is_multisampled && rounded) return {};
+  return choice.snap;
+}
+
+// The pixels of a primitive whose vertices are given; the choice snaps them. Quotients that it does
+// not snap stay such.
+Pixels snapped_pixels(const ScenePrimitive& primitive, const std::array<HomogeneousPoint, 3>& given,
+                      const View& view, const CoverageChoice& choice) {
+  const Snap snap = snap_of(primitive, view, choice);
+  if (snap.is_none() && has_clip_positions(primitive))
+    return pixels_of<Quotient>(primitive, given, view, choice);
+  return pixels_of<Dyadic>(primitive, {snap(given[0]), snap(given[1]), snap(given[2])}, view,
+                           choice);
+}
+
+// The same, sorted, of a target that is seen as the choice sees it.
+Pixels viewed_pixels(const ScenePrimitive& primitive, const Target& target,
+                     const CoverageChoice& choice, View view) {
+  const bool turned = choice.rows == RowOrder::top_down;
+  auto p = primitive.positions;
+  if (turned) {
+    view.bounds = turned_over(view.bounds, target.height);
+    view.within.y = Fixed::from_integer(1) - view.within.y;
+    for (HomogeneousPoint& point : p) point = turned_over(point, target.height);
+  }
+  Pixels pixels = snapped_pixels(primitive, p, view, choice);
+  if (turned)
+    for (PixelPosition& pixel : pixels) pixel.y = target.height - 1 - pixel.y;
+  std::sort(pixels.begin(), pixels.end(), [](PixelPosition a, PixelPosition b) {
+    return std::tie(a.y, a.x) < std::tie(b.y, b.x);
+  });
+  return pixels;
+}
+
+}  // namespace
+
+PixelBounds drawable_bounds(const Draw& draw, const Target& target) {
+  PixelBounds bounds{0, 0, target.width - 1, target.height - 1};
+  if (!draw.scissor) return bounds;
+  const Viewport& scissor = *draw.scissor;
+  bounds.x_min = std::max(bounds.x_min, scissor.x);
+  bounds.y_min = std::max(bounds.y_min, scissor.y);
+  bounds.x_max = std::min(bounds.x_max, scissor.x + scissor.width - 1);
+  bounds.y_max = std::min(bounds.y_max, scissor.y + scissor.height - 1);
+  return bounds;
+}
+
+std::vector<PixelPosition> covered_pixels(const ScenePrimitive& primitive, const Target& target,
+                                          const CoverageChoice& choice) {
+  return viewed_pixels(primitive, target, choice, {drawable_bounds(*primitive.state, target)});
+}
+
+SamplePositions positions_of(const Target& target, const CoverageChoice& choice,
+                             const SamplePositions& reported) {
+  if (target.samples == 1) return {centre_of_pixel()};
+  const auto is_whole = [&](const SamplePositions& positions) {
+    return positions.size() == static_cast<std::size_t>(target.samples);
+  };
+  if (is_whole(reported)) return placed(choice.placement, reported);
+  if (is_whole(target.sample_positions)) return placed(choice.placement, target.sample_positions);
+  return placed(choice.placement, standard_pattern(target.samples));
+}
+
+Unsampled sampling_of(const ScenePrimitive& primitive, const Target& target,
+                      const CoverageChoice& choice) {
+  if (target.samples == 1) return Unsampled::by_centre;
+  if (primitive.state->multisampling.enabled) return Unsampled::by_each_sample;
+  return unsampled(primitive.kind, choice.multisample_switch);
+}
+
+SampleCoverage covered_samples(const ScenePrimitive& primitive, const Target& target,
+                               const CoverageChoice& choice, const SamplePositions& reported) {
+  const Draw& draw = *primitive.state;
+  SampleCoverage coverage(static_cast<std::size_t>(target.samples));
+  const Unsampled sampling = sampling_of(primitive, target, choice);
+  if (sampling == Unsampled::by_centre) {
+    coverage[0] = covered_pixels(primitive, target, choice);
+    return coverage;
+  }
+  const bool whole_pixels = sampling == Unsampled::whole_pixels ||
+                            (primitive.kind == PrimitiveKind::line &&
+                             choice.multisampled_line == MultisampledLine::single_sampled);
+  const std::uint32_t writable =
+      writable_samples(draw.multisampling, target.samples, choice.sample_mask);
+  const SamplePositions positions = positions_of(target, choice, reported);
+  for (std::size_t s = 0; s < coverage.size(); ++s) {
+    if ((writable >> s & 1) == 0) continue;
+    coverage[s] = whole_pixels ? covered_pixels(primitive, target, choice)
+                               : viewed_pixels(primitive, target, choice,
+                                               {drawable_bounds(draw, target), positions[s], true});
+  }
+  return coverage;
+}
+
+}  // namespace edgecase

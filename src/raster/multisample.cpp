@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "raster/multisample.h"
+
+#include <algorithm>
+#include <bit>
+#include <tuple>
+#include <vector>
+
+#include "raster/rasterizer.h"
+#include "rules/values/depth_buffer.h"
+
+namespace edgecase {
+namespace {
+
+struct PixelMask {
+  PixelPosition pixel;
+  std::uint32_t mask;
+};
+
+// Which samples of each pixel are covered, by row, then column.
+std::vector<PixelMask> masks_of(const SampleCoverage& coverage) {
+  std::vector<PixelMask> bits;
+  for (std::size_t s = 0; s < coverage.size(); ++s)
+    for (PixelPosition pixel : coverage[s]) bits.push_back({pixel, std::uint32_t{1} << s});
+  std::sort(bits.begin(), bits.end(), [](const PixelMask& a, const PixelMask& b) {
+    return std::tie(a.pixel.y, a.pixel.x) < std::tie(b.pixel.y, b.pixel.x);
+  });
+  std::vector<PixelMask> masks;
+  for (const PixelMask& bit : bits) {
+    if (masks.empty() || masks.back().pixel != bit.pixel) masks.push_back({bit.pixel, 0});
+    masks.back().mask |= bit.mask;
+  }
+  return masks;
+}
+
+// The fragments of one primitive.
+class MultisampledPrimitive {
+ public:
+  MultisampledPrimitive(Rendering& rendering, const Scene& scene, const ScenePrimitive& primitive,
+                        const RuleChoices& choices)
+      : rendering_(rendering),
+        scene_(scene),
+        primitive_(primitive),
+        choices_(choices),
+        use_(primitive.state->multisampling),
+        sampling_(sampling_of(primitive, scene.target, choices.of(primitive.kind))),
+        attributes_(attributes_of(primitive, choices, scene.target)),
+        told_(attributes_) {
+    use_.enabled = sampling_ == Unsampled::by_each_sample;
+    if (fragment_depth_is_zero(primitive.state->multisampling, locations()))
+      told_.depth.values.fill(0);
+  }
+
+  void draw(PixelPosition pixel, std::uint32_t mask) {
+    if (sampling_ != Unsampled::by_each_sample) {
+      draw_single_sampled(pixel, mask);
+    } else if (runs_per_sample(use_, rendering_.samples, choices_.samples.rate)) {
+      for (std::uint32_t rest = mask & running(pixel); rest != 0; rest &= rest - 1)
+        draw_invocation(pixel, {primitive_.kind, rest & (~rest + 1), true});
+    } else {
+      draw_invocation(pixel, {primitive_.kind, mask, false});
+    }
+  }
+
+ private:
+  const LocationChoice& locations() const { return choices_.values.locations; }
+  bool heeds_others() const {
+    return edgecase::heeds_others(use_, rendering_.samples, choices_.samples);
+  }
+  std::vector<double> alphas_at(PixelPosition pixel) const {
+    return alphas_of_samples(primitive_, attributes_, pixel, rendering_.sample_positions,
+                             locations());
+  }
+  // For which samples of a pixel the shader runs, if it does so for each that is covered.
+  std::uint32_t running(PixelPosition pixel) const {
+    return heeds_others() ? runs_by_others(alphas_at(pixel)) : ~std::uint32_t{0};
+  }
+
+  void draw_single_sampled(PixelPosition pixel, std::uint32_t coverage) {
+    const Point centre = pixel_centre(pixel.x, pixel.y);
+    const Fragment fragment = shaded(pixel, coverage, {centre, centre, centre});
+    const bool first_alone =
+        choices_.of(primitive_.kind).multisample_switch == MultisampleSwitch::depth_of_first;
+    for (int sample = 0; sample < rendering_.samples; ++sample) {
+      write(fragment, sample);
+      if (sample == 0 || !first_alone) write_depth(fragment, sample, centre_of_pixel());
+    }
+  }
+
+  void draw_invocation(PixelPosition pixel, const Invocation& invocation) {
+    const SamplePositions& positions = rendering_.sample_positions;
+    const Fragment fragment = shaded(
+        pixel, invocation.coverage,
+        {place_in(pixel, attribute_location(use_.location, invocation, positions, locations())),
+         place_in(pixel, fragment_depth_location(invocation, positions, locations())),
+         place_in(pixel, coordinates_location(invocation, positions))});
+    std::uint32_t written = invocation.coverage;
+    if (use_.alpha_to_coverage)
+      written &= heeds_others() ? mask_by_others(alphas_at(pixel))
+                                : alpha_mask(fragment.color[3], rendering_.samples,
+                                             choices_.samples.alpha_to_coverage);
+    for (; written != 0; written &= written - 1) {
+      const int sample = std::countr_zero(written);
+      write(fragment, sample);
+      write_depth(fragment, sample,
+                  sample_depth_location(primitive_.kind,
+                                        positions[static_cast<std::size_t>(sample)], locations()));
+    }
+  }
+
+  // Tells the fragment.
+  const Fragment& shaded(PixelPosition pixel, std::uint32_t coverage, const ShadingPlaces& places) {
+    Fragment fragment = shade(primitive_, told_, pixel, places);
+    fragment.coverage = coverage;
+    if (scene_.details.coordinates) {
+      fragment.detail = static_cast<int>(rendering_.details.size());
+      FragmentDetail& detail = rendering_.details.emplace_back();
+      detail.has_coordinates = true;
+      detail.coordinates = coordinates_at(told_, places);
+    }
+    return rendering_.fragments.emplace_back(fragment);
+  }
+
+  void write(const Fragment& fragment, int sample) {
+    const std::size_t index = rendering_.sample_index(fragment.x, fragment.y, sample);
+    for (std::size_t c = 0; c < 4; ++c)
+      rendering_.sample_pixels[4 * index + c] = to_unorm8(fragment.color[c]);
+    ++rendering_.hits[index];
+  }
+
+  // `location`: within the pixel.
+  void write_depth(const Fragment& fragment, int sample, Point location) {
+    const DepthFormat format = scene_.target.depth;
+    if (format == DepthFormat::none) return;
+    const Point place = place_in({fragment.x, fragment.y}, location);
+    rendering_.depths[rendering_.sample_index(fragment.x, fragment.y, sample)] =
+        to_depth(middle(interpolate_exact(attributes_.depth, place)), format);
+  }
+
+  Rendering& rendering_;
+  const Scene& scene_;
+  const ScenePrimitive& primitive_;
+  const RuleChoices& choices_;
+  Multisampling use_;
+  Unsampled sampling_;
+  PrimitiveAttributes attributes_;
+  PrimitiveAttributes told_;  // to the shader
+};
+
+}  // namespace
+
+std::vector<double> alphas_of_samples(const ScenePrimitive& primitive,
+                                      const PrimitiveAttributes& attributes, PixelPosition pixel,
+                                      const SamplePositions& positions,
+                                      const LocationChoice& locations) {
+  const AttributeLocation qualifier = primitive.state->multisampling.location;
+  std::vector<double> alphas;
+  for (std::size_t s = 0; s < positions.size(); ++s) {
+    const Invocation invocation{primitive.kind, std::uint32_t{1} << s, true};
+    const Point place = attribute_location(qualifier, invocation, positions, locations);
+    alphas.push_back(middle(color_exact(attributes, 3, place_in(pixel, place), pixel)));
+  }
+  return alphas;
+}
+
+bool heeds_others(const Multisampling& use, int samples, const SampleChoice& choice) {
+  return use.alpha_to_coverage &&
+         choice.alpha_to_coverage == AlphaToCoverage::above_quotient_of_others &&
+         runs_per_sample(use, samples, choice.rate);
+}
+
+void draw_multisampled(Rendering& rendering, const Scene& scene, const ScenePrimitive& primitive,
+                       const RuleChoices& choices, const SampleCoverage& coverage) {
+  MultisampledPrimitive drawn(rendering, scene, primitive, choices);
+  for (const auto& [pixel, mask] : masks_of(coverage)) drawn.draw(pixel, mask);
+}
+
+void resolve_samples(Rendering& rendering, ResolveMethod method) {
+  const std::size_t plane = rendering.pixels.size();
+  std::vector<std::uint8_t> values(static_cast<std::size_t>(rendering.samples));
+  for (std::size_t i = 0; i < plane; ++i) {
+    for (std::size_t s = 0; s < values.size(); ++s)
+      values[s] = rendering.sample_pixels[s * plane + i];
+    rendering.pixels[i] = resolved(values, method);
+  }
+}
+
+}  // namespace edgecase

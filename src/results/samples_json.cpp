@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "results/samples_json.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "results/hex.h"
+
+namespace edgecase {
+namespace {
+
+void check_size(const char* what, std::size_t found, std::size_t wanted) {
+  if (found != 0 && found != wanted)
+    throw std::runtime_error(
+        fmt::format("\"{}\" of samples has {} items instead of {}", what, found, wanted));
+}
+
+Fixed to_fixed(const nlohmann::json& json) {
+  return Fixed::from_raw(static_cast<std::int64_t>(json.get<double>() * Fixed::kOne));
+}
+
+}  // namespace
+
+nlohmann::ordered_json samples_json(const SampleImage& image) {
+  if (image.samples <= 1) return nullptr;
+  nlohmann::ordered_json json = {{"count", image.samples}};
+  for (const Point& at : image.positions)
+    json["positions"].push_back({at.x.to_double(), at.y.to_double()});
+  if (!image.pixels.empty()) json["pixels"] = to_hex(image.pixels);
+  if (!image.hits.empty()) json["hits"] = image.hits;
+  if (!image.coverage.empty()) json["coverage"] = image.coverage;
+  return json;
+}
+
+SampleImage to_samples(const nlohmann::json& json, int width, int height) {
+  SampleImage image;
+  image.samples = json.at("count");
+  if (image.samples <= 1 || image.samples > kMaxSamples)
+    throw std::runtime_error(fmt::format("{} is no number of samples", image.samples));
+  for (const nlohmann::json& at : json.value("positions", nlohmann::json::array()))
+    image.positions.push_back({to_fixed(at.at(0)), to_fixed(at.at(1))});
+  image.pixels = from_hex(json.value("pixels", ""));
+  image.hits = json.value("hits", std::vector<std::uint32_t>{});
+  image.coverage = json.value("coverage", std::vector<std::uint32_t>{});
+  const auto samples = static_cast<std::size_t>(image.samples);
+  const std::size_t area = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  check_size("positions", image.positions.size(), samples);
+  check_size("pixels", image.pixels.size(), 4 * samples * area);
+  check_size("hits", image.hits.size(), samples * area);
+  check_size("coverage", image.coverage.size(), area);
+  return image;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "rules/samples/alpha_to_coverage.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include "rules/alternative_table.h"
+#include "rules/samples/sample_mask.h"
+
+namespace edgecase {
+namespace {
+
+constexpr TabledAlternative<AlphaToCoverage> kChoices[] = {
+    {AlphaToCoverage::proportional, "proportional", Openness::open,
+     "the first of n samples, as many as alpha n rounded to nearest, a tie to the larger number"},
+    {AlphaToCoverage::above_quotient, "above-quotient", Openness::open,
+     "sample s of n where alpha is above s/n"},
+    {AlphaToCoverage::above_quotient_of_others, "above-quotient-of-others", Openness::illegal,
+     "sample s of n where alpha is above s/n; where the shader runs for each sample, where those "
+     "of "
+     "all other samples of the pixel are, and not its own"},
+    {AlphaToCoverage::spread, "spread", Openness::open,
+     "sample s of n where alpha is at least (s + 1)/(n + 1)"},
+    {AlphaToCoverage::ignored, "ignored", Openness::illegal, "all samples, whatever alpha is"}};
+constexpr auto kAllChoices = values_in(kChoices);
+
+// Products of an alpha of single precision with these numbers are exact in double precision.
+bool keeps(double alpha, int sample, int samples, AlphaToCoverage choice) {
+  switch (choice) {
+    case AlphaToCoverage::proportional:
+      return 2 * alpha * samples >= 2 * sample + 1;
+    case AlphaToCoverage::above_quotient:
+    case AlphaToCoverage::above_quotient_of_others:
+      return alpha * samples > sample;
+    case AlphaToCoverage::spread:
+      return alpha * (samples + 1) >= sample + 1;
+    case AlphaToCoverage::ignored:
+      return true;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::span<const AlphaToCoverage> all_alpha_to_coverages() {
+  return kAllChoices;
+}
+
+const char* name_of(AlphaToCoverage choice) {
+  return name_in(kChoices, choice);
+}
+
+bool parse_name(std::string_view name, AlphaToCoverage& choice) {
+  return find_in(kChoices, name, choice);
+}
+
+std::uint32_t alpha_mask(double alpha, int samples, AlphaToCoverage choice) {
+  std::uint32_t mask = 0;
+  for (int sample = 0; sample < samples; ++sample)
+    if (keeps(alpha, sample, samples, choice)) mask |= std::uint32_t{1} << sample;
+  return mask;
+}
+
+std::uint32_t mask_by_others(std::span<const double> alphas) {
+  const int samples = static_cast<int>(alphas.size());
+  std::uint32_t mask = mask_of_all(samples);
+  for (int own = 0; own < samples; ++own)
+    mask &= alpha_mask(alphas[static_cast<std::size_t>(own)], samples,
+                       AlphaToCoverage::above_quotient) |
+            std::uint32_t{1} << own;
+  return mask;
+}
+
+std::uint32_t runs_by_others(std::span<const double> alphas) {
+  const int samples = static_cast<int>(alphas.size());
+  std::uint32_t left = mask_of_all(samples);
+  std::uint32_t runs = 0;
+  for (int sample = 0; sample < samples; ++sample) {
+    runs |= left & std::uint32_t{1} << sample;
+    left &= alpha_mask(alphas[static_cast<std::size_t>(sample)], samples,
+                       AlphaToCoverage::above_quotient);
+  }
+  return runs;
+}
+
+SampleCounts alpha_permitted(Interval alpha, int samples) {
+  return {alpha.low >= 1 ? samples : 0, alpha.high <= 0 ? 0 : samples};
+}
+
+Rule alpha_to_coverage_rule() {
+  return {
+      "sample.alpha-to-coverage",
+      "Alpha to coverage keeps samples in proportion to alpha",
+      "17.3.1 (alpha to coverage)",
+      "any mask, which may differ from pixel to pixel; none for alpha 0, all for 1 (ruling 33)",
+      "proportional",
+      alternatives_in(kChoices),
+      {{33,
+        "Alpha to coverage: a fragment whose alpha, clamped to 0 to 1, is 0 writes no sample, one "
+        "whose alpha is 1 writes all that it covers, and of others any part of them: that the "
+        "number of samples is proportional to alpha is intended, not required. Where the shader "
+        "runs for each sample, an invocation's alpha counts for its own sample. While "
+        "GL_MULTISAMPLE is disabled it does nothing."}}};
+}
+
+}  // namespace edgecase

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// Alpha to coverage (GL 4.6 core, 17.3.1).
+//
+// With GL_SAMPLE_ALPHA_TO_COVERAGE the alpha that the shader writes becomes a mask, which is anded
+// with the fragment's coverage. How is left open: the number of its ones is meant to be
+// proportional to alpha, all of them for 1 and none for 0, and the mask may differ from pixel to
+// pixel. Every implementation that we know sets bits from sample 0 upward as alpha passes
+// thresholds.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "exact/interval.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+Rule alpha_to_coverage_rule();  // sample.alpha-to-coverage
+
+// Sample s of n is kept where alpha is
+enum class AlphaToCoverage {
+  proportional,              // at least (s + 1/2) / n: as many as alpha n, rounded
+  above_quotient,            // above s / n
+  above_quotient_of_others,  // the same; of a shader that runs for each sample, all alphas of the
+                             // pixel but the sample's own
+  spread,                    // at least (s + 1) / (n + 1)
+  ignored,                   // whatever it is
+};
+std::span<const AlphaToCoverage> all_alpha_to_coverages();
+const char* name_of(AlphaToCoverage choice);
+bool parse_name(std::string_view name, AlphaToCoverage& choice);
+
+// The mask of an alpha: bit s for sample s. NaN keeps nothing.
+std::uint32_t alpha_mask(double alpha, int samples, AlphaToCoverage choice);
+
+// Of a shader that runs for each sample, under above_quotient_of_others: by the alphas of all
+// samples of a pixel, covered or not, which samples are written, and which invocations run. An
+// invocation does not where one before it has cleared its sample.
+std::uint32_t mask_by_others(std::span<const double> alphas);
+std::uint32_t runs_by_others(std::span<const double> alphas);
+
+// How many samples of so many the mask of an alpha in a range may keep, by ruling 33; the range may
+// be everything.
+struct SampleCounts {
+  int least = 0;
+  int most = 0;
+};
+SampleCounts alpha_permitted(Interval alpha, int samples);
+
+}  // namespace edgecase

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+//
+// Where within a pixel of a multisampled target attributes are evaluated (GL 4.6 core, 14.3.1 and
+// 14.3.1.1; GLSL 4.60, 4.5).
+//
+// A fragment that stands for several samples has one value of each attribute, and one place where
+// it is taken: anywhere in the pixel, unless the shader qualifies it. `centroid` asks for a place
+// in the pixel that the primitive covers, `sample` for the sample that the invocation runs for.
+// Under GL_SAMPLE_SHADING with a share of 1 every attribute is taken at the sample. The depth that
+// is written to a sample is always that of the sample.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "model/sampling.h"
+#include "model/scene.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+Rule attribute_location_rule();  // attribute.location
+Rule centroid_rule();            // attribute.centroid
+Rule sample_depth_rule();        // sample.depth
+
+// Of what is not qualified, where the shader runs once for the pixel.
+enum class PlainLocation {
+  centre,
+  first_covered,   // the covered sample of lowest index
+  half_pixel_off,  // of points and lines half a pixel right of and above where it should be
+};
+std::span<const PlainLocation> all_plain_locations();
+const char* name_of(PlainLocation choice);
+bool parse_name(std::string_view name, PlainLocation& choice);
+
+// Of what is qualified `centroid`, where the shader runs once for the pixel.
+enum class CentroidLocation {
+  centre_or_first,  // the centre where all samples are covered, else the first covered sample
+  first_covered,
+  mean_covered,  // the mean of the covered samples, to the nearest 2^-16
+  centre,        // whatever is covered
+};
+std::span<const CentroidLocation> all_centroid_locations();
+const char* name_of(CentroidLocation choice);
+bool parse_name(std::string_view name, CentroidLocation& choice);
+
+// Of the depth that a sample is given.
+enum class DepthLocation {
+  at_sample,
+  centre,              // one depth for all samples of the pixel
+  mirrored_x,          // the pixel's left and right exchanged; gl_FragCoord.z that of sample 0 so
+  mirrored_x_or_zero,  // the same, but gl_FragCoord.z 0 where the sample mask lacks sample 0
+  half_pixel_off,      // of points and lines half a pixel right of and above the sample
+};
+std::span<const DepthLocation> all_depth_locations();
+const char* name_of(DepthLocation choice);
+bool parse_name(std::string_view name, DepthLocation& choice);
+
+struct LocationChoice {
+  PlainLocation plain = PlainLocation::centre;
+  CentroidLocation centroid = CentroidLocation::centre_or_first;
+  DepthLocation depth = DepthLocation::at_sample;
+};
+
+// One invocation of the shader for a pixel of a multisampled draw.
+struct Invocation {
+  PrimitiveKind kind = PrimitiveKind::triangle;
+  std::uint32_t coverage = 1;  // bit s: it stands for sample s; at least one
+  bool per_sample = false;     // it runs for one sample
+};
+
+// Places within the pixel. `positions`: where its samples lie.
+Point attribute_location(AttributeLocation qualifier, const Invocation& invocation,
+                         const SamplePositions& positions, const LocationChoice& choice);
+// gl_FragCoord.xy: the centre, or the sample.
+Point coordinates_location(const Invocation& invocation, const SamplePositions& positions);
+// gl_FragCoord.z, and with it the depth that a fragment tells.
+Point fragment_depth_location(const Invocation& invocation, const SamplePositions& positions,
+                              const LocationChoice& choice);
+// Is it 0 instead?
+bool fragment_depth_is_zero(const Multisampling& use, const LocationChoice& choice);
+// The depth that is written to a sample.
+Point sample_depth_location(PrimitiveKind kind, Point sample, const LocationChoice& choice);
+
+// Are all attributes of an invocation bound to its sample (rulings 29 and 30)?
+bool is_at_sample(const Multisampling& use);
+
+// Where in the window rulings 29 and 30 allow an attribute of a multisampled primitive to be
+// evaluated in a pixel: the corners of a convex region that holds all of these places, in no
+// particular order. The sample alone (`sample`: within the pixel, that of the invocation) where it
+// is bound to it, the centre without GL_MULTISAMPLE, the whole pixel where it is not qualified, and
+// for `centroid` what the pixel and the primitive share, each vertex moved by less than `reach`;
+// rounded outwards to multiples of 2^-16. Where they share nothing, the whole pixel.
+std::vector<Point> permitted_locations(const ScenePrimitive& primitive, PixelPosition pixel,
+                                       Point sample, Fixed reach);
+
+}  // namespace edgecase

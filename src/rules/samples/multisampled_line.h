@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// Multisampled lines (GL 4.6 core, 14.5.4).
+//
+// With multisampling a line is no row of pixels but an area: the rectangle of 14.5.3, as long as
+// the segment and as wide as the line, centred on it, whether or not GL_LINE_SMOOTH is enabled. It
+// covers each sample inside; a line of width 1 too, and nothing of the diamond-exit rule is left.
+// Its width is not rounded. Implementations round its corners (rules/samples/snapped_rectangle.h).
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "exact/homogeneous.h"
+#include "exact/pixel.h"
+#include "rules/coverage/homogeneous_line.h"
+#include "rules/coverage/segment.h"
+#include "rules/coverage/tie_rule.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+Rule multisampled_line_rule();  // line.multisampled
+
+enum class MultisampledLine {
+  rectangle,
+  // Rounded, and by no other snap: RectangleRounding::offset and corners.
+  snapped_offset,
+  snapped_corners,
+  parallelogram,   // its ends run along the minor axis
+  single_sampled,  // as without multisampling, with all samples of each pixel
+};
+std::span<const MultisampledLine> all_multisampled_lines();
+const char* name_of(MultisampledLine choice);
+// False when there is none of that name.
+bool parse_name(std::string_view name, MultisampledLine& choice);
+
+// Does the rectangle of a line of some width (pixels, more than 0, at most 64) hold the sample (in
+// the window)? A segment without length has none.
+bool multisampled_line_covers(const HomogeneousSegment& segment, Fixed width, Point sample,
+                              const TieRule& ties);
+
+// The pixels within `bounds` whose sample, at `within` of the pixel, lies in the rectangle, each
+// once, in no particular order.
+std::vector<PixelPosition> multisampled_line_pixels(const HomogeneousSegment& segment, Fixed width,
+                                                    const PixelBounds& bounds, Point within,
+                                                    const TieRule& ties);
+
+// May the specification's latitude hold the sample covered, may it hold it uncovered? Each end may
+// move by less than `reach` in x and in y, and the boundary is open. What some move yields is never
+// denied; of each side of the rectangle all that some move yields is allowed, as though the sides
+// moved independently. reach: 0 to a pixel.
+bool multisampled_line_possibly_covered(const Segment& segment, Fixed width, Point sample,
+                                        Fixed reach);
+bool multisampled_line_possibly_uncovered(const Segment& segment, Fixed width, Point sample,
+                                          Fixed reach);
+
+}  // namespace edgecase

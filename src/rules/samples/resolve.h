@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Resolving: one 8-bit value of a pixel's samples (GL 4.6 core, 18.3.1).
+//
+// glBlitFramebuffer from a multisampled framebuffer to one that is not makes a single value of each
+// pixel's samples, and the specification does not say how. Everybody takes the mean; how it is
+// rounded differs.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "rules/rule.h"
+
+namespace edgecase {
+
+Rule resolve_rule();  // sample.resolve
+
+enum class ResolveMethod {
+  nearest_even,      // the mean, rounded to nearest, a tie to the even value
+  half_up,           // a tie to the larger value
+  truncated,         // the largest value that is not above the mean
+  half_up_by_pairs,  // means of two and two, each rounded so
+  float32_sum,       // the sum of value/255 in single precision, in the order of the samples
+  first_sample,
+};
+std::span<const ResolveMethod> all_resolve_methods();
+const char* name_of(ResolveMethod choice);
+bool parse_name(std::string_view name, ResolveMethod& choice);
+
+// The resolved value; never empty, at most kMaxSamples samples.
+std::uint8_t resolved(std::span<const std::uint8_t> samples, ResolveMethod method);
+
+// What ruling 31 allows, both inclusive.
+struct ResolvedRange {
+  std::uint8_t low = 0;
+  std::uint8_t high = 0;
+  bool contains(int value) const { return low <= value && value <= high; }
+};
+ResolvedRange resolve_permitted(std::span<const std::uint8_t> samples);
+
+}  // namespace edgecase

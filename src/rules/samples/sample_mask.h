@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// GL_MULTISAMPLE and the sample mask (GL 4.6 core, 14.3.1 and 14.9.3).
+//
+// While GL_MULTISAMPLE is disabled, a multisampled target is drawn to as though it had one sample,
+// and every sample of a fragment's pixel is written. While it is enabled, glSampleMaski says which
+// samples may be written: the mask is anded with what a primitive covers, before the shader runs,
+// so that gl_SampleMaskIn shows it and a pixel of which nothing is left has no fragment.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "model/sampling.h"
+#include "model/scene.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+Rule multisample_switch_rule();  // sample.enable
+Rule sample_mask_rule();         // sample.mask
+
+enum class MultisampleSwitch {
+  honoured,
+  depth_of_first,  // but that sample 0 alone is given a depth
+  ignored,
+  ignored_but_for_lines,    // points and triangles ignore it
+  ignored_but_whole_lines,  // so do they; lines honour it, but that their fragments have all bits
+};
+std::span<const MultisampleSwitch> all_multisample_switches();
+const char* name_of(MultisampleSwitch choice);
+bool parse_name(std::string_view name, MultisampleSwitch& choice);
+
+// What becomes of a draw without GL_MULTISAMPLE on a multisampled target.
+enum class Unsampled {
+  by_centre,       // the pixel's centre decides for all samples, the coverage is bit 0
+  whole_pixels,    // the pixel's centre decides, and the coverage has all bits
+  by_each_sample,  // as with it
+};
+Unsampled unsampled(PrimitiveKind kind, MultisampleSwitch choice);
+
+enum class SampleMask { applied, ignored };
+const char* name_of(SampleMask choice);
+bool parse_name(std::string_view name, SampleMask& choice);
+
+// Bit s for each of so many samples.
+constexpr std::uint32_t mask_of_all(int samples) {
+  return (std::uint32_t{1} << samples) - 1;
+}
+
+// The samples that a draw may write: all, where multisampling is not enabled.
+std::uint32_t writable_samples(const Multisampling& use, int samples, SampleMask choice);
+
+}  // namespace edgecase

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "rules/samples/sample_placement.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "rules/alternative_table.h"
+
+namespace edgecase {
+namespace {
+
+using Kind = SamplePlacement::Kind;
+
+constexpr TabledAlternative<Kind> kKinds[] = {
+    {Kind::as_reported, "as-reported", Openness::mandated,
+     "where the renderer says; where nobody says, where the case has them, or else the standard "
+     "pattern"},
+    {Kind::standard, "standard", Openness::illegal,
+     "the pattern that D3D and Vulkan call standard, though others are reported"},
+    {Kind::ordered_grid, "ordered-grid", Openness::illegal,
+     "rows and columns of equal distances, of 4, 9 and 16 samples"},
+    {Kind::rotated_grid, "rotated-grid", Openness::illegal,
+     "the ordered grid of 4, 9 and 16 samples, turned so that no two share a row or a column; of 4 "
+     "the standard pattern"},
+    {Kind::centre, "centre", Openness::illegal, "all samples at the pixel's centre"},
+    {Kind::mirrored_x, "mirrored-x", Openness::illegal, "left and right exchanged"},
+    {Kind::mirrored_y, "mirrored-y", Openness::illegal, "top and bottom exchanged"},
+    {Kind::turned, "turned", Openness::illegal, "turned by 180 degrees about the pixel's centre"},
+    {Kind::swapped, "swapped", Openness::illegal,
+     "two samples exchanged; a policy that names it exchanges samples 0 and 1"}};
+
+struct Sixteenths {
+  int x;
+  int y;
+};
+
+constexpr Sixteenths kOf1[] = {{8, 8}};
+constexpr Sixteenths kOf2[] = {{12, 12}, {4, 4}};
+constexpr Sixteenths kOf4[] = {{6, 2}, {14, 6}, {2, 10}, {10, 14}};
+constexpr Sixteenths kOf8[] = {{9, 5},  {7, 11}, {13, 9},  {5, 3},
+                               {3, 13}, {1, 7},  {11, 15}, {15, 1}};
+constexpr Sixteenths kOf16[] = {{9, 9},   {7, 5},  {5, 10},  {12, 7}, {3, 6}, {10, 13},
+                                {13, 11}, {11, 3}, {6, 14},  {8, 1},  {4, 2}, {2, 12},
+                                {0, 8},   {15, 4}, {14, 15}, {1, 0}};
+
+std::span<const Sixteenths> pattern_for(int samples) {
+  if (samples <= 1) return kOf1;
+  if (samples <= 2) return kOf2;
+  if (samples <= 4) return kOf4;
+  if (samples <= 8) return kOf8;
+  return kOf16;
+}
+
+// The side of a square grid of so many samples; 0 where there is none, or it is one sample.
+int grid_side(std::size_t samples) {
+  for (int side = 2; side * side <= kMaxSamples; ++side)
+    if (static_cast<std::size_t>(side * side) == samples) return side;
+  return 0;
+}
+
+// The multiple of 2^-16 at or below a quotient.
+Fixed quotient(int above, int below) {
+  return Fixed::from_raw(above * Fixed::kOne / below);
+}
+
+// Row by row from the bottom. Turning moves the samples of a row upward one after the other, and
+// those of a column to the left, by 1/side of the distance.
+SamplePositions grid(int side, bool turned) {
+  SamplePositions positions;
+  const int parts = 2 * side * side;
+  for (int row = 0; row < side; ++row)
+    for (int column = 0; column < side; ++column) {
+      const int x = turned ? 2 * (side - 1 - row) + 1 : side;
+      const int y = turned ? 2 * column + 1 : side;
+      positions.push_back(
+          {quotient(2 * side * column + x, parts), quotient(2 * side * row + y, parts)});
+    }
+  return positions;
+}
+
+SamplePositions mirrored(SamplePositions positions, bool x, bool y) {
+  const Fixed one = Fixed::from_integer(1);
+  for (Point& p : positions) p = {x ? one - p.x : p.x, y ? one - p.y : p.y};
+  return positions;
+}
+
+SamplePositions with_swapped(SamplePositions positions, int first, int second) {
+  const int count = static_cast<int>(positions.size());
+  if (first < 0 || second < 0 || first >= count || second >= count) return positions;
+  std::swap(positions[static_cast<std::size_t>(first)],
+            positions[static_cast<std::size_t>(second)]);
+  return positions;
+}
+
+}  // namespace
+
+SamplePositions standard_pattern(int samples) {
+  SamplePositions positions;
+  for (const Sixteenths& at : pattern_for(samples).first(static_cast<std::size_t>(samples)))
+    positions.push_back({quotient(at.x, 16), quotient(at.y, 16)});
+  return positions;
+}
+
+SamplePositions placed(const SamplePlacement& placement, const SamplePositions& reported) {
+  const int side = grid_side(reported.size());
+  switch (placement.kind) {
+    case Kind::as_reported:
+      return reported;
+    case Kind::standard:
+      return standard_pattern(static_cast<int>(reported.size()));
+    case Kind::ordered_grid:
+    case Kind::rotated_grid:
+      return side == 0 ? reported : grid(side, placement.kind == Kind::rotated_grid);
+    case Kind::centre:
+      return SamplePositions(reported.size(), centre_of_pixel());
+    case Kind::mirrored_x:
+      return mirrored(reported, true, false);
+    case Kind::mirrored_y:
+      return mirrored(reported, false, true);
+    case Kind::turned:
+      return mirrored(reported, true, true);
+    case Kind::swapped:
+      return with_swapped(reported, placement.first, placement.second);
+  }
+  return reported;
+}
+
+std::vector<SamplePlacement> placements_of(int samples) {
+  std::vector<SamplePlacement> placements;
+  const bool has_grid = grid_side(static_cast<std::size_t>(samples)) != 0;
+  for (const Kind kind : values_in(kKinds)) {
+    const bool is_grid = kind == Kind::ordered_grid || kind == Kind::rotated_grid;
+    if (kind == Kind::swapped || (is_grid && !has_grid)) continue;
+    // The rotated grid of 4 is the standard pattern.
+    if (kind == Kind::rotated_grid && samples == 4) continue;
+    placements.push_back({kind, 0, 0});
+  }
+  for (int first = 0; first < samples; ++first)
+    for (int second = first + 1; second < samples; ++second)
+      placements.push_back({Kind::swapped, first, second});
+  return placements;
+}
+
+std::string name_of(const SamplePlacement& placement) {
+  return name_in(kKinds, placement.kind);
+}
+
+bool parse_name(std::string_view name, SamplePlacement& placement) {
+  Kind kind = Kind::as_reported;
+  if (!find_in(kKinds, name, kind)) return false;
+  placement = {kind, 0, kind == Kind::swapped ? 1 : 0};
+  return true;
+}
+
+Rule sample_positions_rule() {
+  return {
+      "sample.positions",
+      "A pixel's samples lie where the renderer says that they lie",
+      "14.3.1 (multisampling)",
+      "any positions within the pixel that GL_SAMPLE_POSITION tells (ruling 27)",
+      "as-reported",
+      alternatives_in(kKinds),
+      {{27,
+        "Samples lie where GL_SAMPLE_POSITION says, in every pixel, and the index under which it "
+        "says so is the bit of the coverage mask. What primitives cover is held against these "
+        "positions; where they are not those of the case, exact is drawn anew with them."}}};
+}
+
+}  // namespace edgecase

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "rules/samples/shading_rate.h"
+
+#include "rules/alternative_table.h"
+
+namespace edgecase {
+namespace {
+
+constexpr TabledAlternative<ShadingRate> kRates[] = {
+    {ShadingRate::as_needed, "as-needed", Openness::open,
+     "once for each pixel and primitive; where more than one invocation is asked for, once for "
+     "each "
+     "covered sample"},
+    {ShadingRate::per_sample, "per-sample", Openness::open, "once for each covered sample"},
+    {ShadingRate::per_pixel, "per-pixel", Openness::illegal,
+     "once for each pixel and primitive, whatever is asked for"}};
+constexpr auto kAllRates = values_in(kRates);
+
+}  // namespace
+
+std::span<const ShadingRate> all_shading_rates() {
+  return kAllRates;
+}
+
+const char* name_of(ShadingRate choice) {
+  return name_in(kRates, choice);
+}
+
+bool parse_name(std::string_view name, ShadingRate& choice) {
+  return find_in(kRates, name, choice);
+}
+
+bool runs_per_sample(const Multisampling& use, int samples, ShadingRate choice) {
+  if (!use.enabled || samples == 1) return false;
+  switch (choice) {
+    case ShadingRate::as_needed:
+      return least_invocations(use, samples) > 1;
+    case ShadingRate::per_sample:
+      return true;
+    case ShadingRate::per_pixel:
+      return false;
+  }
+  return false;
+}
+
+Rule shading_rate_rule() {
+  return {
+      "sample.shading-rate",
+      "The shader runs at least as often for a pixel as the draw asks for",
+      "14.3.1.1 (sample shading)",
+      "more invocations than are asked for, and which samples share one (ruling 34)",
+      "as-needed",
+      alternatives_in(kRates),
+      {{34,
+        "A pixel of n samples of which a primitive covers k has at least min(k, max(ceil(s n), 1)) "
+        "invocations under GL_SAMPLE_SHADING with share s, and k where an input is qualified "
+        "sample; k at most. Their coverage masks share no bit, and together hold what is "
+        "covered. "
+        "Fewer invocations than asked for are a violation, more are not."}}};
+}
+
+}  // namespace edgecase

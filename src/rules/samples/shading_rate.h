@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// How often the fragment shader runs for a pixel of a multisampled target (GL 4.6 core, 14.3.1.1).
+//
+// Once for each pixel and primitive is enough, unless the draw asks for more: an input that is
+// evaluated `sample` by sample, or GL_SAMPLE_SHADING with a share s of n samples, which demands at
+// least max(ceil(s n), 1) different values. Which samples share an invocation is left open, and so
+// is more than is asked for.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "model/sampling.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+Rule shading_rate_rule();  // sample.shading-rate
+
+enum class ShadingRate {
+  as_needed,   // once for the pixel, or, where more is asked for, once for each covered sample
+  per_sample,  // once for each covered sample, always
+  per_pixel,   // once for the pixel, whatever is asked for
+};
+std::span<const ShadingRate> all_shading_rates();
+const char* name_of(ShadingRate choice);
+bool parse_name(std::string_view name, ShadingRate& choice);
+
+// Does the shader run once for each covered sample? Never without multisampling.
+bool runs_per_sample(const Multisampling& use, int samples, ShadingRate choice);
+
+}  // namespace edgecase

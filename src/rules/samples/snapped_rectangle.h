@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// The rectangle of a multisampled line, rounded to a sub-pixel grid.
+//
+// Its corners are irrational, a +- n and b +- n with n = (width / 2) (-dy, dx) / |b - a|, and
+// implementations fill polygons whose corners lie on a grid. So they round: the corners themselves,
+// or the ends and n each by itself. What is covered then is the polygon of the rounded corners.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "exact/pixel.h"
+#include "rules/coverage/segment.h"
+#include "rules/coverage/tie_rule.h"
+
+namespace edgecase {
+
+enum class RectangleRounding {
+  offset,   // ends and n to 1/256 pixel, a tie of n away from 0, of ends to the even grid line
+  corners,  // corners to 1/16 pixel, a tie to the even grid line
+};
+
+// What may be nearest to a number halfway between two multiples.
+enum class HalfwayTo { even, away_from_zero };
+
+// The multiple of 2^-bits nearest to whole + above / sqrt(below), all in units of 2^-16: magnitudes
+// of whole up to 2^30, of above and sqrt(below) up to 2^53 and 2^32, of their quotient up to 2^22.
+Fixed nearest_with_root(std::int64_t whole, std::int64_t above, std::uint64_t below, int bits,
+                        HalfwayTo halfway);
+
+// The rounded corners, in counter-clockwise order. The segment has a length; width: more than 0, at
+// most 64 pixels.
+std::array<Point, 4> rounded_corners(const Segment& segment, Fixed width,
+                                     RectangleRounding rounding);
+
+// Does the polygon hold the sample: does it lie to the left of all sides? A polygon that rounding
+// has turned over holds nothing.
+bool rounded_rectangle_covers(const std::array<Point, 4>& corners, Point sample,
+                              const TieRule& ties);
+
+// The pixels within `bounds` whose sample, at `within` of the pixel, the polygon of a line holds,
+// each once, in no particular order.
+std::vector<PixelPosition> rounded_rectangle_pixels(const Segment& segment, Fixed width,
+                                                    RectangleRounding rounding,
+                                                    const PixelBounds& bounds, Point within,
+                                                    const TieRule& ties);
+
+}  // namespace edgecase

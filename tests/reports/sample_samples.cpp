@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+//
+// A multisampled case: a renderer that lacks sample 0 of a pixel, and one that has its samples
+// elsewhere.
+#include "tests/reports/sample.h"
+
+namespace edgecase::sample {
+namespace {
+
+constexpr int kWidth = 8;
+constexpr int kHeight = 6;
+constexpr int kSamples = 4;
+
+std::size_t item(int x, int y, int s) {
+  return static_cast<std::size_t>((s * kHeight + y) * kWidth + x);
+}
+
+SamplePositions positions(bool mirrored) {
+  SamplePositions all;
+  for (const auto& [x, y] : {std::pair{6, 2}, {14, 6}, {2, 10}, {10, 14}})
+    all.push_back({Fixed::from_raw((mirrored ? 16 - x : x) * Fixed::kOne / 16),
+                   Fixed::from_raw(y * Fixed::kOne / 16)});
+  return all;
+}
+
+void write(SampleImage& image, int x, int y, int s, bool covered) {
+  image.hits[item(x, y, s)] = covered ? 1 : 0;
+  std::uint32_t& mask = image.coverage[item(x, y, 0)];
+  mask = covered ? mask | 1U << s : mask & ~(1U << s);
+  const std::uint8_t colors[2][4] = {{40, 0, 60, 255}, {250, 200, 20, 255}};
+  std::copy_n(colors[covered ? 1 : 0], 4,
+              image.pixels.begin() + static_cast<std::ptrdiff_t>(4 * item(x, y, s)));
+}
+
+// All samples to the lower right of a diagonal.
+SampleImage below_diagonal(bool mirrored) {
+  SampleImage image;
+  image.samples = kSamples;
+  image.positions = positions(mirrored);
+  image.pixels.resize(4 * kSamples * kWidth * kHeight);
+  image.hits.resize(kSamples * kWidth * kHeight);
+  image.coverage.resize(kWidth * kHeight);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (int s = 0; s < kSamples; ++s) {
+        const Point& at = image.positions[static_cast<std::size_t>(s)];
+        write(image, x, y, s, x + at.x.to_double() > y + at.y.to_double());
+      }
+  return image;
+}
+
+// The mean of each pixel's samples, rounded down.
+std::vector<std::uint8_t> resolved(const SampleImage& image) {
+  std::vector<std::uint8_t> pixels;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (std::size_t c = 0; c < 4; ++c) {
+        int sum = 0;
+        for (int s = 0; s < kSamples; ++s) sum += image.pixels[4 * item(x, y, s) + c];
+        pixels.push_back(static_cast<std::uint8_t>(sum / kSamples));
+      }
+  return pixels;
+}
+
+Result shown(const SampleImage& image) {
+  Result result;
+  result.verdict = Verdict::agree;
+  result.samples = image;
+  result.pixels = resolved(image);
+  return result;
+}
+
+Result without_sample_0(SampleImage image) {
+  write(image, 3, 3, 0, false);
+  Result result = shown(image);
+  result.verdict = Verdict::violation;
+  result.standing = Standing::unexpected;
+  Disagreement d = disagreement(3, 3, DisagreementKind::missing, false);
+  d.rule = "triangle.fill-rule";
+  d.sample = 0;
+  d.figure.marks = {{MarkRole::sample, false, {{3.375, 3.125}}, ""}};
+  d.explanation = "exact draws sample 0, the renderer does not.";
+  Disagreement whole = disagreement(3, 3, DisagreementKind::value, false);
+  whole.rule = "sample.resolve";
+  whole.sample = -1;
+  whole.primitive = -1;
+  whole.explanation = "the resolved pixel should be the mean of its samples.";
+  result.disagreements = {whole, d};
+  return result;
+}
+
+}  // namespace
+
+CaseResults multisampled_case() {
+  const SampleImage exact = below_diagonal(false);
+  CaseResults one;
+  one.id = "samples/diagonal";
+  one.title = "An edge across four samples";
+  one.why = "Each sample is decided by itself.";
+  one.rules = {"triangle.fill-rule"};
+  one.spec = "GL 4.6 core, 14.3.1";
+  one.file = "cases/samples/diagonal.json";
+  one.surface = "fbo";
+  one.width = kWidth;
+  one.height = kHeight;
+  one.samples = exact;
+  one.pixels = resolved(exact);
+  one.fragments = 27;
+  const SampleImage mirrored = below_diagonal(true);
+  Result elsewhere = shown(mirrored);
+  elsewhere.exact_samples = mirrored;
+  elsewhere.exact_pixels = resolved(mirrored);
+  Result silent = shown(exact);
+  silent.samples.positions.clear();
+  silent.samples.hits.clear();
+  one.results = {shown(exact), without_sample_0(exact), elsewhere, silent};
+  return one;
+}
+
+}  // namespace edgecase::sample
