@@ -14,7 +14,7 @@ FILE = "cases/expectations/osmesa-softpipe.json"
 class Bless(CommandTest):
     def setUp(self):
         super().setUp()
-        self.copy_suite()
+        self.copy_suite("points", "surfaces")
 
     def expectations(self):
         return json.loads((self.folder / FILE).read_text(encoding="utf-8"))

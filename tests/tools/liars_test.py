@@ -61,48 +61,50 @@ def with_a_twin():
 
 
 class Liars(CommandTest):
-    def verdicts(self, behaviour, expect):
-        """id -> verdict. A lie about everything makes some 300 MB of results, a case to a line:
-        what is not asked for is not parsed."""
+    def verdicts(self, behaviour, expect, share):
+        """id -> verdict, of a share of the suite. A lie about everything makes some 300 MB of
+        results, a case to a line: what is not asked for is not parsed."""
         path = self.folder / "results.json"
         self.command("run", SUITE, "--against", self.odd_renderer(behaviour), "--json", path,
-                     expect=expect)
+                     "--shard", share, expect=expect)
         with path.open(encoding="utf-8") as lines:
             found = dict(match.groups() for match in map(CASE.match, lines) if match)
-        self.assertEqual(set(found), set(rendered_suite()))
+        listed = self.command("run", SUITE, "--list", "--shard", share).stdout.split()
+        self.assertEqual(set(found), set(listed))
         return found
 
-    def judge(self, behaviour):
-        found = self.verdicts(behaviour, UNEXPECTED)
+    def judge(self, behaviour, share):
+        found = self.verdicts(behaviour, UNEXPECTED, share)
         self.assertNotIn("not-run", found.values(), "a liar answers everything")
         return found
 
     def test_constant_images_never_agree(self):
-        for behaviour in ("black", "white", "grey", "transparent"):
+        # A quarter of the suite each, and all of it together.
+        for part, behaviour in enumerate(("black", "white", "grey", "transparent"), 1):
             with self.subTest(behaviour):
-                self.assertNotIn("agree", self.judge(behaviour).values())
+                self.assertNotIn("agree", self.judge(behaviour, f"{part}/4").values())
 
     def test_right_fragments_do_not_make_up_for_a_constant_image(self):
-        self.assertNotIn("agree", self.judge("painted").values())
+        self.assertNotIn("agree", self.judge("painted", "1/4").values())
 
     def test_fragments_of_the_first_case_do_not_either(self):
-        self.assertNotIn("agree", self.verdicts("first-fragments", RENDERER).values())
+        self.assertNotIn("agree", self.verdicts("first-fragments", RENDERER, "2/4").values())
 
     def test_the_previous_answer_agrees_only_where_it_is_right(self):
-        found = self.verdicts("echo", RENDERER)
+        found = self.verdicts("echo", RENDERER, "3/4")
         agreeing = {name for name, verdict in found.items() if verdict == "agree"}
         self.assertEqual(agreeing - with_a_twin(), set())
         # Where two neighbours have one size, the echo is a rendering and is judged as one.
         self.assertGreater(list(found.values()).count("violation"), len(found) // 2)
 
     def test_a_mirrored_answer_agrees_only_where_it_is_right(self):
-        found = self.judge("mirror")
+        found = self.judge("mirror", "4/4")
         symmetric = {name for name, truth in rendered_suite().items()
                      if upside_down_is_the_same(truth)}
         agreeing = {name for name, verdict in found.items() if verdict == "agree"}
         self.assertEqual(agreeing - symmetric, set())
         # A suite of symmetric cases would prove nothing.
-        self.assertLess(len(symmetric), len(found) // 3)
+        self.assertLess(len(symmetric), len(rendered_suite()) // 3)
 
     def test_no_two_files_have_one_picture(self):
         """So no constant and no other file's image is ever right, whichever it is. Samples lie so

@@ -92,7 +92,7 @@ class WholeSuite(CommandTest):
         self.assertGreater(drawn, 200)
 
     def test_a_run_without_arguments(self):
-        self.copy_suite()
+        self.copy_suite("points")
         run = self.command("run", expect=None)
         self.assertIn("Report: out/report.html", run.stdout)
         results = json.loads((self.folder / "out/results.json").read_text(encoding="utf-8"))
@@ -103,7 +103,7 @@ class WholeSuite(CommandTest):
 
 class NewCase(CommandTest):
     def test_one_file_more_is_judged_by_the_next_run(self):
-        self.copy_suite()
+        self.copy_suite("triangles")
         before = self.results("cases", expect=None)
         self.write("cases/mine/common-edge.json", triangle_case(
             title="My own shared edge", draws=[

@@ -5,6 +5,7 @@ A test owns a temporary folder and runs the command there; it never touches the 
 program is the built one (EDGECASE_BIN), the suite that of the checkout (EDGECASE_ROOT), both set by
 tests/tools/CMakeLists.txt.
 """
+import atexit
 import functools
 import json
 import os
@@ -26,6 +27,9 @@ MESA = ["osmesa:llvmpipe", "osmesa:softpipe", "egl:llvmpipe", "egl:softpipe"]
 # What CI systems set for their own shards must not reach the command under test.
 SHARD_VARIABLES = ("TEST_TOTAL_SHARDS", "TEST_SHARD_INDEX", "CI_NODE_TOTAL", "CI_NODE_INDEX")
 PATIENCE = 600  # seconds, for a command over the whole suite on a busy machine
+# A fifth of the suite, some of each folder: where a test says the same of every case, and parsing
+# the results of all of them would take minutes.
+A_FIFTH = ["--shard", "1/5"]
 
 # Exit codes.
 AS_EXPECTED, UNEXPECTED, USAGE, INTERNAL, RENDERER, NOTHING_SELECTED = range(6)
@@ -90,6 +94,17 @@ def known_not_run(renderer, exact):
 
 
 @functools.lru_cache(maxsize=None)
+def truth_of_suite():
+    """The file in which `edgecase render` wrote what exact makes of the whole suite."""
+    folder = tempfile.TemporaryDirectory(prefix="edgecase-truth-")
+    atexit.register(folder.cleanup)
+    path = pathlib.Path(folder.name) / "truth.jsonl"
+    subprocess.run([EDGECASE, "render", SUITE, "--json", str(path)], env=environment(), check=True,
+                   timeout=PATIENCE)
+    return path
+
+
+@functools.lru_cache(maxsize=None)
 def rendered_suite(renderer="exact"):
     """What `edgecase render` makes of the whole suite: id -> rendering."""
     run = subprocess.run([EDGECASE, "render", SUITE, "--with", renderer, "--json", "-"],
@@ -141,13 +156,22 @@ class CommandTest(unittest.TestCase):
         for name in names:
             self.write(f"cases/{name}.json", triangle_case(title=f"Triangle {name}"))
 
-    def copy_suite(self):
-        shutil.copytree(SUITE, self.folder / "cases")
+    def copy_suite(self, *folders):
+        """These folders of the suite's cases, with what is known of renderers."""
+        for folder in (*folders, "policies", "profiles"):
+            shutil.copytree(f"{SUITE}/{folder}", self.folder / "cases" / folder)
+        for path in pathlib.Path(SUITE, "expectations").glob("*.json"):
+            content = json.loads(path.read_text(encoding="utf-8"))
+            content["expectations"] = [entry for entry in content["expectations"]
+                                       if entry["case"].split("/")[0] in folders]
+            self.write(f"cases/expectations/{path.name}", content)
 
     def odd_renderer(self, behaviour, victim="", cases=SUITE):
         """exec: name of a program that answers as exact does, save for an odd behaviour."""
-        truth = self.folder / "truth.jsonl"
-        if not truth.exists():
+        if cases == SUITE:
+            truth = truth_of_suite()
+        else:
+            truth = self.folder / "truth.jsonl"
             self.command("render", cases, "--json", truth, expect=None)
         words = [sys.executable, str(HERE / "odd_renderer.py"), behaviour, str(truth)]
         return "exec:" + " ".join(map(shlex.quote, words + ([victim] if victim else [])))
