@@ -101,9 +101,9 @@ std::string Accumulator::prove() {
   one.height = 1;
   if (std::string problem = make(one); !problem.empty()) return problem;
   constexpr Color kNothing = {0, 0, 0, 0};
-  clear(*gl_, sum_.framebuffer.name(), kNothing, false);
+  clear(*gl_, sum_.framebuffer.name(), kNothing);
   for (std::size_t k = 0; k < kProven.size(); ++k) {
-    clear(*gl_, pass(), kProven[k], false);
+    clear(*gl_, pass(), kProven[k]);
     add(kProvenWeights[k]);
   }
   std::array<float, 4> sum{};
@@ -127,7 +127,7 @@ std::string Accumulator::begin(const Target& target) {
   if (!fits)
     if (std::string problem = make(target); !problem.empty()) return problem;
   constexpr Color kNothing = {0, 0, 0, 0};
-  clear(*gl_, sum_.framebuffer.name(), kNothing, false);
+  clear(*gl_, sum_.framebuffer.name(), kNothing);
   total_ = 0;
   return "";
 }

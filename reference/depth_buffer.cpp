@@ -75,9 +75,8 @@ double largest_depth(DepthFormat format) {
   return std::ldexp(1.0, bits_of(format)) - 1;
 }
 
-std::string another_framebuffer(DepthFormat format, const std::string& doubt) {
-  return fmt::format("asked for {}, this driver makes another framebuffer: {}", name_of(format),
-                     doubt);
+std::string another_framebuffer(const std::string& formats, const std::string& doubt) {
+  return fmt::format("asked for {}, this driver makes another framebuffer: {}", formats, doubt);
 }
 
 std::string doubt_of_depth_buffer(const GladGLContext& gl, GLenum attachment, DepthFormat format) {

@@ -25,8 +25,8 @@ double largest_depth(DepthFormat format);
 // `attachment` is GL_DEPTH_ATTACHMENT, or GL_DEPTH for the window. Clears the buffer.
 std::string doubt_of_depth_buffer(const GladGLContext& gl, GLenum attachment, DepthFormat format);
 
-// The sentence that tells such a doubt of a framebuffer object.
-std::string another_framebuffer(DepthFormat format, const std::string& doubt);
+// The sentence that tells such a doubt of a framebuffer object, which was asked to have `formats`.
+std::string another_framebuffer(const std::string& formats, const std::string& doubt);
 
 // The bound framebuffer's depths, 0 to 1, row by row from the bottom: of an unsigned format the
 // integer that is stored, over 2^bits - 1.

@@ -89,16 +89,12 @@ void set_multisampling(const GladGLContext& gl, const Multisampling& multisampli
   gl.MinSampleShading(multisampling.min_sample_shading.value_or(0));
 }
 
-void clear(const GladGLContext& gl, GLuint framebuffer, const Color& color, bool has_depth) {
+void clear(const GladGLContext& gl, GLuint framebuffer, const Color& color) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl.Disable(GL_SCISSOR_TEST);
   gl.Disable(GL_DITHER);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.ClearBufferfv(GL_COLOR, 0, color.data());
-  if (!has_depth) return;
-  constexpr float kFarthest = 1;
-  gl.DepthMask(GL_TRUE);
-  gl.ClearBufferfv(GL_DEPTH, 0, &kFarthest);
 }
 
 GLenum take_error(const GladGLContext& gl) {

@@ -11,7 +11,8 @@ namespace edgecase {
 
 GLenum mode_of(Primitive primitive);
 
-// The whole state of a draw, but for blending and uniforms, which belong to the pass.
+// The whole state of a draw that has no fragment operations, but for blending and uniforms, which
+// belong to the pass. What else scenes have is in reference/fragment_state.h.
 void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw);
 
 // How a draw to a target of this many samples uses them. Set after set_state, and set back to the
@@ -19,8 +20,8 @@ void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw);
 // multisampled targets do not have all of this state, and need not.
 void set_multisampling(const GladGLContext& gl, const Multisampling& multisampling, int samples);
 
-// Clears a framebuffer, by its name, and leaves it bound; its depth buffer, where it has one, to 1.
-void clear(const GladGLContext& gl, GLuint framebuffer, const Color& color, bool has_depth);
+// Clears the colours of a framebuffer, by its name, and leaves it bound.
+void clear(const GladGLContext& gl, GLuint framebuffer, const Color& color);
 
 // The first error since the last call, or GL_NO_ERROR. A lost context reports its loss for ever.
 GLenum take_error(const GladGLContext& gl);

@@ -63,6 +63,21 @@ std::string size_limit(const Draw& draw, const Target& target, const DriverLimit
   return "";
 }
 
+std::string operations_limit(const Draw& draw, const DriverLimits& limits) {
+  if (draw.polygon_offset && draw.polygon_offset->clamp != 0 && !limits.clamps_polygon_offset)
+    return "polygon offsets cannot be clamped on this driver: it lacks "
+           "GL_ARB_polygon_offset_clamp";
+  const auto& blending = draw.operations.blending;
+  const auto saturates = [](const BlendTerm& term) {
+    return term.destination == BlendFactor::src_alpha_saturate;
+  };
+  if (blending && !limits.saturates_destinations &&
+      (saturates(blending->color) || saturates(blending->alpha)))
+    return "src_alpha_saturate is no destination's factor on this driver: it lacks "
+           "GL_ARB_blend_func_extended";
+  return "";
+}
+
 std::string draw_limit(const Draw& draw, const Target& target, const DriverLimits& limits) {
   if (std::string problem = size_limit(draw, target, limits); !problem.empty()) return problem;
   const float anisotropy = draw.texture ? draw.texture->sampler.max_anisotropy : 1;
@@ -70,6 +85,7 @@ std::string draw_limit(const Draw& draw, const Target& target, const DriverLimit
     return limits.anisotropy > 1 ? fmt::format("an anisotropy of {:g} exceeds this driver's {:g}",
                                                anisotropy, limits.anisotropy)
                                  : "this driver has no anisotropic filtering";
+  if (std::string problem = operations_limit(draw, limits); !problem.empty()) return problem;
   // A point has one vertex.
   if (kind_of(draw.primitive) != PrimitiveKind::point &&
       !limits.provoking[static_cast<std::size_t>(draw.provoking_vertex)])
@@ -87,6 +103,9 @@ DriverLimits stated_limits(const GladGLContext& gl) {
   gl.GetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, limits.line_widths.data());
   gl.GetFloatv(GL_SMOOTH_LINE_WIDTH_RANGE, limits.sampled_line_widths.data());
   gl.GetFloatv(GL_POINT_SIZE_RANGE, limits.point_sizes.data());
+  limits.clamps_polygon_offset =
+      gl.VERSION_4_6 || gl.ARB_polygon_offset_clamp || gl.EXT_polygon_offset_clamp;
+  limits.saturates_destinations = gl.ARB_blend_func_extended != 0;
   // Wide lines are deprecated, and an error in contexts that promise to do without.
   GLint flags = 0;
   gl.GetIntegerv(GL_CONTEXT_FLAGS, &flags);

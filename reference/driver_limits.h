@@ -24,6 +24,8 @@ struct DriverLimits {
   std::array<bool, 2> provoking{true, true};       // by ProvokingVertex: setting it has its effect
   std::vector<int> sample_counts;                  // of multisampled targets; empty: there are none
   bool places_samples = false;                     // where a case asks for them
+  bool clamps_polygon_offset = false;
+  bool saturates_destinations = false;  // src_alpha_saturate may be the destination's factor
 };
 
 // What the context says of itself; what is found by trying is left as it is.

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "reference/depth_buffer.h"
 #include "reference/draw_state.h"
+#include "reference/stencil_buffer.h"
 
 namespace edgecase {
 
@@ -38,16 +38,15 @@ int samples_of_framebuffer(const GladGLContext& gl) {
   return samples;
 }
 
-// A framebuffer of an image and, unless its name is 0, a depth buffer. Leaves it bound.
+// A framebuffer of an image and, unless its name is 0, a depth or stencil buffer. Leaves it bound.
 GlFramebuffer make_framebuffer_of(const GladGLContext& gl, const GlTexture& image,
-                                  const GlTexture& depth) {
+                                  const GlTexture& depth, GLenum attachment) {
   GlFramebuffer framebuffer = make_framebuffer(gl);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE,
                           image.name(), 0);
   if (depth.name() != 0)
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE,
-                            depth.name(), 0);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D_MULTISAMPLE, depth.name(), 0);
   return framebuffer;
 }
 
@@ -114,11 +113,10 @@ SamplePositions positions_of_framebuffer(const GladGLContext& gl, const Target& 
 std::string settle_samples(const GladGLContext& gl, const Target& target,
                            SamplePositions& positions) {
   const int samples = samples_of_framebuffer(gl);
+  const std::string formats = words_of_formats(target.depth, target.stencil);
   if (samples == 0)
-    return fmt::format(
-        "this driver has no {}x{} framebuffer with {} samples{}", target.width, target.height,
-        target.samples,
-        target.depth == DepthFormat::none ? "" : std::string(" and ") + name_of(target.depth));
+    return fmt::format("this driver has no {}x{} framebuffer with {} samples{}{}", target.width,
+                       target.height, target.samples, formats.empty() ? "" : " and ", formats);
   if (samples != target.samples)
     return fmt::format("asked for {} samples, this driver makes {}", target.samples, samples);
   if (!target.sample_positions.empty())
@@ -143,7 +141,7 @@ std::vector<int> find_sample_counts(const GladGLContext& gl) {
     target.width = target.height = 1;
     target.samples = samples;
     const GlTexture image = make_image(gl, GL_RGBA8, target);
-    const GlFramebuffer framebuffer = make_framebuffer_of(gl, image, {});
+    const GlFramebuffer framebuffer = make_framebuffer_of(gl, image, {}, 0);
     if (samples_of_framebuffer(gl) == samples) counts.push_back(samples);
   }
   take_error(gl);
@@ -157,7 +155,7 @@ bool can_place_samples(const GladGLContext& gl) {
 bool fits(const MultisampleTarget& made, const Target& target) {
   return made.width == target.width && made.height == target.height &&
          made.samples == target.samples && made.depth == target.depth &&
-         made.placed == target.sample_positions;
+         made.stencil == target.stencil && made.placed == target.sample_positions;
 }
 
 std::string make_multisample_target(const GladGLContext& gl, const Target& target,
@@ -166,16 +164,17 @@ std::string make_multisample_target(const GladGLContext& gl, const Target& targe
   made.height = target.height;
   made.samples = target.samples;
   made.depth = target.depth;
+  made.stencil = target.stencil;
   made.placed = target.sample_positions;
-  if (target.depth != DepthFormat::none)
-    made.depth_image = make_image(gl, storage_of(target.depth), target);
+  const DepthStencilStorage storage = storage_of(target.depth, target.stencil);
+  if (storage.format != 0) made.depth_image = make_image(gl, storage.format, target);
   made.color_image = make_image(gl, GL_RGBA8, target);
   made.count_image = make_image(gl, GL_R32F, target);
   SamplePositions positions_of_count;
-  made.count = make_framebuffer_of(gl, made.count_image, made.depth_image);
+  made.count = make_framebuffer_of(gl, made.count_image, made.depth_image, storage.attachment);
   if (std::string problem = settle_samples(gl, target, positions_of_count); !problem.empty())
     return problem;
-  made.color = make_framebuffer_of(gl, made.color_image, made.depth_image);
+  made.color = make_framebuffer_of(gl, made.color_image, made.depth_image, storage.attachment);
   if (std::string problem = settle_samples(gl, target, made.positions); !problem.empty())
     return problem;
   if (positions_of_count != made.positions)

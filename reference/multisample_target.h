@@ -23,9 +23,10 @@ struct MultisampleTarget {
   int height = 0;
   int samples = 0;
   DepthFormat depth = DepthFormat::none;
+  StencilFormat stencil = StencilFormat::none;
   SamplePositions placed;     // where the case puts the samples; empty: it does not
   SamplePositions positions;  // as the driver reports them
-  GlTexture depth_image;      // of both framebuffers; none without a depth buffer
+  GlTexture depth_image;      // depths and stencils, of both framebuffers; none without either
   GlTexture color_image;      // RGBA8
   GlFramebuffer color;
   GlTexture count_image;  // R32F

@@ -73,6 +73,8 @@ OSMesaContext create_core_context(const OsmesaFunctions& functions, int major, i
                             OSMESA_RGBA,
                             OSMESA_DEPTH_BITS,
                             24,
+                            OSMESA_STENCIL_BITS,
+                            8,
                             OSMESA_PROFILE,
                             OSMESA_CORE_PROFILE,
                             OSMESA_CONTEXT_MAJOR_VERSION,

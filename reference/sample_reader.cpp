@@ -7,6 +7,7 @@
 
 #include "reference/depth_buffer.h"
 #include "reference/shaders.h"
+#include "reference/stencil_buffer.h"
 
 namespace edgecase {
 
@@ -168,7 +169,8 @@ std::optional<std::vector<double>> SampleReader::depths(const MultisampleTarget&
   const std::vector<float> fetched = fetched_floats(target, target.depth_image);
   std::vector<double> depths(fetched.begin(), fetched.end());
   if (target.depth == DepthFormat::depth32f) return depths;
-  const DepthConversion conversion = conversions_.at({target.depth, target.samples});
+  const DepthConversion conversion =
+      conversions_.at({target.depth, target.stencil, target.samples});
   const double largest = largest_depth(target.depth);
   for (double& depth : depths) {
     const auto integer = integer_of(static_cast<float>(depth), largest, conversion);
@@ -185,42 +187,46 @@ std::optional<std::vector<double>> SampleReader::depths(const MultisampleTarget&
   return depths;
 }
 
-std::string SampleReader::doubt_of_depths(DepthFormat format, int samples) {
-  if (format == DepthFormat::none) return "";
-  const std::pair key(format, samples);
-  auto found = doubts_.find(key);
-  if (found == doubts_.end()) found = doubts_.emplace(key, prove(format, samples)).first;
+std::string SampleReader::doubt_of_depths(const Target& target) {
+  if (target.depth == DepthFormat::none) return "";
+  const Formats formats(target.depth, target.stencil, target.samples);
+  auto found = doubts_.find(formats);
+  if (found == doubts_.end()) found = doubts_.emplace(formats, prove(target)).first;
   return found->second;
 }
 
-std::string SampleReader::prove(DepthFormat format, int samples) {
+std::string SampleReader::prove(const Target& asked) {
   Target target;
   target.width = kRampWidth;
   target.height = kRampHeight;
-  target.samples = samples;
-  target.depth = format;
+  target.samples = asked.samples;
+  target.depth = asked.depth;
+  target.stencil = asked.stencil;
   MultisampleTarget made;
   if (std::string problem = make_multisample_target(*gl_, target, made); !problem.empty())
     return problem;
+  const std::string words = words_of_formats(target.depth, target.stencil);
+  const DepthStencilStorage storage = storage_of(target.depth, target.stencil);
   const GlRenderbuffer depth_image = make_renderbuffer(*gl_);
   gl_->BindRenderbuffer(GL_RENDERBUFFER, depth_image.name());
-  gl_->RenderbufferStorage(GL_RENDERBUFFER, storage_of(format), kRampWidth, kRampHeight);
+  gl_->RenderbufferStorage(GL_RENDERBUFFER, storage.format, kRampWidth, kRampHeight);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, made.resolved.name());
-  gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+  gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, storage.attachment, GL_RENDERBUFFER,
                                depth_image.name());
-  if (const std::string doubt = doubt_of_depth_buffer(*gl_, GL_DEPTH_ATTACHMENT, format);
+  if (const std::string doubt = doubt_of_depth_buffer(*gl_, GL_DEPTH_ATTACHMENT, target.depth);
       !doubt.empty())
-    return another_framebuffer(format, doubt);
+    return another_framebuffer(words, doubt);
   draw_depths(made.color, kRampWidth, kRampHeight, GL_ALWAYS, 1);
   draw_depths(made.resolved, kRampWidth, kRampHeight, GL_ALWAYS, 1);
-  const std::vector<double> plane = read_depths(*gl_, format, kRampWidth, kRampHeight);
+  const std::vector<double> plane = read_depths(*gl_, target.depth, kRampWidth, kRampHeight);
   std::vector<double> expected;
-  for (int i = 0; i < samples; ++i) expected.insert(expected.end(), plane.begin(), plane.end());
+  for (int i = 0; i < target.samples; ++i)
+    expected.insert(expected.end(), plane.begin(), plane.end());
   for (DepthConversion conversion : {DepthConversion::quotient, DepthConversion::product}) {
-    conversions_[{format, samples}] = conversion;
+    conversions_[{target.depth, target.stencil, target.samples}] = conversion;
     if (depths(made) == expected) return "";
   }
-  return another_framebuffer(format, "its samples do not hold what a buffer without them holds");
+  return another_framebuffer(words, "its samples do not hold what a buffer without them holds");
 }
 
 }  // namespace edgecase

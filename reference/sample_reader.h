@@ -18,6 +18,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -54,11 +55,14 @@ class SampleReader {
   // image is lost.
   std::optional<std::vector<double>> depths(const MultisampleTarget& target) const;
 
-  // Why depths of a format cannot be told, where buffers have so many samples, as a sentence;
-  // empty: they can. Draws when it is first asked about them.
-  std::string doubt_of_depths(DepthFormat format, int samples);
+  // Why depths of a target's formats cannot be told, where buffers have so many samples, as a
+  // sentence; empty: they can, or there are none. Draws when it is first asked about them.
+  std::string doubt_of_depths(const Target& target);
 
  private:
+  // What a conversion depends on: a depth buffer's format, what it is packed with, and samples.
+  using Formats = std::tuple<DepthFormat, StencilFormat, int>;
+
   SampleReader(const GladGLContext& gl, GlProgram fetch, GlProgram depth);
 
   void set_state(int width, int height) const;
@@ -69,15 +73,14 @@ class SampleReader {
   void draw_depths(const GlFramebuffer& framebuffer, int width, int height, GLenum test,
                    float scale) const;
   std::vector<float> largest_depths(const MultisampleTarget& target) const;
-  std::string prove(DepthFormat format, int samples);
+  std::string prove(const Target& target);
 
   const GladGLContext* gl_;
   GlProgram fetch_;
   GlProgram depth_;
-  GlVertexArray vertex_array_;  // without attributes
-  // By format and number of samples; conversions of unsigned formats alone.
-  std::map<std::pair<DepthFormat, int>, DepthConversion> conversions_;
-  std::map<std::pair<DepthFormat, int>, std::string> doubts_;
+  GlVertexArray vertex_array_;                      // without attributes
+  std::map<Formats, DepthConversion> conversions_;  // of unsigned formats alone
+  std::map<Formats, std::string> doubts_;
 };
 
 }  // namespace edgecase

@@ -9,8 +9,10 @@
 
 #include "reference/depth_buffer.h"
 #include "reference/draw_state.h"
-#include "reference/multisample_doubt.h"
+#include "reference/fragment_state.h"
 #include "reference/provoking_probe.h"
+#include "reference/rendering_doubt.h"
+#include "reference/stencil_buffer.h"
 #include "reference/vertex_data.h"
 
 namespace edgecase {
@@ -179,6 +181,10 @@ void SceneRenderer::set_lookup(const Scene& scene, const Draw& draw) {
 
 void SceneRenderer::draw_all(const Scene& scene, const Pass& pass) {
   const bool counts = pass.program == &Programs::count;
+  const bool has_more_state = uses_fragment_state(scene);
+  const PassKind kind = counts                    ? PassKind::hits
+                        : pass.capture != nullptr ? PassKind::capture
+                                                  : PassKind::pixels;
   gl_.BindVertexArray(objects_->vertex_array.name());
   GLint first = 0;
   for (const Draw& draw : scene.draws) {
@@ -194,6 +200,7 @@ void SceneRenderer::draw_all(const Scene& scene, const Pass& pass) {
     } else {
       gl_.Disable(GL_BLEND);
     }
+    if (has_more_state) set_fragment_state(gl_, scene, draw, kind);
     // Hits depend on colours where alpha says which samples are covered.
     if (!counts || is_multisampled(scene))
       gl_.Uniform1i(kInterpolationUniform, to_uniform(draw.interpolation));
@@ -204,10 +211,12 @@ void SceneRenderer::draw_all(const Scene& scene, const Pass& pass) {
     first += count;
   }
   if (is_multisampled(scene)) set_multisampling(gl_, {}, scene.target.samples);
+  if (has_more_state) reset_fragment_state(gl_);
 }
 
 void SceneRenderer::clear_for(const Scene& scene, GLuint framebuffer, const Color& color) {
-  clear(gl_, framebuffer, color, scene.target.depth != DepthFormat::none);
+  clear(gl_, framebuffer, color);
+  clear_depth_and_stencil(gl_, scene.target);
 }
 
 void SceneRenderer::draw_pixels(const Scene& scene, const Surfaces& surfaces,
@@ -220,6 +229,8 @@ void SceneRenderer::draw_pixels(const Scene& scene, const Surfaces& surfaces,
                  rendering.pixels.data());
   if (scene.target.depth != DepthFormat::none)
     rendering.depths = read_depths(gl_, scene.target.depth, rendering.width, rendering.height);
+  if (scene.target.stencil != StencilFormat::none)
+    rendering.stencils = read_stencils(gl_, rendering.width, rendering.height);
 }
 
 void SceneRenderer::read_samples(const MultisampleTarget& target, Rendering& rendering) {
@@ -228,6 +239,8 @@ void SceneRenderer::read_samples(const MultisampleTarget& target, Rendering& ren
   rendering.sample_pixels = reader.colors(target);
   if (target.depth != DepthFormat::none)
     rendering.depths = reader.depths(target).value_or(std::vector<double>());
+  if (target.stencil != StencilFormat::none)
+    rendering.stencils = objects_->targets.stencils().read(target);
 }
 
 std::vector<float> SceneRenderer::read_sums(const Surfaces& surfaces, const Rendering& rendering) {
@@ -301,27 +314,6 @@ void SceneRenderer::tell_mip_chains(const Scene& scene, Rendering& rendering) {
       rendering.mip_chains[i] = objects_->textures.generated_chain(scene.textures[i]);
 }
 
-std::string SceneRenderer::doubt_of(const Scene& scene, const Rendering& rendering,
-                                    const Surfaces& surfaces) const {
-  std::vector<std::uint32_t> counts(area_of(rendering));
-  for (const Fragment& fragment : rendering.fragments) {
-    if (fragment.primitive == kNoPrimitive)
-      return fmt::format(
-          "the fragment at pixel ({}, {}) has the flat attributes of a vertex that provokes no "
-          "primitive",
-          fragment.x, fragment.y);
-    if (++counts[rendering.pixel_index(fragment.x, fragment.y)] > surfaces.most_hits)
-      return fmt::format("pixel ({}, {}) has more hits than the {} that this surface can count",
-                         fragment.x, fragment.y, surfaces.most_hits);
-  }
-  if (!is_multisampled(scene)) return "";
-  // With pixels come depths, or there were none to be told.
-  if (scene.target.depth != DepthFormat::none &&
-      rendering.depths.size() * 4 != rendering.sample_pixels.size())
-    return fmt::format("a sample's depth is none that {} holds", name_of(scene.target.depth));
-  return doubt_of_samples(scene, rendering);
-}
-
 Outcome SceneRenderer::render_passes(const Scene& scene) {
   Accumulator& sum = objects_->accumulator;
   if (std::string problem = sum.begin(scene.target); !problem.empty())
@@ -377,7 +369,7 @@ Outcome SceneRenderer::render(const Scene& scene, bool coverage_only) {
   if (!coverage_only) tell_mip_chains(scene, rendering);
   if (auto failure = take_failure()) return std::move(*failure);
   if (overflow) return Failure{FailureKind::unsupported, *overflow};
-  if (std::string doubt = doubt_of(scene, rendering, surfaces); !doubt.empty())
+  if (std::string doubt = doubt_of(scene, rendering, surfaces.most_hits); !doubt.empty())
     return Failure{FailureKind::unsupported, std::move(doubt)};
   return rendering;
 }

@@ -6,9 +6,11 @@
 // counts (added up by blending, reference/targets.h) and the capture (a record per fragment shader
 // invocation, reference/capture.h). Pixels and hit counts go through the fixed-function end of the
 // pipeline and the capture does not, so that they check each other: whoever reads the answer
-// refuses it where they differ. Where the target has a depth buffer, all three write it, and it is
-// read after the first. A scene with a textured draw is drawn by programs that look up, but for its
-// hit counts and for coverage alone, where colours do not matter.
+// refuses it where they differ. Where the target has a depth or a stencil buffer, all three have
+// it, and it is read after the first. With fragment operations, the first two have all tests and
+// the capture none, so that it tells what fails them too (reference/fragment_state.h). A scene with
+// a textured draw is drawn by programs that look up, but for its hit counts and for coverage alone,
+// where colours do not matter.
 //
 // A multisampled target is drawn to by programs and with state of its own, which is put back after
 // each pass, so that scenes without samples are drawn as if there were none. Its samples are
@@ -88,8 +90,8 @@ class SceneRenderer {
   void draw_all(const Scene& scene, const Pass& pass);
   void clear_for(const Scene& scene, GLuint framebuffer, const Color& color);
   void draw_pixels(const Scene& scene, const Surfaces& surfaces, Rendering& rendering);
-  // Of a multisampled target: resolved, by sample, and its depths, which stay empty where they are
-  // not those of their format.
+  // Of a multisampled target: resolved, by sample, and its depths and stencils, which stay empty
+  // where they are not those of their format.
   void read_samples(const MultisampleTarget& target, Rendering& rendering);
   // What the count's red channel holds.
   std::vector<float> read_sums(const Surfaces& surfaces, const Rendering& rendering);
@@ -100,10 +102,6 @@ class SceneRenderer {
   void drop_details(const Scene& scene, Rendering& rendering) const;
   // The levels that the driver made of the scene's textures.
   void tell_mip_chains(const Scene& scene, Rendering& rendering);
-
-  // Why a rendering is not to be relied upon, as a sentence; empty: nothing speaks against it.
-  std::string doubt_of(const Scene& scene, const Rendering& rendering,
-                       const Surfaces& surfaces) const;
 
   GladGLContext gl_{};
   RendererInfo info_;

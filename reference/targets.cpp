@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reference/depth_buffer.h"
+#include "reference/stencil_buffer.h"
 
 namespace edgecase {
 
@@ -25,14 +26,14 @@ GlRenderbuffer make_image(const GladGLContext& gl, GLenum format, const Target& 
   return image;
 }
 
-// A framebuffer of an image and, unless its name is 0, a depth buffer. Leaves it bound.
+// A framebuffer of an image and, unless its name is 0, a depth or stencil buffer. Leaves it bound.
 bool make_target(const GladGLContext& gl, const GlRenderbuffer& image, const GlRenderbuffer& depth,
-                 GlFramebuffer& framebuffer) {
+                 GLenum attachment, GlFramebuffer& framebuffer) {
   framebuffer = make_framebuffer(gl);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, image.name());
   if (depth.name() != 0)
-    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.name());
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, depth.name());
   return gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
@@ -53,20 +54,26 @@ bool is_rgba8(const GladGLContext& gl, GLenum buffer) {
 
 std::string Targets::make(const Target& target, Buffers& made) {
   const bool has_depth = target.depth != DepthFormat::none;
-  if (has_depth) made.depth_image = make_image(gl_, storage_of(target.depth), target);
+  const bool has_stencil = target.stencil != StencilFormat::none;
+  const DepthStencilStorage storage = storage_of(target.depth, target.stencil);
+  if (has_depth || has_stencil) made.depth_image = make_image(gl_, storage.format, target);
   made.color_image = make_image(gl_, GL_RGBA8, target);
   made.count_image = make_image(gl_, GL_R32F, target);
-  if (!make_target(gl_, made.count_image, made.depth_image, made.count) ||
-      !make_target(gl_, made.color_image, made.depth_image, made.color))
-    return fmt::format("this driver has no {}x{} framebuffer{}", target.width, target.height,
-                       has_depth ? std::string(" with ") + name_of(target.depth) : "");
-  if (!has_depth) return "";
-  const std::string doubt = doubt_of_depth_buffer(gl_, GL_DEPTH_ATTACHMENT, target.depth);
-  return doubt.empty() ? "" : another_framebuffer(target.depth, doubt);
+  if (!make_target(gl_, made.count_image, made.depth_image, storage.attachment, made.count) ||
+      !make_target(gl_, made.color_image, made.depth_image, storage.attachment, made.color))
+    return fmt::format("this driver has no {}x{} framebuffer{}{}", target.width, target.height,
+                       has_depth || has_stencil ? " with " : "",
+                       words_of_formats(target.depth, target.stencil));
+  std::string doubt;
+  if (has_depth) doubt = doubt_of_depth_buffer(gl_, GL_DEPTH_ATTACHMENT, target.depth);
+  if (doubt.empty() && has_stencil)
+    doubt = doubt_of_stencil_buffer(gl_, GL_STENCIL_ATTACHMENT, target.depth);
+  return doubt.empty() ? ""
+                       : another_framebuffer(words_of_formats(target.depth, target.stencil), doubt);
 }
 
 std::variant<Surfaces, std::string> Targets::find_objects(const Target& target) {
-  const std::tuple key(target.width, target.height, target.depth);
+  const std::tuple key(target.width, target.height, target.depth, target.stencil);
   auto found = sizes_.find(key);
   if (found == sizes_.end()) {
     if (sizes_.size() >= kMostSizes) sizes_.clear();
@@ -83,8 +90,15 @@ std::variant<Surfaces, std::string> Targets::find_multisampled(const Target& tar
     if (const auto* error = std::get_if<ProgramError>(&made)) return error->message;
     samples_.emplace(std::get<SampleReader>(std::move(made)));
   }
-  if (std::string doubt = samples_->doubt_of_depths(target.depth, target.samples); !doubt.empty())
-    return doubt;
+  if (std::string doubt = samples_->doubt_of_depths(target); !doubt.empty()) return doubt;
+  if (target.stencil != StencilFormat::none) {
+    if (!stencils_) {
+      auto made = SampleStencils::make(gl_);
+      if (const auto* error = std::get_if<ProgramError>(&made)) return error->message;
+      stencils_.emplace(std::get<SampleStencils>(std::move(made)));
+    }
+    if (std::string doubt = stencils_->doubt_of(target); !doubt.empty()) return doubt;
+  }
   auto found = std::find_if(multisampled_.begin(), multisampled_.end(),
                             [&](const MultisampleTarget& made) { return fits(made, target); });
   if (found == multisampled_.end()) {
@@ -118,10 +132,18 @@ std::variant<Surfaces, std::string> Targets::find_window(const Target& target) {
       return fmt::format("the window-system framebuffer is not {}: {}", name_of(target.depth),
                          doubt);
   }
+  if (target.stencil != StencilFormat::none) {
+    const std::string doubt = doubt_of_stencil_buffer(gl_, GL_STENCIL, target.depth);
+    if (!doubt.empty())
+      return fmt::format("the window-system framebuffer is not {}: {}", name_of(target.stencil),
+                         doubt);
+  }
   return Surfaces{0, 0, 1.0f / kByteHits, kByteHits, nullptr};
 }
 
 std::variant<Surfaces, std::string> Targets::find(const Target& target) {
+  if (std::string limit = limit_of_formats(target.depth, target.stencil); !limit.empty())
+    return limit;
   if (target.surface == Surface::window) return find_window(target);
   return target.samples > 1 ? find_multisampled(target) : find_objects(target);
 }

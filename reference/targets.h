@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Where the passes of a scene land: framebuffer objects of the sizes that scenes ask for, kept for
-// the next scene of the same size and depth format, or the framebuffer of the window system.
+// the next scene of the same size and formats, or the framebuffer of the window system.
 //
 // Hits are counted by additive blending. A framebuffer object counts in R32F, exact up to 2^24 hits
 // per pixel. A window has RGBA8 alone and must do the counting too, or another surface's rules
@@ -9,8 +9,8 @@
 // hits.
 //
 // A depth buffer is part of a framebuffer object where the scene asks for one, with the count too,
-// so that all passes are drawn with the same state. A window has the one that it was made with, or
-// none, and scenes that ask for another one are refused.
+// so that all passes are drawn with the same state; likewise a stencil buffer, packed with it. A
+// window has those that it was made with, or none, and scenes that ask for others are refused.
 //
 // Multisampled targets are framebuffer objects of their own kind, reference/multisample_target.h.
 #pragma once
@@ -28,6 +28,7 @@
 #include "reference/gl_objects.h"
 #include "reference/multisample_target.h"
 #include "reference/sample_reader.h"
+#include "reference/sample_stencils.h"
 
 namespace edgecase {
 
@@ -51,10 +52,12 @@ class Targets {
   std::variant<Surfaces, std::string> find(const Target& target);
   // Reads multisampled targets; `find` must have found one.
   const SampleReader& samples() const { return *samples_; }
+  // Likewise, of one that has stencils.
+  const SampleStencils& stencils() const { return *stencils_; }
 
  private:
   struct Buffers {
-    GlRenderbuffer depth_image;  // of both framebuffers; none without a depth buffer
+    GlRenderbuffer depth_image;  // depths and stencils, of both framebuffers; none without either
     GlRenderbuffer color_image;
     GlFramebuffer color;
     GlRenderbuffer count_image;
@@ -69,9 +72,10 @@ class Targets {
 
   const GladGLContext& gl_;
   GlContext& context_;
-  std::map<std::tuple<int, int, DepthFormat>, Buffers> sizes_;
+  std::map<std::tuple<int, int, DepthFormat, StencilFormat>, Buffers> sizes_;
   std::list<MultisampleTarget> multisampled_;
-  std::optional<SampleReader> samples_;  // made for the first multisampled target
+  std::optional<SampleReader> samples_;     // made for the first multisampled target
+  std::optional<SampleStencils> stencils_;  // and for the first that has stencils
 };
 
 }  // namespace edgecase

@@ -63,8 +63,9 @@ int serve(SceneRenderer& renderer, const RendererInfo& info, std::FILE* output) 
     if (const auto* error = std::get_if<WireError>(&parsed))
       return complain(kUsageError, "bad request: " + error->message);
     Request request = std::get<Request>(parsed);
-    // Runs of pixels tell neither samples nor passes.
-    if (request.scene.target.samples > 1 || !request.scene.supersampling.empty())
+    // Runs of pixels tell neither samples, nor passes, nor which fragments pass their tests.
+    if (request.scene.target.samples > 1 || !request.scene.supersampling.empty() ||
+        has_fragment_operations(request.scene))
       request.coverage_only = false;
     const Outcome outcome = renderer.render(request.scene, request.coverage_only);
     const auto* failure = std::get_if<Failure>(&outcome);

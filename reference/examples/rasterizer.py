@@ -12,13 +12,15 @@ A target with several samples has a plane of pixels for each; one with a single 
 with that sample at the centre, but for lines.
 
 It leaves out derivatives and levels of detail, which an answer may: OpenGL allows several, and no
-exact one. So it draws only those textures of which no level has to be chosen.
+exact one. So it draws only those textures of which no level has to be chosen, and, for the same
+reason, nothing with a polygon offset.
 """
 import json
 import math
-import struct
 import sys
 from fractions import Fraction
+
+from fragment_operations import Buffers, stored
 
 HALF = Fraction(1, 2)
 CENTRE = [HALF, HALF]
@@ -119,8 +121,17 @@ def primitives(kind, n):
             "line_strip": [[i, i + 1] for i in range(n - 1)],
             "line_loop": [[i, (i + 1) % n] for i in range(n)],
             "triangles": [[i, i + 1, i + 2] for i in range(0, n - 2, 3)],
-            "triangle_strip": [[i, i + 1, i + 2] for i in range(n - 2)],  # winding plays no part
+            "triangle_strip": [[i, i + 1, i + 2] for i in range(n - 2)],
             "triangle_fan": [[i, 0, i + 1] for i in range(1, n - 1)]}[kind]
+
+
+def front_facing(draw, numbers, corners):
+    """14.6.1: by the winding in the window. Every second triangle of a strip winds the other way
+    than its numbers above, and every one of a fan."""
+    if len(corners) < 3:
+        return True
+    turned = {"triangle_fan": 1, "triangle_strip": numbers[0] % 2}.get(draw["primitive"], 0)
+    return ((side(*corners) > 0) != turned) == (draw.get("front_face", "ccw") == "ccw")
 
 
 def window(vertex, viewport):
@@ -163,15 +174,6 @@ def nearest(texture, use, coordinates):
     return [Fraction(n) / (most or 1) for n in texel]
 
 
-def stored(depth, kind):
-    """What a depth buffer makes of a depth: a multiple of 1/(2^bits - 1), or a float32."""
-    depth = min(max(depth, Fraction(0)), Fraction(1))
-    if kind == "depth32f":
-        return struct.unpack("f", struct.pack("f", depth))[0]
-    most = 2 ** {"depth16": 16, "depth24": 24}[kind] - 1
-    return round(depth * most) / most
-
-
 def common(boxes):
     """The pixels that lie in all of these rectangles [x, y, width, height]."""
     left, bottom = (max(box[i] for box in boxes) for i in (0, 1))
@@ -208,10 +210,6 @@ def resolved(values):
     return round(Fraction(sum(values), len(values)))
 
 
-def unorm(color):
-    return [round(255 * min(max(Fraction(n), 0), 1)) for n in color]
-
-
 class Drawn:
     """One primitive: which samples it covers, and what it has anywhere in the window."""
 
@@ -226,9 +224,12 @@ class Drawn:
         lines = rectangle(Fraction(draw["line_width"])) if self.use else line
         rules = {1: point(Fraction(draw["point_size"])), 2: lines, 3: triangle}
         self.covers = rules[len(self.corners)](*self.corners)
+        self.face = "front" if front_facing(draw, numbers, self.corners) else "back"
 
     def pixels(self):
         """Those in which it may cover something."""
+        if len(self.corners) == 3 and self.face in self.draw.get("cull", "none").split("_and_"):
+            return []
         width, height = self.scene["target"]["width"], self.scene["target"]["height"]
         left, bottom, wide, high = viewport = self.scene["viewport"]
         target = [0, 0, width, height]
@@ -271,17 +272,15 @@ class Drawn:
         """Window depth, and 1/w."""
         weights = window_weights(self.corners, place)
         depth = sum(w * corner[2] for w, corner in zip(weights, self.corners))
-        return (depth + 1) / 2, perspective(weights, self.corners)[1]
+        near, far = map(Fraction, self.scene.get("depth_range", (0, 1)))
+        return near + (far - near) * (depth + 1) / 2, perspective(weights, self.corners)[1]
 
 
 def render(scene):
     target, details = scene["target"], scene.get("details", [])
     width, area, kind = target["width"], target["width"] * target["height"], target.get("depth")
     positions = sample_positions(target)
-    # A plane for each sample, one after the other.
-    colors = [target["clear"]] * (area * len(positions))
-    depths, hits = ([n] * len(colors) for n in (Fraction(1), 0))
-    fragments = []
+    buffers, fragments = Buffers(target, area * len(positions)), []
     every = (Drawn(scene, draw, numbers) for draw in scene["draws"]
              for numbers in primitives(draw["primitive"], len(draw["vertices"])))
     for number, drawn in enumerate(every):
@@ -300,17 +299,16 @@ def render(scene):
                 if "texture" in drawn.draw and "texture" in details:
                     fragments[-1]["texture_coordinates"] = [float(n) for n in values]
                 for s in drawn.written(mask, color, len(positions)):
-                    index = s * area + y * width + x
-                    colors[index] = color
-                    hits[index] += 1
+                    within = positions[s] if drawn.use else CENTRE
                     if kind:  # of each sample its own, even where they share a fragment
-                        within = positions[s] if drawn.use else CENTRE
-                        depths[index], _ = drawn.depth_at((x + within[0], y + within[1]))
-    planes = [n for color in colors for n in unorm(color)]
+                        depth, _ = drawn.depth_at((x + within[0], y + within[1]))
+                        depth = stored(depth, kind)
+                    buffers.meet(s * area + y * width + x, drawn, color, depth)
+    planes = [n for color in buffers.colors for n in color]
     result = {"pixels": [resolved(planes[i::4 * area]) for i in range(4 * area)],
-              "fragments": fragments, "hits": hits}
-    if kind:
-        result["depths"] = [stored(depth, kind) for depth in depths]
+              "fragments": fragments, "hits": buffers.hits}
+    result.update({key: plane for key, plane in
+                   (("depths", buffers.depths), ("stencils", buffers.stencils)) if plane})
     if len(positions) > 1:
         result["sample_pixels"] = planes
         result["sample_positions"] = [[float(n) for n in at] for at in positions]
@@ -326,6 +324,10 @@ def answer(scene):
         return {"not_run": "this example draws lines of width 1"}
     if scene["target"].get("depth") not in (None, "depth16", "depth24", "depth32f"):
         return {"not_run": "this example has no such depth buffer"}
+    if scene["target"].get("stencil") not in (None, "stencil8"):
+        return {"not_run": "this example has no such stencil buffer"}
+    if any("polygon_offset" in draw for draw in scene["draws"]):
+        return {"not_run": "this example offsets no depths"}
     for use in (draw["texture"] for draw in scene["draws"] if "texture" in draw):
         texture = scene["textures"][use["texture"]]
         if (use["magnify"], use["minify"], use["mipmap"]) != ("nearest", "nearest", "none"):

@@ -7,6 +7,8 @@
 const CLOSE_UP = 2.7;           // pixels across the close-up
 const RESOLVED_ALPHA = 0.3;     // of resolved pixels under their samples
 const CLOSE_UP_BELOW = 64;      // CSS pixels per pixel: above, the pictures are close enough
+const CROWD = 400;              // outlines and vertices, beyond which they would hide the picture
+const CROWD_FROM = 16;          // CSS pixels per pixel from which even so many are drawn
 
 const Layers = {samples: true, grid: true, shapes: true, rule: true, markers: true};
 const LAYER_NAMES = {
@@ -189,7 +191,8 @@ class Pictures {
       height * plot.scale);
     context.globalAlpha = 1;
     if (Layers.grid) drawGrid(plot, width, height);
-    if (Layers.shapes) drawFigure(plot, this.one.figure, false);
+    if (Layers.shapes && (this.one.figure.length <= CROWD || plot.scale >= CROWD_FROM))
+      drawFigure(plot, this.one.figure, false);
     if (Layers.markers) this.drawMarkers(plot, places !== null);
     this.drawRule(plot);
     if (places) this.drawSamples(pane, plot, places);

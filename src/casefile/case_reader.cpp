@@ -141,8 +141,7 @@ void read_scene(const ObjectReader& object, MeshShelf& meshes, TextureShelf& she
   if (findings.size() != before) transform.reset();
   fields.draws_place = object.find("draws");
   if (!fields.draws_place) return;
-  const DrawContext context{fields.target.target.samples, transform ? &*transform : nullptr,
-                            textures, meshes};
+  const DrawContext context{fields.target, transform ? &*transform : nullptr, textures, meshes};
   fields.draws = read_draws(*fields.draws_place, context, findings);
   fields.details.texture =
       std::any_of(fields.draws.begin(), fields.draws.end(),

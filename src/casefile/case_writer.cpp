@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "casefile/fragment_operations_writer.h"
 #include "casefile/json_layout.h"
 #include "casefile/loader.h"
 #include "casefile/number_pieces.h"
@@ -85,6 +86,7 @@ JsonPiece target_piece(const Scene& scene) {
     members.push_back(named("color", json_string(name_of(target.color))));
   if (target.depth != standard.depth)
     members.push_back(named("depth", json_string(name_of(target.depth))));
+  for (JsonPiece& member : target_operation_pieces(scene)) members.push_back(std::move(member));
   if (target.surface != standard.surface)
     members.push_back(named("surface", json_string(name_of(target.surface))));
   members.push_back(named("clear", color_piece(target.clear)));
@@ -156,6 +158,7 @@ std::optional<JsonPiece> state_piece(const Draw& draw, int dimensions) {
     members.push_back(named("point_size", coordinate(draw.point_size)));
   if (draw.scissor) members.push_back(named("scissor", rectangle(*draw.scissor)));
   add_multisampling(draw.multisampling, members);
+  for (JsonPiece& member : fragment_operation_pieces(draw)) members.push_back(std::move(member));
   if (draw.texture)
     for (JsonPiece& member : texture_use_pieces(*draw.texture, dimensions))
       members.push_back(std::move(member));

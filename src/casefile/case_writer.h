@@ -28,7 +28,8 @@ struct CaseWords {
 struct CaseText {
   std::string text;  // ends with a line break; empty exactly when there are diagnostics
   // What a case file cannot say, or the loader refuses: more than 16 samples, several on a window
-  // or with textures, a use of samples where the target has one, a vertex outside the viewport or
+  // or with textures, a use of samples where the target has one, a test or a clear value without
+  // its buffer, factors of a blending that takes none, a vertex outside the viewport or
   // too fine for it, clip coordinates outside the clip volume, a clear colour outside [0, 1],
   // colours of a textured draw's vertices that are not white, a mip chain that no file describes, a
   // texture with more texels than a file may hold, words against the format. Lines and pointers are

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "casefile/fragment_operations_reader.h"
 #include "casefile/mesh.h"
 #include "casefile/numbers.h"
 #include "casefile/sampler_reader.h"
@@ -17,8 +18,9 @@ Keys state_keys() {
   Keys keys{{},
             {"interpolation", "provoking_vertex", "line_width", "point_size", "scissor", "texture",
              "sampler", "lookup"},
-            {"depth", "stencil", "blend", "cull", "polygon_offset"}};
+            {}};
   for (std::string& name : multisampling_keys()) keys.optional.push_back(std::move(name));
+  for (std::string& name : fragment_operation_keys()) keys.optional.push_back(std::move(name));
   return keys;
 }
 
@@ -48,7 +50,8 @@ TextureState read_state(const Place& place, const DrawContext& context, Draw& dr
         read_coordinate(*size, "point_size", kSizeRange, findings).value_or(draw.point_size);
   if (const auto scissor = object.find("scissor"))
     draw.scissor = read_rectangle(*scissor, "a scissor", 0, findings);
-  draw.multisampling = read_multisampling(object, context.samples, findings);
+  draw.multisampling = read_multisampling(object, context.target.target.samples, findings);
+  read_fragment_operations(object, context.target, draw, findings);
   TextureState texture = read_texture_state(object, context.textures, findings);
   draw.texture = texture.use;
   // A flat lookup shows one texel all over: nobody means it who does not say so.

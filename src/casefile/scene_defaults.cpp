@@ -135,6 +135,7 @@ Scene complete_scene(const TargetFields& target, const std::vector<DrawFields>& 
   Scene scene;
   scene.target = target.target;
   scene.target.clear = target.clear.value_or(salted_clear(hash));
+  scene.depth_range = target.depth_range;
   scene.draws = fill_colors(draws, hash);
   scene.supersampling = target.supersampling;
   // Vertices of a faulty file have stand-in coordinates: nothing can be said about those.

@@ -30,6 +30,9 @@ constexpr std::size_t kMaxVertices = 65536;  // of a case, all draws together
 // is 0.
 struct TargetFields {
   Target target;
+  bool depth_known = false;  // whether there is a depth buffer; false: what the file says is faulty
+  bool stencil_known = false;
+  DepthRange depth_range;
   std::optional<Color> clear;
   std::optional<Viewport> viewport;
   std::optional<Place> positions_place;  // of "sample_positions"
@@ -66,7 +69,7 @@ struct Transform;
 
 // What the draws of a case share.
 struct DrawContext {
-  int samples = 1;                       // of the target; 0: not known
+  const TargetFields& target;
   const Transform* transform = nullptr;  // of draws without one; null: there is none
   // None: the list is faulty, so that no texture's number can be judged.
   const std::optional<TextureList>& textures;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "casefile/fragment_operations_reader.h"
 #include "casefile/numbers.h"
 #include "casefile/samples_reader.h"
 #include "casefile/scene_reader.h"
@@ -8,10 +9,14 @@
 namespace edgecase {
 namespace {
 
-const Keys kTargetKeys{{"width", "height"},
-                       {"samples", "sample_positions", "color", "depth", "surface", "clear",
-                        "viewport", "y", "supersample"},
-                       {"stencil"}};
+Keys target_keys() {
+  Keys keys{{"width", "height"},
+            {"samples", "sample_positions", "color", "depth", "surface", "clear", "viewport", "y",
+             "supersample"},
+            {}};
+  for (std::string& name : target_operation_keys()) keys.optional.push_back(std::move(name));
+  return keys;
+}
 const Keys kRectangleKeys{{"x", "y", "width", "height"}, {}, {}};
 
 void read_into(const ObjectReader& object, const char* name, IntegerRange range, Findings& findings,
@@ -37,19 +42,23 @@ std::optional<Viewport> read_rectangle(const Place& place, std::string_view what
 }
 
 TargetFields read_target(const Place& place, Findings& findings) {
+  static const Keys kTargetKeys = target_keys();
   TargetFields fields;
   const ObjectReader object(place, "a target", kTargetKeys, findings);
+  fields.depth_known = fields.stencil_known = object.valid();
   read_into(object, "width", {1, kMaxTargetSize}, findings, fields.target.width);
   read_into(object, "height", {1, kMaxTargetSize}, findings, fields.target.height);
   if (const auto color = object.find("color"))
     read_enum(*color, "a colour format", {{"rgba8"}, {}}, findings, fields.target.color);
   if (const auto depth = object.find("depth"))
-    read_enum(*depth, "a depth format", {{"none", "depth16", "depth24", "depth32f"}, {}}, findings,
-              fields.target.depth);
+    fields.depth_known =
+        read_enum(*depth, "a depth format", {{"none", "depth16", "depth24", "depth32f"}, {}},
+                  findings, fields.target.depth);
   if (const auto surface = object.find("surface"))
     read_enum(*surface, "a surface", {{"fbo", "window"}, {}}, findings, fields.target.surface);
   read_samples(object, fields, findings);
   read_supersample(object, fields, findings);
+  read_target_operations(object, fields, findings);
   if (const auto clear = object.find("clear"))
     fields.clear = read_color(*clear, "a clear colour", {0, 1}, findings);
   if (const auto viewport = object.find("viewport"))

@@ -10,6 +10,7 @@
 #include "diff/coverage/legality.h"
 #include "diff/drawing_compare.h"
 #include "diff/samples/pass_compare.h"
+#include "raster/facing.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
 
@@ -67,13 +68,15 @@ std::vector<PixelExplanation> explain_pixel(const Scene& scene, const Policy& po
     const SamplePositions positions = positions_of(scene.target, choice, {});
     const SampleCoverage coverage = covered_samples(primitive, scene.target, choice, {});
     const bool multisampled = is_multisampled(*primitive.state, scene.target);
+    const std::string rule = is_culled(primitive, scene.target, choice)
+                                 ? "polygon.facing"
+                                 : rule_on_coverage(primitive, scene.target);
     for (std::size_t s = 0; s < (multisampled ? positions.size() : 1); ++s) {
       const Point within = multisampled ? positions[s] : centre_of_pixel();
       Explanation why = explain(primitive, place_in({x, y}, within), scene.target, choice);
       const bool covered = std::ranges::find(coverage[s], PixelPosition{x, y}) != coverage[s].end();
-      result.push_back({primitive.index, multisampled ? static_cast<int>(s) : -1, covered,
-                        rule_on_coverage(primitive, scene.target), std::move(why.text),
-                        std::move(why.figure)});
+      result.push_back({primitive.index, multisampled ? static_cast<int>(s) : -1, covered, rule,
+                        std::move(why.text), std::move(why.figure)});
     }
   }
   return result;

@@ -8,6 +8,7 @@
 #include "diff/coverage/coverage_compare.h"
 #include "diff/coverage/coverage_diff.h"
 #include "diff/coverage/legality.h"
+#include "diff/output/fate_compare.h"
 #include "diff/textures/texture_values.h"
 #include "diff/values/value_diff.h"
 #include "raster/rasterizer.h"
@@ -15,6 +16,21 @@
 
 namespace edgecase {
 namespace {
+
+// What the target holds: by the last fragment of each sample, or by all that becomes of them.
+void compare_planes(const ValueContext& values, const Rendering& rendered, Result& result) {
+  const bool multisampled = rendered.samples > 1;
+  const bool has_fates = has_fragment_operations(values.scene);
+  // A renderer that was asked for coverage alone has neither pixels nor depths.
+  if (!has_fates && !(multisampled ? rendered.sample_pixels : rendered.pixels).empty())
+    compare_pixels(values, rendered, result);
+  if (has_fates) compare_fates(values, rendered, result);
+  if (multisampled) compare_invocations(values, rendered, result);
+  if (multisampled && !rendered.pixels.empty()) compare_resolved_pixels(values, rendered, result);
+  if (has_fates) return;
+  if (multisampled && !rendered.hits.empty()) compare_sample_hits(values, rendered, result);
+  if (!rendered.depths.empty()) compare_depths(values, rendered, result);
+}
 
 // A disagreement on what a sample holds is shown where the sample lies.
 void mark_sample(Disagreement& d, const SamplePositions& positions) {
@@ -50,16 +66,9 @@ Result compare_drawing(const Drawing& drawing, std::string refuted) {
   compare_derivatives(values, rendered, result);
   compare_texture_lookups(values, rendered, profile ? &profile->textures : nullptr, result);
   compare_mip_chains(values, exact, rendered, result);
-  // A renderer that was asked for coverage alone has neither pixels nor depths.
-  const bool multisampled = rendered.samples > 1;
-  if (!(multisampled ? rendered.sample_pixels : rendered.pixels).empty())
-    compare_pixels(values, rendered, result);
-  if (multisampled) compare_invocations(values, rendered, result);
-  if (multisampled && !rendered.pixels.empty()) compare_resolved_pixels(values, rendered, result);
-  if (multisampled && !rendered.hits.empty()) compare_sample_hits(values, rendered, result);
-  if (!rendered.depths.empty()) compare_depths(values, rendered, result);
+  compare_planes(values, rendered, result);
   for (Disagreement& d : result.disagreements) {
-    if (multisampled)
+    if (rendered.samples > 1)
       mark_sample(d, exact.sample_positions);
     else
       d.sample = 0;

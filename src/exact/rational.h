@@ -23,6 +23,8 @@ namespace edgecase {
 
 using Integer = boost::multiprecision::cpp_int;
 using Rational = boost::multiprecision::cpp_rational;
+// For exact decisions whose products leave 128 bits by a known number of them.
+using Int256 = boost::multiprecision::int256_t;
 
 inline Integer integer_of(Int128 value) {
   return Integer(value);

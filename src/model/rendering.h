@@ -69,14 +69,18 @@ struct Rendering {
   // Of a multisampled target, before it is resolved: one such plane for each sample. A renderer
   // need not tell them.
   std::vector<std::uint8_t> sample_pixels;
-  // Fragments written per pixel, from a pass of its own; of a multisampled target, per sample: a
-  // plane for each. Empty: none.
+  // Fragments per pixel that pass all tests, from a pass of its own; of a multisampled target, per
+  // sample: a plane for each. Empty: none.
   std::vector<std::uint32_t> hits;
-  std::vector<Fragment> fragments;      // sorted by `precedes`, equal ones in drawing order
+  // All that the rasterizer makes, whatever tests they fail afterwards; sorted by `precedes`, equal
+  // ones in drawing order.
+  std::vector<Fragment> fragments;
   std::vector<FragmentDetail> details;  // of the fragments that point here
   // The depth buffer, 0 to 1, row by row from the bottom, a plane for each sample; empty where the
   // target has none.
   std::vector<double> depths;
+  // The stencil buffer, in the same way.
+  std::vector<std::uint8_t> stencils;
   // What the renderer made of the scene's textures whose levels it generates: whole chains, by the
   // texture's number. A renderer need not tell them.
   std::map<std::size_t, std::vector<TextureLevel>> mip_chains;

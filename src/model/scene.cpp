@@ -32,6 +32,8 @@ constexpr Named<DepthFormat> kDepthFormats[] = {{DepthFormat::none, "none"},
                                                 {DepthFormat::depth16, "depth16"},
                                                 {DepthFormat::depth24, "depth24"},
                                                 {DepthFormat::depth32f, "depth32f"}};
+constexpr Named<StencilFormat> kStencilFormats[] = {{StencilFormat::none, "none"},
+                                                    {StencilFormat::stencil8, "stencil8"}};
 
 }  // namespace
 
@@ -56,6 +58,9 @@ const char* name_of(ColorFormat value) {
 const char* name_of(DepthFormat value) {
   return find_name(kDepthFormats, value);
 }
+const char* name_of(StencilFormat value) {
+  return find_name(kStencilFormats, value);
+}
 
 bool parse_name(const std::string& name, Primitive& value) {
   return find_value(kPrimitives, name, value);
@@ -75,23 +80,50 @@ bool parse_name(const std::string& name, ColorFormat& value) {
 bool parse_name(const std::string& name, DepthFormat& value) {
   return find_value(kDepthFormats, name, value);
 }
+bool parse_name(const std::string& name, StencilFormat& value) {
+  return find_value(kStencilFormats, name, value);
+}
+
+bool has_fragment_operations(const Scene& scene) {
+  const Target& target = scene.target;
+  return target.stencil != StencilFormat::none || target.clear_depth != 1 ||
+         std::any_of(scene.draws.begin(), scene.draws.end(),
+                     [](const Draw& draw) { return draw.operations != FragmentOperations(); });
+}
 
 Color interpolated_attribute(const Draw& draw, const Vertex& vertex) {
   if (!draw.texture) return vertex.color;
   return {vertex.texture_coordinates[0], vertex.texture_coordinates[1], 0, 1};
 }
 
+bool is_in_clip_volume(const ClipPosition& clip) {
+  return clip.w > 0 && std::fabs(clip.x) <= clip.w && std::fabs(clip.y) <= clip.w &&
+         std::fabs(clip.z) <= clip.w;
+}
+
+double unit_of(const ClipPosition& clip) {
+  const float largest =
+      std::max({std::fabs(clip.x), std::fabs(clip.y), std::fabs(clip.z), std::fabs(clip.w)});
+  int exponent = 0;  // largest = m 2^exponent, m from 1/2 on
+  std::frexp(largest, &exponent);
+  return std::ldexp(1.0, exponent - 31);
+}
+
+namespace {
+
+// Of at most 31 bits.
+std::int64_t in_units(float value, double unit) {
+  return static_cast<std::int64_t>(static_cast<double>(value) / unit);
+}
+
+}  // namespace
+
 HomogeneousPoint window_position(const ClipPosition& clip, const Viewport& viewport) {
-  // All three as multiples of 2^(exponent - 31): integers, and w's has 31 bits at most.
-  int exponent = 0;
-  std::frexp(clip.w, &exponent);
-  const auto integer = [&](float value) {
-    return static_cast<std::int64_t>(std::ldexp(static_cast<double>(value), 31 - exponent));
-  };
+  const double unit = unit_of(clip);
   // x/w runs from -1 to 1 across the viewport, whose centre is at x + width/2.
-  const std::int64_t w = integer(clip.w);
-  return {integer(clip.x) * viewport.width + (2 * viewport.x + viewport.width) * w,
-          integer(clip.y) * viewport.height + (2 * viewport.y + viewport.height) * w, 2 * w};
+  const std::int64_t w = in_units(clip.w, unit);
+  return {in_units(clip.x, unit) * viewport.width + (2 * viewport.x + viewport.width) * w,
+          in_units(clip.y, unit) * viewport.height + (2 * viewport.y + viewport.height) * w, 2 * w};
 }
 
 PrimitiveKind kind_of(Primitive primitive) {
@@ -167,6 +199,19 @@ Assembled assemble(Primitive primitive, std::size_t i, std::size_t vertices) {
   return {};
 }
 
+void place_vertex(ScenePrimitive& primitive, std::size_t at, const Vertex& vertex,
+                  const Viewport& viewport) {
+  if (!vertex.clip) {
+    primitive.positions[at] = homogeneous(vertex.position);
+    primitive.z[at] = vertex.z.raw();
+    return;
+  }
+  primitive.positions[at] = window_position(*vertex.clip, viewport);
+  primitive.units[at] = unit_of(*vertex.clip);
+  primitive.z[at] = 2 * in_units(vertex.clip->z, primitive.units[at]);
+  primitive.is_clipped = primitive.is_clipped || !is_in_clip_volume(*vertex.clip);
+}
+
 }  // namespace
 
 bool has_clip_positions(const ScenePrimitive& primitive) {
@@ -193,12 +238,13 @@ std::vector<ScenePrimitive> primitives_of(const Scene& scene) {
       primitive.draw = static_cast<int>(d);
       primitive.kind = kind_of(draw.primitive);
       primitive.state = &draw;
+      primitive.depth_range = scene.depth_range;
+      primitive.viewport = scene.viewport;
       for (int v = 0; v < vertices_of(primitive.kind); ++v) {
         const auto at = static_cast<std::size_t>(v);
         const Vertex& vertex = draw.vertices[assembled.vertices[at]];
         primitive.vertices[at] = &vertex;
-        primitive.positions[at] = vertex.clip ? window_position(*vertex.clip, scene.viewport)
-                                              : homogeneous(vertex.position);
+        place_vertex(primitive, at, vertex, scene.viewport);
       }
       primitive.provoking_first = assembled.provoking_first;
       primitive.provoking_last = assembled.provoking_last;

@@ -14,6 +14,7 @@
 
 #include "exact/fixed.h"
 #include "exact/homogeneous.h"
+#include "model/fragment_operations.h"
 #include "model/sampling.h"
 #include "model/supersampling.h"
 #include "model/texture.h"
@@ -39,15 +40,16 @@ enum class Surface { fbo, window };
 enum class ColorFormat { rgba8 };
 // Of the depth buffer; the unsigned formats hold multiples of 1/(2^bits - 1).
 enum class DepthFormat { none, depth16, depth24, depth32f };
+// Of the stencil buffer: unsigned integers of 8 bits.
+enum class StencilFormat { none, stencil8 };
 
 // Red, green, blue, alpha; linear; every component a float32 value. A target's clear colour lies in
 // 0 to 1. A vertex's may be any finite number: it is what is interpolated, and only the conversion
 // to the target's format clamps.
 using Color = std::array<float, 4>;
 
-// What a vertex shader hands on, with w > 0 and |x|, |y|, |z| <= w. With 2^e the power of two at or
-// below w, x, y and z are multiples of 2^(e-30): exact coverage then fits in 128 bits
-// (exact/homogeneous.h).
+// What a vertex shader hands on. With 2^e the power of two at or below the largest magnitude of the
+// four, all are multiples of 2^(e-30): exact coverage then fits in 128 bits (exact/homogeneous.h).
 struct ClipPosition {
   float x = 0, y = 0, z = 0, w = 1;
   friend bool operator==(const ClipPosition&, const ClipPosition&) = default;
@@ -55,14 +57,24 @@ struct ClipPosition {
 
 // A vertex is given where it lands in the window, or as clip coordinates.
 struct Vertex {
-  Point position;  // window coordinates, pixels, y up; of `clip`, the nearest multiple of 2^-16
-  Fixed z;         // depth after the division by w, -1 (near) to 1 (far); of `clip`, the nearest
+  // Window coordinates, pixels, y up; of `clip`, the nearest multiple of 2^-16, and where it lies
+  // outside the clip volume, nothing: 0.
+  Point position;
+  Fixed z;  // depth after the division by w, -1 (near) to 1 (far); of `clip` in the same way
   Color color{1, 1, 1, 1};
-  float w = 1;                                     // clip-space w, more than 0
+  float w = 1;                                     // clip-space w; more than 0 but for `clip`
   std::array<float, 2> texture_coordinates{0, 0};  // s and t, finite; of a textured draw
   // Where set, this is what both sides are given, and the exact position is its quotient. Where
   // not, the exact position is `position`, and its clip coordinates are float32 numbers.
   std::optional<ClipPosition> clip = std::nullopt;
+};
+
+// Window depths of the near and of the far plane, both 0 to 1, in either order (GL 4.6
+// core, 13.8.1).
+struct DepthRange {
+  float near = 0;
+  float far = 1;
+  friend bool operator==(const DepthRange&, const DepthRange&) = default;
 };
 
 // A rectangle of window coordinates, whole pixels, y up.
@@ -81,9 +93,12 @@ struct Target {
   // them.
   SamplePositions sample_positions;
   ColorFormat color = ColorFormat::rgba8;
-  DepthFormat depth = DepthFormat::none;  // every fragment is written: there is no depth test
+  DepthFormat depth = DepthFormat::none;
+  StencilFormat stencil = StencilFormat::none;
   Surface surface = Surface::fbo;
   Color clear{0, 0, 0, 1};
+  float clear_depth = 1;  // 0 to 1
+  std::uint8_t clear_stencil = 0;
 };
 
 struct Draw {
@@ -95,7 +110,12 @@ struct Draw {
   std::optional<Viewport> scissor;            // fragments outside are dropped; a size may be 0
   Multisampling multisampling;                // of multisampled targets
   std::optional<TextureUse> texture;          // what fragments show instead of vertices' colours
-  std::vector<Vertex> vertices;               // as many as is_vertex_count allows
+  FrontFace front_face = FrontFace::ccw;
+  CullMode cull = CullMode::none;               // of triangles
+  std::optional<PolygonOffset> polygon_offset;  // of triangles
+  // Without a depth or a stencil buffer the tests on it pass.
+  FragmentOperations operations;
+  std::vector<Vertex> vertices;  // as many as is_vertex_count allows
 };
 
 // What a draw's fragments interpolate of a vertex: its colour, or for a texture s, t, 0 and 1.
@@ -121,6 +141,7 @@ struct Details {
 struct Scene {
   Target target;
   Viewport viewport;
+  DepthRange depth_range;
   Details details;
   // Shared by the cases that a file expands to; none is null.
   std::vector<std::shared_ptr<const Texture>> textures;
@@ -129,8 +150,19 @@ struct Scene {
   Supersampling supersampling;
 };
 
+// Do fragments meet more than being written one over the other, onto a depth buffer that was
+// cleared to 1? Such a scene has no supersampling.
+bool has_fragment_operations(const Scene& scene);
+
+// Does a vertex lie in the clip volume, its border included (GL 4.6 core, 13.7)?
+bool is_in_clip_volume(const ClipPosition& clip);
+
+// The unit in which window_position counts w twice over: 2^(e-30), as ClipPosition has it.
+double unit_of(const ClipPosition& clip);
+
 // The exact window position of clip coordinates: the quotients by w, mapped onto the viewport (GL
-// 4.6 core, 13.8.1).
+// 4.6 core, 13.8.1). Outside the clip volume w may be 0 or less: then it is no point of the window,
+// but its determinants with other points hold.
 HomogeneousPoint window_position(const ClipPosition& clip, const Viewport& viewport);
 
 PrimitiveKind kind_of(Primitive primitive);
@@ -151,6 +183,7 @@ const char* name_of(ProvokingVertex);
 const char* name_of(Surface);
 const char* name_of(ColorFormat);
 const char* name_of(DepthFormat);
+const char* name_of(StencilFormat);
 
 // The inverse: false when `name` names none, `value` then untouched.
 bool parse_name(const std::string& name, Primitive& value);
@@ -159,6 +192,7 @@ bool parse_name(const std::string& name, ProvokingVertex& value);
 bool parse_name(const std::string& name, Surface& value);
 bool parse_name(const std::string& name, ColorFormat& value);
 bool parse_name(const std::string& name, DepthFormat& value);
+bool parse_name(const std::string& name, StencilFormat& value);
 
 // One assembled primitive of a scene, with the index that fragments carry: primitives are numbered
 // from 0 in drawing order over all draws.
@@ -169,6 +203,11 @@ struct ScenePrimitive {
   const Draw* state = nullptr;
   std::array<const Vertex*, 3> vertices{};  // vertices_of(kind) of them, in the order of assembly
   std::array<HomogeneousPoint, 3> positions{};  // theirs in the window, exactly
+  std::array<std::int64_t, 3> z{};              // z/w, over the same w
+  std::array<double, 3> units{};                // of clip coordinates: unit_of
+  bool is_clipped = false;                      // some of them lie outside the clip volume
+  DepthRange depth_range;                       // of their depths in the window
+  Viewport viewport;                            // that they are seen through
   // Which of them provokes under either convention (GL 4.6 core, table 13.2).
   int provoking_first = 0;
   int provoking_last = 0;

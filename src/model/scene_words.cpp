@@ -77,6 +77,29 @@ std::string texture_words(const TextureUse& use) {
   return text;
 }
 
+std::string mask_words(const std::array<bool, 4>& mask) {
+  std::string text = ", mask ";
+  for (std::size_t i = 0; i < mask.size(); ++i) text += mask[i] ? "rgba"[i] : '-';
+  return text;
+}
+
+std::string operation_words(const Draw& draw) {
+  const FragmentOperations& own = draw.operations;
+  const FragmentOperations standard;
+  std::string text;
+  if (draw.front_face != FrontFace::ccw)
+    text += ", front faces " + std::string(name_of(draw.front_face));
+  if (draw.cull != CullMode::none) text += ", culled " + in_words(name_of(draw.cull));
+  if (draw.polygon_offset) text += ", offset";
+  if (own.stencil) text += ", stencil test";
+  if (own.depth.function != standard.depth.function)
+    text += std::string(", depth ") + name_of(own.depth.function);
+  if (!own.depth.write) text += ", depth not written";
+  if (own.blending) text += ", blended";
+  if (own.color_mask != standard.color_mask) text += mask_words(own.color_mask);
+  return text;
+}
+
 std::string state_words(const Draw& draw) {
   const Fixed one = Fixed::from_integer(1);
   const Draw standard;
@@ -93,7 +116,7 @@ std::string state_words(const Draw& draw) {
     text += ", scissor " + std::to_string(draw.scissor->width) + "x" +
             std::to_string(draw.scissor->height) + " at (" + std::to_string(draw.scissor->x) +
             ", " + std::to_string(draw.scissor->y) + ")";
-  return text;
+  return text + operation_words(draw);
 }
 
 std::string draw_words(const Draw& draw) {
@@ -110,7 +133,8 @@ bool same_rectangle(const Viewport& a, const Viewport& b) {
 bool same_target(const Target& a, const Target& b) {
   return a.width == b.width && a.height == b.height && a.samples == b.samples &&
          a.sample_positions == b.sample_positions && a.color == b.color && a.depth == b.depth &&
-         a.surface == b.surface && a.clear == b.clear;
+         a.stencil == b.stencil && a.surface == b.surface && a.clear == b.clear &&
+         a.clear_depth == b.clear_depth && a.clear_stencil == b.clear_stencil;
 }
 
 bool same_vertex(const Vertex& a, const Vertex& b) {
@@ -129,7 +153,9 @@ bool same_draw(const Draw& a, const Draw& b) {
   return a.primitive == b.primitive && a.interpolation == b.interpolation &&
          a.provoking_vertex == b.provoking_vertex && a.line_width == b.line_width &&
          a.point_size == b.point_size && a.multisampling == b.multisampling &&
-         a.texture == b.texture && std::ranges::equal(a.vertices, b.vertices, same_vertex);
+         a.texture == b.texture && a.front_face == b.front_face && a.cull == b.cull &&
+         a.polygon_offset == b.polygon_offset && a.operations == b.operations &&
+         std::ranges::equal(a.vertices, b.vertices, same_vertex);
 }
 
 }  // namespace
@@ -148,6 +174,8 @@ std::string scene_words(const Scene& scene) {
             (scene.supersampling.size() == 1 ? " pass" : " passes");
   if (scene.target.depth != DepthFormat::none)
     text += std::string(", ") + name_of(scene.target.depth);
+  if (scene.target.stencil != StencilFormat::none)
+    text += std::string(", ") + name_of(scene.target.stencil);
   if (scene.target.surface != Surface::fbo)
     text += std::string(", ") + name_of(scene.target.surface);
   return text;
@@ -155,7 +183,8 @@ std::string scene_words(const Scene& scene) {
 
 bool same_scene(const Scene& a, const Scene& b) {
   return same_target(a.target, b.target) && same_rectangle(a.viewport, b.viewport) &&
-         a.details == b.details && a.supersampling == b.supersampling &&
+         a.depth_range == b.depth_range && a.details == b.details &&
+         a.supersampling == b.supersampling &&
          std::ranges::equal(a.textures, b.textures, same_texture) &&
          std::ranges::equal(a.draws, b.draws, same_draw);
 }

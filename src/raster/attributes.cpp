@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "raster/attributes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
+#include "exact/rational.h"
 #include "raster/texture_stage.h"
 #include "rules/coverage/row_order.h"
 #include "rules/values/flat_attribute.h"
@@ -20,8 +22,19 @@ Interval quotient(float numerator, float denominator) {
   return Interval(above) / below;
 }
 
-// A vertex's depth in the window, 0 to 1.
-Interval depth_of(const Vertex& vertex) {
+// z/w, -1 to 1.
+Rational divided_z(const Vertex& vertex) {
+  if (!vertex.clip) return rational_of(vertex.z.to_double());
+  return rational_of(vertex.clip->z) / rational_of(vertex.clip->w);
+}
+
+// A vertex's depth in the window, 0 to 1: where the range is that, without a rational number.
+Interval depth_of(const Vertex& vertex, const DepthRange& range) {
+  if (range != DepthRange()) {
+    const Rational near = rational_of(range.near);
+    return interval_of(
+        Rational(near + (rational_of(range.far) - near) * (divided_z(vertex) + 1) / 2));
+  }
   if (!vertex.clip) return (vertex.z.to_double() + 1) / 2;
   const Interval z = quotient(vertex.clip->z, vertex.clip->w);
   if (z.low == z.high && (z.low + 1) - 1 == z.low) return (z.low + 1) / 2;
@@ -57,6 +70,22 @@ double component_of(const Vertex& vertex, std::size_t c, bool textured) {
   return c < 2 ? static_cast<double>(vertex.texture_coordinates[c]) : c == 2 ? 0 : 1;
 }
 
+// The depths of the vertices, without a polygon offset.
+Interpolant plain_depth(const Interpolant& geometry, const ScenePrimitive& primitive) {
+  return with_values(geometry, primitive,
+                     [&](const Vertex& vertex) { return depth_of(vertex, primitive.depth_range); });
+}
+
+bool has_polygon_offset(const ScenePrimitive& primitive) {
+  return primitive.kind == PrimitiveKind::triangle && primitive.state->polygon_offset.has_value();
+}
+
+// The weights of a mean add up to 1: what is added to the values is added to every mean.
+Interpolant plus(Interpolant depth, Interval offset) {
+  for (Interval& value : depth.values) value = value + offset;
+  return depth;
+}
+
 // Everything but the colour.
 Fragment fragment_at(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
                      PixelPosition pixel, Point place) {
@@ -64,7 +93,7 @@ Fragment fragment_at(const ScenePrimitive& primitive, const PrimitiveAttributes&
   fragment.x = pixel.x;
   fragment.y = pixel.y;
   fragment.primitive = primitive.index;
-  fragment.depth = middle(interpolate_exact(attributes.depth, place));
+  fragment.depth = middle(depth_exact(attributes, place));
   return fragment;
 }
 
@@ -98,10 +127,31 @@ PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleCho
     result.color[c].perspective = divides_by_w(draw.interpolation, choices.values.perspective);
   }
   result.w_of_centre = choices.values.perspective == PerspectiveChoice::w_of_centre;
-  result.depth = with_values(geometry, primitive, depth_of);
+  result.depth = plain_depth(geometry, primitive);
+  result.clamps_depth = has_polygon_offset(primitive);
+  if (result.clamps_depth)
+    result.depth = plus(result.depth, offset_exact(*draw.polygon_offset, result.depth, target.depth,
+                                                   choices.values.offset));
   result.inverse_w =
       with_values(geometry, primitive, [](const Vertex& vertex) { return quotient(1, vertex.w); });
   return result;
+}
+
+Interpolant depth_with_permitted_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
+                                        const Target& target, double reach) {
+  const Interpolant depth = plain_depth(geometry_of(primitive, choices, target), primitive);
+  if (!has_polygon_offset(primitive)) return depth;
+  return plus(depth,
+              offset_permitted(*primitive.state->polygon_offset, depth, target.depth, reach));
+}
+
+Interval clamped_depth(const PrimitiveAttributes& attributes, Interval interpolated) {
+  if (!attributes.clamps_depth) return interpolated;
+  return {std::clamp(interpolated.low, 0.0, 1.0), std::clamp(interpolated.high, 0.0, 1.0)};
+}
+
+Interval depth_exact(const PrimitiveAttributes& attributes, Point place) {
+  return clamped_depth(attributes, interpolate_exact(attributes.depth, place));
 }
 
 Interval color_exact(const PrimitiveAttributes& attributes, std::size_t component, Point place,
@@ -142,7 +192,7 @@ Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attri
 std::array<double, 4> coordinates_at(const PrimitiveAttributes& attributes,
                                      const ShadingPlaces& places) {
   return {places.coordinates.x.to_double(), places.coordinates.y.to_double(),
-          middle(interpolate_exact(attributes.depth, places.depth)),
+          middle(depth_exact(attributes, places.depth)),
           middle(interpolate_exact(attributes.inverse_w, places.coordinates))};
 }
 

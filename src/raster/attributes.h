@@ -20,9 +20,11 @@ struct PrimitiveAttributes {
   // A flat colour is the same at all vertices, that of the provoking one. A textured draw has s, t,
   // 0 and 1 in the colour's place.
   std::array<Interpolant, 4> color;
-  Interpolant depth;         // window depth, 0 to 1
-  Interpolant inverse_w;     // 1/w, as gl_FragCoord.w has it
-  bool w_of_centre = false;  // the colour is multiplied by w at the centre of the pixel
+  // Window depth, 0 to 1; with the polygon offset, where there is one, and then of any size.
+  Interpolant depth;
+  Interpolant inverse_w;      // 1/w, as gl_FragCoord.w has it
+  bool w_of_centre = false;   // the colour is multiplied by w at the centre of the pixel
+  bool clamps_depth = false;  // to 0 to 1, once it is interpolated: there is a polygon offset
 };
 
 // A component of the colour at a place of a pixel, as interpolate_exact has it.
@@ -31,8 +33,19 @@ Interval color_exact(const PrimitiveAttributes& attributes, std::size_t componen
 Interval color_inexact(const PrimitiveAttributes& attributes, std::size_t component, Point place,
                        PixelPosition pixel);
 
+// A fragment's depth at a place of the window: clamped where the attributes say so (GL 4.6
+// core, 14.6.5).
+Interval depth_exact(const PrimitiveAttributes& attributes, Point place);
+// Of a depth that was interpolated from `attributes.depth`, or from what takes its place.
+Interval clamped_depth(const PrimitiveAttributes& attributes, Interval interpolated);
+
 PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleChoices& choices,
                                   const Target& target);
+
+// PrimitiveAttributes::depth with every polygon offset that is permitted, in place of the one that
+// the choices say: values are as wide as offset_permitted is. `reach`: as there.
+Interpolant depth_with_permitted_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
+                                        const Target& target, double reach);
 
 // Where a vertex is when its primitive's coverage is decided: snapped, as the choice says, and
 // unsnapped ones exactly.

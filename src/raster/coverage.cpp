@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "raster/clipped_coverage.h"
+#include "raster/facing.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/coverage/homogeneous_point.h"
@@ -158,17 +160,28 @@ Pixels snapped_pixels(const ScenePrimitive& primitive, const std::array<Homogene
                            choice);
 }
 
+// The pixels of a primitive some vertices of which lie outside the clip volume. A point has one.
+Pixels clipped_pixels_of(const ScenePrimitive& primitive,
+                         const std::array<HomogeneousPoint, 3>& positions, const Viewport& viewport,
+                         const View& view, const CoverageChoice& choice) {
+  if (primitive.kind != PrimitiveKind::triangle) return {};
+  return clipped_pixels({{positions, primitive.z}, viewport}, view.bounds, view.within, choice);
+}
+
 // The same, sorted, of a target that is seen as the choice sees it.
 Pixels viewed_pixels(const ScenePrimitive& primitive, const Target& target,
                      const CoverageChoice& choice, View view) {
   const bool turned = choice.rows == RowOrder::top_down;
   auto p = primitive.positions;
+  Viewport viewport = primitive.viewport;
   if (turned) {
+    viewport.y = target.height - viewport.y - viewport.height;
     view.bounds = turned_over(view.bounds, target.height);
     view.within.y = Fixed::from_integer(1) - view.within.y;
     for (HomogeneousPoint& point : p) point = turned_over(point, target.height);
   }
-  Pixels pixels = snapped_pixels(primitive, p, view, choice);
+  Pixels pixels = primitive.is_clipped ? clipped_pixels_of(primitive, p, viewport, view, choice)
+                                       : snapped_pixels(primitive, p, view, choice);
   if (turned)
     for (PixelPosition& pixel : pixels) pixel.y = target.height - 1 - pixel.y;
   std::sort(pixels.begin(), pixels.end(), [](PixelPosition a, PixelPosition b) {
@@ -192,6 +205,7 @@ PixelBounds drawable_bounds(const Draw& draw, const Target& target) {
 
 std::vector<PixelPosition> covered_pixels(const ScenePrimitive& primitive, const Target& target,
                                           const CoverageChoice& choice) {
+  if (is_culled(primitive, target, choice)) return {};
   return viewed_pixels(primitive, target, choice, {drawable_bounds(*primitive.state, target)});
 }
 
@@ -217,6 +231,7 @@ SampleCoverage covered_samples(const ScenePrimitive& primitive, const Target& ta
                                const CoverageChoice& choice, const SamplePositions& reported) {
   const Draw& draw = *primitive.state;
   SampleCoverage coverage(static_cast<std::size_t>(target.samples));
+  if (is_culled(primitive, target, choice)) return coverage;
   const Unsampled sampling = sampling_of(primitive, target, choice);
   if (sampling == Unsampled::by_centre) {
     coverage[0] = covered_pixels(primitive, target, choice);

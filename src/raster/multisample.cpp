@@ -6,8 +6,9 @@
 #include <tuple>
 #include <vector>
 
+#include "raster/facing.h"
+#include "raster/fragment_stage.h"
 #include "raster/rasterizer.h"
-#include "rules/values/depth_buffer.h"
 
 namespace edgecase {
 namespace {
@@ -45,7 +46,9 @@ class MultisampledPrimitive {
         use_(primitive.state->multisampling),
         sampling_(sampling_of(primitive, scene.target, choices.of(primitive.kind))),
         attributes_(attributes_of(primitive, choices, scene.target)),
-        told_(attributes_) {
+        told_(attributes_),
+        stage_(rendering, scene.target, choices.output),
+        front_facing_(is_front_facing(primitive, scene.target, choices.of(primitive.kind))) {
     use_.enabled = sampling_ == Unsampled::by_each_sample;
     if (fragment_depth_is_zero(primitive.state->multisampling, locations()))
       told_.depth.values.fill(0);
@@ -81,9 +84,10 @@ class MultisampledPrimitive {
     const Fragment fragment = shaded(pixel, coverage, {centre, centre, centre});
     const bool first_alone =
         choices_.of(primitive_.kind).multisample_switch == MultisampleSwitch::depth_of_first;
+    FragmentOperations operations = primitive_.state->operations;
     for (int sample = 0; sample < rendering_.samples; ++sample) {
-      write(fragment, sample);
-      if (sample == 0 || !first_alone) write_depth(fragment, sample, centre_of_pixel());
+      write(fragment, operations, sample, centre_of_pixel());
+      if (first_alone) operations.depth.write = false;
     }
   }
 
@@ -101,10 +105,9 @@ class MultisampledPrimitive {
                                              choices_.samples.alpha_to_coverage);
     for (; written != 0; written &= written - 1) {
       const int sample = std::countr_zero(written);
-      write(fragment, sample);
-      write_depth(fragment, sample,
-                  sample_depth_location(primitive_.kind,
-                                        positions[static_cast<std::size_t>(sample)], locations()));
+      write(fragment, primitive_.state->operations, sample,
+            sample_depth_location(primitive_.kind, positions[static_cast<std::size_t>(sample)],
+                                  locations()));
     }
   }
 
@@ -121,20 +124,14 @@ class MultisampledPrimitive {
     return rendering_.fragments.emplace_back(fragment);
   }
 
-  void write(const Fragment& fragment, int sample) {
-    const std::size_t index = rendering_.sample_index(fragment.x, fragment.y, sample);
-    for (std::size_t c = 0; c < 4; ++c)
-      rendering_.sample_pixels[4 * index + c] = to_unorm8(fragment.color[c]);
-    ++rendering_.hits[index];
-  }
-
-  // `location`: within the pixel.
-  void write_depth(const Fragment& fragment, int sample, Point location) {
-    const DepthFormat format = scene_.target.depth;
-    if (format == DepthFormat::none) return;
-    const Point place = place_in({fragment.x, fragment.y}, location);
-    rendering_.depths[rendering_.sample_index(fragment.x, fragment.y, sample)] =
-        to_depth(middle(interpolate_exact(attributes_.depth, place)), format);
+  // `location`: within the pixel, of the sample's depth.
+  void write(const Fragment& fragment, const FragmentOperations& operations, int sample,
+             Point location) {
+    SampleFragment written{fragment.color, fragment.depth, front_facing_};
+    if (scene_.target.depth != DepthFormat::none)
+      written.depth =
+          middle(depth_exact(attributes_, place_in({fragment.x, fragment.y}, location)));
+    stage_.draw(written, operations, rendering_.sample_index(fragment.x, fragment.y, sample));
   }
 
   Rendering& rendering_;
@@ -145,6 +142,8 @@ class MultisampledPrimitive {
   Unsampled sampling_;
   PrimitiveAttributes attributes_;
   PrimitiveAttributes told_;  // to the shader
+  FragmentStage stage_;
+  bool front_facing_;
 };
 
 }  // namespace

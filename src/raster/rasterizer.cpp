@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "raster/attributes.h"
+#include "raster/facing.h"
+#include "raster/fragment_stage.h"
 #include "raster/multisample.h"
 #include "raster/supersample.h"
 #include "raster/texture_stage.h"
@@ -29,7 +31,11 @@ Rendering cleared(const Target& target) {
   const std::size_t samples = pixels * static_cast<std::size_t>(target.samples);
   rendering.pixels.resize(4 * pixels);
   rendering.hits.resize(samples);
-  if (target.depth != DepthFormat::none) rendering.depths.assign(samples, 1);
+  if (target.depth != DepthFormat::none)
+    rendering.depths.assign(samples,
+                            to_depth(static_cast<double>(target.clear_depth), target.depth));
+  if (target.stencil != StencilFormat::none)
+    rendering.stencils.assign(samples, target.clear_stencil);
   if (target.samples > 1) rendering.sample_pixels.resize(4 * samples);
   std::vector<std::uint8_t>& planes =
       target.samples > 1 ? rendering.sample_pixels : rendering.pixels;
@@ -39,24 +45,18 @@ Rendering cleared(const Target& target) {
   return rendering;
 }
 
-// Each fragment overwrites what was there: drawing order is all that counts.
-void write(Rendering& rendering, const Fragment& fragment, DepthFormat format) {
-  const std::size_t pixel = rendering.pixel_index(fragment.x, fragment.y);
-  write_color(rendering.pixels, pixel, fragment.color);
-  if (format != DepthFormat::none) rendering.depths[pixel] = to_depth(fragment.depth, format);
-  ++rendering.hits[pixel];
-  rendering.fragments.push_back(fragment);
-}
-
 void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleChoices& choices) {
   const Target& target = scene.target;
+  const FragmentStage stage(rendering, target, choices.output);
   std::optional<TextureStage> textures;
   if (!scene.textures.empty()) rendering.mip_chains = textures.emplace(scene, choices).chains();
   for (const ScenePrimitive& primitive : primitives_of(scene)) {
+    const CoverageChoice& choice = choices.of(primitive.kind);
+    const bool front_facing = is_front_facing(primitive, target, choice);
     const PrimitiveAttributes attributes = attributes_of(primitive, choices, target);
     std::optional<TexturedPrimitive> textured;
     if (primitive.state->texture) textured.emplace(textures.value(), primitive, attributes);
-    for (PixelPosition pixel : covered_pixels(primitive, target, choices.of(primitive.kind))) {
+    for (PixelPosition pixel : covered_pixels(primitive, target, choice)) {
       std::optional<ExactLookup> lookup;
       if (textured) lookup = textured->look_up(pixel);
       const ExactLookup* shown = lookup ? &*lookup : nullptr;
@@ -67,7 +67,9 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
                                                   quad_of(pixel, choices.values, target),
                                                   choices.values, scene.details, shown));
       }
-      write(rendering, fragment, target.depth);
+      stage.draw({fragment.color, fragment.depth, front_facing}, primitive.state->operations,
+                 rendering.pixel_index(fragment.x, fragment.y));
+      rendering.fragments.push_back(fragment);
     }
   }
 }

@@ -3,8 +3,8 @@
 // The exact rasterizer, plain path: stages over the primitives of a scene, each decision taken by
 // the predicate of its rule. It knows no OpenGL and compares nothing.
 //
-//   primitives_of -> snap -> coverage (rules/coverage) -> attributes (rules/values)
-//     -> textures (rules/textures) -> pixels
+//   primitives_of -> snap -> culling -> coverage (rules/coverage) -> attributes (rules/values)
+//     -> textures (rules/textures) -> fragment operations (rules/output) -> pixels
 //
 // A multisampled target's path is in raster/multisample.h, a supersampled scene's in
 // raster/supersample.h.
@@ -24,7 +24,7 @@ namespace edgecase {
 PixelBounds drawable_bounds(const Draw& draw, const Target& target);
 
 // The pixels of the target that one primitive covers under a choice of rules, sorted by row,
-// column: as without multisampling.
+// column: as without multisampling. None of one that is culled.
 std::vector<PixelPosition> covered_pixels(const ScenePrimitive& primitive, const Target& target,
                                           const CoverageChoice& choice);
 

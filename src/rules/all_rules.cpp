@@ -8,11 +8,16 @@
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/line_joints.h"
 #include "rules/coverage/point_ownership.h"
+#include "rules/coverage/polygon_facing.h"
 #include "rules/coverage/row_order.h"
 #include "rules/coverage/shared_edge.h"
 #include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
+#include "rules/output/blending.h"
+#include "rules/output/depth_test.h"
+#include "rules/output/polygon_offset.h"
+#include "rules/output/stencil_test.h"
 #include "rules/samples/accumulation.h"
 #include "rules/samples/alpha_to_coverage.h"
 #include "rules/samples/attribute_location.h"
@@ -69,6 +74,7 @@ std::span<const Rule> all_rules() {
       row_order_rule("point.row-order"),
       row_order_rule("line.row-order"),
       row_order_rule("triangle.row-order"),
+      polygon_facing_rule(),
       flat_attribute_rule(),
       provoking_vertex_rule(),
       smooth_attribute_rule(),
@@ -79,6 +85,9 @@ std::span<const Rule> all_rules() {
       coarse_derivative_rule(),
       quad_rows_rule(),
       depth_rule(),
+      offset_slope_rule(),
+      offset_unit_rule(),
+      offset_exponent_rule(),
       fragment_coordinates_rule(),
       sample_positions_rule(),
       multisample_switch_rule(),
@@ -106,6 +115,11 @@ std::span<const Rule> all_rules() {
       mipmap_filter_rule(),
       mipmap_rounding_rule(),
       mipmap_srgb_rule(),
+      stencil_test_rule(),
+      depth_test_rule(),
+      blend_equation_rule(),
+      blend_rounding_rule(),
+      color_mask_rule(),
       unorm8_rule(),
       depth_buffer_rule(),
       order_rule(),

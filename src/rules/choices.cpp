@@ -42,6 +42,7 @@ CoverageChoice resolve_primitive(const Policy& policy, Surface surface, Primitiv
   parse_name(chosen_or_standard(policy, surface, row_order_rule_of(kind)), result.rows);
   parse_name(chosen_or_standard(policy, surface, "point.offset"), result.point_offset);
   parse_name(chosen_or_standard(policy, surface, "triangle.algorithm"), result.triangle_algorithm);
+  parse_name(chosen_or_standard(policy, surface, "polygon.facing"), result.facing);
   parse_name(chosen_or_standard(policy, surface, "sample.positions"), result.placement);
   parse_name(chosen_or_standard(policy, surface, "line.multisampled"), result.multisampled_line);
   parse_name(chosen_or_standard(policy, surface, "sample.enable"), result.multisample_switch);
@@ -66,6 +67,9 @@ ValueChoice resolve_values(const Policy& policy, Surface surface) {
   parse_name(chosen_or_standard(policy, surface, "attribute.location"), locations.plain);
   parse_name(chosen_or_standard(policy, surface, "attribute.centroid"), locations.centroid);
   parse_name(chosen_or_standard(policy, surface, "sample.depth"), locations.depth);
+  parse_name(chosen_or_standard(policy, surface, "offset.slope"), result.offset.slope);
+  parse_name(chosen_or_standard(policy, surface, "offset.unit"), result.offset.unit);
+  parse_name(chosen_or_standard(policy, surface, "offset.exponent"), result.offset.exponent);
   return result;
 }
 
@@ -98,6 +102,16 @@ SampleChoice resolve_samples(const Policy& policy, Surface surface) {
              result.alpha_to_coverage);
   parse_name(chosen_or_standard(policy, surface, "sample.resolve"), result.resolve);
   parse_name(chosen_or_standard(policy, surface, "supersample.accumulation"), result.accumulation);
+  return result;
+}
+
+OutputChoice resolve_output(const Policy& policy, Surface surface) {
+  OutputChoice result;
+  parse_name(chosen_or_standard(policy, surface, "depth.test"), result.depth);
+  parse_name(chosen_or_standard(policy, surface, "stencil.test"), result.stencil);
+  parse_name(chosen_or_standard(policy, surface, "blend.equation"), result.blend.method);
+  parse_name(chosen_or_standard(policy, surface, "blend.rounding"), result.blend.rounding);
+  parse_name(chosen_or_standard(policy, surface, "color.mask"), result.blend.mask);
   return result;
 }
 
@@ -157,7 +171,8 @@ RuleChoices resolve(const Policy& policy, Surface surface) {
           resolve_primitive(policy, surface, PrimitiveKind::triangle),
           resolve_values(policy, surface),
           resolve_textures(policy, surface),
-          resolve_samples(policy, surface)};
+          resolve_samples(policy, surface),
+          resolve_output(policy, surface)};
 }
 
 }  // namespace edgecase

@@ -9,12 +9,18 @@
 #include <vector>
 
 #include "model/policy.h"
+#include "rules/coverage/clip_volume.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/point_ownership.h"
+#include "rules/coverage/polygon_facing.h"
 #include "rules/coverage/row_order.h"
 #include "rules/coverage/snap.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/coverage/triangle_algorithm.h"
+#include "rules/output/blending.h"
+#include "rules/output/depth_test.h"
+#include "rules/output/polygon_offset.h"
+#include "rules/output/stencil_test.h"
 #include "rules/samples/accumulation.h"
 #include "rules/samples/alpha_to_coverage.h"
 #include "rules/samples/attribute_location.h"
@@ -39,6 +45,8 @@ struct CoverageChoice {
   LineChoice line;  // of lines alone
   PointOffset point_offset = PointOffset::none;                              // of points alone
   TriangleAlgorithm triangle_algorithm = TriangleAlgorithm::edge_functions;  // of triangles alone
+  FacingMethod facing = FacingMethod::as_set;                                // of triangles alone
+  ClipMethod clip = ClipMethod::homogeneous;                                 // of triangles alone
   // Of multisampled targets.
   SamplePlacement placement;
   MultisampledLine multisampled_line = MultisampledLine::rectangle;  // of lines alone
@@ -57,6 +65,7 @@ struct ValueChoice {
                                               DerivativeMethod::coarse_bottom_left};
   RowOrder quad_rows = RowOrder::bottom_up;
   LocationChoice locations;  // of multisampled targets
+  OffsetChoice offset;       // of triangles' depths
 };
 
 // What a policy says of invocations and samples of multisampled targets, and of passes.
@@ -67,6 +76,13 @@ struct SampleChoice {
   Accumulation accumulation = Accumulation::exact_mean;  // of supersampled scenes
 };
 
+// What a policy says of what becomes of fragments.
+struct OutputChoice {
+  DepthTestMethod depth = DepthTestMethod::as_set;
+  StencilMethod stencil = StencilMethod::as_set;
+  BlendChoice blend;
+};
+
 // What a policy says for one surface.
 struct RuleChoices {
   CoverageChoice points;
@@ -75,6 +91,7 @@ struct RuleChoices {
   ValueChoice values;
   TextureChoice textures;
   SampleChoice samples;
+  OutputChoice output;
 
   const CoverageChoice& of(PrimitiveKind kind) const;
 };

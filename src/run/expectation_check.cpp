@@ -30,8 +30,9 @@ std::vector<int> hits_of(const Rendering& rendering) {
   std::vector<int> hits(static_cast<std::size_t>(rendering.width) *
                         static_cast<std::size_t>(rendering.height));
   const auto add = [&](const Rendering& drawn) {
-    for (const Fragment& f : drawn.fragments)
-      hits[rendering.pixel_index(f.x, f.y)] += std::popcount(f.coverage);
+    const std::size_t area = hits.size();
+    for (std::size_t i = 0; i < drawn.hits.size(); ++i)
+      hits[i % area] += static_cast<int>(drawn.hits[i]);
   };
   add(rendering);
   for (const Rendering& pass : rendering.passes) add(pass);

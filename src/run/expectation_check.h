@@ -16,8 +16,8 @@ namespace edgecase {
 // '9', '+' more.
 std::string draw_hits(const std::vector<int>& hits, int width, int height);
 
-// Hits per pixel of a rendering, row by row from the bottom: of each of its samples, in all passes
-// of a supersampled one.
+// Hits per pixel of a rendering that counts them, row by row from the bottom: of each of its
+// samples, in all passes of a supersampled one.
 std::vector<int> hits_of(const Rendering& rendering);
 
 // Which samples of each pixel are covered, row by row from the bottom: the union of its fragments'

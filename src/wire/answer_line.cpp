@@ -58,8 +58,20 @@ std::string depths_member(const Rendering& rendering) {
   return rendering.depths.empty() ? "" : ",\"depths\":" + depths_json(rendering);
 }
 
+std::string stencils_member(const Rendering& rendering) {
+  return rendering.stencils.empty() ? "" : ",\"stencils\":" + stencils_json(rendering);
+}
+
 std::string mip_chains_member(const Rendering& rendering) {
   return rendering.mip_chains.empty() ? "" : ",\"mip_chains\":" + mip_chains_json(rendering);
+}
+
+// By pixel.
+std::vector<std::uint32_t> captured_fragments(const Rendering& rendering) {
+  std::vector<std::uint32_t> captured(rendering.pixel_index(0, rendering.height));
+  for (const Fragment& fragment : rendering.fragments)
+    ++captured[rendering.pixel_index(fragment.x, fragment.y)];
+  return captured;
 }
 
 RendererInfo read_claims(const json& value, const Path& path) {
@@ -139,9 +151,11 @@ void read_samples(const json& document, const Path& root, std::size_t size, Rend
   rendering.sample_pixels = read_integers<std::uint8_t>(*pixels, {root, "sample_pixels"}, size);
 }
 
-void check_depths(const json& document, const Path& path, const Scene& scene) {
+void check_buffers(const json& document, const Path& path, const Scene& scene) {
   if (document.contains("depths") && scene.target.depth == DepthFormat::none)
     throw Refusal(path.text() + " has \"depths\", but the target has no depth buffer");
+  if (document.contains("stencils") && scene.target.stencil == StencilFormat::none)
+    throw Refusal(path.text() + " has \"stencils\", but the target has no stencil buffer");
 }
 
 Rendering blank_rendering(const Target& target) {
@@ -160,7 +174,7 @@ std::size_t area_of(const Target& target) {
 Rendering read_drawing(const json& document, const Path& root, const Scene& scene) {
   Rendering rendering = blank_rendering(scene.target);
   const std::size_t area = area_of(scene.target);
-  // Hits and depths are told of every sample, a plane for each.
+  // Hits, depths and stencils are told of every sample, a plane for each.
   const std::size_t planes = area * static_cast<std::size_t>(rendering.samples);
   if (!document.contains("coverage")) {
     rendering.pixels = read_integers<std::uint8_t>(wire::member(document, root, "pixels"),
@@ -168,6 +182,9 @@ Rendering read_drawing(const json& document, const Path& root, const Scene& scen
     if (scene.target.depth != DepthFormat::none)
       rendering.depths = read_depths(wire::member(document, root, "depths"), {root, "depths"},
                                      planes, scene.target.depth);
+    if (scene.target.stencil != StencilFormat::none)
+      rendering.stencils = read_integers<std::uint8_t>(wire::member(document, root, "stencils"),
+                                                       {root, "stencils"}, planes);
   }
   if (const json* hits = wire::optional_member(document, "hits"))
     rendering.hits = read_integers<std::uint32_t>(*hits, {root, "hits"}, planes);
@@ -182,7 +199,7 @@ Rendering read_drawing(const json& document, const Path& root, const Scene& scen
 // A pass has no samples to tell of, and answers in whole.
 Rendering read_pass(const json& value, const Path& path, const Scene& scene) {
   wire::require_object(value, path, {"pixels", "fragments", "depths", "mip_chains", "hits"});
-  check_depths(value, path, scene);
+  check_buffers(value, path, scene);
   Rendering rendering = read_drawing(value, path, scene);
   if (auto contradiction = contradiction_of_hits(rendering))
     throw Refusal(fmt::format("{}: {}", path.text(), *contradiction));
@@ -211,7 +228,9 @@ Rendering read_supersampled(const json& document, const Path& root, const Scene&
 Rendering read_rendering(const json& document, const Path& root, const Scene& scene) {
   if (!scene.supersampling.empty()) return read_supersampled(document, root, scene);
   Rendering rendering = read_drawing(document, root, scene);
-  if (auto contradiction = contradiction_of_hits(rendering)) throw Refusal(*contradiction);
+  const auto contradiction =
+      has_fragment_operations(scene) ? excess_of_hits(rendering) : contradiction_of_hits(rendering);
+  if (contradiction) throw Refusal(*contradiction);
   return rendering;
 }
 
@@ -220,7 +239,7 @@ void check_supersampled_form(const json& document, bool is_supersampled) {
   for (const char* key : {"passes", "accumulated"})
     if (!is_supersampled && document.contains(key))
       throw Refusal(fmt::format("the line has \"{}\", but the scene is not supersampled", key));
-  for (const char* key : {"fragments", "coverage", "depths", "mip_chains", "hits",
+  for (const char* key : {"fragments", "coverage", "depths", "stencils", "mip_chains", "hits",
                           "sample_positions", "sample_pixels"})
     if (is_supersampled && document.contains(key))
       throw Refusal(
@@ -235,12 +254,12 @@ void check_form(const json& document, const Scene& scene, bool coverage_only) {
       if (document.contains(key))
         throw Refusal(fmt::format("the line has both \"{}\" and \"{}\"", first, key));
   };
-  refuse_beside("not_run", {"pixels", "fragments", "coverage", "depths", "mip_chains", "hits",
-                            "sample_positions", "sample_pixels", "passes", "accumulated"});
-  refuse_beside("coverage", {"pixels", "fragments", "depths", "mip_chains", "sample_positions",
-                             "sample_pixels"});
+  refuse_beside("not_run", {"pixels", "fragments", "coverage", "depths", "stencils", "mip_chains",
+                            "hits", "sample_positions", "sample_pixels", "passes", "accumulated"});
+  refuse_beside("coverage", {"pixels", "fragments", "depths", "stencils", "mip_chains",
+                             "sample_positions", "sample_pixels"});
   check_supersampled_form(document, !scene.supersampling.empty());
-  check_depths(document, Path(), scene);
+  check_buffers(document, Path(), scene);
   if (!document.contains("coverage")) return;
   if (!coverage_only)
     throw Refusal("the line has \"coverage\", but the request asked for a whole answer");
@@ -253,7 +272,7 @@ Answer read_answer(const json& document, const std::string& digest, const Scene&
   const Path root;
   wire::require_object(
       document, root,
-      {"digest", "pixels", "fragments", "coverage", "depths", "mip_chains", "hits",
+      {"digest", "pixels", "fragments", "coverage", "depths", "stencils", "mip_chains", "hits",
        "sample_positions", "sample_pixels", "passes", "accumulated", "renderer", "not_run"});
   const std::string& given =
       wire::read_string(wire::member(document, root, "digest"), {root, "digest"});
@@ -280,10 +299,10 @@ std::string answer_line(const std::string& digest, const Rendering& rendering,
     return fmt::format(R"({{"digest":{},"pixels":{},"accumulated":{},"passes":{}{}}})",
                        text_of(digest), pixels_json(rendering), accumulated_json(rendering),
                        passes_json(rendering), claims_member(claims));
-  return fmt::format(R"({{"digest":{},"pixels":{},"fragments":{}{}{}{}{}{}}})", text_of(digest),
+  return fmt::format(R"({{"digest":{},"pixels":{},"fragments":{}{}{}{}{}{}{}}})", text_of(digest),
                      pixels_json(rendering), fragments_json(rendering), samples_members(rendering),
-                     depths_member(rendering), mip_chains_member(rendering), hits_member(rendering),
-                     claims_member(claims));
+                     depths_member(rendering), stencils_member(rendering),
+                     mip_chains_member(rendering), hits_member(rendering), claims_member(claims));
 }
 
 std::string coverage_line(const std::string& digest, const Rendering& rendering,
@@ -310,9 +329,7 @@ std::variant<Answer, WireError> parse_answer(std::string_view line, const std::s
 
 std::optional<std::string> contradiction_of_hits(const Rendering& rendering) {
   if (rendering.hits.empty() || rendering.samples != 1) return std::nullopt;
-  std::vector<std::uint32_t> captured(rendering.hits.size());
-  for (const Fragment& fragment : rendering.fragments)
-    ++captured[rendering.pixel_index(fragment.x, fragment.y)];
+  const std::vector<std::uint32_t> captured = captured_fragments(rendering);
   const auto [hit, fragment] =
       std::mismatch(rendering.hits.begin(), rendering.hits.end(), captured.begin());
   if (hit == rendering.hits.end()) return std::nullopt;
@@ -320,6 +337,21 @@ std::optional<std::string> contradiction_of_hits(const Rendering& rendering) {
   return fmt::format(
       "hit counts and fragments contradict each other at pixel ({}, {}): {} against {}",
       index % rendering.width, index / rendering.width, *hit, *fragment);
+}
+
+std::optional<std::string> excess_of_hits(const Rendering& rendering) {
+  const std::vector<std::uint32_t> captured = captured_fragments(rendering);
+  for (std::size_t i = 0; i < rendering.hits.size(); ++i) {
+    const std::size_t pixel = i % captured.size();
+    if (rendering.hits[i] <= captured[pixel]) continue;
+    const std::string sample =
+        rendering.samples == 1 ? "" : fmt::format(", sample {}", i / captured.size());
+    const auto index = static_cast<int>(pixel);
+    return fmt::format("more hits than fragments at pixel ({}, {}){}: {} against {}",
+                       index % rendering.width, index / rendering.width, sample, rendering.hits[i],
+                       captured[pixel]);
+  }
+  return std::nullopt;
 }
 
 }  // namespace edgecase

@@ -28,9 +28,9 @@ std::string answer_line(const std::string& digest, const Rendering& rendering,
                         const RendererInfo* claims);
 
 // The line that answers with coverage alone, for a request that asked for no more: pixels, depths,
-// colours and mip chains are left out, and so are hit counts that agree with the fragments. Those
-// that contradict them are told, so that the reader refuses the answer as it would refuse a whole
-// one.
+// stencils, colours and mip chains are left out, and so are hit counts that agree with the
+// fragments. Those that differ are told, so that the reader judges them as it would those of a
+// whole answer.
 std::string coverage_line(const std::string& digest, const Rendering& rendering,
                           const RendererInfo* claims);
 
@@ -47,5 +47,9 @@ std::variant<Answer, WireError> parse_answer(std::string_view line, const std::s
 // first) where they do; nothing when they agree, when the rendering has no hit counts, or when its
 // target has several samples: which of those are written is decided after the shader.
 std::optional<std::string> contradiction_of_hits(const Rendering& rendering);
+
+// The same where fragments meet tests (has_fragment_operations): a pixel, or a sample of one, may
+// have fewer hits than the pixel has fragments, and never more.
+std::optional<std::string> excess_of_hits(const Rendering& rendering);
 
 }  // namespace edgecase

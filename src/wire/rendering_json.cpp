@@ -116,6 +116,10 @@ std::string depths_json(const Rendering& rendering) {
   return numbers_json(rendering.depths);
 }
 
+std::string stencils_json(const Rendering& rendering) {
+  return fmt::format("[{}]", fmt::join(rendering.stencils, ","));
+}
+
 std::string accumulated_json(const Rendering& rendering) {
   return numbers_json(rendering.accumulated);
 }
@@ -161,6 +165,8 @@ std::string rendering_json(const std::string& id, const Rendering& rendering) {
       rendering.sample_pixels.empty() ? "" : ",\"sample_pixels\":" + sample_pixels_json(rendering);
   const std::string depths =
       rendering.depths.empty() ? "" : ",\"depths\":" + depths_json(rendering);
+  const std::string stencils =
+      rendering.stencils.empty() ? "" : ",\"stencils\":" + stencils_json(rendering);
   const std::string chains =
       rendering.mip_chains.empty() ? "" : ",\"mip_chains\":" + mip_chains_json(rendering);
   const std::string passes = rendering.passes.empty()
@@ -168,10 +174,10 @@ std::string rendering_json(const std::string& id, const Rendering& rendering) {
                                  : ",\"accumulated\":" + accumulated_json(rendering) +
                                        ",\"passes\":" + passes_json(rendering);
   return fmt::format(
-      R"({{"id":{},"width":{},"height":{},"samples":{},"fragments":{},"pixels":{}{}{}{}{}{}}})",
+      R"({{"id":{},"width":{},"height":{},"samples":{},"fragments":{},"pixels":{}{}{}{}{}{}{}}})",
       nlohmann::json(id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace),
       rendering.width, rendering.height, rendering.samples, fragments_json(rendering),
-      pixels_json(rendering), positions, samples, depths, chains, passes);
+      pixels_json(rendering), positions, samples, depths, stencils, chains, passes);
 }
 
 }  // namespace edgecase

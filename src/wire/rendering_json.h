@@ -16,8 +16,8 @@ constexpr std::array<const char*, kDerivatives> kDerivativeNames = {
 
 // One object on one line, without the line break at its end: id, width, height, samples, fragments
 // in the order of the rendering, pixels (RGBA8, row by row from the bottom), and where the
-// rendering has some, positions of samples, sample pixels, depths in the same order, mip chains,
-// accumulated image and passes. Deterministic.
+// rendering has some, positions of samples, sample pixels, depths and stencils in the same order,
+// mip chains, accumulated image and passes. Deterministic.
 std::string rendering_json(const std::string& id, const Rendering& rendering);
 
 // The array of the rendering's fragments as JSON text; what a fragment does not tell (depth,
@@ -36,6 +36,9 @@ std::string sample_pixels_json(const Rendering& rendering);
 
 // The array of its depth buffer; empty where it has none.
 std::string depths_json(const Rendering& rendering);
+
+// The array of its stencil buffer; empty where it has none.
+std::string stencils_json(const Rendering& rendering);
 
 // The object of its mip chains, arrays of levels by the texture's number; empty where it has none.
 std::string mip_chains_json(const Rendering& rendering);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "wire/operation_values.h"
 #include "wire/reading.h"
 #include "wire/sample_values.h"
 #include "wire/scene_values.h"
@@ -73,6 +74,7 @@ void write(Output out, const Draw& draw, int samples) {
     fmt::format_to(out, R"(,"texture":)");
     wire::write_texture_use(out, *draw.texture);
   }
+  wire::write_operations(out, draw);
   fmt::format_to(out, R"(,"vertices":)");
   write_all(out, draw.vertices, [&](const Vertex& vertex) {
     wire::write_vertex(out, vertex, draw.texture.has_value());
@@ -110,6 +112,7 @@ void write_target(Output out, const Scene& scene) {
   fmt::format_to(out, R"(,"color":"{}")", name_of(target.color));
   if (target.depth != DepthFormat::none)
     fmt::format_to(out, R"(,"depth":"{}")", name_of(target.depth));
+  wire::write_buffers(out, target);
   fmt::format_to(out, R"(,"surface":"{}","clear":)", name_of(target.surface));
   wire::write_color(out, target.clear);
   if (!scene.supersampling.empty()) {
@@ -131,9 +134,10 @@ Fixed read_thickness(const json& draw, const Path& path, const char* key) {
 }
 
 void read_target(const json& value, const Path& path, Scene& scene) {
-  wire::require_object(value, path,
-                       {"width", "height", "samples", "sample_positions", "color", "depth",
-                        "surface", "clear", "supersampling"});
+  wire::require_object(
+      value, path,
+      {"width", "height", "samples", "sample_positions", "color", "depth", "stencil", "clear_depth",
+       "clear_stencil", "surface", "clear", "supersampling"});
   Target& target = scene.target;
   target.width = read_int(wire::member(value, path, "width"), {path, "width"}, 1, kMaxSize);
   target.height = read_int(wire::member(value, path, "height"), {path, "height"}, 1, kMaxSize);
@@ -144,6 +148,7 @@ void read_target(const json& value, const Path& path, Scene& scene) {
         wire::read_positions(*positions, {path, "sample_positions"}, target.samples);
   target.color = read_name<ColorFormat>(value, path, "color");
   if (value.contains("depth")) target.depth = read_name<DepthFormat>(value, path, "depth");
+  wire::read_buffers(value, path, target);
   target.surface = read_name<Surface>(value, path, "surface");
   target.clear = wire::read_clear_color(wire::member(value, path, "clear"), {path, "clear"});
   if (const json* passes = wire::optional_member(value, "supersampling"))
@@ -173,7 +178,8 @@ void read_multisampling(const json& value, const Path& path, int samples, Draw& 
 Draw read_draw(const json& value, const Path& path, const Scene& scene) {
   wire::require_object(value, path,
                        {"primitive", "interpolation", "provoking_vertex", "line_width",
-                        "point_size", "scissor", "multisampling", "texture", "vertices"});
+                        "point_size", "scissor", "multisampling", "texture", "front_face", "cull",
+                        "polygon_offset", "stencil", "depth", "blend", "color_mask", "vertices"});
   Draw draw;
   draw.primitive = read_name<Primitive>(value, path, "primitive");
   draw.interpolation = read_name<Interpolation>(value, path, "interpolation");
@@ -185,6 +191,7 @@ Draw read_draw(const json& value, const Path& path, const Scene& scene) {
   read_multisampling(value, path, scene.target.samples, draw);
   if (const json* texture = wire::optional_member(value, "texture"))
     draw.texture = wire::read_texture_use(*texture, {path, "texture"}, scene);
+  wire::read_operations(value, path, draw);
   const json& vertices = wire::member(value, path, "vertices");
   const Path at(path, "vertices");
   wire::require_array(vertices, at, vertices.size());
@@ -225,11 +232,14 @@ void read_textures(const json& value, const Path& path, Scene& scene) {
 }
 
 Scene read_scene(const json& value, const Path& path) {
-  wire::require_object(value, path, {"target", "viewport", "details", "textures", "draws"});
+  wire::require_object(value, path,
+                       {"target", "viewport", "depth_range", "details", "textures", "draws"});
   Scene scene;
   const Path target(path, "target");
   read_target(wire::member(value, path, "target"), target, scene);
   scene.viewport = read_box(wire::member(value, path, "viewport"), {path, "viewport"}, 1);
+  if (const json* range = wire::optional_member(value, "depth_range"))
+    scene.depth_range = wire::read_depth_range(*range, {path, "depth_range"});
   if (const json* details = wire::optional_member(value, "details"))
     scene.details = read_details(*details, {path, "details"});
   if (const json* textures = wire::optional_member(value, "textures"))
@@ -240,6 +250,9 @@ Scene read_scene(const json& value, const Path& path) {
   for (std::size_t i = 0; i < draws.size(); ++i)
     scene.draws.push_back(read_draw(draws[i], {at, i}, scene));
   wire::check_passes(scene, {target, "supersampling"});
+  if (!scene.supersampling.empty() && has_fragment_operations(scene))
+    throw Refusal(Path(target, "supersampling").text() +
+                  " is there, but the scene has fragment operations");
   return scene;
 }
 
@@ -275,6 +288,10 @@ std::string scene_json(const Scene& scene) {
   write_target(out, scene);
   fmt::format_to(out, R"(,"viewport":)");
   write(out, scene.viewport);
+  if (scene.depth_range != DepthRange()) {
+    fmt::format_to(out, R"(,"depth_range":)");
+    wire::write_depth_range(out, scene.depth_range);
+  }
   write_details(out, scene.details);
   write_textures(out, scene);
   fmt::format_to(out, R"(,"draws":)");

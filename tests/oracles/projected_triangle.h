@@ -43,7 +43,7 @@ ProjectedTriangle<T> projected(const Interpolant& f) {
     const HomogeneousPoint& p = f.positions[i];
     result.x[i] = static_cast<T>(p.x) / static_cast<T>(p.w);
     result.y[i] = static_cast<T>(p.y) / static_cast<T>(p.w);
-    result.w[i] = static_cast<T>(f.perspective ? f.w[i] : 1.0);
+    result.w[i] = static_cast<T>(f.perspective ? f.w[i].low : 1.0);
     result.values[i] = static_cast<T>(f.values[i].low / 2 + f.values[i].high / 2);
   }
   return result;

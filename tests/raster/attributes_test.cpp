@@ -127,7 +127,7 @@ TEST_F(Attributes, SmoothIsDividedByWAndNoperspectiveIsNot) {
     choices_.values.perspective = choice;
     const PrimitiveAttributes result = attributes();
     for (const Interpolant& component : result.color) EXPECT_EQ(component.perspective, divided);
-    EXPECT_EQ(result.color[0].w, (std::array{1.0, 1.0, 4.0}));
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(result.color[0].w[i].low, i < 2 ? 1 : 4);
     // Depth and 1/w run linearly in the window whatever is chosen.
     EXPECT_FALSE(has_perspective(result.depth));
     EXPECT_FALSE(has_perspective(result.inverse_w));

@@ -63,7 +63,7 @@ class TriangleSource {
     if (!quotients && numbers_.one_in(3)) make_sliver(f);
     // Ratios of w up to 2^20, and often none.
     const double bits = numbers_.one_in(4) ? 0 : numbers_.real(0, 10);
-    for (double& w : f.w) w = numbers_.clip_w(bits);
+    for (Interval& w : f.w) w = numbers_.clip_w(bits);
     return f;
   }
   std::int64_t limit() const { return Fixed::kOne * (near_ ? 8 : 8192); }
@@ -112,8 +112,8 @@ void update(Worst& worst, const Interpolant& f, Point sample) {
   worst.off_interval = std::max(
       {worst.off_interval, static_cast<double>(below) / unit, static_cast<double>(above) / unit});
   worst.width = std::max(worst.width, width_of(exact) / std::ldexp(spread.of_sum, -53));
-  const auto [narrow, wide] = std::minmax_element(f.w.begin(), f.w.end());
-  if (*wide > 1024 * *narrow) ++worst.strong;
+  const auto [narrow, wide] = std::minmax({f.w[0].low, f.w[1].low, f.w[2].low});
+  if (wide > 1024 * narrow) ++worst.strong;
   const auto [low, high] = std::minmax_element(v.values.begin(), v.values.end());
   if (*low <= *most && *least <= *high) ++worst.inside;
 }

@@ -128,9 +128,9 @@ TEST_F(InterpolationProperties, ConstantsStayConstantToTheBit) {
 TEST_F(InterpolationProperties, EqualWAreNoPerspectiveToTheBit) {
   for (int i = 0; i < kScenes; ++i) {
     Interpolant f = ample(i % 2 == 0 ? PrimitiveKind::triangle : PrimitiveKind::line);
-    for (double& w : f.w) w = f.w[0];
+    for (Interval& w : f.w) w = f.w[0];
     // What lies beyond the vertices of a line is no part of it.
-    if (f.kind == PrimitiveKind::line) f.w[2] = 2 * f.w[0];
+    if (f.kind == PrimitiveKind::line) f.w[2] = 2 * f.w[0].low;
     Interpolant plain = f;
     plain.perspective = false;
     const Point sample = inside();
@@ -149,7 +149,7 @@ TEST_F(InterpolationProperties, AllWTwiceAsLargeChangeNothing) {
     Interpolant f = ample(i % 2 == 0 ? PrimitiveKind::triangle : PrimitiveKind::line);
     const Point sample = inside();
     const Interval given = interpolate_exact(f, sample);
-    for (double& w : f.w) w *= 2;
+    for (Interval& w : f.w) w = 2 * w.low;
     EXPECT_TRUE(same(interpolate_exact(f, sample), given));
   }
 }

@@ -51,7 +51,7 @@ ProjectedTriangle<Rational> in_fractions(const Interpolant& f) {
     const HomogeneousPoint& p = f.positions[i];
     result.x[i] = Rational(Integer(p.x), Integer(p.w));
     result.y[i] = Rational(Integer(p.y), Integer(p.w));
-    result.w[i] = f.perspective ? rational_of(f.w[i]) : Rational(1);
+    result.w[i] = f.perspective ? rational_of(f.w[i].low) : Rational(1);
     result.values[i] = rational_of(f.values[i].low);
   }
   return result;
@@ -189,7 +189,7 @@ TEST(RationalInterpolation, TheHorizonHasNoValue) {
 TEST(RationalInterpolation, DerivativesAreDifferencesHoweverSlowlyWRuns) {
   const QuadPixel pixel{{0, 0}, {0, 0}};
   for (const bool is_x : {true, false})
-    for (const auto& w : {std::array<double, 3>{2, 1, 1}, {1, 2, 1}}) {
+    for (const auto& w : {std::array<Interval, 3>{2, 1, 1}, {1, 2, 1}}) {
       Interpolant f;
       f.kind = PrimitiveKind::line;
       f.positions = {vertex_at(0.5, 0.5), is_x ? vertex_at(2.5, 0.5) : vertex_at(0.5, 2.5),

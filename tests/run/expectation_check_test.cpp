@@ -15,6 +15,15 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
+// Each fragment hits the samples that it covers.
+void count_hits(Rendering& rendering) {
+  rendering.hits.assign(static_cast<std::size_t>(4 * rendering.samples), 0);
+  for (const Fragment& fragment : rendering.fragments)
+    for (int s = 0; s < rendering.samples; ++s)
+      rendering.hits[rendering.sample_index(fragment.x, fragment.y, s)] +=
+          fragment.coverage >> s & 1;
+}
+
 // 2 x 2 pixels of 8 samples; (1, 0) has two fragments, as of a shader that runs for each sample.
 Rendering small_rendering() {
   Rendering rendering;
@@ -27,6 +36,7 @@ Rendering small_rendering() {
     fragment.coverage = static_cast<std::uint32_t>(coverage);
     rendering.fragments.push_back(fragment);
   }
+  count_hits(rendering);
   return rendering;
 }
 
@@ -73,9 +83,17 @@ TEST(ExpectationCheck, HitsAreThoseOfSamplesInAllPasses) {
   for (Rendering& pass : supersampled.passes) {
     pass.samples = 1;
     for (Fragment& fragment : pass.fragments) fragment.coverage = 1;
+    count_hits(pass);
   }
   EXPECT_THAT(hits_of(supersampled), ElementsAre(0, 4, 2, 0));
   EXPECT_EQ(draw_hits({0, 1, 2, 10}, 2, 2), "2+\n.#\n");
+}
+
+// A fragment that fails a test hits nothing.
+TEST(ExpectationCheck, HitsAreNotFragments) {
+  Rendering exact = small_rendering();
+  exact.hits[exact.sample_index(0, 1, 3)] = 0;
+  EXPECT_THAT(hits_of(exact), ElementsAre(0, 2, 2, 0));
 }
 
 TEST(ExpectationCheck, DrawingsOfHitsAreMetPixelByPixel) {
@@ -85,6 +103,7 @@ TEST(ExpectationCheck, DrawingsOfHitsAreMetPixelByPixel) {
   Rendering exact = small_rendering();
   exact.samples = 1;
   for (Fragment& fragment : exact.fragments) fragment.coverage = 1;
+  count_hits(exact);
   EXPECT_THAT(unmet_drawings(one, "opengl", exact), IsEmpty());
   one.expect[0].coverage[3] = 1;
   EXPECT_THAT(unmet_drawings(one, "opengl", exact),

@@ -15,7 +15,7 @@ CASE = re.compile(r'{"id":"([^"\\]*)".*?"verdict":"([a-z-]+)"')
 def picture(rendering):
     """All that is drawn, in one colour's order; of samples, each of them."""
     planes = [tuple(drawn.get(key, ())) for drawn in drawings(rendering)
-              for key in ("pixels", "depths", "sample_pixels")]
+              for key in ("pixels", "depths", "stencils", "sample_pixels")]
     return (rendering["width"], rendering["height"], tuple(rendering["pixels"]), *planes)
 
 
@@ -47,8 +47,8 @@ def is_symmetric(drawn):
                  for f in drawn["fragments"]}
     mirrored = {(x, height - 1 - y, *which): value
                 for (x, y, *which), value in fragments.items()}
-    planes = [plane for key, length in (("pixels", 4), ("sample_pixels", 4), ("depths", 1))
-              for plane in planes_of(drawn, key, length)]
+    lengths = (("pixels", 4), ("sample_pixels", 4), ("depths", 1), ("stencils", 1))
+    planes = [plane for key, length in lengths for plane in planes_of(drawn, key, length)]
     return all(rows == rows[::-1] for rows in planes) and fragments == mirrored
 
 
@@ -108,14 +108,15 @@ class Liars(CommandTest):
 
     def test_no_two_files_have_one_picture(self):
         """So no constant and no other file's image is ever right, whichever it is. Samples lie so
-        far apart that a sweep across them may leave a picture as it was: hardly any does."""
+        far apart that a sweep across them may leave a picture as it was: hardly any does. Tests of
+        fragments have two outcomes, whatever the sweep."""
         pictures = {}
         again = 0
         for name, rendering in rendered_suite().items():
             other = pictures.setdefault(picture(rendering), name)
-            again += other != name
+            again += other != name and name.startswith("samples/")
             self.assertEqual(other.split(":")[0], name.split(":")[0])
-            self.assertTrue(other == name or name.startswith("samples/"), name)
+            self.assertTrue(other == name or name.startswith(("samples/", "output/")), name)
         self.assertLess(again, len(rendered_suite()) / 50)
 
 

@@ -14,7 +14,7 @@ import time
 GREY = [70, 80, 90, 255]
 
 
-TOLD = ("pixels", "fragments", "depths", "sample_pixels", "sample_positions")
+TOLD = ("pixels", "fragments", "depths", "stencils", "sample_pixels", "sample_positions")
 
 
 def of_passes(truth, change):
@@ -24,11 +24,11 @@ def of_passes(truth, change):
 
 
 def image(truth, color, fragments):
-    """One colour everywhere, and depth 0 where there is a depth buffer."""
+    """One colour everywhere, and 0 where there is a depth or a stencil buffer."""
     area = truth["width"] * truth["height"]
     answer = {"pixels": color * area, "fragments": fragments(truth)}
-    if "depths" in truth:
-        answer["depths"] = [0] * len(truth["depths"])
+    for key in {"depths", "stencils"} & truth.keys():
+        answer[key] = [0] * len(truth[key])
     if "sample_pixels" in truth:
         answer["sample_pixels"] = color * (area * truth["samples"])
     return answer
@@ -88,7 +88,7 @@ def mirror_drawing(truth):
     """Pixel by pixel: within a pixel samples stay where they are."""
     width, height = truth["width"], truth["height"]
     answer = {"fragments": [dict(f, y=height - 1 - f["y"]) for f in truth["fragments"]]}
-    for key, length in (("pixels", 4), ("sample_pixels", 4), ("depths", 1)):
+    for key, length in (("pixels", 4), ("sample_pixels", 4), ("depths", 1), ("stencils", 1)):
         if key in truth:
             answer[key] = upside_down(truth[key], length * width, height)
     return answer

@@ -87,6 +87,15 @@ RuleAlternatives triangle_algorithms_beside(TriangleAlgorithm chosen) {
   return result;
 }
 
+RuleAlternatives facings_beside(FacingMethod chosen) {
+  RuleAlternatives result;
+  for (FacingMethod facing : all_facing_methods())
+    if (facing != chosen)
+      result.push_back({fmt::format("polygon.facing={}", name_of(facing)),
+                        [facing](CoverageChoice& choice) { choice.facing = facing; }});
+  return result;
+}
+
 RuleAlternatives placements_beside(int samples, const SamplePlacement& chosen) {
   RuleAlternatives result;
   for (const SamplePlacement& placement : placements_of(samples))
@@ -131,7 +140,7 @@ bool holds(const CoverageChoice& choice, const Change& change) {
          changed.line.boundary == choice.line.boundary && changed.line.wide == choice.line.wide &&
          changed.rows == choice.rows && changed.point_offset == choice.point_offset &&
          changed.triangle_algorithm == choice.triangle_algorithm &&
-         changed.placement == choice.placement &&
+         changed.facing == choice.facing && changed.placement == choice.placement &&
          changed.multisampled_line == choice.multisampled_line &&
          changed.multisample_switch == choice.multisample_switch &&
          changed.sample_mask == choice.sample_mask;
@@ -178,6 +187,7 @@ std::vector<RuleAlternatives> alternatives_beside(const ScenePrimitive& primitiv
       rules = {ties_beside(primitive.kind, chosen.ties), snaps_beside(primitive.kind, chosen.snap),
                triangle_algorithms_beside(chosen.triangle_algorithm),
                row_orders_beside(primitive.kind, chosen.rows)};
+      if (primitive.state->cull != CullMode::none) rules.push_back(facings_beside(chosen.facing));
       break;
   }
   if (multisampled) rules.push_back(placements_beside(target.samples, chosen.placement));
@@ -207,6 +217,7 @@ std::string choice_of(const CoverageChoice& choice, std::string_view rule) {
   if (rule == "line.width") return name_of(choice.line.wide);
   if (rule == "point.offset") return name_of(choice.point_offset);
   if (rule == "triangle.algorithm") return name_of(choice.triangle_algorithm);
+  if (rule == "polygon.facing") return name_of(choice.facing);
   if (rule.ends_with(".row-order")) return name_of(choice.rows);
   if (rule == "sample.positions") return name_of(choice.placement);
   if (rule == kMultisampledLine) return name_of(choice.multisampled_line);
@@ -222,7 +233,7 @@ std::span<const std::string> alternative_names() {
          {"point.ownership", "point.offset", "point.snap", "point.row-order", "line.algorithm",
           "line.diamond-exit", "line.width", "line.snap", "line.row-order", "triangle.algorithm",
           "triangle.fill-rule", "triangle.snap", "triangle.row-order", "line.multisampled",
-          "sample.positions", "sample.enable", "sample.mask"})
+          "sample.positions", "sample.enable", "sample.mask", "polygon.facing"})
       for (const Alternative& alternative : find_rule(id)->alternatives)
         list.push_back(fmt::format("{}={}", id, alternative.name));
     return list;

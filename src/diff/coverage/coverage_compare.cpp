@@ -206,8 +206,16 @@ class CoverageComparison {
   }
 
   Legality judge(const ScenePrimitive& primitive, const CoverageDifference& difference) const {
-    return judge_sample(primitive, difference, within(primitive, difference), scene().viewport,
-                        context_.bits);
+    Legality legality = judge_sample(primitive, difference, within(primitive, difference),
+                                     scene().viewport, context_.bits);
+    return judge_facing(primitive, difference, is_missing(primitive), std::move(legality),
+                        scene().viewport, context_.bits);
+  }
+
+  // Was nothing of it drawn?
+  bool is_missing(const ScenePrimitive& primitive) const {
+    return std::ranges::all_of(coverage_of(primitive).drawn,
+                               [](const auto& pixels) { return pixels.empty(); });
   }
 
   // What the specification's own choice and the renderer differ in where the policy sides with the

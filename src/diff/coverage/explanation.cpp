@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "exact/numeral.h"
+#include "raster/facing.h"
 #include "rules/all_rules.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/homogeneous_line.h"
@@ -157,6 +158,10 @@ Explanation explain_by_rule(const ScenePrimitive& primitive, Point sample, const
 
 Explanation explain(const ScenePrimitive& primitive, Point sample, const Target& target,
                     const CoverageChoice& choice) {
+  if (auto culled = explain_culling(primitive, target, choice)) {
+    culled->figure.marks.push_back(sample_mark(sample));
+    return *culled;
+  }
   Explanation why = explain_by_rule(primitive, sample, target, choice);
   why.text += notes_on(primitive, target, choice) + note_on_quotients(primitive, sample, choice);
   return why;

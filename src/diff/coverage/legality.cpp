@@ -9,6 +9,7 @@
 #include <optional>
 #include <tuple>
 
+#include "diff/coverage/facing_latitude.h"
 #include "diff/values/vertex_latitude.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
@@ -202,6 +203,28 @@ Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference&
   return result;
 }
 
+Legality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                      bool whole, Legality otherwise, const Viewport& viewport, int bits) {
+  constexpr const char* kRule = "polygon.facing";
+  constexpr int kRuling = 40;
+  if (primitive.kind != PrimitiveKind::triangle || primitive.state->cull == CullMode::none)
+    return otherwise;
+  const auto [may_be_culled, may_be_drawn] = permitted_culling(primitive, viewport, bits);
+  const bool extra = difference.drawn > difference.exact;
+  const bool turns = extra ? may_be_drawn : may_be_culled;
+  const std::string reason =
+      fmt::format("{} move of the vertices by {} turns the triangle so that it is {}culled",
+                  turns ? "some" : "no", move_of(division_error(primitive, viewport), bits),
+                  extra ? "not " : "");
+  if (extra && !turns) return {false, kRuling, kRule, reason};
+  if (extra && is_culled(primitive, primitive.positions, FacingMethod::as_set))
+    return {otherwise.legal, kRuling, kRule,
+            otherwise.legal ? reason : reason + ", but " + otherwise.reason};
+  // All fragments of a triangle face one way.
+  if (extra || !whole || otherwise.legal) return otherwise;
+  return {turns, kRuling, kRule, "nothing of the triangle is drawn, and " + reason};
+}
+
 std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,
                                             std::span<const PixelPosition> drawn,
                                             const Scene& scene) {
@@ -232,15 +255,17 @@ std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> 
                                                 const Scene& scene, int bits,
                                                 const SamplePositions& positions) {
   std::vector<SharedEdgeFault> faults;
-  const auto is_triangle = [](const ScenePrimitive& p) {
-    return p.kind == PrimitiveKind::triangle;
+  // Ruling 40 lets others be missing, or has them so.
+  const auto is_drawn = [&](const ScenePrimitive& p) {
+    return p.kind == PrimitiveKind::triangle &&
+           !permitted_culling(p, scene.viewport, bits).may_be_culled;
   };
   const auto multisampled = [&](const ScenePrimitive& p) {
     return is_multisampled(*p.state, scene.target);
   };
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     for (std::size_t j = i + 1; j < primitives.size(); ++j) {
-      if (!is_triangle(primitives[i]) || !is_triangle(primitives[j])) continue;
+      if (!is_drawn(primitives[i]) || !is_drawn(primitives[j])) continue;
       if (multisampled(primitives[i]) != multisampled(primitives[j])) continue;
       const auto edge = common_edge(primitives[i], primitives[j]);
       if (!edge) continue;

@@ -2,10 +2,13 @@
 #include "diff/samples/sample_planes.h"
 
 #include <algorithm>
+#include <bit>
 #include <span>
 #include <utility>
 
+#include "diff/output/fate_compare.h"
 #include "diff/values/pixel_truth.h"
+#include "raster/multisample.h"
 #include "rules/values/framebuffer.h"
 
 namespace edgecase {
@@ -103,6 +106,7 @@ SamplePlanes told_samples(const Rendering& rendered) {
 
 SamplePlanes inferred_samples(const ValueContext& context, const Rendering& rendered,
                               AlphaEnds ends) {
+  if (has_fragment_operations(context.scene)) return fated_samples(context, rendered, ends);
   return Inference(context, rendered, ends).run();
 }
 
@@ -122,6 +126,23 @@ std::vector<const Fragment*> left_by_alpha(const ValueContext& context,
 bool is_thinned(const ValueContext& context, const Fragment& fragment) {
   const Draw& draw = *context.primitive_of(fragment).state;
   return is_multisampled(draw, context.scene.target) && draw.multisampling.alpha_to_coverage;
+}
+
+std::uint32_t kept_by_alpha(const ValueContext& context, const Fragment& fragment,
+                            std::span<const Fragment> at_pixel, AlphaToCoverage choice) {
+  const int samples = context.scene.target.samples;
+  const ScenePrimitive& primitive = context.primitive_of(fragment);
+  if (!heeds_others(primitive.state->multisampling, samples,
+                    {context.choices.samples.rate, choice}))
+    return alpha_mask(fragment.color[3], samples, choice);
+  // Invocations that did not run, or are not covered, tell nothing.
+  std::vector<double> alphas =
+      alphas_of_samples(primitive, context.values_of(fragment).chosen, {fragment.x, fragment.y},
+                        context.sample_positions(), context.choices.values.locations);
+  for (const Fragment& told : at_pixel)
+    if (told.primitive == fragment.primitive && told.has_color && told.coverage != 0)
+      alphas[static_cast<std::size_t>(std::countr_zero(told.coverage))] = told.color[3];
+  return mask_by_others(alphas);
 }
 
 SampleCounts written_samples(const ValueContext& context, const Fragment& fragment) {

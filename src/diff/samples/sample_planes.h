@@ -39,6 +39,11 @@ std::vector<const Fragment*> left_by_alpha(const ValueContext& context,
 // Is the fragment's alpha what decides how many samples it writes?
 bool is_thinned(const ValueContext& context, const Fragment& fragment);
 
+// The samples that a fragment's alpha leaves under a choice, beside those that it does not cover.
+// `at_pixel`: all fragments of its pixel.
+std::uint32_t kept_by_alpha(const ValueContext& context, const Fragment& fragment,
+                            std::span<const Fragment> at_pixel, AlphaToCoverage choice);
+
 // How many of a target's samples a fragment that covers them all may write.
 SampleCounts written_samples(const ValueContext& context, const Fragment& fragment);
 

@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdlib>
 #include <optional>
@@ -20,7 +19,6 @@
 #include "diff/samples/switched_off.h"
 #include "diff/values/single_cause.h"
 #include "diff/values/value_diff.h"
-#include "raster/multisample.h"
 #include "rules/samples/alpha_to_coverage.h"
 #include "rules/samples/resolve.h"
 
@@ -210,28 +208,11 @@ class HitComparison {
     for (const Fragment& fragment : fragments) {
       if (!covers_sample(context_, fragment, sample, without)) continue;
       const std::uint32_t kept = is_thinned(context_, fragment)
-                                     ? kept_by_alpha(fragment, fragments, choice)
+                                     ? kept_by_alpha(context_, fragment, fragments, choice)
                                      : ~std::uint32_t{0};
       count += kept >> sample & 1;
     }
     return count;
-  }
-
-  // `at_pixel`: all fragments of its pixel.
-  std::uint32_t kept_by_alpha(const Fragment& fragment, std::span<const Fragment> at_pixel,
-                              AlphaToCoverage choice) const {
-    const ScenePrimitive& primitive = context_.primitive_of(fragment);
-    const bool by_others = heeds_others(primitive.state->multisampling, rendered_.samples,
-                                        {context_.choices.samples.rate, choice});
-    if (!by_others) return alpha_mask(fragment.color[3], rendered_.samples, choice);
-    // Invocations that did not run, or are not covered, tell nothing.
-    std::vector<double> alphas =
-        alphas_of_samples(primitive, context_.values_of(fragment).chosen, {fragment.x, fragment.y},
-                          context_.sample_positions(), context_.choices.values.locations);
-    for (const Fragment& told : at_pixel)
-      if (told.primitive == fragment.primitive && told.has_color && told.coverage != 0)
-        alphas[static_cast<std::size_t>(std::countr_zero(told.coverage))] = told.color[3];
-    return mask_by_others(alphas);
   }
 
   // The least and the most that ruling 33 permits.

@@ -43,8 +43,7 @@ Point place_of(const ValueContext& context, const Fragment& fragment, int sample
 }
 
 Interval permitted_at(const ValueContext& context, const Fragment& fragment, Point place) {
-  const PrimitiveValues& values = context.values_of(fragment);
-  return interpolate_permitted(values.lawful.depth, place, values.reach);
+  return depth_permitted_at(context.values_of(fragment), place);
 }
 
 DepthTruth truth_of(const ValueContext& context, const Fragment* last, int sample) {
@@ -54,7 +53,7 @@ DepthTruth truth_of(const ValueContext& context, const Fragment* last, int sampl
   if (last->has_depth && !multisampled) return {last->depth, last->depth, last->primitive};
   const Point chosen = place_of(context, *last, sample, context.choices.values.locations);
   const Point lawful = place_of(context, *last, sample, {});
-  return {middle(interpolate_exact(context.values_of(*last).chosen.depth, chosen)),
+  return {middle(depth_exact(context.values_of(*last).chosen, chosen)),
           permitted_at(context, *last, lawful), last->primitive};
 }
 

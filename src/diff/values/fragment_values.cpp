@@ -10,6 +10,7 @@
 
 #include "diff/samples/switched_off.h"
 #include "diff/values/location_causes.h"
+#include "diff/values/offset_causes.h"
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
 #include "rules/coverage/line_algorithm.h"
@@ -88,8 +89,8 @@ class Judge {
                      values_.lawful.color[c], place_, rendered);
   }
   Component depth(double rendered) const {
-    const Interval exact =
-        depth_is_zero_ ? 0 : interpolate_exact(values_.chosen.depth, depth_place_);
+    const Interval exact = depth_is_zero_ ? 0 : depth_exact(values_.chosen, depth_place_);
+    if (values_.lawful.clamps_depth) return offset_depth(exact, rendered);
     return component(exact, values_.chosen.depth, values_.lawful.depth, depth_place_, rendered);
   }
   Component inverse_w(double rendered) const {
@@ -98,6 +99,14 @@ class Judge {
   }
 
  private:
+  // With a polygon offset, which has a range of its own, and clamped after that.
+  Component offset_depth(Interval exact, double rendered) const {
+    Component result =
+        component(exact, values_.chosen.depth, values_.permitted_depth, depth_place_, rendered);
+    result.permitted = clamped_depth(values_.lawful, result.permitted);
+    return result;
+  }
+
   // Of what has a value for the whole pixel or column, of all places where that may be taken.
   Interval permitted(const Interpolant& lawful, Point place) const {
     if (!corners_.empty())
@@ -215,6 +224,16 @@ void blame(Disagreement& d, const std::string& cause) {
     std::tie(d.rule, d.ruling) = std::pair("attribute.centroid", 30);
 }
 
+// So is what is added to a depth.
+void blame_depth(const ValueContext& context, const Fragment& fragment, Disagreement& d) {
+  blame(d, cause_of_depth(context, fragment));
+  if (!has_offset(context, fragment)) return;
+  if (d.cause.empty())
+    std::tie(d.rule, d.ruling) = std::pair(offset_rule(context, fragment), 38);
+  else if (d.cause.starts_with("offset."))
+    std::tie(d.rule, d.ruling) = std::pair(d.cause.substr(0, d.cause.find('=')), 38);
+}
+
 // The fragment with what was interpolated in the colour's place.
 Fragment interpolated(const ValueContext& context, const Rendering& rendered, Fragment fragment) {
   if (!context.primitive_of(fragment).state->texture) return fragment;
@@ -237,6 +256,8 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
   ValueAggregator depths("depth", "fragment.depth", 9);
   const FollowedDepth followed_z = followed_depth(context, rendered);
   ValueAggregator depths_elsewhere("depth", followed_z.rule, followed_z.ruling, followed_z.cause);
+  const FollowedOffset followed_o = followed_offset(context, rendered);
+  ValueAggregator depths_offset("depth", followed_o.rule, followed_o.ruling, followed_o.cause);
   for (const Fragment& told : rendered.fragments) {
     const Fragment f = interpolated(context, rendered, told);
     const bool textured = context.primitive_of(f).state->texture.has_value();
@@ -256,10 +277,12 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
     }
     if (f.has_depth) {
       const Component depth = judge.depth(f.depth);
-      Disagreement* d =
-          compare_components({&depth, 1}, f, judge.depth_place(), "fragment.depth",
-                             followed_z.explains(context, f) ? depths_elsewhere : depths, result);
-      if (d != nullptr) blame(*d, cause_of_depth(context, f));
+      Disagreement* d = compare_components({&depth, 1}, f, judge.depth_place(), "fragment.depth",
+                                           followed_z.explains(context, f)   ? depths_elsewhere
+                                           : followed_o.explains(context, f) ? depths_offset
+                                                                             : depths,
+                                           result);
+      if (d != nullptr) blame_depth(context, f, *d);
     }
   }
   colors.flush(result);
@@ -267,6 +290,7 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
   coordinates.flush(result);
   depths.flush(result);
   depths_elsewhere.flush(result);
+  depths_offset.flush(result);
 }
 
 namespace {
@@ -322,7 +346,7 @@ void compare_coordinates(const ValueContext& context, const Rendering& rendered,
     Disagreement* d =
         compare_components({&depth, 1}, f, judge.depth_place(), kRule,
                            followed.explains(context, told) ? elsewhere : depths, result);
-    if (d != nullptr) blame(*d, cause_of_depth(context, told));
+    if (d != nullptr) blame_depth(context, told, *d);
     compare_components({&inverse, 1}, f, judge.depth_place(), kRule, inverses, result);
   }
   depths.flush(result);

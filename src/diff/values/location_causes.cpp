@@ -72,7 +72,9 @@ bool yields_depth(const ValueContext& context, const Fragment& fragment, const I
                   const LocationChoice& choice) {
   const Draw& draw = *context.primitive_of(fragment).state;
   if (fragment_depth_is_zero(draw.multisampling, choice)) return fragment.depth == 0;
-  return rounded_to_float(interpolate_inexact(depth, context.depth_place_of(fragment, choice)))
+  const Interval interpolated =
+      interpolate_inexact(depth, context.depth_place_of(fragment, choice));
+  return rounded_to_float(clamped_depth(context.values_of(fragment).lawful, interpolated))
       .contains(to_float(fragment.depth));
 }
 

@@ -12,6 +12,7 @@
 
 #include "diff/samples/switched_off.h"
 #include "diff/values/location_causes.h"
+#include "diff/values/offset_causes.h"
 
 namespace edgecase {
 namespace {
@@ -91,8 +92,9 @@ std::string cause_of_depth_if_ignored(const ValueContext& context, const Fragmen
   const auto yields = [&](const LocationChoice& locations) {
     const auto place = depth_place_if_ignored(context, fragment, locations);
     const Interpolant& depth = context.values_of(fragment).chosen.depth;
-    return place &&
-           rounded_to_float(interpolate_inexact(depth, *place)).contains(to_float(fragment.depth));
+    return place && rounded_to_float(clamped_depth(context.values_of(fragment).chosen,
+                                                   interpolate_inexact(depth, *place)))
+                        .contains(to_float(fragment.depth));
   };
   const std::string cause = cause_of(MultisampleSwitch::ignored);
   const LocationChoice& chosen = context.choices.values.locations;
@@ -114,7 +116,9 @@ std::string cause_of_depth(const ValueContext& context, const Fragment& fragment
   const Interpolant& depth = context.values_of(fragment).chosen.depth;
   for (const LocationChange& change : depth_locations_beside(chosen))
     if (yields_depth(context, fragment, depth, change.choice)) return change.cause;
-  return cause_of_depth_if_ignored(context, fragment);
+  std::string ignored = cause_of_depth_if_ignored(context, fragment);
+  if (!ignored.empty() || !has_offset(context, fragment)) return ignored;
+  return cause_of_offset(context, fragment);
 }
 
 std::string cause_of_derivatives(const ValueContext& context, const Fragment& fragment,

@@ -24,7 +24,8 @@ RuleChoices lawful_choices(const RuleChoices& chosen) {
 bool interpolates_lawfully(const ValueChoice& choice) {
   const ValueChoice lawful;
   return choice.provoking == lawful.provoking && choice.line_parameter == lawful.line_parameter &&
-         choice.perspective == lawful.perspective && choice.positions == lawful.positions;
+         choice.perspective == lawful.perspective && choice.positions == lawful.positions &&
+         choice.offset == lawful.offset;
 }
 
 }  // namespace
@@ -89,12 +90,19 @@ const PrimitiveValues& ValueContext::values_of(const Fragment& fragment) const {
   std::optional<PrimitiveValues>& values = values_[static_cast<std::size_t>(fragment.primitive)];
   if (!values) {
     const ScenePrimitive& primitive = primitive_of(fragment);
+    const RuleChoices lawful = lawful_choices(choices);
+    const double reach = reach_of(primitive, scene.viewport, bits_).to_double();
     values = {attributes_of(primitive, choices, scene.target),
-              attributes_of(primitive, lawful_choices(choices), scene.target),
-              !interpolates_lawfully(choices.values),
-              reach_of(primitive, scene.viewport, bits_).to_double()};
+              attributes_of(primitive, lawful, scene.target),
+              depth_with_permitted_offset(primitive, lawful, scene.target, reach),
+              !interpolates_lawfully(choices.values), reach};
   }
   return *values;
+}
+
+Interval depth_permitted_at(const PrimitiveValues& values, Point place) {
+  return clamped_depth(values.lawful,
+                       interpolate_permitted(values.permitted_depth, place, values.reach));
 }
 
 bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample) {

@@ -26,8 +26,10 @@ namespace edgecase {
 struct PrimitiveValues {
   PrimitiveAttributes chosen;  // under the policy
   PrimitiveAttributes lawful;  // under OpenGL's own choices
-  bool differ = false;         // the policy interpolates otherwise than OpenGL does
-  double reach = 0;            // pixels that a vertex may have moved: rulings 4 and 15
+  // The lawful depth with every polygon offset that is permitted; before it is clamped.
+  Interpolant permitted_depth;
+  bool differ = false;  // the policy interpolates otherwise than OpenGL does
+  double reach = 0;     // pixels that a vertex may have moved: rulings 4 and 15
 };
 
 // What the comparison of values needs of a case.
@@ -46,6 +48,9 @@ class ValueContext {
   std::span<const ScenePrimitive> primitives;
   const RuleChoices& choices;
   Latitude latitude;
+
+  // As in ruling 4.
+  int bits() const { return bits_; }
 
   // Where within a pixel of the target a sample lies, as the renderer has it.
   Point sample_position(int sample) const { return positions_[static_cast<std::size_t>(sample)]; }
@@ -97,6 +102,10 @@ void compare_invocations(const ValueContext& context, const Rendering& rendered,
 void compare_resolved_pixels(const ValueContext& context, const Rendering& rendered,
                              Result& result);
 void compare_sample_hits(const ValueContext& context, const Rendering& rendered, Result& result);
+
+// Every depth that a primitive may have at a place of the window, its vertices moved and its
+// polygon offset as far as the specification leaves that open.
+Interval depth_permitted_at(const PrimitiveValues& values, Point place);
 
 // Does the fragment cover the sample? Without multisampling it covers all.
 bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample);

@@ -230,7 +230,7 @@ Interval triangle_slope(const Interpolant& f, const Positions& v, Axis axis, Int
 // way may err twice.
 Interval point_value(const Interpolant& f) {
   const Interval value = f.values[0];
-  if (!f.perspective || f.w[0] == 1) return value;
+  if (!f.perspective || (f.w[0].low == 1 && f.w[0].high == 1)) return value;
   return kInexact.multiply(kInexact.divide(value, f.w[0]), f.w[0]);
 }
 

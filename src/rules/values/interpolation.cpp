@@ -15,12 +15,17 @@ std::size_t count_of(const Interpolant& f) {
   return static_cast<std::size_t>(vertices_of(f.kind));
 }
 
+// Are these the same number at all vertices?
+bool is_one_number(const Interpolant& f, const std::array<Interval, 3>& numbers) {
+  return std::all_of(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count_of(f)),
+                     [&](Interval number) {
+                       return number.low == numbers[0].low && number.high == numbers[0].high;
+                     });
+}
+
 // Is the attribute the same at all vertices? Then it stays so to the bit, wherever the sample lies.
 bool is_constant(const Interpolant& f) {
-  return std::all_of(f.values.begin(), f.values.begin() + static_cast<std::ptrdiff_t>(count_of(f)),
-                     [&](Interval value) {
-                       return value.low == f.values[0].low && value.high == f.values[0].high;
-                     });
+  return is_one_number(f, f.values);
 }
 
 // ------------------------------------------------------------------------------------------ exact
@@ -137,9 +142,7 @@ HomogeneousPoint next_pixel(HomogeneousPoint p, Axis axis) {
 }  // namespace
 
 bool has_perspective(const Interpolant& f) {
-  if (!f.perspective) return false;
-  return std::any_of(f.w.begin(), f.w.begin() + static_cast<std::ptrdiff_t>(count_of(f)),
-                     [&](double w) { return w != f.w[0]; });
+  return f.perspective && !is_one_number(f, f.w);
 }
 
 bool is_x_major(const Interpolant& line) {

@@ -41,7 +41,7 @@ struct Interpolant {
   PrimitiveKind kind = PrimitiveKind::triangle;
   std::array<HomogeneousPoint, 3> positions{};  // in the window, exact
   std::array<Interval, 3> values{};             // narrow: a number, or a quotient rounded outwards
-  std::array<double, 3> w{1, 1, 1};             // clip w, more than 0
+  std::array<Interval, 3> w{1, 1, 1};           // clip w, more than 0; narrow as the values are
   bool perspective = true;                      // weights are divided by w
   LineParameter line_parameter = LineParameter::projection;
 };

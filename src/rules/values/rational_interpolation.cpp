@@ -20,8 +20,8 @@ std::size_t count_of(const Interpolant& f) {
   return static_cast<std::size_t>(vertices_of(f.kind));
 }
 
-bool has_single_values(const Interpolant& f) {
-  return std::all_of(f.values.begin(), f.values.begin() + static_cast<std::ptrdiff_t>(count_of(f)),
+bool are_single(const Interpolant& f, const std::array<Interval, 3>& numbers) {
+  return std::all_of(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count_of(f)),
                      [](Interval v) { return v.low == v.high && std::isfinite(v.low); });
 }
 
@@ -93,7 +93,7 @@ Point centre_of(PixelPosition pixel) {
 }  // namespace
 
 std::optional<RationalInterpolation> RationalInterpolation::of(const Interpolant& f) {
-  if (!has_single_values(f)) return std::nullopt;
+  if (!are_single(f, f.values) || !are_single(f, f.w)) return std::nullopt;
   std::array<Rational, 6> sums{};  // of the numerator's x, y, w and the denominator's
   if (f.kind == PrimitiveKind::point || is_constant(f)) {
     sums[2] = rational_of(f.values[0].low);
@@ -106,7 +106,7 @@ std::optional<RationalInterpolation> RationalInterpolation::of(const Interpolant
       const Rational value = rational_of(f.values[i].low);
       for (std::size_t c = 0; c < 3; ++c) {
         const Rational weight =
-            divides ? Rational(weights[i][c] / rational_of(f.w[i])) : weights[i][c];
+            divides ? Rational(weights[i][c] / rational_of(f.w[i].low)) : weights[i][c];
         sums[c] += weight * value;
         sums[3 + c] += weight;
       }

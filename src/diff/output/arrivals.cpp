@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "diff/output/arrivals.h"
+
+#include <cmath>
+
+#include "diff/samples/sample_planes.h"
+#include "diff/samples/switched_off.h"
+#include "diff/values/pixel_truth.h"
+#include "raster/facing.h"
+
+namespace edgecase {
+
+FateChoice fate_choice(const RuleChoices& choices) {
+  return {choices.output, choices.triangles.facing, choices.triangles.multisample_switch,
+          choices.values.locations, choices.samples.alpha_to_coverage};
+}
+
+bool is_standard(const FateChoice& choice) {
+  const FateChoice standard;
+  return choice.output.depth == standard.output.depth &&
+         choice.output.stencil == standard.output.stencil &&
+         choice.output.blend.method == standard.output.blend.method &&
+         choice.output.blend.rounding == standard.output.blend.rounding &&
+         choice.output.blend.mask == standard.output.blend.mask &&
+         choice.facing == standard.facing && choice.without == standard.without &&
+         choice.locations.depth == standard.locations.depth && choice.alpha == standard.alpha;
+}
+
+Arrivals::Arrivals(const ValueContext& context)
+    : context_(context), facings_(context.primitives.size()) {}
+
+std::vector<Arrival> Arrivals::at(std::span<const Fragment> at_pixel, int sample,
+                                  const FateChoice& choice) const {
+  std::vector<Arrival> arrivals;
+  for (const Fragment& fragment : at_pixel) {
+    if (!covers_sample(context_, fragment, sample, choice.without)) continue;
+    Arrival arrival;
+    arrival.fragment = &fragment;
+    arrival.operations = &context_.primitive_of(fragment).state->operations;
+    const PixelTruth truth = truth_of_fragment(context_, fragment);
+    arrival.color = truth.exact;
+    arrival.permitted_color = truth.permitted;
+    if (context_.scene.target.depth != DepthFormat::none) set_depth(arrival, sample, choice);
+    if (arrival.operations->stencil) set_facing(arrival, choice);
+    if (is_thinned(context_, fragment)) set_kept(arrival, at_pixel, sample, choice);
+    arrivals.push_back(arrival);
+  }
+  return arrivals;
+}
+
+// A sample of a multisampled draw has a depth of its own, that of the primitive at the sample.
+void Arrivals::set_depth(Arrival& arrival, int sample, const FateChoice& choice) const {
+  const Fragment& fragment = *arrival.fragment;
+  const ScenePrimitive& primitive = context_.primitive_of(fragment);
+  const Target& target = context_.scene.target;
+  const bool by_sample = target.samples > 1 &&
+                         (primitive.state->multisampling.enabled ||
+                          unsampled(primitive.kind, choice.without) == Unsampled::by_each_sample);
+  arrival.writes_depth = writes_depth(context_, fragment, sample, choice.without);
+  if (fragment.has_depth && !by_sample) {
+    arrival.told_depth = fragment.depth;
+    arrival.depth = fragment.depth;
+    arrival.permitted_depth =
+        std::isnan(fragment.depth) ? Interval::everything() : Interval(fragment.depth);
+    return;
+  }
+  const PrimitiveValues& values = context_.values_of(fragment);
+  const Point place =
+      place_in({fragment.x, fragment.y},
+               by_sample ? sample_depth_location(primitive.kind, context_.sample_position(sample),
+                                                 choice.locations)
+                         : centre_of_pixel());
+  arrival.depth = middle(depth_exact(values.chosen, place));
+  arrival.permitted_depth = depth_permitted_at(values, place);
+}
+
+void Arrivals::set_facing(Arrival& arrival, const FateChoice& choice) const {
+  const ScenePrimitive& primitive = context_.primitive_of(*arrival.fragment);
+  CoverageChoice coverage = context_.choices.of(primitive.kind);
+  coverage.facing = choice.facing;
+  arrival.front_facing = is_front_facing(primitive, context_.scene.target, coverage);
+  const FacingLatitude latitude = facing_of(*arrival.fragment);
+  arrival.may_face_otherwise =
+      arrival.front_facing ? latitude.may_face_back : latitude.may_face_front;
+}
+
+FacingLatitude Arrivals::facing_of(const Fragment& fragment) const {
+  std::optional<FacingLatitude>& facing = facings_[static_cast<std::size_t>(fragment.primitive)];
+  if (!facing)
+    facing =
+        permitted_facing(context_.primitive_of(fragment), context_.scene.viewport, context_.bits());
+  return *facing;
+}
+
+void Arrivals::set_kept(Arrival& arrival, std::span<const Fragment> at_pixel, int sample,
+                        const FateChoice& choice) const {
+  const std::uint32_t kept = kept_by_alpha(context_, *arrival.fragment, at_pixel, choice.alpha);
+  arrival.is_kept = (kept >> sample & 1) != 0;
+  const SampleCounts counts = written_samples(context_, *arrival.fragment);
+  arrival.may_be_kept = counts.most > 0;
+  arrival.may_be_dropped = counts.least < context_.scene.target.samples;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "diff/output/fate_compare.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "diff/output/fate_aggregates.h"
+#include "diff/output/fate_causes.h"
+#include "diff/output/fate_question.h"
+
+namespace edgecase {
+namespace {
+
+// What a renderer tells of one of its samples.
+StoredSample stored_at(const Rendering& rendered, PixelPosition pixel, int sample) {
+  const std::size_t index = rendered.sample_index(pixel.x, pixel.y, sample);
+  const std::vector<std::uint8_t>& colors =
+      rendered.samples > 1 ? rendered.sample_pixels : rendered.pixels;
+  StoredSample stored;
+  if (!colors.empty()) stored.color = colors.data() + 4 * index;
+  if (!rendered.depths.empty()) stored.depth = rendered.depths[index];
+  if (!rendered.stencils.empty()) stored.stencil = rendered.stencils[index];
+  if (!rendered.hits.empty()) stored.hits = rendered.hits[index];
+  return stored;
+}
+
+// Calls `visit` with the question of every sample, in the order of rows, columns and samples.
+template <class Visit>
+void for_each_sample(const ValueContext& context, const Arrivals& arrivals,
+                     const Rendering& rendered, const Visit& visit) {
+  // Fragments are sorted by row, column and primitive: walk them along with the pixels.
+  auto next = rendered.fragments.begin();
+  for (int y = 0; y < rendered.height; ++y) {
+    for (int x = 0; x < rendered.width; ++x) {
+      const auto first = next;
+      while (next != rendered.fragments.end() && next->x == x && next->y == y) ++next;
+      for (int sample = 0; sample < rendered.samples; ++sample)
+        visit(FateQuestion(context, arrivals, {first, next}, {x, y}, sample,
+                           stored_at(rendered, {x, y}, sample)));
+    }
+  }
+}
+
+class FateComparison {
+ public:
+  FateComparison(const ValueContext& context, const Rendering& rendered)
+      : context_(context),
+        rendered_(rendered),
+        arrivals_(context),
+        chosen_(fate_choice(context.choices)),
+        is_standard_(is_standard(chosen_)),
+        aggregates_(context.scene, chosen_),
+        causes_(context.scene, chosen_),
+        excused_causes_(context.scene, {}) {}
+
+  void run(Result& result) {
+    for_each_sample(context_, arrivals_, rendered_,
+                    [&](const FateQuestion& question) { compare(question); });
+    aggregates_.flush(result);
+    weigh_causes();
+    report(missed_, causes_.take(), chosen_, result);
+    report(excused_, excused_causes_.take(), {}, result);
+  }
+
+ private:
+  void compare(const FateQuestion& question) {
+    aggregates_.count(question.stored);
+    const FateState exact = question.exact(chosen_);
+    const bool agrees = is_exact(exact, question.stored);
+    if (agrees && (is_standard_ || context_.latitude == Latitude::none)) return;
+    const FateReason reason = reason_for(question);
+    if (reason != FateReason::none) {
+      if (!agrees) aggregates_.add(question, reason, exact);
+      return;
+    }
+    (agrees ? excused_ : missed_).push_back(question);
+    (agrees ? excused_causes_ : causes_).add(question);
+  }
+
+  // By samples that agree, so many of them.
+  void weigh_causes() {
+    constexpr std::size_t kMostWeighed = 4096;
+    if (!causes_.is_ambiguous()) return;
+    auto missed = missed_.begin();
+    std::size_t weighed = 0;
+    for_each_sample(context_, arrivals_, rendered_, [&](const FateQuestion& question) {
+      if (missed != missed_.end() && missed->pixel == question.pixel &&
+          missed->sample == question.sample) {
+        ++missed;
+      } else if (!question.fragments().empty() && weighed < kMostWeighed) {
+        ++weighed;
+        causes_.weigh(question);
+      }
+    });
+  }
+
+  // Those that agree with the policy, and break the specification, are held against the latter.
+  void report(const std::vector<FateQuestion>& questions, const std::vector<std::string>& causes,
+              const FateChoice& choice, Result& result) const {
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      Disagreement d = disagreement(questions[i], causes[i], choice);
+      d.policy_agrees = &questions == &excused_;
+      if (d.policy_agrees) d.explanation += ". The policy has it as the renderer does";
+      result.disagreements.push_back(std::move(d));
+    }
+  }
+
+  static Disagreement disagreement(const FateQuestion& question, const std::string& cause,
+                                   const FateChoice& choice) {
+    const std::string named = cause.substr(0, cause.find('='));
+    // What follows from an ignored switch is told with it, by the rule that it breaks.
+    const std::string rule =
+        named.empty() || named == "sample.enable" ? broken_rule(question) : named;
+    Disagreement d = value_disagreement(question.pixel, -1, rule, ruling_on_fate(rule));
+    d.sample = question.sample;
+    d.cause = cause;
+    d.explanation = explain_fate(question, choice);
+    set_values(question.exact(choice), question.stored, d);
+    return d;
+  }
+
+  // Of the first plane that differs.
+  static void set_values(const FateState& exact, const StoredSample& stored, Disagreement& d) {
+    if (!has_color(exact, stored)) {
+      d.exact.assign(exact.color.begin(), exact.color.end());
+      d.rendered.assign(stored.color, stored.color + 4);
+    } else if (stored.depth && *stored.depth != exact.depth) {
+      d.exact = {exact.depth};
+      d.rendered = {*stored.depth};
+    } else if (stored.stencil && *stored.stencil != exact.stencil) {
+      d.exact = {static_cast<double>(exact.stencil)};
+      d.rendered = {static_cast<double>(*stored.stencil)};
+    } else if (stored.hits) {
+      d.exact = {static_cast<double>(exact.hits)};
+      d.rendered = {static_cast<double>(*stored.hits)};
+    }
+  }
+
+  const ValueContext& context_;
+  const Rendering& rendered_;
+  const Arrivals arrivals_;
+  const FateChoice chosen_;
+  const bool is_standard_;
+  FateAggregates aggregates_;
+  FateCauses causes_;
+  FateCauses excused_causes_;
+  std::vector<FateQuestion> missed_;
+  std::vector<FateQuestion> excused_;
+};
+
+}  // namespace
+
+void compare_fates(const ValueContext& context, const Rendering& rendered, Result& result) {
+  FateComparison(context, rendered).run(result);
+}
+
+SamplePlanes fated_samples(const ValueContext& context, const Rendering& rendered, AlphaEnds ends) {
+  const std::size_t size = rendered.pixels.size() * static_cast<std::size_t>(rendered.samples);
+  SamplePlanes planes{std::vector<std::uint8_t>(size, 255), std::vector<std::uint8_t>(size),
+                      std::vector<std::uint8_t>(size)};
+  const Arrivals arrivals(context);
+  const FateChoice chosen = fate_choice(context.choices);
+  FateFreedom freedom = kAllPermitted;
+  if (ends == AlphaEnds::open) freedom.alpha = FateScope::any;
+  for_each_sample(context, arrivals, rendered, [&](const FateQuestion& question) {
+    std::vector<FateState> states = question.states({}, freedom);
+    const auto agrees_with_others = [&](const FateState& state) {
+      return agrees(state, question.stored, question.target().depth);
+    };
+    // What else is told narrows it down.
+    if (std::ranges::any_of(states, agrees_with_others))
+      std::erase_if(states, [&](const FateState& state) { return !agrees_with_others(state); });
+    const Rgba8 nearest = question.exact(chosen).color;
+    const std::size_t index =
+        4 * rendered.sample_index(question.pixel.x, question.pixel.y, question.sample);
+    for (std::size_t c = 0; c < 4; ++c) {
+      planes.nearest[index + c] = nearest[c];
+      for (const FateState& state : states) {
+        const auto [low, high] = state.permitted_color[c];
+        planes.low[index + c] =
+            static_cast<std::uint8_t>(std::min<int>(planes.low[index + c], low));
+        planes.high[index + c] =
+            static_cast<std::uint8_t>(std::max<int>(planes.high[index + c], high));
+      }
+    }
+  });
+  return planes;
+}
+
+}  // namespace edgecase

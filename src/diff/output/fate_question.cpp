@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "diff/output/fate_question.h"
+
+#include <algorithm>
+
+namespace edgecase {
+
+FateState FateQuestion::exact(const FateChoice& choice) const {
+  return Replay(target(), choice.output, {}).run(arrivals(choice)).front();
+}
+
+std::vector<FateState> FateQuestion::states(const FateChoice& choice, FateFreedom freedom) const {
+  return Replay(target(), choice.output, freedom).run(arrivals(choice));
+}
+
+bool FateQuestion::agrees(const FateChoice& choice, FateFreedom freedom, FatePlanes planes) const {
+  return any_agrees(states(choice, freedom), stored, target().depth, planes);
+}
+
+bool FateQuestion::yields(const FateChoice& choice) const {
+  FateFreedom freedom = kAllPermitted;
+  if (choice.alpha != FateChoice{}.alpha) freedom.alpha = FateScope::exact;
+  if (choice.facing != FacingMethod::as_set) freedom.facing = FateScope::exact;
+  return agrees(choice, freedom);
+}
+
+FateReason reason_for(const FateQuestion& question) {
+  const FateChoice lawful;
+  FateFreedom freedom;
+  if (question.agrees(lawful, freedom)) return FateReason::conversion;
+  freedom.depth_test = FateScope::permitted;
+  if (question.agrees(lawful, freedom)) return FateReason::depth_test;
+  freedom.facing = FateScope::permitted;
+  if (question.agrees(lawful, freedom)) return FateReason::facing;
+  freedom.alpha = FateScope::permitted;
+  return question.agrees(lawful, freedom) ? FateReason::alpha : FateReason::none;
+}
+
+namespace {
+
+// Which tests and stages have a say in what becomes of the arrivals.
+struct Stages {
+  bool depth_test = false;
+  bool stencil_test = false;
+  bool alpha = false;
+};
+
+Stages stages_of(std::span<const Arrival> arrivals, const Target& target) {
+  Stages stages;
+  for (const Arrival& arrival : arrivals) {
+    const FragmentOperations& operations = *arrival.operations;
+    if (target.depth != DepthFormat::none && operations.depth.function != CompareFunction::always)
+      stages.depth_test = true;
+    if (target.stencil != StencilFormat::none && operations.stencil) stages.stencil_test = true;
+    if (arrival.may_be_dropped || !arrival.is_kept) stages.alpha = true;
+  }
+  return stages;
+}
+
+// Do the same fragments in the opposite order, or two neighbours exchanged, make what is stored?
+bool agrees_in_another_order(const FateQuestion& question) {
+  const FateChoice lawful;
+  const Replay replay(question.target(), lawful.output, kAllPermitted);
+  std::vector<Arrival> arrivals = question.arrivals(lawful);
+  const auto agree = [&] {
+    return any_agrees(replay.run(arrivals), question.stored, question.target().depth);
+  };
+  for (std::size_t i = 0; i + 1 < arrivals.size(); ++i) {
+    std::swap(arrivals[i], arrivals[i + 1]);
+    if (agree()) return true;
+    std::swap(arrivals[i], arrivals[i + 1]);
+  }
+  std::ranges::reverse(arrivals);
+  return arrivals.size() > 2 && agree();
+}
+
+std::string broken_color_rule(const FateQuestion& question) {
+  FateChoice unmasked;
+  unmasked.output.blend.mask = ColorMaskMethod::ignored;
+  if (question.agrees(unmasked, kAllPermitted)) return "color.mask";
+  return question.exact({}).blended ? "blend.equation" : "framebuffer.unorm8";
+}
+
+// The rule of the stage that is open to doubt where no single plane is.
+std::string first_stage(const Stages& stages, const FateQuestion& question) {
+  if (stages.depth_test) return "depth.test";
+  if (stages.stencil_test) return "stencil.test";
+  if (stages.alpha) return "sample.alpha-to-coverage";
+  const bool hits_alone = question.agrees({}, kAllPermitted, {true, true, true, false});
+  return hits_alone ? "fragment.once" : broken_color_rule(question);
+}
+
+}  // namespace
+
+std::string broken_rule(const FateQuestion& question) {
+  const FateChoice lawful;
+  const Stages stages = stages_of(question.arrivals(lawful), question.target());
+  const auto agrees_with = [&](FateScope FateFreedom::*step) {
+    FateFreedom freedom = kAllPermitted;
+    freedom.*step = FateScope::any;
+    return question.agrees(lawful, freedom);
+  };
+  if (stages.depth_test && agrees_with(&FateFreedom::depth_test)) return "depth.test";
+  if (stages.stencil_test && agrees_with(&FateFreedom::stencil_test)) return "stencil.test";
+  if (stages.alpha && agrees_with(&FateFreedom::alpha)) return "sample.alpha-to-coverage";
+  if (agrees_in_another_order(question)) return "framebuffer.order";
+  const auto agrees_without = [&](bool FatePlanes::*plane) {
+    FatePlanes planes;
+    planes.*plane = false;
+    return question.agrees(lawful, kAllPermitted, planes);
+  };
+  if (agrees_without(&FatePlanes::color)) return broken_color_rule(question);
+  if (agrees_without(&FatePlanes::depth)) return "framebuffer.depth";
+  if (agrees_without(&FatePlanes::stencil)) return "stencil.test";
+  return first_stage(stages, question);
+}
+
+}  // namespace edgecase

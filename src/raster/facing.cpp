@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "raster/facing.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "raster/attributes.h"
+#include "rules/all_rules.h"
+
+namespace edgecase {
+namespace {
+
+using Corners = std::array<HomogeneousPoint, 3>;
+
+Corners snapped_corners(const ScenePrimitive& triangle, const Target& target,
+                        const CoverageChoice& choice) {
+  Corners corners;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = snapped_position(triangle, i, choice, target);
+  return corners;
+}
+
+// In square pixels, for people only.
+std::string area_of(const Corners& p) {
+  const double scale =
+      static_cast<double>(p[0].w) * static_cast<double>(p[1].w) * static_cast<double>(p[2].w);
+  return fmt::format("{:.6g}", static_cast<double>(cross(p[0], p[1], p[2])) / scale / 2);
+}
+
+std::string way_round(const Corners& corners) {
+  const Int128 area = cross(corners[0], corners[1], corners[2]);
+  if (area == 0) return "neither way round";
+  return area > 0 ? "counter-clockwise" : "clockwise";
+}
+
+std::string note_on(FacingMethod method) {
+  if (method == FacingMethod::as_set) return "";
+  const char* name = name_of(method);
+  return fmt::format("; as {} has it: {}", name,
+                     find_alternative(*find_rule("polygon.facing"), name)->meaning);
+}
+
+}  // namespace
+
+bool is_front_facing(const ScenePrimitive& primitive, const Target& target,
+                     const CoverageChoice& choice) {
+  if (primitive.kind != PrimitiveKind::triangle) return true;
+  return is_front_facing(primitive, snapped_corners(primitive, target, choice), choice.facing);
+}
+
+bool is_culled(const ScenePrimitive& primitive, const Target& target,
+               const CoverageChoice& choice) {
+  if (primitive.kind != PrimitiveKind::triangle || primitive.state->cull == CullMode::none)
+    return false;
+  return is_culled(primitive, snapped_corners(primitive, target, choice), choice.facing);
+}
+
+std::optional<Explanation> explain_culling(const ScenePrimitive& primitive, const Target& target,
+                                           const CoverageChoice& choice) {
+  if (!is_culled(primitive, target, choice)) return std::nullopt;
+  const Corners corners = snapped_corners(primitive, target, choice);
+  std::array<Point, 3> points;
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = nearest_point(corners[i]);
+  const Draw& draw = *primitive.state;
+  Explanation why;
+  why.text = fmt::format(
+      "the triangle {}, {}, {} is culled and makes no fragments: its vertices run {} in the window "
+      "(area {} square pixels), front faces are {}, so that it faces the {}, and cull is {}{}",
+      format_point(points[0]), format_point(points[1]), format_point(points[2]), way_round(corners),
+      area_of(corners), name_of(draw.front_face),
+      is_front_facing(primitive, corners, choice.facing) ? "front" : "back", name_of(draw.cull),
+      note_on(choice.facing));
+  why.figure.marks = {{MarkRole::edge, true, {}, ""}};
+  for (Point point : points) why.figure.marks[0].points.push_back(position_of(point));
+  return why;
+}
+
+}  // namespace edgecase

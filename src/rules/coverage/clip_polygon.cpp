@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "rules/coverage/clip_polygon.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "exact/rational.h"
+
+namespace edgecase {
+namespace {
+
+// A vertex (x/w, y/w, z/w), and the largest coordinates that it was computed of, over the same w.
+struct WideVertex {
+  Integer x, y, z, w;
+  Integer sources = 0;  // 0: a vertex of the triangle
+};
+using WidePolygon = std::vector<WideVertex>;
+
+Integer largest_of(const WideVertex& v) {
+  return std::max({Integer(abs(v.x)), Integer(abs(v.y)), Integer(abs(v.w)), v.sources});
+}
+
+// Between a, at a distance of `inside` >= 0 from a plane, and b, at `outside` < 0: the point at 0.
+WideVertex between(const WideVertex& a, const Integer& inside, const WideVertex& b,
+                   const Integer& outside) {
+  const Integer share = -outside;
+  const auto mixed = [&](const Integer& of_a, const Integer& of_b) {
+    return Integer(of_a * share + of_b * inside);
+  };
+  WideVertex cut{mixed(a.x, b.x), mixed(a.y, b.y), mixed(a.z, b.z), mixed(a.w, b.w)};
+  cut.sources = std::max(Integer(largest_of(a) * share), Integer(largest_of(b) * inside));
+  return cut;
+}
+
+// What is left of a polygon where `distance` is not negative.
+template <class Distance>
+WidePolygon cut_by(const WidePolygon& polygon, Distance distance) {
+  WidePolygon left;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const WideVertex& here = polygon[i];
+    const WideVertex& next = polygon[(i + 1) % polygon.size()];
+    const Integer at = distance(here);
+    const Integer then = distance(next);
+    if (at >= 0) left.push_back(here);
+    if (at > 0 && then < 0) left.push_back(between(here, at, next, then));
+    if (at < 0 && then > 0) left.push_back(between(next, then, here, at));
+  }
+  return left;
+}
+
+WidePolygon polygon_of(const UnclippedTriangle& triangle) {
+  WidePolygon polygon;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const HomogeneousPoint& p = triangle.positions[i];
+    polygon.push_back({p.x, p.y, triangle.z[i], p.w});
+  }
+  return polygon;
+}
+
+// above / below of two integers, below > 0, to the nearest multiple of 2^-16, a tie upwards; no
+// farther than 2^14 pixels.
+Fixed nearest(const Integer& above, const Integer& below) {
+  const Integer raw =
+      floor_of(Rational(Integer(2 * above * Fixed::kOne + below), Integer(2 * below)));
+  const std::int64_t limit = 2 * Fixed::kMaxCoordinate * Fixed::kOne;
+  return Fixed::from_raw(static_cast<std::int64_t>(std::clamp<Integer>(raw, -limit, limit)));
+}
+
+ClipPolygonVertex rounded(const WideVertex& v, std::int64_t parts) {
+  ClipPolygonVertex result{{nearest(v.x, v.w), nearest(v.y, v.w)}, v.sources != 0, {}};
+  // Two numbers are mixed and their quotient by w is taken: each may be off by its part.
+  if (result.made)
+    result.error = nearest(Integer(2 * v.sources), Integer(v.w * parts)) + Fixed::from_raw(1);
+  return result;
+}
+
+}  // namespace
+
+std::vector<ClipPolygonVertex> clip_polygon(const UnclippedTriangle& triangle,
+                                            const ClipPlanes& planes, std::int64_t parts) {
+  WidePolygon polygon = polygon_of(triangle);
+  if (planes.depth) {
+    polygon = cut_by(polygon, [](const WideVertex& v) { return Integer(v.w + v.z); });
+    polygon = cut_by(polygon, [](const WideVertex& v) { return Integer(v.w - v.z); });
+  } else {
+    polygon = cut_by(polygon, [](const WideVertex& v) { return v.w; });
+  }
+  polygon = cut_by(polygon, [&](const WideVertex& v) { return Integer(v.x - planes.left * v.w); });
+  polygon = cut_by(polygon, [&](const WideVertex& v) { return Integer(planes.right * v.w - v.x); });
+  polygon =
+      cut_by(polygon, [&](const WideVertex& v) { return Integer(v.y - planes.bottom * v.w); });
+  polygon = cut_by(polygon, [&](const WideVertex& v) { return Integer(planes.top * v.w - v.y); });
+  std::vector<ClipPolygonVertex> vertices;
+  for (const WideVertex& v : polygon)
+    // In the eye itself there is no direction: its neighbours stand for it.
+    if (v.w > 0) vertices.push_back(rounded(v, parts));
+  if (vertices.size() < 3) vertices.clear();
+  return vertices;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "rules/coverage/clip_volume.h"
+
+#include <algorithm>
+
+#include "exact/rational.h"
+#include "rules/alternative_table.h"
+#include "rules/coverage/homogeneous_triangle.h"
+
+namespace edgecase {
+namespace {
+
+constexpr TabledAlternative<ClipMethod> kMethods[] = {
+    {ClipMethod::homogeneous, "homogeneous", Openness::open,
+     "nothing is cut: each sample is held against the volume"},
+    {ClipMethod::polygon, "polygon", Openness::open,
+     "cut at all six planes to a polygon, whose new vertices are snapped as others are"},
+    {ClipMethod::guard_band, "guard-band", Openness::open,
+     "cut so at near and far, and at x and y only where a vertex lies beyond 8192 pixels"},
+    {ClipMethod::discarded, "discarded", Openness::illegal,
+     "a triangle that reaches out of the volume is dropped whole"},
+    {ClipMethod::depth_ignored, "depth-ignored", Openness::illegal,
+     "what lies nearer than near or farther than far is drawn too"}};
+constexpr auto kAllMethods = values_in(kMethods);
+
+bool all_in_front(const UnclippedTriangle& triangle) {
+  return std::ranges::all_of(triangle.positions, [](const HomogeneousPoint& p) { return p.w > 0; });
+}
+
+// Is there a vertex nearer than near or farther than far, or behind the eye?
+bool leaves_depth(const UnclippedTriangle& triangle) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int64_t w = triangle.positions[i].w;
+    if (w <= 0 || triangle.z[i] < -w || triangle.z[i] > w) return true;
+  }
+  return false;
+}
+
+// With e_i the determinant of the two other vertices and the sample, and e that of all three:
+// b_i = e_i / e, and the sample's own w is what -1 and 1 are measured by. An e_i is below 2^111 and
+// a z at most 2^33; e is below 2^127 and a sample's w at most 2^16.
+bool lies_between_near_and_far(const UnclippedTriangle& triangle, const HomogeneousPoint& sample) {
+  const auto& v = triangle.positions;
+  Int256 area = cross(v[0], v[1], v[2]);
+  Int256 depth = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    depth += Int256(cross(v[(i + 1) % 3], v[(i + 2) % 3], sample)) * triangle.z[i];
+  const Int256 limit = abs(area) * sample.w;
+  return abs(depth) <= limit;
+}
+
+HomogeneousPoint sample_of(PixelPosition pixel, Point within) {
+  if (within == centre_of_pixel()) return homogeneous_centre(pixel.x, pixel.y);
+  return homogeneous(place_in(pixel, within));
+}
+
+}  // namespace
+
+std::span<const ClipMethod> all_clip_methods() {
+  return kAllMethods;
+}
+
+const char* name_of(ClipMethod choice) {
+  return name_in(kMethods, choice);
+}
+
+bool parse_name(std::string_view name, ClipMethod& choice) {
+  return find_in(kMethods, name, choice);
+}
+
+bool clipped_triangle_covers(const UnclippedTriangle& triangle, const HomogeneousPoint& sample,
+                             const TieRule& ties, bool depth) {
+  if (!triangle_covers(triangle.positions, sample, ties)) return false;
+  return !depth || !leaves_depth(triangle) || lies_between_near_and_far(triangle, sample);
+}
+
+bool is_in_viewport(const HomogeneousPoint& sample, const Viewport& viewport) {
+  const auto between = [&](std::int64_t at, int low, int size) {
+    return at >= low * sample.w && at <= (std::int64_t{low} + size) * sample.w;
+  };
+  return between(sample.x, viewport.x, viewport.width) &&
+         between(sample.y, viewport.y, viewport.height);
+}
+
+std::vector<PixelPosition> clipped_triangle_pixels(const UnclippedTriangle& triangle,
+                                                   const Viewport& viewport,
+                                                   const PixelBounds& bounds, const TieRule& ties,
+                                                   Point within, bool depth) {
+  PixelBounds some{std::max(bounds.x_min, viewport.x), std::max(bounds.y_min, viewport.y),
+                   std::min(bounds.x_max, viewport.x + viewport.width - 1),
+                   std::min(bounds.y_max, viewport.y + viewport.height - 1)};
+  // Only what lies in front of the eye is where its quotients say.
+  if (all_in_front(triangle)) some = sample_bounds(nearest_triangle(triangle.positions), some);
+  std::vector<PixelPosition> pixels;
+  for (int y = some.y_min; y <= some.y_max; ++y)
+    for (int x = some.x_min; x <= some.x_max; ++x)
+      if (clipped_triangle_covers(triangle, sample_of({x, y}, within), ties, depth))
+        pixels.push_back({x, y});
+  return pixels;
+}
+
+Rule clip_volume_rule() {
+  return {
+      "clip.volume",
+      "Only what lies in the clip volume is drawn",
+      "13.7 (primitive clipping)",
+      "vertices that clipping makes are rounded and may be moved as others are (ruling 41)",
+      "homogeneous",
+      alternatives_in(kMethods),
+      {{41,
+        "A clipped triangle is a polygon: that part of the triangle for which -w <= z <= w, seen "
+        "through the viewport. Each of its vertices may be moved by less than the step of ruling 4 "
+        "and by what its computation may be off (ruling 15); of a vertex that clipping made, 1 "
+        "part "
+        "in 10^5 of the coordinates of the two vertices between which it lies, divided by its w. A "
+        "sample may be drawn if some such move puts it inside or on an edge, and left out if some "
+        "such move puts it outside or on an edge. Beyond the viewport's sides no sample is drawn. "
+        "What a fragment of it carries may be the value at any place within reach of such moves. A "
+        "point is drawn where its vertex lies in the volume, its border included, and not where it "
+        "lies outside, however large the point is."}}};
+}
+
+}  // namespace edgecase

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+//
+// Primitive clipping (GL 4.6 core, 13.7): of a primitive only what lies in the clip volume is
+// rasterized, -w <= x, y, z <= w.
+//
+// A triangle need not be cut for that. The sample s = (x, y, 1) is the sum of b_i v_i over the
+// vertices v_i = (x_i, y_i, w_i) of the window; it is covered where all b_i are positive, whatever
+// the signs of the w_i (Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous
+// Coordinates", 1997), and it lies between the near and the far plane where the sum of b_i z_i lies
+// between -1 and 1. The other four planes are the viewport's sides. No vertex is made, so that
+// nothing is rounded.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "exact/homogeneous.h"
+#include "exact/pixel.h"
+#include "model/scene.h"
+#include "rules/coverage/tie_rule.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+Rule clip_volume_rule();  // clip.volume
+
+enum class ClipMethod {
+  homogeneous,    // sample by sample, as above
+  polygon,        // by polygons, cut at all six planes; new vertices are snapped as others are
+  guard_band,     // the same, cut at near and far, and at x and y only 8192 pixels away
+  discarded,      // what reaches out of the volume is dropped whole
+  depth_ignored,  // near and far do not cut, but w = 0 does
+};
+std::span<const ClipMethod> all_clip_methods();
+const char* name_of(ClipMethod choice);
+bool parse_name(std::string_view name, ClipMethod& choice);
+
+// A triangle some vertices of which lie outside the volume: positions with a w of either sign, and
+// z over the same w.
+struct UnclippedTriangle {
+  std::array<HomogeneousPoint, 3> positions{};
+  std::array<std::int64_t, 3> z{};
+};
+
+// Does the triangle cover a sample of the clip volume? Its coordinates are at most 2^30 and its w
+// 2^16. `depth`: near and far cut.
+bool clipped_triangle_covers(const UnclippedTriangle& triangle, const HomogeneousPoint& sample,
+                             const TieRule& ties, bool depth = true);
+
+// Does a sample lie in the viewport, its sides included?
+bool is_in_viewport(const HomogeneousPoint& sample, const Viewport& viewport);
+
+// The pixels within `bounds` whose sample, at `within` of the pixel, is covered, each once.
+std::vector<PixelPosition> clipped_triangle_pixels(const UnclippedTriangle& triangle,
+                                                   const Viewport& viewport,
+                                                   const PixelBounds& bounds, const TieRule& ties,
+                                                   Point within, bool depth = true);
+
+}  // namespace edgecase

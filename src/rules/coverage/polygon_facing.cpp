@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "rules/coverage/polygon_facing.h"
+
+#include "rules/alternative_table.h"
+
+namespace edgecase {
+namespace {
+
+constexpr TabledAlternative<FacingMethod> kMethods[] = {
+    {FacingMethod::as_set, "as-set", Openness::mandated,
+     "a polygon whose vertices run in the window as the draw says faces the front"},
+    {FacingMethod::reversed, "reversed", Openness::illegal,
+     "y is taken to run downwards, so that front and back change places"},
+    {FacingMethod::always_ccw, "always-ccw", Openness::illegal,
+     "what runs counter-clockwise faces the front, whatever the draw says"},
+    {FacingMethod::not_culled, "not-culled", Openness::illegal, "no polygon is dropped"}};
+constexpr auto kAllMethods = values_in(kMethods);
+
+int sign_of_area(const std::array<HomogeneousPoint, 3>& positions) {
+  return sign(cross(positions[0], positions[1], positions[2]));
+}
+
+}  // namespace
+
+std::span<const FacingMethod> all_facing_methods() {
+  return kAllMethods;
+}
+
+const char* name_of(FacingMethod choice) {
+  return name_in(kMethods, choice);
+}
+
+bool parse_name(std::string_view name, FacingMethod& choice) {
+  return find_in(kMethods, name, choice);
+}
+
+bool is_counter_clockwise(const std::array<HomogeneousPoint, 3>& positions) {
+  return sign_of_area(positions) > 0;
+}
+
+// What has no area faces the back either way round.
+bool is_front_facing(const ScenePrimitive& primitive,
+                     const std::array<HomogeneousPoint, 3>& positions, FacingMethod method) {
+  if (primitive.kind != PrimitiveKind::triangle) return true;
+  const bool is_clockwise_front =
+      primitive.state->front_face == FrontFace::cw && method != FacingMethod::always_ccw;
+  const int area = sign_of_area(positions) * (method == FacingMethod::reversed ? -1 : 1);
+  return is_clockwise_front ? area < 0 : area > 0;
+}
+
+bool is_culled(const ScenePrimitive& primitive, const std::array<HomogeneousPoint, 3>& positions,
+               FacingMethod method) {
+  if (primitive.kind != PrimitiveKind::triangle || method == FacingMethod::not_culled) return false;
+  switch (primitive.state->cull) {
+    case CullMode::none:
+      return false;
+    case CullMode::front:
+      return is_front_facing(primitive, positions, method);
+    case CullMode::back:
+      return !is_front_facing(primitive, positions, method);
+    case CullMode::front_and_back:
+      return true;
+  }
+  return false;
+}
+
+Rule polygon_facing_rule() {
+  return {"polygon.facing",
+          "A polygon faces the front if its vertices run in the window as the draw says",
+          "14.6.1 (basic polygon rasterization)",
+          "that of the vertices' positions (ruling 40)",
+          "as-set",
+          alternatives_in(kMethods),
+          {{40,
+            "Facing: by the sign of the area that the vertices have in the window, y up, in the "
+            "order of assembly (14.6.1); a polygon of no area faces the back. Where some moves of "
+            "the vertices that ruling 4 allows make the area positive and others make it negative "
+            "or 0, the polygon may face either way: it may be culled or not, and the stencil state "
+            "of either face may hold for it, the same for all of its fragments."}}};
+}
+
+}  // namespace edgecase

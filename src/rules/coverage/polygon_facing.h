@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Which way a triangle faces (GL 4.6 core, 14.6.1): by the sign of its area in the window. The
+// front face is the one whose vertices run as the draw says; culling drops triangles by it, and the
+// stencil test has a state for each.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "exact/homogeneous.h"
+#include "model/scene.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+Rule polygon_facing_rule();  // polygon.facing
+
+enum class FacingMethod {
+  as_set,
+  reversed,    // y is taken to run downwards
+  always_ccw,  // the draw's front face is not heeded
+  not_culled,  // nothing is dropped
+};
+std::span<const FacingMethod> all_facing_methods();
+const char* name_of(FacingMethod choice);
+bool parse_name(std::string_view name, FacingMethod& choice);
+
+// Is the area by the vertices' order in the window, y up, positive? Of no area: no.
+bool is_counter_clockwise(const std::array<HomogeneousPoint, 3>& positions);
+
+// Points and lines face the front.
+bool is_front_facing(const ScenePrimitive& primitive,
+                     const std::array<HomogeneousPoint, 3>& positions, FacingMethod method);
+
+// Is the primitive dropped before it is rasterized? `positions`: of its vertices, snapped.
+bool is_culled(const ScenePrimitive& primitive, const std::array<HomogeneousPoint, 3>& positions,
+               FacingMethod method);
+
+}  // namespace edgecase

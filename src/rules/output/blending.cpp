@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "rules/output/blending.h"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <utility>
+
+#include "model/rendering.h"
+#include "rules/alternative_table.h"
+#include "rules/output/blend_formula.h"
+#include "rules/output/exact_blend.h"
+
+namespace edgecase {
+namespace {
+
+constexpr TabledAlternative<BlendMethod> kMethods[] = {
+    {BlendMethod::as_set, "as-set", Openness::mandated,
+     "equation and factors of the draw, those of colour for red, green and blue"},
+    {BlendMethod::ignored, "ignored", Openness::illegal, "the source replaces the destination"},
+    {BlendMethod::color_for_alpha, "color-for-alpha", Openness::illegal,
+     "alpha is blended by the equation and the factors of colour"},
+    {BlendMethod::swapped, "swapped", Openness::illegal,
+     "the factors of source and destination are taken for each other"}};
+constexpr auto kAllMethods = values_in(kMethods);
+
+constexpr TabledAlternative<BlendRounding> kRoundings[] = {
+    {BlendRounding::once, "once", Openness::open,
+     "the exact result, to the nearest value, a tie to the even one"},
+    {BlendRounding::source_first, "source-first", Openness::open,
+     "source colour and constant are rounded to 8 bits first, the result again"},
+    {BlendRounding::every_product, "every-product", Openness::open,
+     "source colour, constant, factors and both products are rounded to 8 bits"}};
+constexpr auto kAllRoundings = values_in(kRoundings);
+
+constexpr TabledAlternative<ColorMaskMethod> kMasks[] = {
+    {ColorMaskMethod::as_set, "as-set", Openness::mandated,
+     "components that the draw masks keep what is stored"},
+    {ColorMaskMethod::ignored, "ignored", Openness::illegal, "all components are written"}};
+
+constexpr int kLargest = 255;
+
+// A result in 1/255^2, to the nearest code; there are no ties, since 255 is odd.
+int code_of_square(int value) {
+  return (2 * std::clamp(value, 0, kLargest * kLargest) + kLargest) / (2 * kLargest);
+}
+
+// A multiple of 1/255 whose products are rounded to the nearest one.
+struct RoundedCode {
+  int value = 0;
+  friend auto operator<=>(RoundedCode, RoundedCode) = default;
+  friend RoundedCode operator+(RoundedCode a, RoundedCode b) { return {a.value + b.value}; }
+  friend RoundedCode operator-(RoundedCode a, RoundedCode b) { return {a.value - b.value}; }
+  friend RoundedCode operator*(RoundedCode a, RoundedCode b) {
+    return {code_of_square(a.value * b.value)};
+  }
+};
+
+// A range of multiples of 1/255 in which everything is rounded outwards; factors of a product are
+// not negative.
+struct CodeRange {
+  int low = 0;
+  int high = 0;
+  friend CodeRange operator+(CodeRange a, CodeRange b) { return {a.low + b.low, a.high + b.high}; }
+  friend CodeRange operator-(CodeRange a, CodeRange b) { return {a.low - b.high, a.high - b.low}; }
+  friend CodeRange operator*(CodeRange a, CodeRange b) {
+    return {a.low * b.low / kLargest, (a.high * b.high + kLargest - 1) / kLargest};
+  }
+};
+
+// The whole number at or below 255 times a number, without the product's rounding.
+int code_below(double value) {
+  const double scaled = std::clamp(value, 0.0, 1.0) * kLargest;
+  const double below = std::floor(scaled);
+  const bool is_rounded_up =
+      below == scaled && std::fma(std::clamp(value, 0.0, 1.0), double{kLargest}, -scaled) < 0;
+  return static_cast<int>(below) - (is_rounded_up ? 1 : 0);
+}
+
+int code_above(double value) {
+  const double scaled = std::clamp(value, 0.0, 1.0) * kLargest;
+  const double above = std::ceil(scaled);
+  const bool is_rounded_down =
+      above == scaled && std::fma(std::clamp(value, 0.0, 1.0), double{kLargest}, -scaled) > 0;
+  return static_cast<int>(above) + (is_rounded_down ? 1 : 0);
+}
+
+CodeRange codes_around(Interval value) {
+  return {code_below(value.low), code_above(value.high)};
+}
+
+// The code nearest to an operand.
+std::uint8_t nearest_operand(const std::array<double, 4>& source, std::size_t component) {
+  return exactly_blended({}, source, {}, {}, component);
+}
+
+BlendTerm term_of(const Blending& blending, std::size_t component, BlendMethod method) {
+  const bool is_alpha = component == kAlpha && method != BlendMethod::color_for_alpha;
+  BlendTerm term = is_alpha ? blending.alpha : blending.color;
+  if (method == BlendMethod::swapped) std::swap(term.source, term.destination);
+  return term;
+}
+
+// All rounded to the nearest code first.
+template <class Number>
+BlendOperands<Number> rounded_operands(const std::array<double, 4>& source,
+                                       const Rgba8& destination,
+                                       const std::array<float, 4>& constant) {
+  const std::array<double, 4> exact_constant{constant[0], constant[1], constant[2], constant[3]};
+  BlendOperands<Number> result{{}, {}, {}, Number{kLargest}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    result.source[i] = Number{nearest_operand(source, i)};
+    result.destination[i] = Number{destination[i]};
+    result.constant[i] = Number{nearest_operand(exact_constant, i)};
+  }
+  return result;
+}
+
+std::uint8_t blended_code(const Blending& blending, const std::array<double, 4>& source,
+                          const Rgba8& destination, std::size_t component,
+                          const BlendChoice& choice) {
+  const BlendTerm term = term_of(blending, component, choice.method);
+  switch (choice.rounding) {
+    case BlendRounding::once:
+      return exactly_blended(term, source, destination, blending.constant, component);
+    case BlendRounding::source_first:
+      return static_cast<std::uint8_t>(code_of_square(
+          blended(term, rounded_operands<int>(source, destination, blending.constant), component)));
+    case BlendRounding::every_product: {
+      const auto operands = rounded_operands<RoundedCode>(source, destination, blending.constant);
+      return static_cast<std::uint8_t>(
+          std::clamp(blended(term, operands, component).value, 0, kLargest));
+    }
+  }
+  return destination[component];
+}
+
+}  // namespace
+
+std::span<const BlendMethod> all_blend_methods() {
+  return kAllMethods;
+}
+
+std::span<const BlendRounding> all_blend_roundings() {
+  return kAllRoundings;
+}
+
+const char* name_of(BlendMethod choice) {
+  return name_in(kMethods, choice);
+}
+
+const char* name_of(BlendRounding choice) {
+  return name_in(kRoundings, choice);
+}
+
+const char* name_of(ColorMaskMethod choice) {
+  return name_in(kMasks, choice);
+}
+
+bool parse_name(std::string_view name, BlendMethod& choice) {
+  return find_in(kMethods, name, choice);
+}
+
+bool parse_name(std::string_view name, BlendRounding& choice) {
+  return find_in(kRoundings, name, choice);
+}
+
+bool parse_name(std::string_view name, ColorMaskMethod& choice) {
+  return find_in(kMasks, name, choice);
+}
+
+Rgba8 written_color(const FragmentOperations& operations, const std::array<double, 4>& source,
+                    const Rgba8& destination, const BlendChoice& choice) {
+  std::array<double, 4> numbers;
+  for (std::size_t i = 0; i < 4; ++i) numbers[i] = std::isnan(source[i]) ? 0 : source[i];
+  const bool blends = operations.blending && choice.method != BlendMethod::ignored;
+  Rgba8 result = destination;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!operations.color_mask[i] && choice.mask == ColorMaskMethod::as_set) continue;
+    result[i] = blends ? blended_code(*operations.blending, numbers, destination, i, choice)
+                       : to_unorm8(numbers[i]);
+  }
+  return result;
+}
+
+Rgba8Range permitted_color(const FragmentOperations& operations,
+                           const std::array<Interval, 4>& source, const Rgba8Range& destination) {
+  BlendOperands<CodeRange> operands{{}, {}, {}, {kLargest, kLargest}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    operands.source[i] = codes_around(source[i]);
+    operands.destination[i] = {destination[i].low, destination[i].high};
+    if (operations.blending)
+      operands.constant[i] = codes_around(static_cast<double>(operations.blending->constant[i]));
+  }
+  Rgba8Range result = destination;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!operations.color_mask[i]) continue;
+    if (!operations.blending) {
+      result[i] = unorm8_permitted(source[i]);
+      continue;
+    }
+    const BlendTerm term = term_of(*operations.blending, i, BlendMethod::as_set);
+    const CodeRange range = blended(term, operands, i);
+    result[i] = {std::clamp(range.low, 0, kLargest), std::clamp(range.high, 0, kLargest)};
+  }
+  return result;
+}
+
+Rule blend_equation_rule() {
+  return {"blend.equation",
+          "A fragment's colour is blended with the stored one by the draw's equation and factors",
+          "17.3.6 (blending), tables 17.1 and 17.2",
+          "none but rounding (blend.rounding)",
+          "as-set",
+          alternatives_in(kMethods),
+          {}};
+}
+
+Rule blend_rounding_rule() {
+  return {"blend.rounding",
+          "A blended colour is stored as the value nearest to the equation's",
+          "17.3.6.1 (blend equation), with 2.3.5.2 (conversion to normalized fixed-point)",
+          "the precision of 8 bits for each number on the way (ruling 37)",
+          "once",
+          alternatives_in(kRoundings),
+          {{37,
+            "Blending on an 8-bit target: what is blended is the colour that the renderer tells of "
+            "the fragment and what it has stored before, clamped to 0 to 1. It is computed with a "
+            "precision no lower than that of the destination's components (17.3.6.1), which we "
+            "read so: source, constant, both factors, both products and their sum may each, or may "
+            "not, be rounded to either neighbouring multiple of 1/255, and the result, clamped to "
+            "0 to 1, is stored as either neighbour. The products by 0 and by 1 and the stored "
+            "colour's own value have no error. Components that are masked keep what is stored, to "
+            "the bit."}}};
+}
+
+Rule color_mask_rule() {
+  return {"color.mask",
+          "Components that are masked are not written",
+          "17.4.2 (fine control of buffer updates)",
+          "none",
+          "as-set",
+          alternatives_in(kMasks),
+          {}};
+}
+
+}  // namespace edgecase

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+//
+// Blending (GL 4.6 core, 17.3.6): what a fragment's colour and the stored one make together, and
+// which components of it are written (17.4.2).
+//
+// The target holds 8-bit values, so that source colour, constant and factors are clamped to 0 to 1
+// first, and so is the result.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "exact/interval.h"
+#include "model/fragment_operations.h"
+#include "rules/rule.h"
+#include "rules/values/framebuffer.h"
+
+namespace edgecase {
+
+Rule blend_equation_rule();  // blend.equation
+Rule blend_rounding_rule();  // blend.rounding
+Rule color_mask_rule();      // color.mask
+
+enum class BlendMethod {
+  as_set,
+  ignored,          // the source replaces the destination
+  color_for_alpha,  // alpha is blended by the colour's term
+  swapped,          // source and destination factors are taken for each other
+};
+std::span<const BlendMethod> all_blend_methods();
+const char* name_of(BlendMethod choice);
+bool parse_name(std::string_view name, BlendMethod& choice);
+
+// Where a result is rounded on its way to 8 bits. Further ones as renderers are found to have them.
+enum class BlendRounding {
+  once,           // the exact result, to nearest, a tie to the even value
+  source_first,   // source colour and constant too, before the equation
+  every_product,  // these, and both products
+};
+std::span<const BlendRounding> all_blend_roundings();
+const char* name_of(BlendRounding choice);
+bool parse_name(std::string_view name, BlendRounding& choice);
+
+enum class ColorMaskMethod { as_set, ignored };
+const char* name_of(ColorMaskMethod choice);
+bool parse_name(std::string_view name, ColorMaskMethod& choice);
+
+struct BlendChoice {
+  BlendMethod method = BlendMethod::as_set;
+  BlendRounding rounding = BlendRounding::once;
+  ColorMaskMethod mask = ColorMaskMethod::as_set;
+};
+
+// Red, green, blue, alpha as a target stores them.
+using Rgba8 = std::array<std::uint8_t, 4>;
+using Rgba8Range = std::array<Unorm8Range, 4>;
+
+// What is stored after a fragment that has passed all tests. `source`: its colour, any number, NaN
+// counts as 0. Where it is blended the double is taken for the exact number; where not, it is stored
+// as to_unorm8 has it.
+Rgba8 written_color(const FragmentOperations& operations, const std::array<double, 4>& source,
+                    const Rgba8& destination, const BlendChoice& choice);
+
+// What the specification permits, component by component: blending is computed with a precision
+// that is no lower than that of the destination's components (17.3.6.1), so that source, constant,
+// factors, products and sum may each be rounded to either neighbouring multiple of 1/255.
+Rgba8Range permitted_color(const FragmentOperations& operations,
+                           const std::array<Interval, 4>& source, const Rgba8Range& destination);
+
+}  // namespace edgecase

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "rules/output/depth_test.h"
+
+#include "rules/alternative_table.h"
+#include "rules/values/depth_buffer.h"
+
+namespace edgecase {
+namespace {
+
+constexpr TabledAlternative<DepthTestMethod> kMethods[] = {
+    {DepthTestMethod::as_set, "as-set", Openness::mandated,
+     "the fragment's depth, as the buffer would store it, is compared with the stored one"},
+    {DepthTestMethod::unconverted, "unconverted", Openness::illegal,
+     "the fragment's depth is compared before it is converted: of what was stored by the same "
+     "depth, the equal test may fail"},
+    {DepthTestMethod::ties_pass, "ties-pass", Openness::illegal,
+     "less and greater let equal depths pass"},
+    {DepthTestMethod::ties_fail, "ties-fail", Openness::illegal,
+     "lequal and gequal do not let equal depths pass"},
+    {DepthTestMethod::ignored, "ignored", Openness::illegal, "every fragment passes"}};
+constexpr auto kAllMethods = values_in(kMethods);
+
+CompareFunction function_by(CompareFunction function, DepthTestMethod method) {
+  const bool ties_pass = method == DepthTestMethod::ties_pass;
+  const bool ties_fail = method == DepthTestMethod::ties_fail;
+  if (function == CompareFunction::less && ties_pass) return CompareFunction::lequal;
+  if (function == CompareFunction::greater && ties_pass) return CompareFunction::gequal;
+  if (function == CompareFunction::lequal && ties_fail) return CompareFunction::less;
+  if (function == CompareFunction::gequal && ties_fail) return CompareFunction::greater;
+  return function;
+}
+
+}  // namespace
+
+std::span<const DepthTestMethod> all_depth_test_methods() {
+  return kAllMethods;
+}
+
+const char* name_of(DepthTestMethod choice) {
+  return name_in(kMethods, choice);
+}
+
+bool parse_name(std::string_view name, DepthTestMethod& choice) {
+  return find_in(kMethods, name, choice);
+}
+
+bool passes_depth_test(const DepthTest& test, double depth, double stored, DepthFormat format,
+                       DepthTestMethod method) {
+  if (format == DepthFormat::none || method == DepthTestMethod::ignored) return true;
+  const double compared = method == DepthTestMethod::unconverted ? depth : to_depth(depth, format);
+  return holds(function_by(test.function, method), compared < stored, compared == stored);
+}
+
+// Both ends of a range are values of the format, so that where two ranges overlap they have one in
+// common: the larger of the lower ends.
+TestOutcomes permitted_outcomes(CompareFunction function, Interval depth, Interval stored,
+                                bool same) {
+  const bool may_be_less = !same && depth.low < stored.high;
+  const bool may_be_equal = same || (depth.low <= stored.high && stored.low <= depth.high);
+  const bool may_be_greater = !same && depth.high > stored.low;
+  TestOutcomes outcomes;
+  const auto add = [&](bool less, bool equal) {
+    (holds(function, less, equal) ? outcomes.may_pass : outcomes.may_fail) = true;
+  };
+  if (may_be_less) add(true, false);
+  if (may_be_equal) add(false, true);
+  if (may_be_greater) add(false, false);
+  return outcomes;
+}
+
+Rule depth_test_rule() {
+  return {
+      "depth.test",
+      "A fragment passes if its depth compares with the stored one as the draw has it",
+      "17.3.4 (depth buffer test), with 13.8.1 (controlling the viewport)",
+      "none in the comparison; either where the latitude of the depths leaves it open (ruling 39)",
+      "as-set",
+      alternatives_in(kMethods),
+      {{39,
+        "Depth tests: a fragment's depth is converted to the buffer's format and then compared "
+        "with the stored value (13.8.1; 17.3.4). We hold the depths that the renderer itself tells "
+        "against each other, each as either value that ruling 18 permits for it, for the fragment "
+        "as for the one whose depth is stored. Where these differ in order from one permitted pair "
+        "to another, the fragment may pass or fail, and all that follows of it must agree: a "
+        "fragment that passes is blended, counted and stored, one that fails is none of these. "
+        "Depths that the renderer tells as one and the same number are converted to one and the "
+        "same value, and compare as equal. Where the renderer tells no depth, any is taken that "
+        "rulings 9 and 38 permit."}}};
+}
+
+}  // namespace edgecase

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// The depth test (GL 4.6 core, 17.3.4): a fragment whose depth does not compare as the draw has it
+// with the stored one goes no further.
+//
+// What is compared are values of the depth buffer's format: a fragment's depth is converted first
+// (13.8.1, rules/values/depth_buffer.h).
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "exact/interval.h"
+#include "model/scene.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+Rule depth_test_rule();  // depth.test
+
+enum class DepthTestMethod {
+  as_set,
+  unconverted,  // the fragment's depth is compared before it is converted
+  ties_pass,    // less and greater let equal depths pass
+  ties_fail,    // lequal and gequal do not
+  ignored,      // every fragment passes
+};
+std::span<const DepthTestMethod> all_depth_test_methods();
+const char* name_of(DepthTestMethod choice);
+bool parse_name(std::string_view name, DepthTestMethod& choice);
+
+// Does a fragment pass? `depth`: 0 to 1, before conversion; `stored`: a value of the format. Where
+// the target has no depth buffer it does.
+bool passes_depth_test(const DepthTest& test, double depth, double stored, DepthFormat format,
+                       DepthTestMethod method);
+
+// What may come of a test. Never neither.
+struct TestOutcomes {
+  bool may_pass = false;
+  bool may_fail = false;
+};
+
+// Of depths that are known as ranges of the format's values, both ends among them. `same`: they are
+// known to be one and the same number, whichever of the range that is.
+TestOutcomes permitted_outcomes(CompareFunction function, Interval depth, Interval stored,
+                                bool same);
+
+}  // namespace edgecase

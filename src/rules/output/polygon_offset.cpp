@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include "rules/output/polygon_offset.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "rules/alternative_table.h"
+#include "rules/values/depth_buffer.h"
+
+namespace edgecase {
+namespace {
+
+constexpr TabledAlternative<OffsetSlope> kSlopes[] = {
+    {OffsetSlope::length, "length", Openness::open,
+     "the length of the gradient, sqrt((dz/dx)^2 + (dz/dy)^2)"},
+    {OffsetSlope::largest_partial, "largest-partial", Openness::open,
+     "the larger one of |dz/dx| and |dz/dy|"},
+    {OffsetSlope::ignored, "ignored", Openness::illegal, "0: the factor does nothing"}};
+constexpr auto kAllSlopes = values_in(kSlopes);
+
+constexpr TabledAlternative<OffsetUnit> kUnits[] = {
+    {OffsetUnit::step, "step", Openness::open,
+     "1/(2^n - 1), the difference of neighbouring values of n bits"},
+    {OffsetUnit::power, "power", Openness::open, "2^-n"},
+    {OffsetUnit::two_steps, "two-steps", Openness::open, "2^-(n-1)"},
+    {OffsetUnit::four_steps, "four-steps", Openness::illegal,
+     "2^-(n-2): of 24 bits within ruling 38, of 16 bits beyond it"},
+    {OffsetUnit::of_24_bits, "of-24-bits", Openness::illegal,
+     "2^-24 whatever n is, which a buffer of 16 bits does not keep apart"},
+    {OffsetUnit::ignored, "ignored", Openness::illegal, "0: the units do nothing"}};
+constexpr auto kAllUnits = values_in(kUnits);
+
+constexpr TabledAlternative<OffsetExponent> kExponents[] = {
+    {OffsetExponent::largest_depth, "largest-depth", Openness::mandated,
+     "2^(e - 23), with e the exponent of the largest depth among the vertices"},
+    {OffsetExponent::doubled, "doubled", Openness::illegal, "2^(e - 22)"},
+    {OffsetExponent::one, "one", Openness::illegal, "2^-23, whatever the depths are"},
+    {OffsetExponent::as_fixed, "as-fixed", Openness::illegal,
+     "what a fixed-point buffer of 24 bits has"}};
+constexpr auto kAllExponents = values_in(kExponents);
+
+// The floating-point clause: relative error that one operation may have.
+constexpr double kOperationError = 1e-5;
+
+struct Gradient {
+  Interval x;
+  Interval y;
+};
+
+Interval absolute(Interval value) {
+  if (value.low >= 0) return value;
+  if (value.high <= 0) return {-value.high, -value.low};
+  return {0, value.magnitude()};
+}
+
+Interval square_root(Interval value) {
+  const double low = std::sqrt(std::max(value.low, 0.0));
+  const Interval root = outward(low, std::sqrt(std::max(value.high, 0.0)));
+  return {std::max(root.low, 0.0), root.high};
+}
+
+// Each operation may err by a relative amount.
+Interval length_of(const Gradient& gradient, double relative) {
+  const Interval x = absolute(gradient.x);
+  const Interval y = absolute(gradient.y);
+  const Interval squared = widened(widened(x * x, relative) + widened(y * y, relative), relative);
+  return widened(square_root(squared), relative);
+}
+
+Interval largest_of(const Gradient& gradient) {
+  const Interval x = absolute(gradient.x);
+  const Interval y = absolute(gradient.y);
+  return {std::max(x.low, y.low), std::max(x.high, y.high)};
+}
+
+// 0 times a slope that nothing is known of is 0.
+Interval product_of(float share, Interval value) {
+  return share == 0 ? Interval(0) : Interval(static_cast<double>(share)) * value;
+}
+
+Interval clamped(Interval offset, float clamp) {
+  const auto limit = static_cast<double>(clamp);
+  if (clamp > 0) return {std::min(offset.low, limit), std::min(offset.high, limit)};
+  if (clamp < 0) return {std::max(offset.low, limit), std::max(offset.high, limit)};
+  return offset;
+}
+
+// 2^(e - 23), e the exponent of a depth as a float32 number; those below 2^-126 have that of it.
+double float_unit(double depth) {
+  const auto stored = static_cast<double>(static_cast<float>(depth));
+  const int exponent = stored < 0x1p-126 ? -126 : std::ilogb(stored);
+  return std::ldexp(1.0, exponent - 23);
+}
+
+// Of depths that may be off by a relative amount.
+Interval float_unit_of(const Interpolant& depth, double relative) {
+  Interval largest = depth.values[0];
+  for (const Interval value : depth.values)
+    largest = {std::max(largest.low, value.low), std::max(largest.high, value.high)};
+  largest = relative == 0 ? largest : widened(largest, relative);
+  return {float_unit(std::clamp(largest.low, 0.0, 1.0)),
+          float_unit(std::clamp(largest.high, 0.0, 1.0))};
+}
+
+// 1/(2^bits - 1).
+Interval step_of(int bits) {
+  return Interval(1) / (std::ldexp(1.0, bits) - 1);
+}
+
+// A power of two is doubled without rounding.
+Interval doubled(Interval unit) {
+  return {2 * unit.low, 2 * unit.high};
+}
+
+Interval fixed_unit(int bits, OffsetUnit choice) {
+  switch (choice) {
+    case OffsetUnit::step:
+      return step_of(bits);
+    case OffsetUnit::power:
+      return std::ldexp(1.0, -bits);
+    case OffsetUnit::two_steps:
+      return std::ldexp(1.0, 1 - bits);
+    case OffsetUnit::four_steps:
+      return std::ldexp(1.0, 2 - bits);
+    case OffsetUnit::of_24_bits:
+      return 0x1p-24;
+    case OffsetUnit::ignored:
+      return 0;
+  }
+  return 0;
+}
+
+Interval unit_of(const Interpolant& depth, DepthFormat format, const OffsetChoice& choice) {
+  if (format == DepthFormat::none) return 0;
+  if (const int bits = bits_of(format); bits > 0) return fixed_unit(bits, choice.unit);
+  switch (choice.exponent) {
+    case OffsetExponent::largest_depth:
+      return float_unit_of(depth, 0);
+    case OffsetExponent::doubled:
+      return doubled(float_unit_of(depth, 0));
+    case OffsetExponent::one:
+      return 0x1p-23;
+    case OffsetExponent::as_fixed:
+      return fixed_unit(24, choice.unit);
+  }
+  return 0;
+}
+
+Interval slope_of(const Gradient& gradient, OffsetSlope choice) {
+  switch (choice) {
+    case OffsetSlope::length:
+      return length_of(gradient, 0);
+    case OffsetSlope::largest_partial:
+      return largest_of(gradient);
+    case OffsetSlope::ignored:
+      return 0;
+  }
+  return 0;
+}
+
+// From one step, or 2^-bits, to two steps and two units in the last place of a float32 number just
+// below 1.
+Interval permitted_unit(const Interpolant& depth, DepthFormat format) {
+  if (format == DepthFormat::none) return 0;
+  const int bits = bits_of(format);
+  if (bits == 0) return float_unit_of(depth, kOperationError);
+  return {std::ldexp(1.0, -bits), (step_of(bits) * 2 + 2 * 0x1p-24).high};
+}
+
+// Depth runs linearly in the window, and the gradient is the same everywhere.
+Interpolant linear(Interpolant depth) {
+  depth.perspective = false;
+  return depth;
+}
+
+// The depth less that of the first vertex: near it nothing is left to be rounded.
+Interpolant from_first_vertex(Interpolant depth) {
+  const Interval first = depth.values[0];
+  for (Interval& value : depth.values) {
+    const bool is_same = value.low == first.low && value.high == first.high;
+    value = is_same ? Interval(0) : value - first;
+  }
+  return depth;
+}
+
+Gradient exact_gradient(const Interpolant& depth) {
+  const Interpolant rise = from_first_vertex(depth);
+  const Point place = nearest_point(depth.positions[0]);
+  return {differentiate_exact(rise, place, Axis::x), differentiate_exact(rise, place, Axis::y)};
+}
+
+}  // namespace
+
+std::span<const OffsetSlope> all_offset_slopes() {
+  return kAllSlopes;
+}
+
+std::span<const OffsetUnit> all_offset_units() {
+  return kAllUnits;
+}
+
+std::span<const OffsetExponent> all_offset_exponents() {
+  return kAllExponents;
+}
+
+const char* name_of(OffsetSlope choice) {
+  return name_in(kSlopes, choice);
+}
+
+const char* name_of(OffsetUnit choice) {
+  return name_in(kUnits, choice);
+}
+
+const char* name_of(OffsetExponent choice) {
+  return name_in(kExponents, choice);
+}
+
+bool parse_name(std::string_view name, OffsetSlope& choice) {
+  return find_in(kSlopes, name, choice);
+}
+
+bool parse_name(std::string_view name, OffsetUnit& choice) {
+  return find_in(kUnits, name, choice);
+}
+
+bool parse_name(std::string_view name, OffsetExponent& choice) {
+  return find_in(kExponents, name, choice);
+}
+
+Interval offset_exact(const PolygonOffset& offset, const Interpolant& depth, DepthFormat format,
+                      const OffsetChoice& choice) {
+  const auto& v = depth.positions;
+  if (depth.kind != PrimitiveKind::triangle || cross(v[0], v[1], v[2]) == 0) return 0;
+  const Interpolant f = linear(depth);
+  const Interval slope = slope_of(exact_gradient(f), choice.slope);
+  const Interval unit = unit_of(f, format, choice);
+  return clamped(product_of(offset.factor, slope) + product_of(offset.units, unit), offset.clamp);
+}
+
+Interval offset_permitted(const PolygonOffset& offset, const Interpolant& depth, DepthFormat format,
+                          double reach) {
+  if (depth.kind != PrimitiveKind::triangle) return 0;
+  const Interpolant f = linear(depth);
+  const Point place = nearest_point(depth.positions[0]);
+  const Gradient gradient{differentiate_permitted(f, place, Axis::x, reach),
+                          differentiate_permitted(f, place, Axis::y, reach)};
+  const Interval slope = hull(largest_of(gradient), length_of(gradient, kOperationError));
+  const auto inexact_product = [](float share, Interval value) {
+    return widened(product_of(share, value), kOperationError);
+  };
+  const Interval sum = inexact_product(offset.factor, slope) +
+                       inexact_product(offset.units, permitted_unit(f, format));
+  return clamped(widened(sum, kOperationError), offset.clamp);
+}
+
+Rule offset_slope_rule() {
+  return {"offset.slope",
+          "The factor of a polygon's offset multiplies the slope of its depth in the window",
+          "14.6.5 (depth offset)",
+          "the length of the gradient, or its larger component instead (ruling 38)",
+          "length",
+          alternatives_in(kSlopes),
+          {}};
+}
+
+Rule offset_unit_rule() {
+  return {"offset.unit",
+          "The units of a polygon's offset are the smallest depths that a fixed-point buffer keeps "
+          "apart",
+          "14.6.5 (depth offset)",
+          "any constant that a buffer of that many bits keeps apart (ruling 38)",
+          "step",
+          alternatives_in(kUnits),
+          {{38,
+            "Polygon offset: permitted is clamp(factor m + units r) with any m from the larger "
+            "partial derivative of depth to the length of the gradient (14.6.5), and any r from "
+            "2^-n, which is no more than one step, to two steps and 2^-23 of a fixed-point buffer "
+            "of n bits: r is the implementation's, and depths that are off by a unit in the last "
+            "place of float32 and rounded to either neighbour are kept apart by no less for sure. "
+            "Of a buffer of float32, r is 2^(e - 23), with e the exponent of the largest depth "
+            "among the vertices. Vertices may have moved, and each operation may err, as in ruling "
+            "9. The sum of depth and offset is clamped to 0 to 1. All fragments of a triangle have "
+            "one offset."}}};
+}
+
+Rule offset_exponent_rule() {
+  return {"offset.exponent",
+          "The units of a polygon's offset depend on its largest depth in a floating-point buffer",
+          "14.6.5 (depth offset)",
+          "none beyond that of the vertices' depths (ruling 38)",
+          "largest-depth",
+          alternatives_in(kExponents),
+          {}};
+}
+
+}  // namespace edgecase

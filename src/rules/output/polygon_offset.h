@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+//
+// Polygon offset (GL 4.6 core, 14.6.5): all fragments of a triangle get the depth
+//
+//   z + factor m + units r,   m = length of z's gradient in the window, per pixel
+//
+// clamped to 0 to 1. m may be approximated by the larger partial derivative, and r is the
+// smallest difference of depths that the buffer keeps apart: of a fixed-point buffer a constant of
+// the implementation, of a floating-point one 2^(e - 23), e the exponent of the triangle's largest
+// depth.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "exact/interval.h"
+#include "model/scene.h"
+#include "rules/rule.h"
+#include "rules/values/interpolation.h"
+
+namespace edgecase {
+
+Rule offset_slope_rule();     // offset.slope
+Rule offset_unit_rule();      // offset.unit: fixed-point buffers
+Rule offset_exponent_rule();  // offset.exponent: floating-point buffers
+
+enum class OffsetSlope { length, largest_partial, ignored };
+std::span<const OffsetSlope> all_offset_slopes();
+const char* name_of(OffsetSlope choice);
+bool parse_name(std::string_view name, OffsetSlope& choice);
+
+// r of n bits.
+enum class OffsetUnit {
+  step,        // 1/(2^n - 1), the difference of neighbouring values
+  power,       // 2^-n
+  two_steps,   // 2^-(n-1)
+  four_steps,  // 2^-(n-2)
+  of_24_bits,  // 2^-24 whatever n is
+  ignored,
+};
+std::span<const OffsetUnit> all_offset_units();
+const char* name_of(OffsetUnit choice);
+bool parse_name(std::string_view name, OffsetUnit& choice);
+
+enum class OffsetExponent {
+  largest_depth,  // of the largest depth among the vertices
+  doubled,        // twice that
+  one,            // of 1: r is 2^-23
+  as_fixed,       // r as a fixed-point buffer of 24 bits has it
+};
+std::span<const OffsetExponent> all_offset_exponents();
+const char* name_of(OffsetExponent choice);
+bool parse_name(std::string_view name, OffsetExponent& choice);
+
+struct OffsetChoice {
+  OffsetSlope slope = OffsetSlope::length;
+  OffsetUnit unit = OffsetUnit::step;
+  OffsetExponent exponent = OffsetExponent::largest_depth;
+  friend bool operator==(const OffsetChoice&, const OffsetChoice&) = default;
+};
+
+// What is added to the depths of a triangle, `depth` before it is added. 0 of what has no area.
+Interval offset_exact(const PolygonOffset& offset, const Interpolant& depth, DepthFormat format,
+                      const OffsetChoice& choice);
+
+// What may be: m from the largest partial derivative to the length, r from 2^-n, which is just less
+// than one step, to two steps and two units in the last place of a float32 depth below 1; `reach`
+// as in interpolate_permitted. Everything where the area may vanish, but for a factor of 0.
+Interval offset_permitted(const PolygonOffset& offset, const Interpolant& depth, DepthFormat format,
+                          double reach);
+
+}  // namespace edgecase

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "rules/values/clipped_interpolation.h"
+
+#include "exact/rational.h"
+#include "rules/coverage/clip_polygon.h"
+
+namespace edgecase {
+namespace {
+
+Int128 area_of(const std::array<HomogeneousPoint, 3>& p) {
+  const Int128 area = cross(p[0], p[1], p[2]);
+  return area < 0 ? -area : area;
+}
+
+// Three vertices of the polygon that lie far from one line: of all three the largest triangle.
+std::optional<std::array<HomogeneousPoint, 3>> largest_triangle(
+    const std::vector<ClipPolygonVertex>& polygon) {
+  std::optional<std::array<HomogeneousPoint, 3>> largest;
+  Int128 most = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    for (std::size_t j = i + 1; j < polygon.size(); ++j)
+      for (std::size_t k = j + 1; k < polygon.size(); ++k) {
+        const std::array<HomogeneousPoint, 3> p{homogeneous(polygon[i].position),
+                                                homogeneous(polygon[j].position),
+                                                homogeneous(polygon[k].position)};
+        if (area_of(p) <= most) continue;
+        most = area_of(p);
+        largest = p;
+      }
+  return largest;
+}
+
+// What a vertex' window coordinates times w are multiplied by in its position.
+Rational scale_of(const ScenePrimitive& primitive, std::size_t i) {
+  if (primitive.vertices[i]->clip) return Rational(2) / rational_of(primitive.units[i]);
+  return Rational(Integer(primitive.positions[i].w)) / rational_of(primitive.vertices[i]->w);
+}
+
+Interval weighted(const std::array<Interval, 3>& shares, const std::array<double, 3>& values) {
+  // What is one number at all vertices is so everywhere.
+  if (values[0] == values[1] && values[1] == values[2]) return values[0];
+  return shares[0] * values[0] + shares[1] * values[1] + shares[2] * values[2];
+}
+
+}  // namespace
+
+std::optional<ClippedPlane> ClippedPlane::of(const ScenePrimitive& triangle,
+                                             const Viewport& viewport) {
+  const auto& v = triangle.positions;
+  const Rational area = rational_of(cross(v[0], v[1], v[2]));
+  if (area == 0) return std::nullopt;
+  const ClipPlanes planes{true, viewport.x, viewport.y, viewport.x + viewport.width,
+                          viewport.y + viewport.height};
+  const auto places = largest_triangle(clip_polygon({v, triangle.z}, planes, 1));
+  if (!places) return std::nullopt;
+  ClippedPlane plane;
+  plane.positions_ = *places;
+  for (std::size_t at = 0; at < 3; ++at) {
+    const HomogeneousPoint& place = plane.positions_[at];
+    std::array<Rational, 3> b;
+    Rational sum = 0, depth = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Rational part =
+          rational_of(cross(v[(i + 1) % 3], v[(i + 2) % 3], place)) / (area * place.w);
+      plane.window_shares_[at][i] = interval_of(Rational(part * v[i].w));
+      depth += part * triangle.z[i];
+      b[i] = part * scale_of(triangle, i);
+      sum += b[i];
+    }
+    // A place that rounding has moved off the triangle may lie behind the eye.
+    if (sum <= 0) return std::nullopt;
+    plane.w_[at] = interval_of(Rational(1 / sum));
+    plane.depths_[at] = interval_of(depth);
+    for (std::size_t i = 0; i < 3; ++i) plane.shares_[at][i] = interval_of(Rational(b[i] / sum));
+  }
+  return plane;
+}
+
+std::array<Interval, 3> ClippedPlane::smooth(const std::array<double, 3>& values) const {
+  return {weighted(shares_[0], values), weighted(shares_[1], values), weighted(shares_[2], values)};
+}
+
+std::array<Interval, 3> ClippedPlane::noperspective(const std::array<double, 3>& values) const {
+  return {weighted(window_shares_[0], values), weighted(window_shares_[1], values),
+          weighted(window_shares_[2], values)};
+}
+
+}  // namespace edgecase

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+//
+// What is open of fates: comparisons of depths that conversion may turn either way, and states that
+// grow in number.
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "raster/rasterizer.h"
+#include "rules/values/depth_buffer.h"
+#include "tests/diff/output_judging.h"
+#include "tests/raster/operation_scenes.h"
+
+namespace edgecase {
+namespace {
+
+using Names = std::set<std::string>;
+
+// Two rectangles of which the second is drawn where its depth compares.
+Scene two_layers(double first, double second, CompareFunction function,
+                 DepthFormat format = DepthFormat::depth16) {
+  Scene scene = operation_scene(4, format, StencilFormat::none);
+  scene.draws = {rectangle({0, 0, 4, 4}, first, kRed), rectangle({0, 0, 4, 4}, second, kGreen)};
+  scene.draws[0].operations.depth = {CompareFunction::always, true};
+  scene.draws[1].operations.depth = {function, true};
+  return scene;
+}
+
+// What the renderer shows if the second one passes, and if it does not.
+Rendering passing(bool passes, double first, double second) {
+  return rasterize(
+      two_layers(first, second, passes ? CompareFunction::always : CompareFunction::never), {});
+}
+
+Verdict verdict(CompareFunction function, double first, double second, bool passes) {
+  const Scene scene = two_layers(first, second, function);
+  Rendering rendered = passing(passes, first, second);
+  return judge_output(scene, {}, rendered).verdict;
+}
+
+// Both lie between the same two codes of 16 bits, 20000 and 20001, so that either order of their
+// codes may be: their exact ones are 20000 and 20001.
+constexpr double kLow = 40001.0 / 131072;
+constexpr double kHigh = 40002.0 / 131072;
+// Several codes away.
+constexpr double kFar = 40010.0 / 131072;
+
+TEST(OutputLatitude, DepthsWithinOneCodeMayCompareEitherWay) {
+  for (const CompareFunction function : {CompareFunction::less, CompareFunction::lequal,
+                                         CompareFunction::equal, CompareFunction::notequal}) {
+    const std::string name = name_of(function);
+    EXPECT_NE(verdict(function, kHigh, kLow, true), Verdict::violation) << name;
+    EXPECT_NE(verdict(function, kHigh, kLow, false), Verdict::violation) << name;
+  }
+  EXPECT_EQ(verdict(CompareFunction::less, kFar, kLow, true), Verdict::agree);
+  EXPECT_EQ(verdict(CompareFunction::less, kFar, kLow, false), Verdict::violation);
+}
+
+TEST(OutputLatitude, OneNumberIsConvertedToOneCode) {
+  for (const double depth : {kLow, 0.5, kHigh}) {
+    EXPECT_EQ(verdict(CompareFunction::less, depth, depth, true), Verdict::violation);
+    EXPECT_NE(verdict(CompareFunction::less, depth, depth, false), Verdict::violation);
+    EXPECT_NE(verdict(CompareFunction::lequal, depth, depth, true), Verdict::violation);
+    EXPECT_EQ(verdict(CompareFunction::lequal, depth, depth, false), Verdict::violation);
+    EXPECT_NE(verdict(CompareFunction::equal, depth, depth, true), Verdict::violation);
+    EXPECT_EQ(verdict(CompareFunction::equal, depth, depth, false), Verdict::violation);
+  }
+}
+
+TEST(OutputLatitude, AnOpenTestIsToldAsSuch) {
+  // Exact rounds the first up and the second down: less passes. Both codes may be the same, too.
+  const Scene scene = two_layers(kHigh, kLow, CompareFunction::less);
+  const Result result = judge_output(scene, {}, passing(false, kHigh, kLow));
+  EXPECT_EQ(result.verdict, Verdict::permitted) << told(result);
+  bool found = false;
+  for (const ValueAggregate& values : result.values)
+    if (values.rule == "depth.test") found = values.ruling == 39 && values.differing.size() == 16;
+  EXPECT_TRUE(found) << told(result);
+}
+
+TEST(OutputLatitude, WhatIsOpenGoesOneWayInAllPlanes) {
+  const Scene scene = two_layers(kHigh, kLow, CompareFunction::less);
+  const Rendering passes = passing(true, kHigh, kLow);
+  const Rendering fails = passing(false, kHigh, kLow);
+  Rendering mixed = passes;
+  mixed.hits = fails.hits;
+  EXPECT_EQ(judge_output(scene, {}, mixed).verdict, Verdict::violation);
+  mixed = passes;
+  mixed.pixels = fails.pixels;
+  EXPECT_EQ(judge_output(scene, {}, mixed).verdict, Verdict::violation);
+  mixed = fails;
+  mixed.depths.assign(mixed.depths.size(), 19000.0 / 65535);
+  EXPECT_EQ(judge_output(scene, {}, mixed).verdict, Verdict::violation);
+}
+
+// Each of many layers may pass or fail and blends something of its own.
+Scene many_layers(int count, bool blended) {
+  Scene scene = operation_scene(2, DepthFormat::depth16);
+  StencilFace face;
+  face.pass = StencilOperation::incr;
+  for (int i = 0; i < count; ++i) {
+    Draw draw = rectangle({0, 0, 2, 2}, 0.5,
+                          {static_cast<float>(i % 7) / 7, static_cast<float>(i % 5) / 5, 0, 0.5F});
+    draw.operations.depth = {CompareFunction::less, true};
+    draw.operations.stencil = {face, face};
+    if (blended)
+      draw.operations.blending =
+          Blending{{BlendEquation::add, BlendFactor::src_alpha, BlendFactor::one_minus_src_alpha},
+                   {BlendEquation::add, BlendFactor::one, BlendFactor::one_minus_src_alpha},
+                   {}};
+    scene.draws.push_back(std::move(draw));
+  }
+  return scene;
+}
+
+TEST(OutputLatitude, ManyOpenTestsAreDoneWithAndRefuteWhatCannotBe) {
+  const Scene scene = many_layers(64, true);
+  Rendering rendered = rasterize(scene, {});
+  for (Fragment& fragment : rendered.fragments) fragment.has_depth = false;
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_NE(judge_output(scene, {}, rendered).verdict, Verdict::violation);
+  // No layer has blue in it.
+  Rendering blue = rendered;
+  blue.pixels[4 * blue.pixel_index(1, 1) + 2] = 200;
+  const Result result = judge_output(scene, {}, blue);
+  EXPECT_EQ(result.verdict, Verdict::violation);
+  ASSERT_EQ(result.disagreements.size(), 1u);
+  EXPECT_NE(result.disagreements.front().explanation.find("fragments, then primitive"),
+            std::string::npos);
+  // As many as 64 may have passed, and the stencil buffer says the same number.
+  Rendering counted = rendered;
+  ++counted.stencils[0];
+  EXPECT_EQ(judge_output(scene, {}, counted).verdict, Verdict::violation);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+}
+
+TEST(OutputLatitude, AHundredSlopingLayersOfToldDepths) {
+  Scene scene = many_layers(100, false);
+  Rendering rendered = rasterize(scene, {});
+  for (Fragment& fragment : rendered.fragments)
+    fragment.depth = 0.5 + 1e-8 * static_cast<double>(fragment.primitive);
+  EXPECT_NE(judge_output(scene, {}, rendered).verdict, Verdict::violation);
+  rendered.pixels[2] = 90;
+  EXPECT_EQ(judge_output(scene, {}, rendered).verdict, Verdict::violation);
+}
+
+}  // namespace
+}  // namespace edgecase
