@@ -109,7 +109,8 @@ int ruling_on_fate(const std::string& rule) {
       {"framebuffer.unorm8", 10}, {"framebuffer.order", 11}, {"framebuffer.depth", 18},
       {"sample.depth", 18},       {"sample.enable", 35},     {"sample.alpha-to-coverage", 33},
       {"blend.equation", 37},     {"blend.rounding", 37},    {"depth.test", 39},
-      {"polygon.facing", 40},     {"fragment.once", 7}};
+      {"polygon.facing", 40},     {"stencil.test", 41},      {"color.mask", 41},
+      {"fragment.once", 7}};
   const auto found = rulings.find(rule);
   return found != rulings.end() ? found->second : 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What ruling 41 lets a clipped triangle cover: a convex polygon whose vertices may move, seen
+// What ruling 42 lets a clipped triangle cover: a convex polygon whose vertices may move, seen
 // through a viewport whose sides do not.
 #pragma once
 

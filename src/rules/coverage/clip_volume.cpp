@@ -104,10 +104,10 @@ Rule clip_volume_rule() {
       "clip.volume",
       "Only what lies in the clip volume is drawn",
       "13.7 (primitive clipping)",
-      "vertices that clipping makes are rounded and may be moved as others are (ruling 41)",
+      "vertices that clipping makes are rounded and may be moved as others are (ruling 42)",
       "homogeneous",
       alternatives_in(kMethods),
-      {{41,
+      {{42,
         "A clipped triangle is a polygon: that part of the triangle for which -w <= z <= w, seen "
         "through the viewport. Each of its vertices may be moved by less than the step of ruling 4 "
         "and by what its computation may be off (ruling 15); of a vertex that clipping made, 1 "

@@ -92,13 +92,17 @@ std::uint8_t after(StencilOperation operation, const StencilFace& face, std::uin
 }
 
 Rule stencil_test_rule() {
-  return {"stencil.test",
-          "A fragment passes if the reference compares with the stored value as the draw has it",
-          "17.3.3 (stencil test), with 17.4.2 (fine control of buffer updates)",
-          "none",
-          "as-set",
-          alternatives_in(kMethods),
-          {}};
+  return {
+      "stencil.test",
+      "A fragment passes if the reference compares with the stored value as the draw has it",
+      "17.3.3 (stencil test), with 17.4.2 (fine control of buffer updates)",
+      "none",
+      "as-set",
+      alternatives_in(kMethods),
+      {{41,
+        "Stencil tests, equations, factors and masks are as set: of them nothing is open, and of "
+        "stencil values no bit. Replayed over the renderer's own fragments they must yield what "
+        "it stores, in some way that rulings 37 to 40 leave open."}}};
 }
 
 }  // namespace edgecase
