@@ -60,7 +60,8 @@ def edgecase(build):
         ROOT, build, ("src/exact", "src/rules", "src/raster"),
         ("CMakeLists.txt", "src", "tests", "reference", "reports", "tools", "cases"),
         ("exact", "rules", "sample_rules", "levels", "texels", "values", "raster", "multisample",
-         "supersample", "texture_stage", "oracles"),
+         "supersample", "texture_stage", "output_rules", "fragment_operations", "clipping",
+         "oracles"),
         frozenset({"RandomScenes.AMillionAgree", "InterpolationOracles.AMillionTrianglesAgree"}))
 
 
