@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "reference/depth_buffer.h"
+#include "reference/sample_pass.h"
 #include "reference/shaders.h"
 #include "reference/stencil_buffer.h"
 
@@ -60,10 +61,6 @@ std::optional<double> integer_of(float fetched, double largest, DepthConversion 
   return std::nullopt;
 }
 
-std::size_t area_of(const MultisampleTarget& target) {
-  return static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height);
-}
-
 }  // namespace
 
 std::variant<SampleReader, ProgramError> SampleReader::make(const GladGLContext& gl) {
@@ -81,16 +78,9 @@ SampleReader::SampleReader(const GladGLContext& gl, GlProgram fetch, GlProgram d
       depth_(std::move(depth)),
       vertex_array_(make_vertex_array(gl)) {}
 
-void SampleReader::set_state(int width, int height) const {
-  constexpr GLenum kSwitchedOff[] = {GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_DITHER};
-  for (GLenum off : kSwitchedOff) gl_->Disable(off);
-  gl_->BindVertexArray(vertex_array_.name());
-  gl_->Viewport(0, 0, width, height);
-}
-
 void SampleReader::fetch(const MultisampleTarget& target, const GlTexture& image,
                          const GlFramebuffer& planes, int first) const {
-  set_state(target.width, target.planes * target.height);
+  begin_sample_pass(*gl_, vertex_array_, target.width, target.planes * target.height);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, planes.name());
   gl_->UseProgram(fetch_.name());
   gl_->Uniform1i(kHeightUniform, target.height);
@@ -104,7 +94,7 @@ void SampleReader::fetch(const MultisampleTarget& target, const GlTexture& image
 }
 
 std::vector<std::uint8_t> SampleReader::resolved(const MultisampleTarget& target) const {
-  set_state(target.width, target.height);
+  begin_sample_pass(*gl_, vertex_array_, target.width, target.height);
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, target.color.name());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.resolved.name());
   gl_->BlitFramebuffer(0, 0, target.width, target.height, 0, 0, target.width, target.height,
@@ -145,7 +135,7 @@ std::vector<float> SampleReader::counts(const MultisampleTarget& target) const {
 
 void SampleReader::draw_depths(const GlFramebuffer& framebuffer, int width, int height, GLenum test,
                                float scale) const {
-  set_state(width, height);
+  begin_sample_pass(*gl_, vertex_array_, width, height);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(test);
@@ -158,7 +148,7 @@ void SampleReader::draw_depths(const GlFramebuffer& framebuffer, int width, int 
 // By sample: is its depth 1, the largest?
 std::vector<float> SampleReader::largest_depths(const MultisampleTarget& target) const {
   constexpr float kNone[] = {0, 0, 0, 0};
-  set_state(target.width, target.height);
+  begin_sample_pass(*gl_, vertex_array_, target.width, target.height);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target.count.name());
   gl_->ClearBufferfv(GL_COLOR, 0, kNone);
   draw_depths(target.count, target.width, target.height, GL_EQUAL, 0);

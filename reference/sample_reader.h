@@ -65,7 +65,6 @@ class SampleReader {
 
   SampleReader(const GladGLContext& gl, GlProgram fetch, GlProgram depth);
 
-  void set_state(int width, int height) const;
   // Fetches the samples from `first` on, as many as there is room for, and leaves them bound.
   void fetch(const MultisampleTarget& target, const GlTexture& image, const GlFramebuffer& planes,
              int first) const;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "reference/depth_buffer.h"
+#include "reference/sample_pass.h"
 #include "reference/shaders.h"
 #include "reference/stencil_buffer.h"
 
@@ -40,10 +41,6 @@ std::uint8_t proven_stencil(int sample, std::uint8_t flipped) {
   return static_cast<std::uint8_t>((0x5a + 37 * sample) ^ flipped);
 }
 
-std::size_t area_of(const MultisampleTarget& target) {
-  return static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height);
-}
-
 }  // namespace
 
 std::variant<SampleStencils, ProgramError> SampleStencils::make(const GladGLContext& gl) {
@@ -61,15 +58,8 @@ SampleStencils::SampleStencils(const GladGLContext& gl, GlProgram fetch, GlProgr
       nothing_(std::move(nothing)),
       vertex_array_(make_vertex_array(gl)) {}
 
-void SampleStencils::set_state(int width, int height) const {
-  constexpr GLenum kSwitchedOff[] = {GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_DITHER};
-  for (GLenum off : kSwitchedOff) gl_->Disable(off);
-  gl_->BindVertexArray(vertex_array_.name());
-  gl_->Viewport(0, 0, width, height);
-}
-
 void SampleStencils::fetch(const MultisampleTarget& target, int first) const {
-  set_state(target.width, target.planes * target.height);
+  begin_sample_pass(*gl_, vertex_array_, target.width, target.planes * target.height);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target.float_planes.name());
   gl_->UseProgram(fetch_.name());
   gl_->Uniform1i(kHeightUniform, target.height);
@@ -105,7 +95,7 @@ std::vector<std::uint8_t> SampleStencils::read(const MultisampleTarget& target) 
 }
 
 void SampleStencils::write_samples(const MultisampleTarget& target, std::uint8_t flipped) const {
-  set_state(target.width, target.height);
+  begin_sample_pass(*gl_, vertex_array_, target.width, target.height);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target.color.name());
   gl_->UseProgram(nothing_.name());
   gl_->Enable(GL_STENCIL_TEST);

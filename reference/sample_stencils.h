@@ -26,9 +26,8 @@ class SampleStencils {
   static std::variant<SampleStencils, ProgramError> make(const GladGLContext& gl);
 
   // A plane for each sample, row by row from the bottom; empty where a sample holds what no 8 bits
-  // do. Fragment state must be as a context begins
-  // with it. Leaves blending, depth test and scissor test off, and another viewport, vertex array,
-  // program and framebuffer than before.
+  // do. Fragment state must be as a context begins with it. Leaves blending, depth test and scissor
+  // test off, and another viewport, vertex array, program and framebuffer than before.
   std::vector<std::uint8_t> read(const MultisampleTarget& target) const;
 
   // Why stencils of a target's formats cannot be told, where buffers have so many samples, as a
@@ -38,7 +37,6 @@ class SampleStencils {
  private:
   SampleStencils(const GladGLContext& gl, GlProgram fetch, GlProgram nothing);
 
-  void set_state(int width, int height) const;
   void fetch(const MultisampleTarget& target, int first) const;
   // Writes to each sample a value of its own, `flipped` with all bits the other way.
   void write_samples(const MultisampleTarget& target, std::uint8_t flipped) const;
