@@ -20,6 +20,7 @@ import math
 import sys
 from fractions import Fraction
 
+from clipping import ClippedTriangle, cut_line, is_outside
 from fragment_operations import Buffers, stored
 
 HALF = Fraction(1, 2)
@@ -125,13 +126,11 @@ def primitives(kind, n):
             "triangle_fan": [[i, 0, i + 1] for i in range(1, n - 1)]}[kind]
 
 
-def front_facing(draw, numbers, corners):
+def front_facing(draw, numbers, area):
     """14.6.1: by the winding in the window. Every second triangle of a strip winds the other way
     than its numbers above, and every one of a fan."""
-    if len(corners) < 3:
-        return True
     turned = {"triangle_fan": 1, "triangle_strip": numbers[0] % 2}.get(draw["primitive"], 0)
-    return ((side(*corners) > 0) != turned) == (draw.get("front_face", "ccw") == "ccw")
+    return ((area > 0) != turned) == (draw.get("front_face", "ccw") == "ccw")
 
 
 def window(vertex, viewport):
@@ -215,31 +214,63 @@ class Drawn:
 
     def __init__(self, scene, draw, numbers):
         vertices = [draw["vertices"][n] for n in numbers]
-        self.scene, self.draw = scene, draw
-        self.corners = [window(v, scene["viewport"]) for v in vertices]
+        self.scene, self.draw, self.vertices = scene, draw, vertices
+        self.clipped = None
+        self.corners = []  # none: nothing is seen of it
         key = "texture_coordinates" if "texture" in draw else "color"
         self.values = [[Fraction(n) for n in v[key]] for v in vertices]
+        if not any(map(is_outside, vertices)):
+            self.corners = [window(v, scene["viewport"]) for v in vertices]
+        elif len(vertices) == 3:
+            self.corners = [None] * 3
+            self.clipped = ClippedTriangle(vertices, scene["viewport"])
+        elif len(vertices) == 2:
+            self.cut(cut_line(vertices, scene["viewport"]))
         use = draw.get("multisampling")
         self.use = use if use and use["enabled"] else None
         lines = rectangle(Fraction(draw["line_width"])) if self.use else line
-        rules = {1: point(Fraction(draw["point_size"])), 2: lines, 3: triangle}
-        self.covers = rules[len(self.corners)](*self.corners)
-        self.face = "front" if front_facing(draw, numbers, self.corners) else "back"
+        rules = {0: lambda: None, 1: point(Fraction(draw["point_size"])), 2: lines, 3: triangle}
+        self.covers = (self.clipped.covers if self.clipped
+                       else rules[len(self.corners)](*self.corners))
+        self.face = "front" if self.faces_front(numbers) else "back"
+
+    def cut(self, ends):
+        """13.7.1: of a line, the ends become those of what is seen."""
+        if ends is None:
+            return
+        self.corners = [window({"clip": clip}, self.scene["viewport"]) for _, clip in ends]
+        way, (a, b) = self.draw["interpolation"], self.values
+        if way == "flat":
+            return
+        whole = [Fraction(vertex["clip"][3] if "clip" in vertex else vertex.get("w", 1))
+                 for vertex in self.vertices]
+        parts = [t if way == "smooth" else t * whole[1] / clip[3] for t, clip in ends]
+        self.values = [[m + (n - m) * t for m, n in zip(a, b)] for t in parts]
+
+    def faces_front(self, numbers):
+        if len(self.corners) < 3:
+            return True
+        area = self.clipped.area if self.clipped else side(*self.corners)
+        return front_facing(self.draw, numbers, area)
 
     def pixels(self):
-        """Those in which it may cover something."""
+        """Those in which it may cover something. Of a point outside the clip volume: none."""
+        if not self.corners:
+            return []
         if len(self.corners) == 3 and self.face in self.draw.get("cull", "none").split("_and_"):
             return []
         width, height = self.scene["target"]["width"], self.scene["target"]["height"]
         left, bottom, wide, high = viewport = self.scene["viewport"]
         target = [0, 0, width, height]
         boxes = [target, self.draw.get("scissor", target)]
-        # 13.7: lines and triangles are cut at the viewport. Of a point only the vertex is clipped:
-        # its square may reach beyond.
+        # 13.7: triangles are cut at the viewport. Of lines and points only vertices are clipped:
+        # what is wider may reach beyond.
+        if len(self.corners) == 3:
+            return common([*boxes, viewport])
+        if len(self.corners) == 2:
+            return common(boxes)
         x, y = self.corners[0][:2]
-        if len(self.corners) > 1:
-            boxes.append(viewport)
-        elif not (0 <= x - left <= wide and 0 <= y - bottom <= high):
+        if not (0 <= x - left <= wide and 0 <= y - bottom <= high):
             return []
         return common(boxes)
 
@@ -263,17 +294,25 @@ class Drawn:
         way = self.draw["interpolation"]
         if way == "flat":
             return self.values[0 if self.draw["provoking_vertex"] == "first" else -1]
-        weights = window_weights(self.corners, place)
-        if way == "smooth":
-            weights, _ = perspective(weights, self.corners)
+        if self.clipped:
+            weights = (self.clipped.perspective_weights(place) if way == "smooth"
+                       else self.clipped.window_weights(place))
+        else:
+            weights = window_weights(self.corners, place)
+            if way == "smooth":
+                weights, _ = perspective(weights, self.corners)
         return [sum(w * n for w, n in zip(weights, values)) for values in zip(*self.values)]
 
     def depth_at(self, place):
         """Window depth, and 1/w."""
-        weights = window_weights(self.corners, place)
-        depth = sum(w * corner[2] for w, corner in zip(weights, self.corners))
+        if self.clipped:
+            depth, inverse_w = self.clipped.depth(place)
+        else:
+            weights = window_weights(self.corners, place)
+            depth = sum(w * corner[2] for w, corner in zip(weights, self.corners))
+            _, inverse_w = perspective(weights, self.corners)
         near, far = map(Fraction, self.scene.get("depth_range", (0, 1)))
-        return near + (far - near) * (depth + 1) / 2, perspective(weights, self.corners)[1]
+        return near + (far - near) * (depth + 1) / 2, inverse_w
 
 
 def render(scene):

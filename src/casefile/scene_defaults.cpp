@@ -7,6 +7,7 @@
 #include "casefile/supersample_reader.h"
 #include "casefile/viewport.h"
 #include "exact/numeral.h"
+#include "model/clipped_line.h"
 
 namespace edgecase {
 namespace {
@@ -82,9 +83,9 @@ bool check_passes(const Place& place, const Vertex& vertex, const Scene& scene,
     const Point shift = shift_of(pass);
     const Vertex moved = moved_vertex(vertex, shift, scene.viewport);
     auto fault =
-        find_clip_fault(*moved.clip, fmt::format("the vertex, moved by ({}, {}) for a pass of "
-                                                 "\"supersample\",",
-                                                 to_decimal(shift.x), to_decimal(shift.y)));
+        find_volume_fault(*moved.clip, fmt::format("the vertex, moved by ({}, {}) for a pass of "
+                                                   "\"supersample\",",
+                                                   to_decimal(shift.x), to_decimal(shift.y)));
     if (!fault && !is_in_range(moved))
       fault = Inexactness{fmt::format("a pass of \"supersample\" moves the vertex to ({}, {}), "
                                       "out of range",
@@ -110,6 +111,48 @@ bool place_vertex(const Place& place, const Viewport& viewport, Vertex& vertex,
   return false;
 }
 
+// Why a vertex outside the clip volume cannot be drawn in its draw; none where it can.
+std::optional<Inexactness> find_clipping_fault(const Vertex& vertex, bool of_mesh, const Draw& draw,
+                                               const Scene& scene) {
+  const auto beyond =
+      find_volume_fault(*vertex.clip, of_mesh ? "a vertex of the mesh" : "the vertex");
+  if (!beyond) return std::nullopt;
+  if (!scene.supersampling.empty())
+    return Inexactness{beyond->message + "; supersampled scenes are not clipped", beyond->remedy};
+  if (draw.interpolation == Interpolation::noperspective && !(vertex.w > 0))
+    return Inexactness{beyond->message + ", from where nothing runs linearly in the window",
+                       "interpolate smooth or flat"};
+  if (!fits_clipping(scene.viewport))
+    return Inexactness{
+        beyond->message + ", and the viewport is too large to clip at",
+        "use a viewport whose size and distance of its centre from 0, twice over, add up to at "
+        "most 32768 pixels"};
+  return std::nullopt;
+}
+
+// Is a line cut in a place that no quotient of the model holds?
+bool is_cut_too_fine(const ScenePrimitive& line) {
+  if (line.kind != PrimitiveKind::line || !line.is_clipped) return false;
+  const RationalClip from = rational_clip(*line.vertices[0], line.viewport);
+  const RationalClip to = rational_clip(*line.vertices[1], line.viewport);
+  const auto part = visible_part(from, to);
+  if (!part) return false;
+  return !window_place(between(from, to, part->from), line.viewport) ||
+         !window_place(between(from, to, part->to), line.viewport);
+}
+
+void check_cut_lines(const std::vector<DrawFields>& draws, const Scene& scene, Findings& findings) {
+  for (const ScenePrimitive& line : primitives_of(scene)) {
+    if (!is_cut_too_fine(line)) continue;
+    const auto d = static_cast<std::size_t>(line.draw);
+    const auto first = line.vertices[0] - scene.draws[d].vertices.data();
+    findings.add(draws[d].vertices[static_cast<std::size_t>(first)].place,
+                 "the line that starts here is cut at the clip volume, in a place that is no "
+                 "quotient of integers up to 2^32",
+                 "give its vertices rounder clip coordinates");
+  }
+}
+
 void place_vertices(const std::vector<DrawFields>& draws, Scene& scene, Findings& findings) {
   const Shifts shifts = shifts_of(scene.supersampling);
   for (std::size_t d = 0; d < draws.size(); ++d) {
@@ -120,6 +163,11 @@ void place_vertices(const std::vector<DrawFields>& draws, Scene& scene, Findings
         continue;
       }
       Vertex& vertex = scene.draws[d].vertices[i];
+      if (const auto fault = find_clipping_fault(vertex, fields.of_mesh, scene.draws[d], scene)) {
+        findings.add(fields.place, fault->message, fault->remedy);
+        if (fields.of_mesh) break;
+        continue;
+      }
       const bool sound = place_vertex(fields.place, scene.viewport, vertex, findings) &&
                          check_passes(fields.place, vertex, scene, findings);
       if (!sound && fields.of_mesh) break;
@@ -153,6 +201,7 @@ Scene complete_scene(const TargetFields& target, const std::vector<DrawFields>& 
   }
   scene.viewport = *viewport;
   place_vertices(draws, scene, findings);
+  if (findings.empty()) check_cut_lines(draws, scene, findings);
   return scene;
 }
 

@@ -34,11 +34,12 @@ void read_w(const Place& place, Findings& findings, Vertex& vertex) {
   const auto w = read_float32(place, "w", {-kMaxW, kMaxW}, Float32Kind::exact, findings);
   if (!w) return;
   if (!(*w > 0))
-    findings.add(place,
-                 fmt::format("w is {}: the vertex lies at or behind the eye, and clipping is not "
-                             "supported yet",
-                             short_decimal(*w)),
-                 "write a w above 0");
+    findings.add(
+        place,
+        fmt::format("w is {}: the vertex lies at or behind the eye, and has no place in the "
+                    "window",
+                    short_decimal(*w)),
+        "write a w above 0, or give \"clip\" coordinates");
   else if (*w < kMinW)
     findings.add(
         place, fmt::format("w is {}, out of range", short_decimal(*w)),

@@ -13,6 +13,7 @@
 #include "raster/facing.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
+#include "rules/coverage/clip_explanation.h"
 
 namespace edgecase {
 namespace {
@@ -45,6 +46,11 @@ Result not_run(Failure failure) {
 Figure scene_figure(const Scene& scene) {
   Figure figure;
   for (const ScenePrimitive& primitive : primitives_of(scene)) {
+    if (primitive.is_clipped) {
+      const Figure seen = figure_of_seen(primitive);
+      figure.marks.insert(figure.marks.end(), seen.marks.begin(), seen.marks.end());
+      continue;
+    }
     const auto count = static_cast<std::size_t>(vertices_of(primitive.kind));
     Mark outline{MarkRole::primitive, count == 3, {}, std::to_string(primitive.index)};
     for (std::size_t i = 0; i < count; ++i) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "model/clipped_line.h"
 #include "model/name_table.h"
 
 namespace edgecase {
@@ -212,6 +213,21 @@ void place_vertex(ScenePrimitive& primitive, std::size_t at, const Vertex& verte
   primitive.is_clipped = primitive.is_clipped || !is_in_clip_volume(*vertex.clip);
 }
 
+// Of a line with a vertex outside the clip volume: what lies in it.
+void cut(ScenePrimitive& line) {
+  const RationalClip from = rational_clip(*line.vertices[0], line.viewport);
+  const RationalClip to = rational_clip(*line.vertices[1], line.viewport);
+  const auto part = visible_part(from, to);
+  if (!part) return;
+  const auto start = window_place(between(from, to, part->from), line.viewport);
+  const auto end = window_place(between(from, to, part->to), line.viewport);
+  if (!start || !end) return;
+  line.positions[0] = *start;
+  line.positions[1] = *end;
+  line.is_clipped = false;
+  line.is_cut = true;
+}
+
 }  // namespace
 
 bool has_clip_positions(const ScenePrimitive& primitive) {
@@ -246,6 +262,7 @@ std::vector<ScenePrimitive> primitives_of(const Scene& scene) {
         primitive.vertices[at] = &vertex;
         place_vertex(primitive, at, vertex, scene.viewport);
       }
+      if (primitive.kind == PrimitiveKind::line && primitive.is_clipped) cut(primitive);
       primitive.provoking_first = assembled.provoking_first;
       primitive.provoking_last = assembled.provoking_last;
       result.push_back(primitive);

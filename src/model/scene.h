@@ -205,9 +205,13 @@ struct ScenePrimitive {
   std::array<HomogeneousPoint, 3> positions{};  // theirs in the window, exactly
   std::array<std::int64_t, 3> z{};              // z/w, over the same w
   std::array<double, 3> units{};                // of clip coordinates: unit_of
-  bool is_clipped = false;                      // some of them lie outside the clip volume
-  DepthRange depth_range;                       // of their depths in the window
-  Viewport viewport;                            // that they are seen through
+  // A triangle some vertices of which lie outside the clip volume, or a point or line of which
+  // nothing lies in it.
+  bool is_clipped = false;
+  // A line that leaves the clip volume: its positions are the ends of what lies in it.
+  bool is_cut = false;
+  DepthRange depth_range;  // of their depths in the window
+  Viewport viewport;       // that they are seen through
   // Which of them provokes under either convention (GL 4.6 core, table 13.2).
   int provoking_first = 0;
   int provoking_last = 0;

@@ -5,64 +5,12 @@
 #include <cmath>
 #include <cstddef>
 
-#include "exact/rational.h"
 #include "raster/texture_stage.h"
-#include "rules/coverage/row_order.h"
+#include "raster/vertex_attributes.h"
 #include "rules/values/flat_attribute.h"
 
 namespace edgecase {
 namespace {
-
-// The quotient, and nothing around it where it is a double itself.
-Interval quotient(float numerator, float denominator) {
-  const auto above = static_cast<double>(numerator);
-  const auto below = static_cast<double>(denominator);
-  const double nearest = above / below;
-  if (std::fma(nearest, below, -above) == 0) return nearest;
-  return Interval(above) / below;
-}
-
-// z/w, -1 to 1.
-Rational divided_z(const Vertex& vertex) {
-  if (!vertex.clip) return rational_of(vertex.z.to_double());
-  return rational_of(vertex.clip->z) / rational_of(vertex.clip->w);
-}
-
-// A vertex's depth in the window, 0 to 1: where the range is that, without a rational number.
-Interval depth_of(const Vertex& vertex, const DepthRange& range) {
-  if (range != DepthRange()) {
-    const Rational near = rational_of(range.near);
-    return interval_of(
-        Rational(near + (rational_of(range.far) - near) * (divided_z(vertex) + 1) / 2));
-  }
-  if (!vertex.clip) return (vertex.z.to_double() + 1) / 2;
-  const Interval z = quotient(vertex.clip->z, vertex.clip->w);
-  if (z.low == z.high && (z.low + 1) - 1 == z.low) return (z.low + 1) / 2;
-  return (z + 1) * 0.5;
-}
-
-// Everything but the values.
-Interpolant geometry_of(const ScenePrimitive& primitive, const RuleChoices& choices,
-                        const Target& target) {
-  Interpolant f;
-  f.kind = primitive.kind;
-  f.line_parameter = choices.values.line_parameter;
-  f.perspective = false;
-  const bool snapped = choices.values.positions == AttributePositions::snapped;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(vertices_of(f.kind)); ++i) {
-    f.positions[i] = snapped ? snapped_position(primitive, i, choices.of(f.kind), target)
-                             : primitive.positions[i];
-    f.w[i] = static_cast<double>(primitive.vertices[i]->w);
-  }
-  return f;
-}
-
-template <class ValueOf>
-Interpolant with_values(Interpolant f, const ScenePrimitive& primitive, ValueOf value_of) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(vertices_of(f.kind)); ++i)
-    f.values[i] = value_of(*primitive.vertices[i]);
-  return f;
-}
 
 // A component of what is interpolated: the vertices' colour, or where it is looked up: s, t, 0, 1.
 double component_of(const Vertex& vertex, std::size_t c, bool textured) {
@@ -70,10 +18,18 @@ double component_of(const Vertex& vertex, std::size_t c, bool textured) {
   return c < 2 ? static_cast<double>(vertex.texture_coordinates[c]) : c == 2 ? 0 : 1;
 }
 
-// The depths of the vertices, without a polygon offset.
-Interpolant plain_depth(const Interpolant& geometry, const ScenePrimitive& primitive) {
-  return with_values(geometry, primitive,
-                     [&](const Vertex& vertex) { return depth_of(vertex, primitive.depth_range); });
+// That component at each vertex: of a flat one the provoking vertex's.
+std::array<double, 3> component_values(const ScenePrimitive& primitive, const ValueChoice& choice,
+                                       std::size_t c) {
+  const Draw& draw = *primitive.state;
+  const Vertex* provoking = draw.interpolation == Interpolation::flat
+                                ? primitive.vertices[provoking_index(primitive, choice.provoking)]
+                                : nullptr;
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(vertices_of(primitive.kind)); ++i)
+    values[i] =
+        component_of(provoking ? *provoking : *primitive.vertices[i], c, draw.texture.has_value());
+  return values;
 }
 
 bool has_polygon_offset(const ScenePrimitive& primitive) {
@@ -99,47 +55,32 @@ Fragment fragment_at(const ScenePrimitive& primitive, const PrimitiveAttributes&
 
 }  // namespace
 
-HomogeneousPoint snapped_position(const ScenePrimitive& primitive, std::size_t vertex,
-                                  const CoverageChoice& choice, const Target& target) {
-  if (choice.snap.is_none()) return primitive.positions[vertex];
-  const bool turned = choice.rows == RowOrder::top_down;
-  const HomogeneousPoint& given = primitive.positions[vertex];
-  const Point snapped = choice.snap(turned ? turned_over(given, target.height) : given);
-  return homogeneous(turned ? turned_over(snapped, target.height) : snapped);
-}
-
 QuadPixel quad_of(PixelPosition pixel, const ValueChoice& choice, const Target& target) {
   return in_quad(pixel, choice.quad_rows, target.height);
 }
 
 PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleChoices& choices,
                                   const Target& target) {
-  const Interpolant geometry = geometry_of(primitive, choices, target);
+  const VertexAttributes vertices(primitive, choices, target);
   const Draw& draw = *primitive.state;
-  const bool flat = draw.interpolation == Interpolation::flat;
-  const Vertex& provoking =
-      *primitive.vertices[provoking_index(primitive, choices.values.provoking)];
+  const bool perspective = divides_by_w(draw.interpolation, choices.values.perspective);
   PrimitiveAttributes result;
-  for (std::size_t c = 0; c < 4; ++c) {
-    result.color[c] = with_values(geometry, primitive, [&](const Vertex& vertex) {
-      return component_of(flat ? provoking : vertex, c, draw.texture.has_value());
-    });
-    result.color[c].perspective = divides_by_w(draw.interpolation, choices.values.perspective);
-  }
+  for (std::size_t c = 0; c < 4; ++c)
+    result.color[c] =
+        vertices.with_values(component_values(primitive, choices.values, c), perspective);
   result.w_of_centre = choices.values.perspective == PerspectiveChoice::w_of_centre;
-  result.depth = plain_depth(geometry, primitive);
+  result.depth = vertices.depth();
   result.clamps_depth = has_polygon_offset(primitive);
   if (result.clamps_depth)
     result.depth = plus(result.depth, offset_exact(*draw.polygon_offset, result.depth, target.depth,
                                                    choices.values.offset));
-  result.inverse_w =
-      with_values(geometry, primitive, [](const Vertex& vertex) { return quotient(1, vertex.w); });
+  result.inverse_w = vertices.inverse_w();
   return result;
 }
 
 Interpolant depth_with_permitted_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
                                         const Target& target, double reach) {
-  const Interpolant depth = plain_depth(geometry_of(primitive, choices, target), primitive);
+  const Interpolant depth = VertexAttributes(primitive, choices, target).depth();
   if (!has_polygon_offset(primitive)) return depth;
   return plus(depth,
               offset_permitted(*primitive.state->polygon_offset, depth, target.depth, reach));

@@ -47,11 +47,6 @@ PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleCho
 Interpolant depth_with_permitted_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
                                         const Target& target, double reach);
 
-// Where a vertex is when its primitive's coverage is decided: snapped, as the choice says, and
-// unsnapped ones exactly.
-HomogeneousPoint snapped_position(const ScenePrimitive& primitive, std::size_t vertex,
-                                  const CoverageChoice& choice, const Target& target);
-
 // The pixel within its quad.
 QuadPixel quad_of(PixelPosition pixel, const ValueChoice& choice, const Target& target);
 

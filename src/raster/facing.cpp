@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
-#include "raster/attributes.h"
+#include "raster/vertex_attributes.h"
 #include "rules/all_rules.h"
+#include "rules/coverage/clip_polygon.h"
 
 namespace edgecase {
 namespace {
@@ -23,11 +25,13 @@ Corners snapped_corners(const ScenePrimitive& triangle, const Target& target,
   return corners;
 }
 
-// In square pixels, for people only.
-std::string area_of(const Corners& p) {
+// In square pixels, for people only. Behind the eye there is none.
+std::string area_of(const ScenePrimitive& triangle, const Corners& p) {
+  if (triangle.is_clipped) return "seen from the eye";
   const double scale =
       static_cast<double>(p[0].w) * static_cast<double>(p[1].w) * static_cast<double>(p[2].w);
-  return fmt::format("{:.6g}", static_cast<double>(cross(p[0], p[1], p[2])) / scale / 2);
+  return fmt::format("area {:.6g} square pixels",
+                     static_cast<double>(cross(p[0], p[1], p[2])) / scale / 2);
 }
 
 std::string way_round(const Corners& corners) {
@@ -62,15 +66,21 @@ std::optional<Explanation> explain_culling(const ScenePrimitive& primitive, cons
                                            const CoverageChoice& choice) {
   if (!is_culled(primitive, target, choice)) return std::nullopt;
   const Corners corners = snapped_corners(primitive, target, choice);
-  std::array<Point, 3> points;
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] = nearest_point(corners[i]);
+  std::vector<Point> points;
+  if (primitive.is_clipped)
+    for (const ClipPolygonVertex& vertex : seen_polygon(primitive))
+      points.push_back(vertex.position);
+  else
+    for (const HomogeneousPoint& corner : corners) points.push_back(nearest_point(corner));
+  std::string places;
+  for (const Point point : points)
+    places += fmt::format("{}{}", places.empty() ? " " : ", ", format_point(point));
   const Draw& draw = *primitive.state;
   Explanation why;
   why.text = fmt::format(
-      "the triangle {}, {}, {} is culled and makes no fragments: its vertices run {} in the window "
-      "(area {} square pixels), front faces are {}, so that it faces the {}, and cull is {}{}",
-      format_point(points[0]), format_point(points[1]), format_point(points[2]), way_round(corners),
-      area_of(corners), name_of(draw.front_face),
+      "the triangle{} is culled and makes no fragments: its vertices run {} in the window ({}), "
+      "front faces are {}, so that it faces the {}, and cull is {}{}",
+      places, way_round(corners), area_of(primitive, corners), name_of(draw.front_face),
       is_front_facing(primitive, corners, choice.facing) ? "front" : "back", name_of(draw.cull),
       note_on(choice.facing));
   why.figure.marks = {{MarkRole::edge, true, {}, ""}};

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "rules/coverage/clip_volume.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/fragment_once.h"
 #include "rules/coverage/line_algorithm.h"
@@ -74,6 +75,7 @@ std::span<const Rule> all_rules() {
       row_order_rule("point.row-order"),
       row_order_rule("line.row-order"),
       row_order_rule("triangle.row-order"),
+      clip_volume_rule(),
       polygon_facing_rule(),
       flat_attribute_rule(),
       provoking_vertex_rule(),

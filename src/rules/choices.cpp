@@ -43,6 +43,7 @@ CoverageChoice resolve_primitive(const Policy& policy, Surface surface, Primitiv
   parse_name(chosen_or_standard(policy, surface, "point.offset"), result.point_offset);
   parse_name(chosen_or_standard(policy, surface, "triangle.algorithm"), result.triangle_algorithm);
   parse_name(chosen_or_standard(policy, surface, "polygon.facing"), result.facing);
+  parse_name(chosen_or_standard(policy, surface, "clip.volume"), result.clip);
   parse_name(chosen_or_standard(policy, surface, "sample.positions"), result.placement);
   parse_name(chosen_or_standard(policy, surface, "line.multisampled"), result.multisampled_line);
   parse_name(chosen_or_standard(policy, surface, "sample.enable"), result.multisample_switch);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "wire/scene_values.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -62,37 +63,38 @@ void check_products(const Vertex& vertex, const Path& path, const Viewport& view
         fmt::format("{} has a position whose clip coordinates are no float32 values", path.text()));
 }
 
-// x, y and z within -w to w and multiples of 2^(e-30), 2^e the power of two at or below w.
+// Multiples of 2^(e-30), 2^e the power of two at or below the largest magnitude, which is not 0.
 ClipPosition read_clip(const json& value, const Path& path) {
   require_array(value, path, 4);
   ClipPosition clip;
-  clip.w = read_w(value[3], {path, std::size_t{3}});
-  const double w = static_cast<double>(clip.w);
-  const int exponent = std::ilogb(w);
-  float* const parts[] = {&clip.x, &clip.y, &clip.z};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Path at(path, i);
-    *parts[i] = read_float32(value[i], at, {-w, w, "a float32 value of -w to w"});
-    const double steps = std::ldexp(static_cast<double>(*parts[i]), 30 - exponent);
+  float* const parts[] = {&clip.x, &clip.y, &clip.z, &clip.w};
+  for (std::size_t i = 0; i < 4; ++i) *parts[i] = read_any_float32(value[i], {path, i});
+  const double unit = unit_of(clip);
+  if (std::ranges::all_of(parts, [](const float* part) { return *part == 0; }))
+    throw Refusal(path.text() + " is 0 in all four");
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double steps = static_cast<double>(*parts[i]) / unit;
     if (steps != std::trunc(steps))
-      throw Refusal(fmt::format("{} is {}, but it must be a multiple of 2^{}", at.text(),
-                                value[i].dump(), exponent - 30));
+      throw Refusal(fmt::format("{} is {}, but it must be a multiple of 2^{}", Path(path, i).text(),
+                                value[i].dump(), std::ilogb(unit)));
   }
   return clip;
 }
 
 // The nearest multiple of 2^-16 to z/w, a tie up.
 Fixed nearest_depth(const ClipPosition& clip) {
-  const int exponent = std::ilogb(clip.w);
+  const double unit = unit_of(clip);
   const auto steps = [&](float value) {
-    return static_cast<std::int64_t>(std::ldexp(static_cast<double>(value), 30 - exponent));
+    return static_cast<std::int64_t>(static_cast<double>(value) / unit);
   };
   return nearest_point({steps(clip.z), 0, steps(clip.w)}).x;
 }
 
+// Outside the clip volume there is no position: it is 0.
 void check_position(const Vertex& vertex, const Path& path, const Viewport& viewport) {
-  const Point nearest = nearest_point(window_position(*vertex.clip, viewport));
-  const Fixed depth = nearest_depth(*vertex.clip);
+  const bool inside = is_in_clip_volume(*vertex.clip);
+  const Point nearest = inside ? nearest_point(window_position(*vertex.clip, viewport)) : Point();
+  const Fixed depth = inside ? nearest_depth(*vertex.clip) : Fixed();
   if (vertex.position == nearest && vertex.z == depth) return;
   throw Refusal(fmt::format("{} is [{},{},{}], but its clip coordinates make it [{},{},{}]",
                             path.text(), vertex.position.x.to_double(),

@@ -109,13 +109,14 @@ TEST(CaseWriter, EveryWayToGiveAVertexComesBack) {
   }
 }
 
-// Any float32 numbers that lie inside the clip volume, on the grid of the model.
+// Any float32 numbers, on the grid of the model: one in four lies outside of the clip volume.
 Vertex random_clip_vertex(RandomScenes& scenes, const Viewport& viewport) {
   const auto part = [&] {
     return static_cast<float>(scenes.below(2000001) - 1000000) / 1000001.0F;
   };
-  const float w = std::ldexp(1.0F + std::fabs(part()), scenes.below(40) - 20);
-  const auto coordinate = [&] { return w * part() * std::ldexp(1.0F, -scenes.below(30)); };
+  const float w = std::ldexp(1.0F + std::fabs(part()), scenes.below(36) - 20);
+  const float reach = scenes.below(4) == 0 ? 8.0F : 1.0F;
+  const auto coordinate = [&] { return reach * w * part() * std::ldexp(1.0F, -scenes.below(30)); };
   Vertex vertex;
   vertex.clip = round_to_grid({coordinate(), coordinate(), coordinate(), w});
   vertex.color = {part() * 1e6F, part(), part() * 1e-6F, 1};
@@ -239,8 +240,9 @@ TEST(CaseWriter, SaysWhatACaseFileCannotSay) {
   EXPECT_NE(fault_of(bright).find("out of range"), std::string::npos);
   Scene clipped = scene;
   clipped.viewport = {0, 0, 8, 8};
-  clipped.draws[0].vertices[0].clip = ClipPosition{0, 2, 0, 1};
-  EXPECT_NE(fault_of(clipped).find("outside the clip volume"), std::string::npos);
+  clipped.draws[0].vertices[0].clip = ClipPosition{0, 0, 0, 0};
+  EXPECT_NE(fault_of(clipped).find("clip coordinates (0, 0, 0, 0), out of range"),
+            std::string::npos);
   clipped.draws[0].vertices[0].clip.reset();
   clipped.draws[0].vertices[0].w = 0.1F;
   clipped.draws[0].vertices[0].position.x = Fixed::from_raw(3 * Fixed::kOne + 12345);

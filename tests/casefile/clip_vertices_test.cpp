@@ -4,10 +4,12 @@
 // make of them, and the direction of y.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "casefile/clip_space.h"
@@ -148,6 +150,62 @@ TEST(ClipVertices, TheGridIsThatOfTheModel) {
     EXPECT_LE(std::fabs(static_cast<double>(clip.x) - static_cast<double>(x)), unit / 2);
     EXPECT_FALSE(find_clip_fault(clip, "it").has_value());
   }
+}
+
+// Outside the clip volume all four are rounded, w too, by the largest of them.
+TEST(ClipVertices, OutsideTheVolumeTheLargestDecidesTheGrid) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<float> part(-1, 1);
+  for (int round = 0; round < 20000; ++round) {
+    const auto number = [&] {
+      return part(random) * std::ldexp(1.0F, static_cast<int>(random() % 38) - 19);
+    };
+    const ClipPosition given{number(), number(), number(), number()};
+    if (find_clip_fault(given, "it")) continue;
+    const ClipPosition clip = round_to_grid(given);
+    const float largest =
+        std::max({std::fabs(given.x), std::fabs(given.y), std::fabs(given.z), std::fabs(given.w)});
+    const double unit = std::ldexp(1.0, std::ilogb(largest) - 30);
+    for (const auto& [value, before] :
+         {std::pair(clip.x, given.x), {clip.y, given.y}, {clip.z, given.z}, {clip.w, given.w}}) {
+      const double units = static_cast<double>(value) / unit;
+      EXPECT_EQ(units, std::nearbyint(units));
+      EXPECT_LE(std::fabs(static_cast<double>(value) - static_cast<double>(before)), unit / 2);
+    }
+    EXPECT_EQ(round_to_grid(clip), clip);
+  }
+}
+
+TEST(ClipVertices, OutsideTheVolumeTheyHaveNoPosition) {
+  const auto loaded = load(R"({"primitive": "triangles", "vertices":
+      [{"clip": [1, -1, 0.5, -2]}, {"clip": [3, 0, 0, 3]}, {"clip": [1, 0, 4, 3]}]})");
+  ASSERT_EQ(loaded.cases.size(), 1U);
+  const auto& vertices = loaded.cases[0].scene.draws[0].vertices;
+  for (const std::size_t i : {0U, 2U}) {
+    EXPECT_EQ(vertices[i].position, Point());
+    EXPECT_EQ(vertices[i].z, Fixed());
+  }
+  EXPECT_EQ(vertices[0].w, -2);
+  EXPECT_EQ(vertices[1].position, (Point{Fixed::from_integer(8), Fixed::from_integer(4)}));
+  const ScenePrimitive triangle = primitives_of(loaded.cases[0].scene).front();
+  EXPECT_TRUE(triangle.is_clipped);
+  EXPECT_FALSE(triangle.is_cut);
+}
+
+TEST(ClipVertices, ALineIsCutWhereItLeavesTheVolume) {
+  const auto loaded = load(R"({"primitive": "lines", "vertices":
+      [{"clip": [-1, 0, -3, 1]}, {"clip": [1, 0, 1, 1]}, {"clip": [-2, 0, 0, 1]}, [2, 6]]})");
+  ASSERT_EQ(loaded.cases.size(), 1U);
+  const auto lines = primitives_of(loaded.cases[0].scene);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_TRUE(lines[0].is_cut);
+  EXPECT_FALSE(lines[0].is_clipped);
+  EXPECT_EQ(nearest_point(lines[0].positions[0]),
+            (Point{Fixed::from_integer(4), Fixed::from_integer(4)}));
+  EXPECT_EQ(nearest_point(lines[0].positions[1]),
+            (Point{Fixed::from_integer(8), Fixed::from_integer(4)}));
+  // From (-4, 4) to (2, 6): at x = 0 two thirds of the way.
+  EXPECT_TRUE(same_point(lines[1].positions[0], HomogeneousPoint{0, 16, 3}));
 }
 
 TEST(ClipVertices, ChooseTheViewportRoundTheTarget) {

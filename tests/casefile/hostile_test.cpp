@@ -58,8 +58,8 @@ void spoil(std::string& text, std::mt19937& random) {
 }
 
 void check_vertex(const Vertex& vertex) {
-  EXPECT_GE(vertex.w, kMinW);
-  EXPECT_LE(vertex.w, kMaxW);
+  if (!vertex.clip) EXPECT_GE(vertex.w, kMinW);
+  EXPECT_LE(std::fabs(vertex.w), kMaxW);
   EXPECT_TRUE(vertex.position.x.in_coordinate_range());
   EXPECT_TRUE(vertex.position.y.in_coordinate_range());
   EXPECT_LE(std::abs(vertex.z.raw()), Fixed::kOne);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "raster/texture_stage.h"
+#include "raster/vertex_attributes.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/rules/interpolants.h"
 

@@ -169,7 +169,7 @@ TEST(ClippedPlane, HoldsWhatTheLiteralSolutionHas) {
     const ClipTriangle triangle = random.any(round);
     const Scene scene = scene_of(triangle);
     const ScenePrimitive primitive = primitives_of(scene)[0];
-    const auto plane = ClippedPlane::of(primitive, kViewport);
+    const auto plane = ClippedPlane::of(primitive);
     if (!plane) continue;
     const std::array<double, 3> values{0.25, -3, 7};
     Interpolant smooth{

@@ -135,19 +135,38 @@ TEST(SceneValues, ClipCoordinatesAreHeldAgainstTheirLimits) {
     return message_of(replaced(good, "[1.0,-2.0,0.75,3.0]", clip));
   };
   EXPECT_THAT(with_clip("[1.0,-2.0,0.75]"), HasSubstr("/vertices/2/clip must have 4 elements"));
-  EXPECT_THAT(with_clip("[1.0,-2.0,0.75,0.0]"), HasSubstr("/vertices/2/clip/3 is 0.0, but"));
-  EXPECT_THAT(with_clip("[1.0,-2.0,0.75,-3.0]"), HasSubstr("/clip/3 is -3.0"));
-  EXPECT_THAT(with_clip("[1.0,-2.0,0.75,3.1]"), HasSubstr("/clip/3 is 3.1"));
-  EXPECT_THAT(with_clip("[3.5,-2.0,0.75,3.0]"),
-              HasSubstr("/clip/0 is 3.5, but it must be a float32 value of -w to w"));
-  EXPECT_THAT(with_clip("[1.0,-3.5,0.75,3.0]"), HasSubstr("/clip/1 is -3.5"));
-  EXPECT_THAT(with_clip("[1.0,-2.0,3.5,3.0]"), HasSubstr("/clip/2 is 3.5"));
+  EXPECT_THAT(with_clip("[0.0,0.0,0.0,0.0]"), HasSubstr("/vertices/2/clip is 0 in all four"));
+  EXPECT_THAT(with_clip("[1.0,-2.0,0.75,3.1]"),
+              HasSubstr("/clip/3 is 3.1, but it must be a float32 value"));
   EXPECT_THAT(with_clip("[1.0,-2.0,\"nan\",3.0]"), HasSubstr("/clip/2 must be a number"));
   // 2^-29 is the step below a w of 2 to 4.
   EXPECT_THAT(with_clip("[1.0,-2.0,9.313225746154785e-10,3.0]"),
               HasSubstr("/clip/2 is 9.313225746154785e-10, but it must be a multiple of 2^-29"));
   EXPECT_THAT(with_clip("[1.862645149230957e-09,-2.0,0.75,3.0]"),
               HasSubstr("/vertices/2/position is ["));
+}
+
+// Behind the eye and beyond any of the six planes a position says nothing, and is 0.
+TEST(SceneValues, OutsideTheClipVolumeThePositionIsZero) {
+  Scene scene = perspective_scene();
+  Vertex& vertex = scene.draws[0].vertices[2];
+  for (const ClipPosition& clip : {ClipPosition{1, -2, 0.75F, 0},
+                                   {1, -2, 0.75F, -3},
+                                   {3.5F, -2, 0.75F, 3},
+                                   {1, 3.5F, 0, 3},
+                                   {1, -2, -3.5F, 3},
+                                   {1, -2, 3.5F, 3}}) {
+    vertex.clip = clip;
+    vertex.w = clip.w;
+    vertex.position = {};
+    vertex.z = {};
+    expect_carried(scene);
+    vertex.position.y = Fixed::from_raw(1);
+    EXPECT_THAT(message_of(scene_json(scene)), HasSubstr("make it [0,0,0]"));
+    vertex.position.y = {};
+    vertex.z = Fixed::from_raw(-1);
+    EXPECT_THAT(message_of(scene_json(scene)), HasSubstr("make it [0,0,0]"));
+  }
 }
 
 TEST(SceneValues, PositionsThatAreNotThoseOfTheirClipCoordinatesAreRefused) {

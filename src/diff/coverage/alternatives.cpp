@@ -96,6 +96,15 @@ RuleAlternatives facings_beside(FacingMethod chosen) {
   return result;
 }
 
+RuleAlternatives clip_methods_beside(ClipMethod chosen) {
+  RuleAlternatives result;
+  for (ClipMethod clip : all_clip_methods())
+    if (clip != chosen)
+      result.push_back({fmt::format("{}={}", kClipVolume, name_of(clip)),
+                        [clip](CoverageChoice& choice) { choice.clip = clip; }});
+  return result;
+}
+
 RuleAlternatives placements_beside(int samples, const SamplePlacement& chosen) {
   RuleAlternatives result;
   for (const SamplePlacement& placement : placements_of(samples))
@@ -140,7 +149,8 @@ bool holds(const CoverageChoice& choice, const Change& change) {
          changed.line.boundary == choice.line.boundary && changed.line.wide == choice.line.wide &&
          changed.rows == choice.rows && changed.point_offset == choice.point_offset &&
          changed.triangle_algorithm == choice.triangle_algorithm &&
-         changed.facing == choice.facing && changed.placement == choice.placement &&
+         changed.facing == choice.facing && changed.clip == choice.clip &&
+         changed.placement == choice.placement &&
          changed.multisampled_line == choice.multisampled_line &&
          changed.multisample_switch == choice.multisample_switch &&
          changed.sample_mask == choice.sample_mask;
@@ -187,6 +197,7 @@ std::vector<RuleAlternatives> alternatives_beside(const ScenePrimitive& primitiv
       rules = {ties_beside(primitive.kind, chosen.ties), snaps_beside(primitive.kind, chosen.snap),
                triangle_algorithms_beside(chosen.triangle_algorithm),
                row_orders_beside(primitive.kind, chosen.rows)};
+      if (primitive.is_clipped) rules.push_back(clip_methods_beside(chosen.clip));
       if (primitive.state->cull != CullMode::none) rules.push_back(facings_beside(chosen.facing));
       break;
   }
@@ -217,6 +228,7 @@ std::string choice_of(const CoverageChoice& choice, std::string_view rule) {
   if (rule == "line.width") return name_of(choice.line.wide);
   if (rule == "point.offset") return name_of(choice.point_offset);
   if (rule == "triangle.algorithm") return name_of(choice.triangle_algorithm);
+  if (rule == kClipVolume) return name_of(choice.clip);
   if (rule == "polygon.facing") return name_of(choice.facing);
   if (rule.ends_with(".row-order")) return name_of(choice.rows);
   if (rule == "sample.positions") return name_of(choice.placement);
@@ -233,7 +245,7 @@ std::span<const std::string> alternative_names() {
          {"point.ownership", "point.offset", "point.snap", "point.row-order", "line.algorithm",
           "line.diamond-exit", "line.width", "line.snap", "line.row-order", "triangle.algorithm",
           "triangle.fill-rule", "triangle.snap", "triangle.row-order", "line.multisampled",
-          "sample.positions", "sample.enable", "sample.mask", "polygon.facing"})
+          "sample.positions", "sample.enable", "sample.mask", "clip.volume", "polygon.facing"})
       for (const Alternative& alternative : find_rule(id)->alternatives)
         list.push_back(fmt::format("{}={}", id, alternative.name));
     return list;

@@ -100,9 +100,11 @@ class CoverageComparison {
   bool is_multisampled(const ScenePrimitive& primitive) const {
     return edgecase::is_multisampled(*primitive.state, target());
   }
-  // A line whose coverage is judged as a whole, by the diamond-exit rule.
+  // A line whose coverage is judged as a whole, by the diamond-exit rule. Where nothing of it lies
+  // in the clip volume, there is no such line.
   bool is_line(const ScenePrimitive& primitive) const {
-    return primitive.kind == PrimitiveKind::line && !is_multisampled(primitive);
+    return primitive.kind == PrimitiveKind::line && !primitive.is_clipped &&
+           !is_multisampled(primitive);
   }
   Point within(const ScenePrimitive& primitive, const CoverageDifference& difference) const {
     return within(primitive, difference, lawful_);

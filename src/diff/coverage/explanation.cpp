@@ -10,6 +10,7 @@
 #include "exact/numeral.h"
 #include "raster/facing.h"
 #include "rules/all_rules.h"
+#include "rules/coverage/clip_explanation.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/coverage/homogeneous_point.h"
@@ -87,6 +88,8 @@ std::string notes_on(const ScenePrimitive& primitive, const Target& target,
     add("triangle.algorithm", name_of(choice.triangle_algorithm));
   if (primitive.kind == PrimitiveKind::point && choice.point_offset != PointOffset::none)
     add("point.offset", name_of(choice.point_offset));
+  if (primitive.is_clipped && choice.clip != ClipMethod::homogeneous)
+    add("clip.volume", name_of(choice.clip));
   if (choice.rows != RowOrder::bottom_up)
     add(row_order_rule_of(primitive.kind), name_of(choice.rows));
   if (is_multisampled(*primitive.state, target) && choice.placement != SamplePlacement{})
@@ -124,6 +127,8 @@ std::optional<bool> covered_by(const ScenePrimitive& primitive,
 std::string note_on_quotients(const ScenePrimitive& primitive, Point sample,
                               const CoverageChoice& choice) {
   if (!choice.snap.is_none() || !has_clip_positions(primitive)) return "";
+  // Its own words tell of quotients.
+  if (primitive.is_clipped) return "";
   std::array<HomogeneousPoint, 3> nearest;
   for (std::size_t i = 0; i < nearest.size(); ++i)
     nearest[i] = homogeneous(nearest_point(primitive.positions[i]));
@@ -140,6 +145,10 @@ std::string note_on_quotients(const ScenePrimitive& primitive, Point sample,
 // By the rule that decides, with the vertices where the choice has them.
 Explanation explain_by_rule(const ScenePrimitive& primitive, Point sample, const Target& target,
                             const CoverageChoice& choice) {
+  if (primitive.is_clipped)
+    return primitive.kind == PrimitiveKind::triangle
+               ? explain_clipped_triangle(primitive, sample, choice.ties)
+               : explain_clipped_point(primitive, sample);
   const auto at = [&](std::size_t i) { return choice.snap(primitive.positions[i]); };
   switch (primitive.kind) {
     case PrimitiveKind::point:

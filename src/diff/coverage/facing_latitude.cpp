@@ -2,6 +2,8 @@
 #include "diff/coverage/facing_latitude.h"
 
 #include <array>
+#include <cstdlib>
+#include <vector>
 
 #include "diff/values/vertex_latitude.h"
 #include "exact/wide.h"
@@ -33,14 +35,38 @@ Signs signs_of_area(const Triangle& t, Fixed reach) {
   return signs;
 }
 
+// Of a clipped triangle, by a bound: where each vertex moves by at most r in x and in y, twice the
+// area changes by at most the sum of r (|dx| + |dy|) from each vertex' neighbour to its other one,
+// and 2 r^2 for each pair of neighbours.
+Signs signs_of_seen_area(const LoosePolygon& polygon) {
+  const std::vector<Point>& p = polygon.vertices;
+  if (p.size() < 3) return {true, true};
+  const Int128 reach = polygon.reach.raw();
+  Int128 area = 0;
+  Int128 change = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Point before = p[(i + p.size() - 1) % p.size()];
+    const Point after = p[(i + 1) % p.size()];
+    area += Int128{p[i].x.raw()} * after.y.raw() - Int128{after.x.raw()} * p[i].y.raw();
+    change += reach * (std::abs(after.x.raw() - before.x.raw()) +
+                       std::abs(after.y.raw() - before.y.raw())) +
+              2 * reach * reach;
+  }
+  return {area + change > 0, area - change < 0};
+}
+
+Signs signs_of(const ScenePrimitive& triangle, const Viewport& viewport, int bits) {
+  if (triangle.is_clipped) return signs_of_seen_area(loose_polygon(triangle, bits));
+  // Of quotients, the nearest: reach_of knows how far off they are.
+  return signs_of_area(nearest_triangle(triangle.positions), reach_of(triangle, viewport, bits));
+}
+
 }  // namespace
 
 FacingLatitude permitted_facing(const ScenePrimitive& primitive, const Viewport& viewport,
                                 int bits) {
   if (primitive.kind != PrimitiveKind::triangle) return {};
-  // Of quotients, the nearest: reach_of knows how far off they are.
-  const Signs signs =
-      signs_of_area(nearest_triangle(primitive.positions), reach_of(primitive, viewport, bits));
+  const Signs signs = signs_of(primitive, viewport, bits);
   if (primitive.state->front_face == FrontFace::ccw)
     return {signs.may_be_positive, signs.may_be_negative};
   return {signs.may_be_negative, signs.may_be_positive};

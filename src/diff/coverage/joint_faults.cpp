@@ -44,7 +44,8 @@ class Chains {
  private:
   // Multisampled lines are rectangles, and overlap at their joints.
   bool is_thin_line(const ScenePrimitive& primitive) const {
-    return primitive.kind == PrimitiveKind::line && !is_multisampled(*primitive.state, target_) &&
+    return primitive.kind == PrimitiveKind::line && !primitive.is_clipped &&
+           !is_multisampled(*primitive.state, target_) &&
            rounded_width(primitive.state->line_width) == 1;
   }
   bool has_drawn(std::size_t i) const { return !coverage_[i].drawn.front().empty(); }

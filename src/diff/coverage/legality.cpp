@@ -160,6 +160,7 @@ int latitude_bits(int reported_subpixel_bits) {
 }
 
 const char* rule_on_coverage(const ScenePrimitive& primitive, const Target& target) {
+  if (primitive.is_clipped) return kClipVolume;
   const bool rectangle =
       primitive.kind == PrimitiveKind::line && is_multisampled(*primitive.state, target);
   return rectangle ? kMultisampledLine : coverage_rule_of(primitive.kind);
@@ -182,6 +183,27 @@ std::optional<Legality> judge_mask(const ScenePrimitive& primitive,
 
 }  // namespace
 
+namespace {
+
+// Of a primitive that reaches out of the clip volume: ruling 42.
+Legality judge_clipped(const ScenePrimitive& primitive, bool extra, Point sample, int bits) {
+  constexpr int kRuling = 42;
+  if (primitive.kind != PrimitiveKind::triangle)
+    return {!extra, kRuling, kClipVolume, "the vertex lies outside the clip volume"};
+  const LoosePolygon polygon = loose_polygon(primitive, bits);
+  const bool legal = extra ? polygon_possibly_covered(polygon, sample)
+                           : polygon_possibly_uncovered(polygon, sample);
+  return {legal, kRuling, kClipVolume,
+          fmt::format("{} move of the vertices of what is seen, by less than 1/{} pixel and {:.2g} "
+                      "by clipping and the division by w, {} the sample {}",
+                      legal ? "some" : "no", 1 << bits,
+                      division_error(primitive, primitive.viewport).to_double(),
+                      legal ? "puts" : "could put",
+                      extra ? "inside or on the boundary" : "outside or on the boundary")};
+}
+
+}  // namespace
+
 Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
                       Point within, const Viewport& viewport, int bits) {
   if (auto judged = judge_mask(primitive, difference)) return *judged;
@@ -189,6 +211,7 @@ Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference&
   const bool line = primitive.kind == PrimitiveKind::line;
   const bool extra = difference.drawn > difference.exact;
   const Point sample = place_in(difference.pixel, within);
+  if (primitive.is_clipped) return judge_clipped(primitive, extra, sample, bits);
   Legality result;
   result.rule = line ? kMultisampledLine : coverage_rule_of(primitive.kind);
   result.ruling = point ? 6 : line ? 28 : 4;
@@ -257,7 +280,8 @@ std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> 
   std::vector<SharedEdgeFault> faults;
   // Ruling 40 lets others be missing, or has them so.
   const auto is_drawn = [&](const ScenePrimitive& p) {
-    return p.kind == PrimitiveKind::triangle &&
+    // What clipping makes of two triangles need not have an edge in common.
+    return p.kind == PrimitiveKind::triangle && !p.is_clipped &&
            !permitted_culling(p, scene.viewport, bits).may_be_culled;
   };
   const auto multisampled = [&](const ScenePrimitive& p) {

@@ -19,6 +19,8 @@ int latitude_bits(int reported_subpixel_bits);
 
 // The rule of lines of multisampled draws; the others' is coverage_rule_of.
 inline constexpr const char* kMultisampledLine = "line.multisampled";
+// The rule of primitives that reach out of the clip volume.
+inline constexpr const char* kClipVolume = "clip.volume";
 // The rule that says what the primitive covers.
 const char* rule_on_coverage(const ScenePrimitive& primitive, const Target& target);
 

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <span>
+#include <vector>
 
 #include "exact/wide.h"
+#include "rules/coverage/clip_polygon.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/line_algorithm.h"
@@ -113,27 +116,45 @@ bool is_beyond(Point a, Point b, Point sample, std::int64_t distance) {
   return static_cast<Int128>(side) * side <= (dx * dx + dy * dy) * distance * distance;
 }
 
-std::string triangle_situation(const ScenePrimitive& triangle, Point sample) {
-  const Triangle given = nearest_triangle(triangle.positions);
-  if (doubled_area(given) == 0) return "triangle without area";
-  const Triangle t = counter_clockwise(given);
-  if (std::find(t.begin(), t.end(), sample) != t.end()) return "triangle, sample at a vertex";
+// Where a sample lies to a convex polygon whose vertices run counter-clockwise.
+std::string polygon_situation(const char* name, std::span<const Point> t, Point sample) {
+  if (std::find(t.begin(), t.end(), sample) != t.end())
+    return fmt::format("{}, sample at a vertex", name);
   const auto every_edge = [&](auto condition) {
-    return condition(t[0], t[1]) && condition(t[1], t[2]) && condition(t[2], t[0]);
+    for (std::size_t i = 0; i < t.size(); ++i)
+      if (!condition(t[i], t[(i + 1) % t.size()])) return false;
+    return true;
   };
   const bool outside = !every_edge([&](Point a, Point b) { return cross(a, b, sample) >= 0; });
   if (!outside)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (cross(t[i], t[(i + 1) % 3], sample) == 0)
-        return fmt::format("triangle, sample exactly on a {} edge",
-                           edge_name(t[i], t[(i + 1) % 3]));
+    for (std::size_t i = 0; i < t.size(); ++i)
+      if (cross(t[i], t[(i + 1) % t.size()], sample) == 0)
+        return fmt::format("{}, sample exactly on a {} edge", name,
+                           edge_name(t[i], t[(i + 1) % t.size()]));
   // Inside, turning an edge round asks how far its line is on the other side.
   const char* reach = name_of_reach([&](std::int64_t distance) {
     return outside
                ? every_edge([&](Point a, Point b) { return is_beyond(a, b, sample, distance); })
                : !every_edge([&](Point a, Point b) { return !is_beyond(b, a, sample, distance); });
   });
-  return fmt::format("triangle, sample {} {}", outside ? "outside," : "inside,", reach);
+  return fmt::format("{}, sample {} {}", name, outside ? "outside," : "inside,", reach);
+}
+
+std::string triangle_situation(const ScenePrimitive& triangle, Point sample) {
+  const Triangle given = nearest_triangle(triangle.positions);
+  if (doubled_area(given) == 0) return "triangle without area";
+  return polygon_situation("triangle", counter_clockwise(given), sample);
+}
+
+std::string clipped_situation(const ScenePrimitive& primitive, Point sample) {
+  if (primitive.kind != PrimitiveKind::triangle) return "point outside the clip volume";
+  std::vector<Point> polygon;
+  for (const ClipPolygonVertex& vertex : seen_polygon(primitive))
+    if (polygon.empty() || polygon.back() != vertex.position) polygon.push_back(vertex.position);
+  if (polygon.size() < 3) return "clipped triangle of which nothing is seen";
+  if (cross(primitive.positions[0], primitive.positions[1], primitive.positions[2]) < 0)
+    std::reverse(polygon.begin(), polygon.end());
+  return polygon_situation("clipped triangle", polygon, sample);
 }
 
 std::string point_situation(const ScenePrimitive& point, Point sample, bool multisampled) {
@@ -179,6 +200,7 @@ std::string rectangle_situation(const ScenePrimitive& line, Point sample) {
 
 std::string situation_by_kind(const ScenePrimitive& primitive, Point sample, const Target& target) {
   const bool multisampled = is_multisampled(*primitive.state, target);
+  if (primitive.is_clipped) return clipped_situation(primitive, sample);
   switch (primitive.kind) {
     case PrimitiveKind::point:
       return point_situation(primitive, sample, multisampled);

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "exact/rational.h"
+#include "model/clipped_line.h"
+#include "rules/coverage/clip_polygon.h"
+
 namespace edgecase {
 namespace {
 
@@ -25,19 +29,63 @@ Fixed snapped_error(Snap snap, Fixed exact, Fixed nearest, Fixed error) {
   return std::max(snap(nearest + error) - exact, exact - snap(nearest - error));
 }
 
+Fixed error_of_position(Point at, const Viewport& viewport) {
+  return Fixed::from_raw(std::max(error_of_coordinate(at.x, viewport.x, viewport.width),
+                                  error_of_coordinate(at.y, viewport.y, viewport.height)));
+}
+
+// A vertex that clipping made is divided as the others are, and is off by more besides.
+Fixed error_of_seen(const ScenePrimitive& triangle) {
+  Fixed largest;
+  for (const ClipPolygonVertex& vertex : seen_polygon(triangle, kParts))
+    largest =
+        std::max(largest, error_of_position(vertex.position, triangle.viewport) + vertex.error);
+  return largest;
+}
+
+// The end of a line that clipping made is a mean of the vertices: each of its coordinates is off by
+// a part of the larger vertex' own, and so is w, which divides them.
+Fixed error_of_cut(const ScenePrimitive& line, std::size_t end) {
+  const RationalClip from = rational_clip(*line.vertices[0], line.viewport);
+  const RationalClip to = rational_clip(*line.vertices[1], line.viewport);
+  const auto part = visible_part(from, to);
+  if (!part) return {};
+  const Rational& t = end == 0 ? part->from : part->to;
+  if (t == 0 || t == 1) return {};
+  const auto largest = [&](const RationalClip& clip, const Rational& share) {
+    const Viewport& v = line.viewport;
+    const Rational x = v.x * clip.w + v.width * (clip.x + clip.w) / 2;
+    const Rational y = v.y * clip.w + v.height * (clip.y + clip.w) / 2;
+    return Rational(share * std::max({Rational(abs(x)), Rational(abs(y)), Rational(abs(clip.w))}));
+  };
+  const Rational sources = std::max(largest(from, 1 - t), largest(to, t));
+  const Rational pixels = 2 * sources / (between(from, to, t).w * kParts);
+  const Integer raw = floor_of(Rational(pixels * Fixed::kOne)) + 2;
+  const std::int64_t limit = 2 * Fixed::kMaxCoordinate * Fixed::kOne;
+  return Fixed::from_raw(static_cast<std::int64_t>(std::min<Integer>(raw, limit)));
+}
+
+// Of one vertex of a primitive, or of what takes its place.
+Fixed error_of_vertex(const ScenePrimitive& primitive, std::size_t i) {
+  const Point position = nearest_point(primitive.positions[i]);
+  if (!primitive.is_cut)
+    return division_error(*primitive.vertices[i], position, primitive.viewport);
+  return error_of_position(position, primitive.viewport) + error_of_cut(primitive, i);
+}
+
 }  // namespace
 
 Fixed division_error(const Vertex& vertex, Point position, const Viewport& viewport) {
   if (!vertex.clip && vertex.w == 1) return {};
-  return Fixed::from_raw(std::max(error_of_coordinate(position.x, viewport.x, viewport.width),
-                                  error_of_coordinate(position.y, viewport.y, viewport.height)));
+  return error_of_position(position, viewport);
 }
 
 Fixed division_error(const ScenePrimitive& primitive, const Viewport& viewport) {
+  if (primitive.is_clipped)
+    return primitive.kind == PrimitiveKind::triangle ? error_of_seen(primitive) : Fixed();
   Fixed largest;
   for (std::size_t i = 0; i < static_cast<std::size_t>(vertices_of(primitive.kind)); ++i)
-    largest = std::max(largest, division_error(*primitive.vertices[i],
-                                               nearest_point(primitive.positions[i]), viewport));
+    largest = std::max(largest, error_of_vertex(primitive, i));
   return largest;
 }
 
@@ -45,12 +93,19 @@ Fixed reach_of(const ScenePrimitive& primitive, const Viewport& viewport, int bi
   return grid_step(bits) + division_error(primitive, viewport);
 }
 
+LoosePolygon loose_polygon(const ScenePrimitive& triangle, int bits) {
+  LoosePolygon polygon{{}, reach_of(triangle, triangle.viewport, bits), triangle.viewport};
+  for (const ClipPolygonVertex& vertex : seen_polygon(triangle, kParts))
+    polygon.vertices.push_back(vertex.position);
+  return polygon;
+}
+
 LooseSegment snapped_segment(const ScenePrimitive& line, Snap snap, const Viewport& viewport) {
   LooseSegment result{{snap(line.positions[0]), snap(line.positions[1])}, {}};
   const Point* ends[] = {&result.segment.a, &result.segment.b};
   for (std::size_t i = 0; i < 2; ++i) {
     const Point nearest = nearest_point(line.positions[i]);
-    const Fixed error = division_error(*line.vertices[i], nearest, viewport);
+    const Fixed error = error_of_vertex(line, i);
     if (error == Fixed()) continue;
     result.reach = std::max({result.reach, snapped_error(snap, ends[i]->x, nearest.x, error),
                              snapped_error(snap, ends[i]->y, nearest.y, error)});

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "model/scene.h"
+#include "rules/coverage/clip_latitude.h"
 #include "rules/coverage/diamond_reach.h"
 #include "rules/coverage/snap.h"
 
@@ -18,11 +19,15 @@ namespace edgecase {
 // holds the rounding of a quotient to the nearest multiple of 2^-16 too.
 Fixed division_error(const Vertex& vertex, Point position, const Viewport& viewport);
 
-// The largest of those of a primitive's vertices.
+// The largest of those of a primitive's vertices. Of what is seen of a clipped triangle and of a
+// cut line, of the vertices that clipping makes too, which are off by more (ruling 42).
 Fixed division_error(const ScenePrimitive& primitive, const Viewport& viewport);
 
 // Rulings 4 and 15 together: each vertex may move by less than this. `bits` as in ruling 4.
 Fixed reach_of(const ScenePrimitive& primitive, const Viewport& viewport, int bits);
+
+// What is seen of a clipped triangle, and how it may move (ruling 42).
+LoosePolygon loose_polygon(const ScenePrimitive& triangle, int bits);
 
 // A line whose exact ends are snapped, and how far from there ends that erred may be snapped to.
 LooseSegment snapped_segment(const ScenePrimitive& line, Snap snap, const Viewport& viewport);

@@ -99,4 +99,10 @@ std::vector<ClipPolygonVertex> clip_polygon(const UnclippedTriangle& triangle,
   return vertices;
 }
 
+std::vector<ClipPolygonVertex> seen_polygon(const ScenePrimitive& triangle, std::int64_t parts) {
+  const Viewport& v = triangle.viewport;
+  return clip_polygon({triangle.positions, triangle.z},
+                      {true, v.x, v.y, v.x + v.width, v.y + v.height}, parts);
+}
+
 }  // namespace edgecase

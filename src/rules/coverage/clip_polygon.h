@@ -35,4 +35,7 @@ struct ClipPolygonVertex {
 std::vector<ClipPolygonVertex> clip_polygon(const UnclippedTriangle& triangle,
                                             const ClipPlanes& planes, std::int64_t parts);
 
+// What is seen of a triangle that reaches out of the clip volume, through its viewport.
+std::vector<ClipPolygonVertex> seen_polygon(const ScenePrimitive& triangle, std::int64_t parts = 1);
+
 }  // namespace edgecase

@@ -115,9 +115,11 @@ Rule clip_volume_rule() {
         "in 10^5 of the coordinates of the two vertices between which it lies, divided by its w. A "
         "sample may be drawn if some such move puts it inside or on an edge, and left out if some "
         "such move puts it outside or on an edge. Beyond the viewport's sides no sample is drawn. "
-        "What a fragment of it carries may be the value at any place within reach of such moves. A "
-        "point is drawn where its vertex lies in the volume, its border included, and not where it "
-        "lies outside, however large the point is."}}};
+        "What a fragment of it carries may be the value at any place within reach of such moves. "
+        "Of a line the segment is drawn that lies in the volume; an end that clipping made may be "
+        "off likewise, and the rulings on lines speak of that segment. A point is drawn where its "
+        "vertex lies in the volume, its border included, and not where it lies outside, however "
+        "large the point is."}}};
 }
 
 }  // namespace edgecase

@@ -44,14 +44,11 @@ Interval weighted(const std::array<Interval, 3>& shares, const std::array<double
 
 }  // namespace
 
-std::optional<ClippedPlane> ClippedPlane::of(const ScenePrimitive& triangle,
-                                             const Viewport& viewport) {
+std::optional<ClippedPlane> ClippedPlane::of(const ScenePrimitive& triangle) {
   const auto& v = triangle.positions;
   const Rational area = rational_of(cross(v[0], v[1], v[2]));
   if (area == 0) return std::nullopt;
-  const ClipPlanes planes{true, viewport.x, viewport.y, viewport.x + viewport.width,
-                          viewport.y + viewport.height};
-  const auto places = largest_triangle(clip_polygon({v, triangle.z}, planes, 1));
+  const auto places = largest_triangle(seen_polygon(triangle));
   if (!places) return std::nullopt;
   ClippedPlane plane;
   plane.positions_ = *places;

@@ -20,8 +20,8 @@ namespace edgecase {
 
 class ClippedPlane {
  public:
-  // None where nothing of the triangle is seen through the viewport, or nothing with an area.
-  static std::optional<ClippedPlane> of(const ScenePrimitive& triangle, const Viewport& viewport);
+  // None where nothing of the triangle is seen through its viewport, or nothing with an area.
+  static std::optional<ClippedPlane> of(const ScenePrimitive& triangle);
 
   // The three places, and w there, more than 0.
   const std::array<HomogeneousPoint, 3>& positions() const { return positions_; }
