@@ -16,7 +16,7 @@ class Edge {
         to_(to),
         right_(Int128{from.y} * to.w - Int128{to.y} * from.w),
         up_(Int128{to.x} * from.w - Int128{from.x} * to.w) {
-    // A component of the normal is at most 2^79, and a place below 2^16.
+    // A component of the normal is at most 2^79, and a place at most 2^16.
     const auto [outside, inside] =
         std::minmax_element(places.begin(), places.end(),
                             [&](Point a, Point b) { return growth_to(a) < growth_to(b); });
