@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <sstream>
 
 #include "diff/compare.h"
 #include "raster/rasterizer.h"
 #include "reports/text.h"
 #include "rules/all_rules.h"
 #include "run/expectation_check.h"
+#include "tools/edgecase/block_walks.h"
 #include "tools/edgecase/commands.h"
 #include "tools/edgecase/suite_run.h"
 
@@ -22,6 +24,9 @@ struct ExplainCommand {
   std::string path;
   std::vector<std::string> filters;
   std::string pixel;
+  bool has_blocks = false;
+  std::string blocks = "8";
+  std::string svg;
   PolicyOptions policy;
   SuiteRunOptions run;
 };
@@ -82,6 +87,33 @@ void print_exact_pixel(const Scene& scene, const Policy& policy, Pixel pixel) {
                why.sample < 0 ? "it" : fmt::format("sample {}", why.sample), why.rule, why.text);
 }
 
+void print_blocks(const Scene& scene, const Policy& policy, const BlockSizes& sizes) {
+  if (scene.supersampling.empty()) {
+    fmt::print("{}", block_text(scene, policy, sizes));
+    return;
+  }
+  for (std::size_t k = 0; k < scene.supersampling.size(); ++k) {
+    fmt::print("In {}:\n", words_of_pass(scene.supersampling, k));
+    print_blocks(pass_of(scene, k), policy, sizes);
+  }
+}
+
+// The blocks of a case, of a supersampled one those of its first pass, as a picture.
+ExitCode draw_blocks(const Case& one, const Policy& policy, const BlockSizes& sizes,
+                     const std::string& file) {
+  const bool is_supersampled = !one.scene.supersampling.empty();
+  BlocksPicture picture =
+      block_picture(is_supersampled ? pass_of(one.scene, 0) : one.scene, policy, sizes);
+  if (picture.panels.empty()) {
+    print_error(fmt::format("{} has no triangle that is walked by blocks", one.id));
+    return ExitCode::usage;
+  }
+  picture.title = one.title;
+  std::ostringstream text;
+  write_blocks_svg(picture, text);
+  return write_file(file, text.str()) ? ExitCode::as_expected : ExitCode::internal;
+}
+
 void print_disagreement(const Disagreement& d, int samples) {
   fmt::print("  ({}, {}){} {}, {}, {}{}\n    {}\n", d.x, d.y,
              names_sample(d, samples) ? fmt::format(" sample {}", d.sample) : "", name_of(d.kind),
@@ -111,6 +143,25 @@ void print_result(const Result& result, const RendererInfo& info, std::optional<
   for (const ValueAggregate& values : result.values) print_values(values);
 }
 
+// What the renderers make of a case.
+ExitCode print_results(const Case& one, const Policy& policy, const Selection& selection,
+                       const ExplainCommand& command, std::optional<Pixel> pixel) {
+  const auto profiles = load_profiles(selection, command.run.renderers);
+  if (!profiles) return ExitCode::usage;
+  Suite single;
+  single.cases = {one};
+  const auto results = run_against(single, policy, *profiles, command.run);
+  if (!results) return ExitCode::usage;
+  if (results->cases.empty()) return ExitCode::unexpected;
+  ExitCode exit = ExitCode::as_expected;
+  for (std::size_t r = 0; r < results->renderers.size(); ++r) {
+    const Result& result = results->cases.front().results[r];
+    print_result(result, results->renderers[r], pixel, one.scene.target.samples);
+    if (result.failure) exit = ExitCode::renderer;
+  }
+  return exit;
+}
+
 ExitCode explain(const ExplainCommand& command) {
   Selection selection;
   selection.paths = {command.path};
@@ -125,6 +176,19 @@ ExitCode explain(const ExplainCommand& command) {
     return ExitCode::nothing_selected;
   }
   if (!check_pixel(command.pixel, suite)) return ExitCode::usage;
+  const auto sizes = parse_block_sizes(command.blocks);
+  if (!sizes) {
+    print_error(
+        fmt::format("--blocks \"{}\" names no sides of blocks; write 2, 4, 8, 16 or 32, or some of "
+                    "them with commas between, larger ones first",
+                    command.blocks));
+    return ExitCode::usage;
+  }
+  // Of a case that expands to several, the base case, or the first that the filters select.
+  if (!command.svg.empty())
+    if (const ExitCode drawn = draw_blocks(suite.cases.front(), *policy, *sizes, command.svg);
+        drawn != ExitCode::as_expected)
+      return drawn;
   ExitCode exit = ExitCode::as_expected;
   for (const Case& one : suite.cases) {
     std::optional<Pixel> pixel;
@@ -134,20 +198,12 @@ ExitCode explain(const ExplainCommand& command) {
     }
     fmt::print("{}: {}\n{}\n", one.id, one.title, one.why);
     print_coverage(one.scene, *policy);
+    if (command.has_blocks) print_blocks(one.scene, *policy, *sizes);
     if (pixel) print_exact_pixel(one.scene, *policy, *pixel);
     if (command.run.renderers.empty()) continue;
-    const auto profiles = load_profiles(selection, command.run.renderers);
-    if (!profiles) return ExitCode::usage;
-    Suite single;
-    single.cases = {one};
-    const auto results = run_against(single, *policy, *profiles, command.run);
-    if (!results) return ExitCode::usage;
-    if (results->cases.empty()) return ExitCode::unexpected;
-    for (std::size_t r = 0; r < results->renderers.size(); ++r) {
-      const Result& result = results->cases.front().results[r];
-      print_result(result, results->renderers[r], pixel, one.scene.target.samples);
-      if (result.failure) exit = ExitCode::renderer;
-    }
+    exit = worse(exit, print_results(one, *policy, selection, command, pixel));
+    // A case that does not run leaves the others; a mistake or an interruption ends it all.
+    if (exit != ExitCode::as_expected && exit != ExitCode::renderer) return exit;
   }
   return exit;
 }
@@ -162,9 +218,21 @@ void add_explain_command(CLI::App& app, ExitCode& exit) {
   add_repeatable(*command, "--filter", options->filters,
                  "Only the cases of the file whose id matches this glob; repeatable");
   command->add_option("--pixel", options->pixel, "X,Y: only this pixel, y up");
+  CLI::Option* blocks =
+      command
+          ->add_option("--blocks", options->blocks,
+                       "Show how a walk by blocks of so many pixels a side (8, or a list such as "
+                       "32,8) accepts, rejects or tests each block of a triangle")
+          ->expected(0, 1);
+  command->add_option("--svg", options->svg, "File for an SVG picture of the blocks")
+      ->needs(blocks);
   options->policy.add_to(*command);
   options->run.add_to(*command);
-  command->callback([options, &exit] { exit = explain(*options); });
+  command->callback([options, blocks, &exit] {
+    options->has_blocks = blocks->count() > 0;
+    if (options->blocks.empty()) options->blocks = "8";
+    exit = explain(*options);
+  });
 }
 
 }  // namespace edgecase
