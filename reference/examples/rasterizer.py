@@ -12,14 +12,14 @@ A target with several samples has a plane of pixels for each; one with a single 
 with that sample at the centre, but for lines.
 
 It leaves out derivatives and levels of detail, which an answer may: OpenGL allows several, and no
-exact one. So it draws only those textures of which no level has to be chosen, and, for the same
-reason, nothing with a polygon offset.
+exact one. So it draws only those textures of which no level has to be chosen.
 """
 import json
 import math
 import sys
 from fractions import Fraction
 
+import polygon_offset
 from clipping import ClippedTriangle, cut_line, is_outside
 from fragment_operations import Buffers, stored
 
@@ -233,6 +233,11 @@ class Drawn:
         self.covers = (self.clipped.covers if self.clipped
                        else rules[len(self.corners)](*self.corners))
         self.face = "front" if self.faces_front(numbers) else "back"
+        self.offset = None
+        if "polygon_offset" in draw and len(self.corners) == 3 and side(*self.corners) != 0:
+            self.offset = polygon_offset.offset(
+                draw["polygon_offset"], lambda place: self.plain_depth_at(place)[0], self.corners,
+                scene["target"].get("depth"))
 
     def cut(self, ends):
         """13.7.1: of a line, the ends become those of what is seen."""
@@ -304,7 +309,13 @@ class Drawn:
         return [sum(w * n for w, n in zip(weights, values)) for values in zip(*self.values)]
 
     def depth_at(self, place):
-        """Window depth, and 1/w."""
+        """Window depth, with the polygon offset, and 1/w."""
+        depth, inverse_w = self.plain_depth_at(place)
+        if self.offset is not None:
+            depth = min(max(depth + self.offset, Fraction(0)), Fraction(1))
+        return depth, inverse_w
+
+    def plain_depth_at(self, place):
         if self.clipped:
             depth, inverse_w = self.clipped.depth(place)
         else:
@@ -365,8 +376,11 @@ def answer(scene):
         return {"not_run": "this example has no such depth buffer"}
     if scene["target"].get("stencil") not in (None, "stencil8"):
         return {"not_run": "this example has no such stencil buffer"}
-    if any("polygon_offset" in draw for draw in scene["draws"]):
-        return {"not_run": "this example offsets no depths"}
+    # 14.6.5: where depths are floats, an offset's unit is that of the deepest place of a primitive,
+    # and of one that is clipped that need not be a vertex.
+    if any("polygon_offset" in draw and any(map(is_outside, draw["vertices"]))
+           for draw in scene["draws"]):
+        return {"not_run": "this example offsets no depths of clipped triangles"}
     for use in (draw["texture"] for draw in scene["draws"] if "texture" in draw):
         texture = scene["textures"][use["texture"]]
         if (use["magnify"], use["minify"], use["mipmap"]) != ("nearest", "nearest", "none"):

@@ -90,7 +90,7 @@ class WholeSuite(CommandTest):
 
     def test_the_python_example_agrees_on_what_becomes_of_fragments(self):
         folders = [ROOT / "cases/output" / name
-                   for name in ("depth", "stencil", "blending", "culling", "order")]
+                   for name in ("depth", "stencil", "blending", "culling", "order", "offset")]
         drawn, refused = self.check_the_python_example("this example ", *folders, *A_FIFTH)
         self.assertGreater(drawn, 1000)
         self.assertLess(refused, drawn / 100)
