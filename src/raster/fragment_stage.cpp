@@ -15,7 +15,8 @@ FragmentStage::FragmentStage(Rendering& rendering, const Target& target, const O
 void FragmentStage::draw(const SampleFragment& fragment, const FragmentOperations& operations,
                          std::size_t sample) const {
   if (!passes_tests(fragment, operations, sample)) return;
-  if (target_.depth != DepthFormat::none && operations.depth.write)
+  if (target_.depth != DepthFormat::none && fragment.writes_depth &&
+      stores_depth(operations.depth, choice_.depth_mask))
     rendering_.depths[sample] = to_depth(fragment.depth, target_.depth);
   write_color(fragment, operations, sample);
   ++rendering_.hits[sample];

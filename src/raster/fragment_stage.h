@@ -23,6 +23,7 @@ struct SampleFragment {
   std::array<double, 4> color{};  // as the shader writes it
   double depth = 0;               // 0 to 1, of the sample
   bool front_facing = true;
+  bool writes_depth = true;  // where the draw does
 };
 
 class FragmentStage {

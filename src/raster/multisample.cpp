@@ -84,11 +84,8 @@ class MultisampledPrimitive {
     const Fragment fragment = shaded(pixel, coverage, {centre, centre, centre});
     const bool first_alone =
         choices_.of(primitive_.kind).multisample_switch == MultisampleSwitch::depth_of_first;
-    FragmentOperations operations = primitive_.state->operations;
-    for (int sample = 0; sample < rendering_.samples; ++sample) {
-      write(fragment, operations, sample, centre_of_pixel());
-      if (first_alone) operations.depth.write = false;
-    }
+    for (int sample = 0; sample < rendering_.samples; ++sample)
+      write(fragment, sample, centre_of_pixel(), sample == 0 || !first_alone);
   }
 
   void draw_invocation(PixelPosition pixel, const Invocation& invocation) {
@@ -105,7 +102,7 @@ class MultisampledPrimitive {
                                              choices_.samples.alpha_to_coverage);
     for (; written != 0; written &= written - 1) {
       const int sample = std::countr_zero(written);
-      write(fragment, primitive_.state->operations, sample,
+      write(fragment, sample,
             sample_depth_location(primitive_.kind, positions[static_cast<std::size_t>(sample)],
                                   locations()));
     }
@@ -125,13 +122,13 @@ class MultisampledPrimitive {
   }
 
   // `location`: within the pixel, of the sample's depth.
-  void write(const Fragment& fragment, const FragmentOperations& operations, int sample,
-             Point location) {
-    SampleFragment written{fragment.color, fragment.depth, front_facing_};
+  void write(const Fragment& fragment, int sample, Point location, bool writes_depth = true) {
+    SampleFragment written{fragment.color, fragment.depth, front_facing_, writes_depth};
     if (scene_.target.depth != DepthFormat::none)
       written.depth =
           middle(depth_exact(attributes_, place_in({fragment.x, fragment.y}, location)));
-    stage_.draw(written, operations, rendering_.sample_index(fragment.x, fragment.y, sample));
+    stage_.draw(written, primitive_.state->operations,
+                rendering_.sample_index(fragment.x, fragment.y, sample));
   }
 
   Rendering& rendering_;

@@ -119,6 +119,7 @@ std::span<const Rule> all_rules() {
       mipmap_srgb_rule(),
       stencil_test_rule(),
       depth_test_rule(),
+      depth_mask_rule(),
       blend_equation_rule(),
       blend_rounding_rule(),
       color_mask_rule(),

@@ -109,6 +109,7 @@ SampleChoice resolve_samples(const Policy& policy, Surface surface) {
 OutputChoice resolve_output(const Policy& policy, Surface surface) {
   OutputChoice result;
   parse_name(chosen_or_standard(policy, surface, "depth.test"), result.depth);
+  parse_name(chosen_or_standard(policy, surface, "depth.mask"), result.depth_mask);
   parse_name(chosen_or_standard(policy, surface, "stencil.test"), result.stencil);
   parse_name(chosen_or_standard(policy, surface, "blend.equation"), result.blend.method);
   parse_name(chosen_or_standard(policy, surface, "blend.rounding"), result.blend.rounding);

@@ -79,6 +79,7 @@ struct SampleChoice {
 // What a policy says of what becomes of fragments.
 struct OutputChoice {
   DepthTestMethod depth = DepthTestMethod::as_set;
+  DepthMaskMethod depth_mask = DepthMaskMethod::as_set;
   StencilMethod stencil = StencilMethod::as_set;
   BlendChoice blend;
 };

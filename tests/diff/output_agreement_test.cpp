@@ -12,9 +12,9 @@
 namespace edgecase {
 namespace {
 
-constexpr const char* kRules[] = {"depth.test",     "stencil.test", "blend.equation",
-                                  "blend.rounding", "color.mask",   "polygon.facing",
-                                  "offset.slope",   "offset.unit",  "offset.exponent"};
+constexpr const char* kRules[] = {
+    "depth.test", "depth.mask",     "stencil.test", "blend.equation", "blend.rounding",
+    "color.mask", "polygon.facing", "offset.slope", "offset.unit",    "offset.exponent"};
 
 TEST(OutputAgreement, OfRandomScenes) {
   RandomScenes random(81);

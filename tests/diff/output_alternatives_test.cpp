@@ -80,6 +80,7 @@ void expect_named(const std::string& rule, bool multisampled, int wanted, double
 
 TEST(OutputAlternatives, OfTheDepthTest) {
   expect_named("depth.test", false, 40, 0.6);
+  expect_named("depth.mask", false, 40);
 }
 TEST(OutputAlternatives, OfTheStencilTest) {
   expect_named("stencil.test", false, 40);
@@ -130,7 +131,7 @@ TEST(OutputAlternatives, OfFacing) {
   expect_named("polygon.facing", false, 40);
 }
 TEST(OutputAlternatives, OfMultisampledScenes) {
-  for (const char* rule : {"stencil.test", "blend.equation", "color.mask"})
+  for (const char* rule : {"stencil.test", "depth.mask", "blend.equation", "color.mask"})
     expect_named(rule, true, 10);
   // No depth of a sample is told, so that ties may go either way.
   expect_named("depth.test", true, 10, 0);

@@ -108,6 +108,26 @@ TEST(OutputLiars, AColourThatIsOffByOneIsPermittedWhereItIsBlended) {
   EXPECT_EQ(judge_output(scene, {}, rendered, Latitude::none).verdict, Verdict::violation);
 }
 
+// Red and alpha are written where green and alpha should be.
+TEST(OutputLiars, AMaskInAnotherOrder) {
+  Scene scene = layered();
+  scene.draws[2].operations.color_mask = {false, true, false, true};
+  Scene other = scene;
+  other.draws[2].operations.color_mask = {true, false, false, true};
+  other.draws[2].operations.depth = scene.draws[2].operations.depth;
+  for (const bool blended : {false, true}) {
+    Rendering rendered = rasterize(scene, {});
+    rendered.pixels = rasterize(other, {}).pixels;
+    const Result result = judge_output(scene, {}, rendered);
+    EXPECT_EQ(result.verdict, Verdict::violation);
+    EXPECT_EQ(rules_in(result), Names{"color.mask"}) << blended << told(result);
+    for (Scene* each : {&scene, &other}) {
+      each->draws[2].operations.blending = scene.draws[1].operations.blending;
+      for (Vertex& vertex : each->draws[2].vertices) vertex.color = {0.75F, 0.5F, 1, 0.5F};
+    }
+  }
+}
+
 TEST(OutputLiars, ADepthThatNoFragmentHas) {
   Scene scene = layered();
   Rendering rendered = rasterize(scene, {});

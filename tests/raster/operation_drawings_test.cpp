@@ -285,6 +285,17 @@ TEST(OperationDrawings, AColourMaskKeepsComponents) {
   EXPECT_EQ(colors(drawn(scene, ignored)), "BBB/BBB/WW./");
 }
 
+TEST(OperationDrawings, ADepthMaskKeepsDepths) {
+  Scene scene = operation_scene(3);
+  scene.draws = {rectangle(kLeft, 0.25, kWhite), rectangle(kUpper, 0.5, kBlue)};
+  scene.draws[0].operations.depth = {CompareFunction::less, false};
+  scene.draws[1].operations.depth = {CompareFunction::less, true};
+  EXPECT_EQ(colors(drawn(scene)), "BBB/BBB/WW./");
+  const Choices ignored = {{"depth.mask", name_of(DepthMaskMethod::ignored)}};
+  EXPECT_EQ(colors(drawn(scene, ignored)), "WWB/WWB/WW./");
+  EXPECT_EQ(depths(drawn(scene, ignored)), "224/224/228/");
+}
+
 TEST(OperationDrawings, AHiddenFragmentStillWritesDepthAndStencilAndIsCounted) {
   Scene scene = operation_scene(3);
   Draw draw = with_stencil(rectangle(kLeft, 0.25, kWhite), marking(1));

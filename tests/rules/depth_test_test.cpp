@@ -139,8 +139,17 @@ TEST(DepthTest, OneAndTheSameDepthIsEqualWhateverItIs) {
   }
 }
 
+TEST(DepthTest, AMaskKeepsDepthsUnlessItIsIgnored) {
+  for (const bool write : {false, true}) {
+    EXPECT_EQ(stores_depth({CompareFunction::less, write}, DepthMaskMethod::as_set), write);
+    EXPECT_TRUE(stores_depth({CompareFunction::less, write}, DepthMaskMethod::ignored));
+  }
+}
+
 TEST(DepthTest, ChoicesHaveTheirNames) {
   expect_names_lead_back<DepthTestMethod>(all_depth_test_methods(), depth_test_rule());
+  expect_names_lead_back<DepthMaskMethod>(
+      std::array{DepthMaskMethod::as_set, DepthMaskMethod::ignored}, depth_mask_rule());
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ FateChoice fate_choice(const RuleChoices& choices) {
 bool is_standard(const FateChoice& choice) {
   const FateChoice standard;
   return choice.output.depth == standard.output.depth &&
+         choice.output.depth_mask == standard.output.depth_mask &&
          choice.output.stencil == standard.output.stencil &&
          choice.output.blend.method == standard.output.blend.method &&
          choice.output.blend.rounding == standard.output.blend.rounding &&

@@ -157,7 +157,8 @@ FateState Replay::written(FateState state, const Arrival& arrival) const {
   }
   const bool all = std::ranges::all_of(operations.color_mask, [](bool on) { return on; });
   state.blended = operations.blending || (state.blended && !all);
-  if (target_.depth != DepthFormat::none && operations.depth.write && arrival.writes_depth) {
+  if (target_.depth != DepthFormat::none && arrival.writes_depth &&
+      stores_depth(operations.depth, output_.depth_mask)) {
     state.depth = to_depth(arrival.depth, target_.depth);
     state.permitted_depth = depth_permitted(arrival.permitted_depth, target_.depth);
     state.source = arrival.told_depth;

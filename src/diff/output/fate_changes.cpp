@@ -48,10 +48,18 @@ bool has_depth_test(const Scene& scene) {
          });
 }
 
+bool masks_depths(const Scene& scene) {
+  return scene.target.depth != DepthFormat::none &&
+         any_draw(scene, [](const Draw& draw) { return !draw.operations.depth.write; });
+}
+
 void add_tests(const Scene& scene, Catalogue& catalogue) {
   if (has_depth_test(scene))
     catalogue.add("depth.test", all_depth_test_methods(),
                   [](FateChoice& c) -> DepthTestMethod& { return c.output.depth; });
+  if (masks_depths(scene))
+    catalogue.add("depth.mask", std::array{DepthMaskMethod::as_set, DepthMaskMethod::ignored},
+                  [](FateChoice& c) -> DepthMaskMethod& { return c.output.depth_mask; });
   if (!has_stencil_test(scene)) return;
   catalogue.add("stencil.test", all_stencil_methods(),
                 [](FateChoice& c) -> StencilMethod& { return c.output.stencil; });
@@ -110,7 +118,7 @@ int ruling_on_fate(const std::string& rule) {
       {"sample.depth", 18},       {"sample.enable", 35},     {"sample.alpha-to-coverage", 33},
       {"blend.equation", 37},     {"blend.rounding", 37},    {"depth.test", 39},
       {"polygon.facing", 40},     {"stencil.test", 41},      {"color.mask", 41},
-      {"fragment.once", 7}};
+      {"depth.mask", 41},         {"fragment.once", 7}};
   const auto found = rulings.find(rule);
   return found != rulings.end() ? found->second : 0;
 }

@@ -2,6 +2,7 @@
 #include "diff/output/fate_question.h"
 
 #include <algorithm>
+#include <array>
 
 namespace edgecase {
 
@@ -74,10 +75,30 @@ bool agrees_in_another_order(const FateQuestion& question) {
   return arrivals.size() > 2 && agree();
 }
 
+// Do the components of the draws' masks, taken in another order, make what is stored?
+bool agrees_with_masks_in_another_order(const FateQuestion& question) {
+  const FateChoice lawful;
+  const Replay replay(question.target(), lawful.output, kAllPermitted);
+  std::vector<Arrival> arrivals = question.arrivals(lawful);
+  std::vector<FragmentOperations> operations;
+  for (const Arrival& arrival : arrivals) operations.push_back(*arrival.operations);
+  for (std::size_t i = 0; i < arrivals.size(); ++i) arrivals[i].operations = &operations[i];
+  const std::vector<FragmentOperations> given = operations;
+  std::array<std::size_t, 4> order{0, 1, 2, 3};
+  while (std::next_permutation(order.begin(), order.end())) {
+    for (std::size_t i = 0; i < given.size(); ++i)
+      for (std::size_t c = 0; c < 4; ++c)
+        operations[i].color_mask[c] = given[i].color_mask[order[c]];
+    if (any_agrees(replay.run(arrivals), question.stored, question.target().depth)) return true;
+  }
+  return false;
+}
+
 std::string broken_color_rule(const FateQuestion& question) {
   FateChoice unmasked;
   unmasked.output.blend.mask = ColorMaskMethod::ignored;
   if (question.agrees(unmasked, kAllPermitted)) return "color.mask";
+  if (agrees_with_masks_in_another_order(question)) return "color.mask";
   return question.exact({}).blended ? "blend.equation" : "framebuffer.unorm8";
 }
 

@@ -20,6 +20,12 @@ constexpr TabledAlternative<DepthTestMethod> kMethods[] = {
     {DepthTestMethod::ignored, "ignored", Openness::illegal, "every fragment passes"}};
 constexpr auto kAllMethods = values_in(kMethods);
 
+constexpr TabledAlternative<DepthMaskMethod> kMasks[] = {
+    {DepthMaskMethod::as_set, "as-set", Openness::mandated,
+     "draws that mask depths leave what is stored"},
+    {DepthMaskMethod::ignored, "ignored", Openness::illegal,
+     "the depth of every fragment that passes is stored"}};
+
 CompareFunction function_by(CompareFunction function, DepthTestMethod method) {
   const bool ties_pass = method == DepthTestMethod::ties_pass;
   const bool ties_fail = method == DepthTestMethod::ties_fail;
@@ -42,6 +48,14 @@ const char* name_of(DepthTestMethod choice) {
 
 bool parse_name(std::string_view name, DepthTestMethod& choice) {
   return find_in(kMethods, name, choice);
+}
+
+const char* name_of(DepthMaskMethod choice) {
+  return name_in(kMasks, choice);
+}
+
+bool parse_name(std::string_view name, DepthMaskMethod& choice) {
+  return find_in(kMasks, name, choice);
 }
 
 bool passes_depth_test(const DepthTest& test, double depth, double stored, DepthFormat format,
@@ -86,6 +100,16 @@ Rule depth_test_rule() {
         "Depths that the renderer tells as one and the same number are converted to one and the "
         "same value, and compare as equal. Where the renderer tells no depth, any is taken that "
         "rulings 9 and 38 permit."}}};
+}
+
+Rule depth_mask_rule() {
+  return {"depth.mask",
+          "Depths that are masked are not stored",
+          "17.4.2 (fine control of buffer updates)",
+          "none",
+          "as-set",
+          alternatives_in(kMasks),
+          {}};
 }
 
 }  // namespace edgecase

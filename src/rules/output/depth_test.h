@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The depth test (GL 4.6 core, 17.3.4): a fragment whose depth does not compare as the draw has it
-// with the stored one goes no further.
+// with the stored one goes no further. Where it passes, its depth is stored, unless the draw masks
+// depths (17.4.2).
 //
 // What is compared are values of the depth buffer's format: a fragment's depth is converted first
 // (13.8.1, rules/values/depth_buffer.h).
@@ -17,6 +18,7 @@
 namespace edgecase {
 
 Rule depth_test_rule();  // depth.test
+Rule depth_mask_rule();  // depth.mask
 
 enum class DepthTestMethod {
   as_set,
@@ -28,6 +30,16 @@ enum class DepthTestMethod {
 std::span<const DepthTestMethod> all_depth_test_methods();
 const char* name_of(DepthTestMethod choice);
 bool parse_name(std::string_view name, DepthTestMethod& choice);
+
+// Whether a draw that masks depths stores any.
+enum class DepthMaskMethod { as_set, ignored };
+const char* name_of(DepthMaskMethod choice);
+bool parse_name(std::string_view name, DepthMaskMethod& choice);
+
+// Is the depth of a fragment that passes stored?
+inline bool stores_depth(const DepthTest& test, DepthMaskMethod method) {
+  return test.write || method == DepthMaskMethod::ignored;
+}
 
 // Does a fragment pass? `depth`: 0 to 1, before conversion; `stored`: a value of the format. Where
 // the target has no depth buffer it does.

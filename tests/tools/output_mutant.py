@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: MIT
+"""The example rasterizer with a fault in what becomes of fragments: output_mutant.py FAULT
+
+FAULT is `none` or one of these.
+  less-for-lequal    equal depths fail where they should pass
+  depth-inverted     less is taken for greater, lequal for gequal, and the other way round
+  depth-write-on     depths are stored whether they are to be written or not
+  clear-depth-1      the depth buffer is cleared to 1, whatever the scene says
+  straight-alpha     colours that are multiplied by alpha already are multiplied by it again
+  truncated          blended colours are cut off rather than rounded
+  wrap, saturate     incr and decr wrap where they should stop, or stop where they should wrap
+  unmasked           the stencil comparison does without its mask
+  reference-unmasked the mask is held before the stored value alone
+  red-for-blue       the colour mask has its channels in the order blue, green, red, alpha
+  front-for-back     the other faces are culled
+  face-inverted      triangles face the other way
+  sum-of-partials    polygon offset has |dz/dx| + |dz/dy| for the slope
+"""
+import io
+import json
+import math
+import os
+import pathlib
+import sys
+from fractions import Fraction
+
+ROOT = pathlib.Path(os.environ.get("EDGECASE_ROOT", pathlib.Path(__file__).parents[2]))
+sys.path.insert(0, str(ROOT / "reference" / "examples"))
+requests, sys.stdin = sys.stdin, io.StringIO()  # the example answers what it finds when it starts
+import fragment_operations  # noqa: E402
+import polygon_offset  # noqa: E402
+import rasterizer  # noqa: E402
+
+OPPOSITE = {"less": "greater", "lequal": "gequal", "greater": "less", "gequal": "lequal",
+            "front": "back", "back": "front", "cw": "ccw", "ccw": "cw"}
+
+
+# What takes the place of a function of the example.
+
+def cut_off(use, source, destination, right=fragment_operations.blended):
+    """Of 8-bit codes."""
+    return [Fraction(math.floor(255 * n), 255)
+            for n in fragment_operations.clamped(right(use, source, destination))]
+
+
+def sum_of_partials(across, up):
+    return abs(across) + abs(up)
+
+
+def spoil_program(fault):
+    operations = fragment_operations.STENCIL_OPERATIONS
+    if fault == "truncated":
+        fragment_operations.blended = cut_off
+    if fault == "sum-of-partials":
+        polygon_offset.slope = sum_of_partials
+    for name in "incr", "decr":
+        if fault == "wrap":
+            operations[name] = operations[f"{name}_wrap"]
+        if fault == "saturate":
+            operations[f"{name}_wrap"] = operations[name]
+
+
+def spoil_face(face, fault):
+    """The stencil state of one face."""
+    if fault == "unmasked":
+        face["read_mask"] = 255
+    if fault == "reference-unmasked" and face["reference"] & ~face["read_mask"]:
+        # The masked value never has such a bit: it is less, and never equal.
+        face["test"] = {"equal": "never", "lequal": "never", "less": "never",
+                        "gequal": "always", "greater": "always", "notequal": "always"
+                        }.get(face["test"], face["test"])
+
+
+def spoil(draw, fault):
+    """What is asked for becomes what the faulty renderer draws."""
+    depth, cull = draw.get("depth"), draw.get("cull")
+    if depth and fault == "less-for-lequal" and depth["test"] == "lequal":
+        depth["test"] = "less"
+    if depth and fault == "depth-inverted":
+        depth["test"] = OPPOSITE.get(depth["test"], depth["test"])
+    if depth and fault == "depth-write-on":
+        depth["write"] = True
+    if cull and fault == "front-for-back":
+        draw["cull"] = OPPOSITE.get(cull, cull)
+    if fault == "face-inverted":
+        draw["front_face"] = OPPOSITE[draw.get("front_face", "ccw")]
+    if fault == "red-for-blue" and "color_mask" in draw:
+        red, green, blue, alpha = draw["color_mask"]
+        draw["color_mask"] = [blue, green, red, alpha]
+    if fault == "straight-alpha" and "blend" in draw:
+        color = draw["blend"]["color"]
+        if (color["source"], color["destination"]) == ("one", "one_minus_src_alpha"):
+            color["source"] = "src_alpha"
+    for face in draw.get("stencil", {}).values():
+        spoil_face(face, fault)
+
+
+def answer(scene, fault):
+    if fault == "clear-depth-1":
+        scene["target"].pop("clear_depth", None)
+    for draw in scene["draws"]:
+        spoil(draw, fault)
+    return rasterizer.answer(scene)
+
+
+def main():
+    (fault,) = sys.argv[1:]
+    spoil_program(fault)
+    for request in map(json.loads, requests):
+        reply = answer(request["scene"], fault)
+        reply["digest"] = request["digest"]
+        reply["renderer"] = {"device": fault, "subpixel_bits": 16}
+        print(json.dumps(reply), flush=True)
+
+
+main()
