@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What legality is computed from: the bits that count, shared edges one by one.
+// What legality is computed from: the bits that count, what lines tell.
 #include "diff/coverage/legality.h"
 
 #include <gtest/gtest.h>
@@ -70,37 +70,6 @@ TEST(LinesInAComparison, TellTheirSnapsTheirFirstClauseAndPlaces) {
   Rendering stray = exact;
   stray.fragments.push_back(fragment_at(scene, 1, 1, 14));
   EXPECT_TRUE(is_illegal_as_given(compared(compose(scene, stray.fragments))));
-}
-
-std::vector<SharedEdgeFault> faults(const Scene& scene, const Rendering& drawn) {
-  const auto primitives = primitives_of(scene);
-  return shared_edge_faults(primitives, match_coverage(primitives.size(), drawn, drawn), scene, 8);
-}
-
-TEST(SharedEdgeFaults, ArePlacedWhereTheHoleIs) {
-  const Scene& scene = scene_named("shared edge");
-  Rendering drawn = rasterize(scene, {});
-  EXPECT_TRUE(faults(scene, drawn).empty());
-  std::erase_if(drawn.fragments, [](const Fragment& f) { return f.x == 7 && f.y == 7; });
-  const auto found = faults(scene, drawn);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].pixel, (PixelPosition{7, 7}));
-  EXPECT_EQ(found[0].first, 0);
-  EXPECT_EQ(found[0].second, 1);
-  EXPECT_EQ(found[0].hits, 0);
-}
-
-// Whatever conforming order a renderer follows, meshes of random triangles have no faults.
-TEST(SharedEdgeFaults, AreNotFoundInWhatTheEightOrdersDraw) {
-  RandomScenes random(31);
-  for (int i = 0; i < 3000; ++i) {
-    const Scene scene = random.next({10, Fixed::kOne / 2, 4, false});
-    for (const char* order : {"left-bottom", "right-bottom", "bottom-left", "top-right"}) {
-      Policy policy;
-      policy.rules["triangle.fill-rule"] = order;
-      ASSERT_TRUE(faults(scene, rasterize(scene, policy)).empty()) << i << " " << order;
-    }
-  }
 }
 
 }  // namespace

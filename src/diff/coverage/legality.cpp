@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
-#include <tuple>
 
 #include "diff/coverage/facing_latitude.h"
 #include "diff/values/vertex_latitude.h"
@@ -17,7 +15,6 @@
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/line_latitude.h"
 #include "rules/coverage/point_ownership.h"
-#include "rules/coverage/shared_edge.h"
 #include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_fill.h"
 #include "rules/samples/multisampled_line.h"
@@ -70,87 +67,12 @@ bool possibly_uncovered(const ScenePrimitive& primitive, Point sample, Fixed rea
   return true;
 }
 
-// How often a pixel is among pixels that are sorted row first.
-long count(std::span<const PixelPosition> pixels, PixelPosition p) {
-  const auto [first, last] = std::equal_range(
-      pixels.begin(), pixels.end(), p,
-      [](PixelPosition a, PixelPosition b) { return std::tie(a.y, a.x) < std::tie(b.y, b.x); });
-  return last - first;
-}
-
-PixelBounds common(const PixelBounds& a, const PixelBounds& b) {
-  return {std::max(a.x_min, b.x_min), std::max(a.y_min, b.y_min), std::min(a.x_max, b.x_max),
-          std::min(a.y_max, b.y_max)};
-}
-
-// Pixels whose centres may lie near the segment a-b: its bounding box, grown by one.
-PixelBounds bounds_near(Point a, Point b, const PixelBounds& target) {
-  const auto [x_low, x_high] = std::minmax(a.x, b.x);
-  const auto [y_low, y_high] = std::minmax(a.y, b.y);
-  const auto clip = [](std::int64_t value) {
-    return static_cast<int>(
-        std::clamp<std::int64_t>(value, -2 * Fixed::kMaxCoordinate, 2 * Fixed::kMaxCoordinate));
-  };
-  return common(target, {clip(x_low.floor() - 1), clip(y_low.floor() - 1), clip(x_high.floor() + 1),
-                         clip(y_high.floor() + 1)});
-}
-
 // "less than 1/256 pixel", and what ruling 15 adds to it.
 std::string move_of(Fixed error, int bits) {
   std::string text = fmt::format("less than 1/{} pixel", 1 << bits);
   if (error != Fixed())
     text += fmt::format(" and {:.2g} by the division by w (ruling 15)", error.to_double());
   return text;
-}
-
-// The common edge of two triangles whose ends are bit-identical, and not only nearest to one point.
-std::optional<SharedEdge> common_edge(const ScenePrimitive& first, const ScenePrimitive& second) {
-  const Triangle one = triangle_of(first);
-  const Triangle other = triangle_of(second);
-  const auto edge = shared_edge(one, other);
-  if (!edge) return std::nullopt;
-  const auto vertex_at = [](const ScenePrimitive& primitive, const Triangle& triangle, Point p) {
-    return primitive.vertices[static_cast<std::size_t>(
-        std::find(triangle.begin(), triangle.end(), p) - triangle.begin())];
-  };
-  for (const Point end : {edge->a, edge->b})
-    if (!is_bit_identical(*vertex_at(first, one, end), *vertex_at(second, other, end)))
-      return std::nullopt;
-  return edge;
-}
-
-// What two triangles have in common, how far vertices may move, and the pixels near it.
-struct SharedSide {
-  SharedEdge edge;
-  Fixed reach;
-  PixelBounds near;
-};
-
-// The samples that both triangles may write, by index, with where in a pixel they lie.
-std::map<int, Point> shared_samples(const ScenePrimitive& first, const ScenePrimitive& second,
-                                    const Target& target, const SamplePositions& positions) {
-  if (!is_multisampled(*first.state, target)) return {{0, centre_of_pixel()}};
-  const std::uint32_t mask = first.state->multisampling.mask & second.state->multisampling.mask;
-  std::map<int, Point> samples;
-  for (std::size_t s = 0; s < positions.size(); ++s)
-    if ((mask >> s & 1) != 0) samples.emplace(static_cast<int>(s), positions[s]);
-  return samples;
-}
-
-// Appends the pixels whose sample the two triangles do not hit once, though they must.
-void add_faults(const SharedSide& side, int first, int second, int sample, Point within,
-                std::span<const PrimitiveCoverage> coverage, std::vector<SharedEdgeFault>& faults) {
-  const auto hits_of = [&](int primitive, PixelPosition p) {
-    const SampleCoverage& drawn = coverage[static_cast<std::size_t>(primitive)].drawn;
-    return count(drawn[static_cast<std::size_t>(sample)], p);
-  };
-  for (int y = side.near.y_min; y <= side.near.y_max; ++y) {
-    for (int x = side.near.x_min; x <= side.near.x_max; ++x) {
-      const long hits = hits_of(first, {x, y}) + hits_of(second, {x, y});
-      if (hits == 1 || !must_hit_once(side.edge, place_in({x, y}, within), side.reach)) continue;
-      faults.push_back({{x, y}, sample, first, second, static_cast<int>(hits)});
-    }
-  }
 }
 
 }  // namespace
@@ -271,42 +193,6 @@ int ruling_on_line(const ScenePrimitive& line, const Scene& scene) {
 
 bool is_about_a_line(const Disagreement& disagreement) {
   return disagreement.rule == "line.diamond-exit" || disagreement.rule == "line.joint";
-}
-
-std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> primitives,
-                                                std::span<const PrimitiveCoverage> coverage,
-                                                const Scene& scene, int bits,
-                                                const SamplePositions& positions) {
-  std::vector<SharedEdgeFault> faults;
-  // Ruling 40 lets others be missing, or has them so.
-  const auto is_drawn = [&](const ScenePrimitive& p) {
-    // What clipping makes of two triangles need not have an edge in common.
-    return p.kind == PrimitiveKind::triangle && !p.is_clipped &&
-           !permitted_culling(p, scene.viewport, bits).may_be_culled;
-  };
-  const auto multisampled = [&](const ScenePrimitive& p) {
-    return is_multisampled(*p.state, scene.target);
-  };
-  for (std::size_t i = 0; i < primitives.size(); ++i) {
-    for (std::size_t j = i + 1; j < primitives.size(); ++j) {
-      if (!is_drawn(primitives[i]) || !is_drawn(primitives[j])) continue;
-      if (multisampled(primitives[i]) != multisampled(primitives[j])) continue;
-      const auto edge = common_edge(primitives[i], primitives[j]);
-      if (!edge) continue;
-      const Fixed reach = std::max(reach_of(primitives[i], scene.viewport, bits),
-                                   reach_of(primitives[j], scene.viewport, bits));
-      const PixelBounds near =
-          bounds_near(edge->a, edge->b,
-                      common(drawable_bounds(*primitives[i].state, scene.target),
-                             drawable_bounds(*primitives[j].state, scene.target)));
-      const SharedSide side{*edge, reach, near};
-      for (const auto& [sample, within] :
-           shared_samples(primitives[i], primitives[j], scene.target, positions))
-        add_faults(side, primitives[i].index, primitives[j].index, sample, within, coverage,
-                   faults);
-    }
-  }
-  return faults;
 }
 
 }  // namespace edgecase

@@ -58,18 +58,4 @@ int ruling_on_line(const ScenePrimitive& line, const Scene& scene);
 // Is a disagreement judged by the rulings on lines, which speak of whole segments?
 bool is_about_a_line(const Disagreement& disagreement);
 
-// Samples that two triangles with a common edge must hit exactly once but hit otherwise.
-struct SharedEdgeFault {
-  PixelPosition pixel;
-  int sample = 0;
-  int first = 0;  // primitive indices
-  int second = 0;
-  int hits = 0;  // by the two together
-};
-
-// `positions`: where the target's samples lie.
-std::vector<SharedEdgeFault> shared_edge_faults(
-    std::span<const ScenePrimitive> primitives, std::span<const PrimitiveCoverage> coverage,
-    const Scene& scene, int bits, const SamplePositions& positions = {centre_of_pixel()});
-
 }  // namespace edgecase

@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "diff/coverage/joint_faults.h"
-#include "diff/coverage/legality.h"
+#include "diff/coverage/shared_edge_faults.h"
 #include "model/scene_words.h"
 #include "raster/rasterizer.h"
 #include "rules/values/flat_attribute.h"
