@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rules/coverage/homogeneous_triangle.h"
 
+#include "rules/coverage/edge_walk.h"
+
 namespace edgecase {
 namespace {
 
@@ -11,6 +13,14 @@ bool inside_edge(const HomogeneousPoint& a, const HomogeneousPoint& b,
   const Int128 right = Int128{a.y} * b.w - Int128{b.y} * a.w;
   const Int128 up = Int128{b.x} * a.w - Int128{a.x} * b.w;
   return ties.positive(cross(a, b, sample), right, up);
+}
+
+// The same function, from a sample on. The next pixel's sample has coordinates larger by its w.
+WalkedEdge<Int128> walked_edge(const HomogeneousPoint& a, const HomogeneousPoint& b,
+                               const HomogeneousPoint& sample, const TieRule& ties) {
+  const Int128 right = Int128{a.y} * b.w - Int128{b.y} * a.w;
+  const Int128 up = Int128{b.x} * a.w - Int128{a.x} * b.w;
+  return {cross(a, b, sample), right * sample.w, up * sample.w, ties.positive(0, right, up)};
 }
 
 // Moved so that the samples of pixels become their centres.
@@ -47,15 +57,17 @@ std::vector<PixelPosition> triangle_pixels(const HomogeneousTriangle& triangle,
     return triangle_pixels(centred(nearest, within), bounds, algorithm, ties);
   // The nearest triangle's box reaches a pixel beyond it, so it holds the samples of this one.
   const PixelBounds some = sample_bounds(nearest, bounds);
+  const auto& [a, b, c] = triangle;
+  const Int128 area = cross(a, b, c);
+  if (area == 0) return {};
   const bool at_centre = within == centre_of_pixel();
-  std::vector<PixelPosition> pixels;
-  for (int y = some.y_min; y <= some.y_max; ++y)
-    for (int x = some.x_min; x <= some.x_max; ++x) {
-      const HomogeneousPoint sample =
-          at_centre ? homogeneous_centre(x, y) : homogeneous(place_in({x, y}, within));
-      if (triangle_covers(triangle, sample, ties)) pixels.push_back({x, y});
-    }
-  return pixels;
+  const PixelPosition first{some.x_min, some.y_min};
+  const HomogeneousPoint sample =
+      at_centre ? homogeneous_centre(first.x, first.y) : homogeneous(place_in(first, within));
+  const auto edge = [&](const HomogeneousPoint& from, const HomogeneousPoint& to) {
+    return area > 0 ? walked_edge(from, to, sample, ties) : walked_edge(to, from, sample, ties);
+  };
+  return walk_edges<Int128>({edge(a, b), edge(b, c), edge(c, a)}, some);
 }
 
 }  // namespace edgecase

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "rules/coverage/edge_walk.h"
 #include "rules/coverage/triangle_scan.h"
 
 namespace edgecase {
@@ -11,14 +12,24 @@ namespace {
 
 constexpr std::array kAlgorithms = {TriangleAlgorithm::edge_functions, TriangleAlgorithm::scan};
 
+// The edge a -> b of a counter-clockwise triangle, from the centre of pixel (x, y) on. One step
+// beyond a sample of the window stays below 2^62.
+WalkedEdge<std::int64_t> walked_edge(Point a, Point b, int x, int y, const TieRule& ties) {
+  const std::int64_t right = a.y.raw() - b.y.raw();
+  const std::int64_t up = b.x.raw() - a.x.raw();
+  return {cross(a, b, pixel_centre(x, y)), right * Fixed::kOne, up * Fixed::kOne,
+          ties.positive(0, right, up)};
+}
+
 std::vector<PixelPosition> by_edge_functions(const Triangle& triangle, const PixelBounds& bounds,
                                              const TieRule& ties) {
+  if (doubled_area(triangle) == 0) return {};
+  const Triangle t = counter_clockwise(triangle);
   const PixelBounds some = sample_bounds(triangle, bounds);
-  std::vector<PixelPosition> pixels;
-  for (int y = some.y_min; y <= some.y_max; ++y)
-    for (int x = some.x_min; x <= some.x_max; ++x)
-      if (triangle_covers(triangle, x, y, ties)) pixels.push_back({x, y});
-  return pixels;
+  const auto edge = [&](std::size_t i) {
+    return walked_edge(t[i], t[(i + 1) % 3], some.x_min, some.y_min, ties);
+  };
+  return walk_edges<std::int64_t>({edge(0), edge(1), edge(2)}, some);
 }
 
 }  // namespace
