@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <string_view>
 
 namespace edgecase {
 namespace {
@@ -49,21 +48,6 @@ void put_literals(Bytes& out, const Bytes& rgba, std::size_t begin, std::size_t 
 
 }  // namespace
 
-std::string to_base64(const Bytes& bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t at = 0; at < bytes.size(); at += 3) {
-    std::uint32_t group = 0;
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
-    for (std::size_t i = 0; i < 3; ++i) group = group << 8 | (i < count ? bytes[at + i] : 0u);
-    for (std::size_t i = 0; i < 4; ++i)
-      out += i <= count ? kDigits[group >> (18 - 6 * i) & 63] : '=';
-  }
-  return out;
-}
-
 Bytes pack_pixels(const Bytes& rgba) {
   Bytes out;
   std::size_t pending = 0;  // first byte that is not written yet
@@ -91,12 +75,6 @@ Bytes unpack_pixels(const Bytes& packed) {
     for (std::size_t i = 0; i < (number & 1 ? count : 1); ++i) append(out, packed, at, at + stored);
     at += stored;
   }
-  return out;
-}
-
-Bytes difference_of(const Bytes& a, const Bytes& b) {
-  Bytes out(std::min(a.size(), b.size()));
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = a[i] ^ b[i];
   return out;
 }
 

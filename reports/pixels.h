@@ -10,21 +10,18 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
+
+#include "results/base64.h"
+#include "results/picture_difference.h"
 
 namespace edgecase {
 
 using Bytes = std::vector<std::uint8_t>;
 
-std::string to_base64(const Bytes& bytes);
-
 // Packs RGBA8 pixels; the size must be a multiple of 4.
 Bytes pack_pixels(const Bytes& rgba);
 // The inverse.
 Bytes unpack_pixels(const Bytes& packed);
-
-// Byte by byte exclusive or of two images of the same size.
-Bytes difference_of(const Bytes& a, const Bytes& b);
 
 }  // namespace edgecase

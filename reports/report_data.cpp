@@ -161,11 +161,20 @@ Json answer_json(const CaseResults& one, const Result& result) {
   return json;
 }
 
+Json pixel_counts_json(const PixelCounts& counts) {
+  return {{"agree", counts.agree},
+          {"convention", counts.convention},
+          {"permitted", counts.permitted},
+          {"violation", counts.violation},
+          {"same", counts.same}};
+}
+
 Json result_json(const Result& result, std::size_t answer) {
   Json json = {{"verdict", name_of(result.verdict)},
                {"standing", name_of(result.standing)},
                {"expectation", result.expectation},
                {"answer", answer}};
+  if (!result.failure) json["pixel_counts"] = pixel_counts_json(result.pixel_counts);
   if (result.failure)
     json["failure"] = {{"kind", name_of(result.failure->kind)}, {"reason", result.failure->reason}};
   return json;

@@ -49,7 +49,8 @@ const CaseView = {
     CaseView.list = new DisagreementList(answer, (index) => CaseView.choose(index, true));
     return h("main.case", {}, caseWords(one), rendererTabs(one, result),
       h("section.card.answer", {role: "tabpanel", "aria-label": result.renderer},
-        h("div", {}, resultLine(result, CaseView.parts.stepper), CaseView.parts.finding),
+        h("div", {}, resultLine(result, CaseView.parts.stepper),
+          pixelLine(result.pixel_counts), CaseView.parts.finding),
         samplePlan(one, result)),
       CaseView.pictures.element, CaseView.ramps.element, CaseView.list.element,
       valuesSection(answer, CaseView.pick), evidenceSection(answer),

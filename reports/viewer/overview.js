@@ -101,7 +101,7 @@ function problems() {
 
 function overview(state) {
   return h("main.overview", {}, pageHead(), headlineOf(), summaryTable(), problems(),
-    clustersSection(),
+    scenesSection(), clustersSection(),
     h("div", {id: "bar"}, filterBar(state)), h("div", {id: "list"}));
 }
 

@@ -23,6 +23,14 @@ bool reads_before(const Disagreement& a, const Disagreement& b) {
          std::tie(b.y, b.x, b.primitive, b.sample, b.kind, b.rule);
 }
 
+// How many pixels of two pictures are the same.
+std::size_t same_pixels(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; at + 4 <= std::min(a.size(), b.size()); at += 4)
+    if (std::equal(&a[at], &a[at] + 4, &b[at])) ++count;
+  return count;
+}
+
 }  // namespace
 
 Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
@@ -33,6 +41,7 @@ Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
                                               : compare_passes(drawing, std::move(none_refuted));
   std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
+  result.pixel_counts.same = same_pixels(exact.pixels, rendered.pixels);
   return result;
 }
 

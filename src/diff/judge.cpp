@@ -17,6 +17,7 @@
 #include "diff/coverage/alternatives.h"
 #include "diff/coverage/cause.h"
 #include "diff/coverage/legality.h"
+#include "diff/pixel_verdicts.h"
 #include "rules/coverage/snap.h"
 
 namespace edgecase {
@@ -141,15 +142,12 @@ void name_switch(const Counts& counts, Result& result) {
 
 Verdict verdict_of(const Result& result, Latitude latitude) {
   if (result.failure) return Verdict::not_run;
-  if (result.disagreements.empty() && result.values.empty()) return Verdict::agree;
-  if (latitude == Latitude::none) return Verdict::violation;
-  bool all_open = std::all_of(result.values.begin(), result.values.end(),
-                              [](const ValueAggregate& v) { return is_open_choice(v.cause); });
-  for (const Disagreement& d : result.disagreements) {
-    if (!d.legal) return Verdict::violation;
-    all_open = all_open && is_open_choice(d.cause);
-  }
-  return all_open ? Verdict::convention : Verdict::permitted;
+  Verdict worst = Verdict::agree;
+  for (const ValueAggregate& values : result.values)
+    worst = std::max(worst, verdict_of(values, latitude));
+  for (const Disagreement& d : result.disagreements)
+    worst = std::max(worst, verdict_of(d, latitude));
+  return worst;
 }
 
 // FNV-1a, 64 bits, of rule, kind and set of pixels or samples. Values inside the permitted interval
@@ -185,6 +183,7 @@ std::string judge(std::span<Result* const> results, Latitude latitude) {
                         *result);
     name_switch(counts, *result);
     result->verdict = verdict_of(*result, latitude);
+    count_pixels(*result, latitude);
     result->fingerprint = fingerprint_of(*result);
   }
   return reading;

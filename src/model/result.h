@@ -7,6 +7,7 @@
 // explains most). Expectations then say how it stands to what is known.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -27,6 +28,19 @@ enum class Standing {
 };
 
 const char* name_of(Standing);
+
+// How many pixels of the target fare how. Each counts once, by the worst that was found at it: in
+// a fragment there, seen or hidden, in what its samples hold, in the image or in one of its passes.
+// What is wrong with a texture as a whole is found at pixel (0, 0). All are 0 where there is no
+// picture.
+struct PixelCounts {
+  std::size_t agree = 0;       // nothing differs
+  std::size_t convention = 0;  // the verdicts of cases, of what is found at the pixel alone
+  std::size_t permitted = 0;
+  std::size_t violation = 0;
+  std::size_t same = 0;  // the stored colour is exact's to the bit, whatever else is found there
+  friend bool operator==(const PixelCounts&, const PixelCounts&) = default;
+};
 
 // One renderer's answer to one case, compared.
 struct Result {
@@ -67,6 +81,7 @@ struct Result {
   // fragments of textured draws tell.
   std::vector<LevelPoint> ramp;
   std::vector<std::uint8_t> pixels;  // RGBA8, bottom row first; empty when not run
+  PixelCounts pixel_counts;
   // The same of exact, where it is another than the case's: with samples where this renderer says
   // that its own lie.
   std::vector<std::uint8_t> exact_pixels;

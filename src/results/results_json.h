@@ -8,8 +8,11 @@
 //
 //   {"tool", "policy", "renderers": [{"name", "vendor", "version", "device", "subpixel_bits",
 //    "traits"}], "cases": [{"id", "title", …, "results": {RENDERER: {"verdict", "fingerprint",
-//    "disagreements": […], "values": […], …}}}], "diagnostics": […], "summary",
+//    "pixel_counts", "disagreements": […], "values": […], …}}}], "diagnostics": […], "summary",
 //    "clusters": {RENDERER: […]}}
+//
+// A result's "pixel_counts", absent where it is not run, are {"agree", "convention", "permitted",
+// "violation", "same"} (model/result.h).
 //
 // A result's "ramp", absent where it is empty, is a list of [x, y, exact, low, high, rendered]:
 // levels of detail along a row of pixels (Result::ramp).
@@ -17,8 +20,13 @@
 // Of multisampled cases, a case and its results have "samples" (samples_json.h), and a result that
 // was held against exact with samples elsewhere "exact_pixels" and "exact_samples".
 //
-// Of supersampled cases, evidence has a "pass", and a disagreement's "sample" is a pass, both counted
-// from 0; -1 is the image of all passes.
+// Of supersampled cases, evidence has a "pass", and a disagreement's "sample" is a pass, both
+// counted from 0; -1 is the image of all passes.
+//
+// Pictures are RGBA8 in hexadecimal digits, the bottom row first. A result's "pixels" are "exact"
+// where they equal the case's; of large pictures it has a "difference" instead, the exclusive or of
+// the two. Whatever is longer than 65,536 characters stands deflated, and long lists of places as
+// runs (results/folding.h).
 //
 // Clusters (results/clusters.h) and the summary are counted from the cases, and not read back.
 #pragma once

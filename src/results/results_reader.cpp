@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "results/folding.h"
 #include "results/hex.h"
+#include "results/picture_difference.h"
 #include "results/results_json.h"
 #include "results/samples_json.h"
 
@@ -16,8 +18,8 @@ namespace {
 using Json = nlohmann::json;
 
 // RGBA8 of a picture of the given size.
-std::vector<std::uint8_t> to_pixels(const std::string& hex, int width, int height) {
-  std::vector<std::uint8_t> pixels = from_hex(hex);
+std::vector<std::uint8_t> to_pixels(const Json& json, int width, int height) {
+  std::vector<std::uint8_t> pixels = from_hex(unfolded(json).get<std::string>());
   if (width < 0 || height < 0 ||
       pixels.size() != 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
     throw std::runtime_error(fmt::format("{} bytes of pixels do not make a picture of {} by {}",
@@ -116,7 +118,7 @@ ValueAggregate to_values(const Json& json) {
   values.worst_relative = to_number(json.at("worst_relative"));
   for (const auto& [bucket, count] : json.at("ulp_histogram").items())
     values.ulp_histogram[to_integer(bucket)] = count;
-  values.differing = to_list<ValueAggregate::Place>(json.at("differing"), to_place);
+  values.differing = to_places(unfolded(json.at("differing")));
   return values;
 }
 
@@ -139,6 +141,11 @@ Result::LevelPoint to_level(const Json& json) {
           to_number(json.at(5))};
 }
 
+PixelCounts to_pixel_counts(const Json& json) {
+  return {json.at("agree"), json.at("convention"), json.at("permitted"), json.at("violation"),
+          json.at("same")};
+}
+
 Result to_result(const Json& json, const CaseResults& exact) {
   Result result;
   result.verdict = to_enum(json.at("verdict"), Verdict::agree, Verdict::not_run);
@@ -152,22 +159,27 @@ Result to_result(const Json& json, const CaseResults& exact) {
         Failure{to_enum(failure.at("kind"), FailureKind::unsupported, FailureKind::unavailable),
                 failure.at("reason")};
   }
-  result.disagreements = to_list<Disagreement>(json.at("disagreements"), to_disagreement);
+  if (json.contains("pixel_counts")) result.pixel_counts = to_pixel_counts(json.at("pixel_counts"));
+  result.disagreements = to_list<Disagreement>(unfolded(json.at("disagreements")), to_disagreement);
   result.values = to_list<ValueAggregate>(json.at("values"), to_values);
-  result.evidence = to_list<Result::Evidence>(json.at("evidence"), to_evidence);
+  result.evidence = to_list<Result::Evidence>(unfolded(json.at("evidence")), to_evidence);
   result.illegal_line_snaps = json.at("illegal_line_snaps").get<std::vector<std::string>>();
   result.refuted = json.at("refuted");
   if (json.contains("ramp")) result.ramp = to_list<Result::LevelPoint>(json.at("ramp"), to_level);
-  if (json.contains("pixels")) {
-    const std::string pixels = json.at("pixels");
-    result.pixels = pixels == "exact" ? exact.pixels : to_pixels(pixels, exact.width, exact.height);
-  }
+  if (json.contains("pixels"))
+    result.pixels = json.at("pixels") == "exact"
+                        ? exact.pixels
+                        : to_pixels(json.at("pixels"), exact.width, exact.height);
+  if (json.contains("difference"))
+    result.pixels =
+        difference_of(to_pixels(json.at("difference"), exact.width, exact.height), exact.pixels);
   if (json.contains("exact_pixels"))
     result.exact_pixels = to_pixels(json.at("exact_pixels"), exact.width, exact.height);
   if (json.contains("samples"))
-    result.samples = to_samples(json.at("samples"), exact.width, exact.height);
+    result.samples = to_samples(unfolded(json.at("samples")), exact.width, exact.height);
   if (json.contains("exact_samples"))
-    result.exact_samples = to_samples(json.at("exact_samples"), exact.width, exact.height);
+    result.exact_samples =
+        to_samples(unfolded(json.at("exact_samples")), exact.width, exact.height);
   return result;
 }
 
@@ -187,8 +199,8 @@ CaseResults to_case(const Json& json, const std::vector<RendererInfo>& renderers
   one.fragments = json.at("fragments");
   one.pixels = to_pixels(json.at("pixels"), one.width, one.height);
   if (json.contains("samples"))
-    one.samples = to_samples(json.at("samples"), one.width, one.height);
-  one.figure = to_figure(json.at("figure"));
+    one.samples = to_samples(unfolded(json.at("samples")), one.width, one.height);
+  one.figure = to_figure(unfolded(json.at("figure")));
   one.expect_failures = json.at("expect_failures").get<std::vector<std::string>>();
   for (const RendererInfo& info : renderers)
     one.results.push_back(to_result(json.at("results").at(info.name), one));

@@ -5,7 +5,9 @@
 #include <ostream>
 
 #include "results/clusters.h"
+#include "results/folding.h"
 #include "results/hex.h"
+#include "results/picture_difference.h"
 #include "results/results_json.h"
 #include "results/samples_json.h"
 
@@ -60,8 +62,6 @@ Json place_json(const ValueAggregate::Place& place) {
 }
 
 Json values_json(const ValueAggregate& values) {
-  Json differing = Json::array();
-  for (const auto& place : values.differing) differing.push_back(place_json(place));
   Json histogram = Json::object();
   for (const auto& [bucket, count] : values.ulp_histogram)
     histogram[std::to_string(bucket)] = count;
@@ -78,7 +78,7 @@ Json values_json(const ValueAggregate& values) {
                  {"mean_ulp", number(values.mean_ulp)},
                  {"worst_relative", number(values.worst_relative)},
                  {"ulp_histogram", std::move(histogram)},
-                 {"differing", std::move(differing)}};
+                 {"differing", folded(places_json(values.differing))}};
   if (!values.cause.empty()) object["cause"] = values.cause;
   return object;
 }
@@ -104,6 +104,25 @@ Json list(const Range& range, Convert convert) {
   return array;
 }
 
+// Equal pictures are said to be so, not stored twice; of large ones only the difference is stored.
+void add_picture(const std::vector<std::uint8_t>& rendered, const std::vector<std::uint8_t>& exact,
+                 Json& object) {
+  if (rendered == exact)
+    object["pixels"] = "exact";
+  else if (2 * rendered.size() <= kLongest || rendered.size() != exact.size())
+    object["pixels"] = folded(to_hex(rendered));
+  else
+    object["difference"] = folded(to_hex(difference_of(rendered, exact)));
+}
+
+Json pixel_counts_json(const PixelCounts& counts) {
+  return {{"agree", counts.agree},
+          {"convention", counts.convention},
+          {"permitted", counts.permitted},
+          {"violation", counts.violation},
+          {"same", counts.same}};
+}
+
 Json result_json(const Result& result, const CaseResults& exact) {
   Json object = {{"verdict", name_of(result.verdict)},
                  {"fingerprint", result.fingerprint},
@@ -112,19 +131,18 @@ Json result_json(const Result& result, const CaseResults& exact) {
   if (result.failure)
     object["failure"] = {{"kind", name_of(result.failure->kind)},
                          {"reason", result.failure->reason}};
-  object["disagreements"] = list(result.disagreements, disagreement_json);
+  if (!result.failure) object["pixel_counts"] = pixel_counts_json(result.pixel_counts);
+  object["disagreements"] = folded(list(result.disagreements, disagreement_json));
   object["values"] = list(result.values, values_json);
-  object["evidence"] = list(result.evidence, evidence_json);
+  object["evidence"] = folded(list(result.evidence, evidence_json));
   object["illegal_line_snaps"] = result.illegal_line_snaps;
   object["refuted"] = result.refuted;
   if (!result.ramp.empty()) object["ramp"] = list(result.ramp, level_json);
-  // Equal pictures are said to be so, not stored twice.
-  if (!result.failure)
-    object["pixels"] = result.pixels == exact.pixels ? "exact" : to_hex(result.pixels);
-  if (!result.exact_pixels.empty()) object["exact_pixels"] = to_hex(result.exact_pixels);
-  if (result.samples.samples > 1) object["samples"] = samples_json(result.samples);
+  if (!result.failure) add_picture(result.pixels, exact.pixels, object);
+  if (!result.exact_pixels.empty()) object["exact_pixels"] = folded(to_hex(result.exact_pixels));
+  if (result.samples.samples > 1) object["samples"] = folded(samples_json(result.samples));
   if (result.exact_samples.samples > 1)
-    object["exact_samples"] = samples_json(result.exact_samples);
+    object["exact_samples"] = folded(samples_json(result.exact_samples));
   return object;
 }
 
@@ -144,9 +162,9 @@ Json case_json(const CaseResults& one, const std::vector<RendererInfo>& renderer
                  {"width", one.width},
                  {"height", one.height},
                  {"fragments", one.fragments},
-                 {"pixels", to_hex(one.pixels)}};
-  if (one.samples.samples > 1) object["samples"] = samples_json(one.samples);
-  object["figure"] = figure_json(one.figure);
+                 {"pixels", folded(to_hex(one.pixels))}};
+  if (one.samples.samples > 1) object["samples"] = folded(samples_json(one.samples));
+  object["figure"] = folded(figure_json(one.figure));
   object["expect_failures"] = one.expect_failures;
   object["results"] = std::move(results);
   return object;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// How many pixels of a result's image fare how, as shares: beside a case's pictures, and of all
+// scenes together on the first page.
+
+const PIXEL_VERDICTS = ["agree", "convention", "permitted", "violation"];
+const SCENES = "scenes/";  // ids of cases that draw whole scenes
+
+const pixelsOf = (counts) => PIXEL_VERDICTS.reduce((sum, verdict) => sum + counts[verdict], 0);
+
+// "0.0031 %": two digits of a small share, so that one pixel in a million does not read as none,
+// and never 100 % where something is left.
+function shareText(count, all) {
+  if (!count) return "0";
+  if (count === all) return "100 %";
+  const share = 100 * count / all;
+  if (share < 1) return Number(share.toPrecision(2)) + " %";
+  const digits = Math.max(2, Math.ceil(-Math.log10(100 - share)) + 1);
+  return (share > 99 ? share.toFixed(Math.min(digits, 6)) : share.toFixed(1)) + " %";
+}
+
+function pixelLine(counts) {
+  const all = counts && pixelsOf(counts);
+  if (!all) return null;
+  return h("p.pixel-shares", {}, PIXEL_VERDICTS.filter((verdict) => counts[verdict]).map((verdict) =>
+    h("span", {title: counts[verdict].toLocaleString("en") + " of " + all.toLocaleString("en") +
+      " pixels: " + VERDICTS[verdict].means},
+    verdictIcon(verdict), shareText(counts[verdict], all) + " " + verdict)),
+  h("span.faint", {title: "Pixels whose stored colour is exact's to the bit"},
+    "same colour: " + shareText(counts.same, all)));
+}
+
+function totalCounts(results) {
+  const total = {same: 0};
+  for (const key of [...PIXEL_VERDICTS, "same"])
+    total[key] = results.reduce((sum, result) => sum + result.pixel_counts[key], 0);
+  return total;
+}
+
+// Pixels of all scenes that a renderer drew, by the worst that was found at each.
+function scenesSection() {
+  const scenes = Report.cases.filter((one) => one.id.startsWith(SCENES));
+  if (!scenes.length) return null;
+  const rows = Report.renderers.map((info, r) => {
+    const drawn = scenes.map((one) => one.results[r]).filter((result) => result.pixel_counts);
+    const counts = totalCounts(drawn);
+    const all = pixelsOf(counts);
+    const cell = (key) => h("td.count", {title: counts[key].toLocaleString("en") + " pixels"},
+      shareText(counts[key], all));
+    return h("tr", {}, h("th", {scope: "row"}, info.name),
+      h("td.count", {}, drawn.length.toLocaleString("en")), h("td.count", {}, all.toLocaleString("en")),
+      PIXEL_VERDICTS.map(cell), cell("same"));
+  });
+  return h("section.first", {}, h("h2", {}, "Whole scenes, pixel by pixel"),
+    h("p.faint", {}, "Each pixel counts once, by the worst that was found at it, seen or hidden; " +
+      "\u201csame colour\u201d counts those whose stored colour is exact\u2019s to the bit."),
+    h("div.scroll", {}, h("table.clusters.shares", {},
+      h("thead", {}, h("tr", {}, h("td", {}), ["scenes", "pixels"].map((text) =>
+        h("th", {scope: "col"}, text)), PIXEL_VERDICTS.map((verdict) =>
+        h("th", {scope: "col", title: VERDICTS[verdict].means}, verdictIcon(verdict), verdict)),
+      h("th", {scope: "col"}, "same colour"))),
+      h("tbody", {}, rows))));
+}

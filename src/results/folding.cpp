@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "results/folding.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
+#include <tuple>
+
+#include "results/base64.h"
+
+namespace edgecase {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Place = ValueAggregate::Place;
+
+constexpr std::string_view kMark = "zlib:";
+
+std::vector<std::uint8_t> deflated(const std::string& text) {
+  uLongf size = compressBound(static_cast<uLong>(text.size()));
+  std::vector<std::uint8_t> bytes(size);
+  if (compress(bytes.data(), &size, reinterpret_cast<const Bytef*>(text.data()),
+               static_cast<uLong>(text.size())) != Z_OK)
+    throw std::runtime_error("a long value cannot be deflated");
+  bytes.resize(size);
+  return bytes;
+}
+
+// The stream ends in a checksum, so that damage is noticed.
+std::string inflated(const std::vector<std::uint8_t>& bytes) {
+  z_stream stream{};
+  if (inflateInit(&stream) != Z_OK) throw std::runtime_error("there is no memory to inflate");
+  stream.next_in = const_cast<Bytef*>(bytes.data());
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  std::string text;
+  std::vector<char> buffer(1 << 16);
+  int status = Z_OK;
+  while (status == Z_OK) {
+    stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
+    stream.avail_out = static_cast<uInt>(buffer.size());
+    status = inflate(&stream, Z_NO_FLUSH);
+    text.append(buffer.data(), buffer.size() - stream.avail_out);
+  }
+  inflateEnd(&stream);
+  if (status != Z_STREAM_END) throw std::runtime_error("a deflated value is damaged");
+  return text;
+}
+
+auto in_reading_order(const Place& p) {
+  return std::tie(p.y, p.x, p.primitive);
+}
+auto by_primitive(const Place& p) {
+  return std::tie(p.primitive, p.y, p.x);
+}
+
+// Sorted, none twice?
+bool is_set(const std::vector<Place>& places) {
+  return std::ranges::adjacent_find(places, [](const Place& a, const Place& b) {
+           return in_reading_order(a) >= in_reading_order(b);
+         }) == places.end();
+}
+
+Json runs_json(std::vector<Place> places) {
+  std::sort(places.begin(), places.end(),
+            [](const Place& a, const Place& b) { return by_primitive(a) < by_primitive(b); });
+  Json runs = Json::array();
+  for (std::size_t i = 0; i < places.size();) {
+    const Place& first = places[i];
+    int count = 1;
+    const auto continues = [&](const Place& p) {
+      return p.primitive == first.primitive && p.y == first.y && p.x == first.x + count;
+    };
+    while (i + static_cast<std::size_t>(count) < places.size() &&
+           continues(places[i + static_cast<std::size_t>(count)]))
+      ++count;
+    runs.push_back({first.x, first.y, first.primitive, count});
+    i += static_cast<std::size_t>(count);
+  }
+  return runs;
+}
+
+}  // namespace
+
+Json folded(Json json) {
+  if (json.is_array() && json.empty()) return json;
+  if (json.is_string() && json.get_ref<const std::string&>().size() + 2 <= kLongest) return json;
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (text.size() <= kLongest) return json;
+  return std::string(kMark) + to_base64(deflated(text));
+}
+
+nlohmann::json unfolded(const nlohmann::json& json) {
+  if (!json.is_string()) return json;
+  const std::string& text = json.get_ref<const std::string&>();
+  if (!text.starts_with(kMark)) return json;
+  return nlohmann::json::parse(inflated(from_base64(std::string_view(text).substr(kMark.size()))));
+}
+
+Json places_json(const std::vector<Place>& places) {
+  if (places.size() > kMostPlaces && is_set(places)) return runs_json(places);
+  Json list = Json::array();
+  for (const Place& place : places) list.push_back({place.x, place.y, place.primitive});
+  return list;
+}
+
+std::vector<Place> to_places(const nlohmann::json& json) {
+  if (!json.is_array()) throw std::runtime_error("a list is missing");
+  std::vector<Place> places;
+  bool has_runs = false;
+  for (const nlohmann::json& item : json) {
+    Place place{item.at(0), item.at(1), item.at(2)};
+    has_runs = has_runs || item.size() > 3;
+    const int count = item.size() > 3 ? item.at(3).get<int>() : 1;
+    for (int i = 0; i < count; ++i, ++place.x) places.push_back(place);
+  }
+  if (has_runs)
+    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+      return in_reading_order(a) < in_reading_order(b);
+    });
+  return places;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// Folding: how the results file keeps what is long.
+//
+// A picture of 512 by 512 pixels is two megabytes of digits, and a list of all places where it
+// differs as many again. Nothing of that is left out, but JSON of more than kLongest characters
+// stands deflated (RFC 1950) in its place: as the string "zlib:" and base 64. What is shorter
+// stands as it is, so that the results of small cases can be read without any of this.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "model/verdict.h"
+
+namespace edgecase {
+
+constexpr std::size_t kLongest = 65536;
+
+// The same, or where its text is longer than that, folded. A string that begins with "zlib:" is not
+// taken.
+nlohmann::ordered_json folded(nlohmann::ordered_json json);
+
+// What was folded, or the same where it was not. Throws std::runtime_error for a fold that is
+// damaged.
+nlohmann::json unfolded(const nlohmann::json& json);
+
+// Places as a list of [x, y, primitive]. More than kMostPlaces, where they are sorted by row,
+// column and primitive, as runs [x, y, primitive, count] of neighbours in a row, sorted by
+// primitive, row and column. Each place stands once, or the list stays as it is.
+constexpr std::size_t kMostPlaces = 1000;
+nlohmann::ordered_json places_json(const std::vector<ValueAggregate::Place>& places);
+std::vector<ValueAggregate::Place> to_places(const nlohmann::json& json);
+
+}  // namespace edgecase
