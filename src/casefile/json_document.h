@@ -40,7 +40,8 @@ struct JsonDocument {
 };
 
 // Limits that keep a hostile file harmless.
-constexpr std::size_t kMaxFileBytes = std::size_t{1} << 20;
+// Room for all vertices that a case may have, written out with every digit of theirs.
+constexpr std::size_t kMaxFileBytes = std::size_t{1} << 24;
 constexpr std::size_t kMaxNesting = 32;  // arrays and objects within each other, the root included
 
 // Parses a text. Refused: more than kMaxFileBytes, malformed UTF-8, a byte order mark, nesting

@@ -2,6 +2,8 @@
 #include "diff/compare.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -54,6 +56,8 @@ Result not_run(Failure failure) {
 
 Figure scene_figure(const Scene& scene) {
   Figure figure;
+  // A vertex that several primitives share is marked once.
+  std::set<std::tuple<std::int64_t, std::int64_t, bool>> marked;
   for (const ScenePrimitive& primitive : primitives_of(scene)) {
     if (primitive.is_clipped) {
       const Figure seen = figure_of_seen(primitive);
@@ -64,8 +68,10 @@ Figure scene_figure(const Scene& scene) {
     Mark outline{MarkRole::primitive, count == 3, {}, std::to_string(primitive.index)};
     for (std::size_t i = 0; i < count; ++i) {
       const Point position = nearest_point(primitive.positions[i]);
-      const char* about = primitive.vertices[i]->clip ? "about " : "";
+      const bool is_quotient = primitive.vertices[i]->clip.has_value();
+      const char* about = is_quotient ? "about " : "";
       outline.points.push_back(position_of(position));
+      if (!marked.emplace(position.x.raw(), position.y.raw(), is_quotient).second) continue;
       figure.marks.push_back(
           {MarkRole::vertex, false, {position_of(position)}, about + format_point(position)});
     }

@@ -27,7 +27,7 @@ Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
 // The result of a scene that has no rendering.
 Result not_run(Failure failure);
 
-// The outlines and vertices of a scene's primitives.
+// The outlines of a scene's primitives and their vertices, each place marked once.
 Figure scene_figure(const Scene& scene);
 
 // Why pixel (x, y), of multisampled primitives each of its samples, is or is not drawn by each

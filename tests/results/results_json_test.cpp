@@ -88,6 +88,7 @@ void expect_ramp(const std::vector<Result::LevelPoint>& a,
 
 void expect_result(const Result& a, const Result& b) {
   EXPECT_EQ(a.refuted, b.refuted);
+  EXPECT_EQ(a.pixel_counts, b.pixel_counts);
   EXPECT_TRUE(a.samples == b.samples);
   EXPECT_TRUE(a.exact_samples == b.exact_samples);
   EXPECT_EQ(a.exact_pixels, b.exact_pixels);

@@ -3,8 +3,8 @@
 import re
 import unittest
 
-from support import (ROOT, SUITE, UNEXPECTED, USAGE, CommandTest, only_result, triangle_case,
-                     verdicts)
+from support import (PROBES, ROOT, SUITE, UNEXPECTED, USAGE, CommandTest, only_result,
+                     triangle_case, verdicts)
 
 POLICIES = sorted(path.stem for path in (ROOT / "cases/policies").glob("*.json"))
 ALL_DIFFER = f"{SUITE}/lines/algorithms/all-differ.json"
@@ -18,18 +18,18 @@ class Policies(CommandTest):
     def test_exact_under_each_agrees_with_itself(self):
         for policy in POLICIES:
             with self.subTest(policy=policy):
-                results = self.results(SUITE, "--policy", policy, "--against", "exact")
+                results = self.results(*PROBES, "--policy", policy, "--against", "exact")
                 self.assertEqual(results["policy"], policy)
                 self.assertEqual(set(verdicts(results).values()), {"agree"})
 
     def test_each_draws_its_own_picture(self):
-        pictures = {self.command("render", SUITE, "--policy", policy, "--json", "-").stdout
+        pictures = {self.command("render", *PROBES, "--policy", policy, "--json", "-").stdout
                     for policy in ["opengl", *POLICIES]}
         self.assertEqual(len(pictures), 1 + len(POLICIES))
 
     def test_none_grants_latitude(self):
         for policy in POLICIES:
-            results = self.results(SUITE, "--policy", policy, "--against", "osmesa:softpipe",
+            results = self.results(*PROBES, "--policy", policy, "--against", "osmesa:softpipe",
                                    "--filter", "triangles/ties/*", expect=UNEXPECTED)
             self.assertLessEqual(set(verdicts(results).values()), {"agree", "violation"})
 
@@ -66,7 +66,7 @@ class Policies(CommandTest):
 
 class Alternatives(CommandTest):
     def test_every_pair_is_told_apart_by_ten_cases_and_ties_abound(self):
-        out = self.command("separation", SUITE, "--least", 10).stdout
+        out = self.command("separation", *PROBES, "--least", 10).stdout
         cases, share = re.match(r"(\d+) cases, \d+ of them \(([\d.]+) %\) with a tie", out).groups()
         self.assertGreaterEqual(int(cases), 5000)
         self.assertGreaterEqual(float(share), 30)

@@ -8,8 +8,8 @@ import subprocess
 import unittest
 import zlib
 
-from support import (A_FIFTH, EDGECASE, MESA, PATIENCE, ROOT, SUITE, UNEXPECTED, USAGE, CommandTest,
-                     environment, only_result, rendered_suite, triangle_case)
+from support import (A_FIFTH, EDGECASE, MESA, PATIENCE, PROBES, ROOT, SUITE, UNEXPECTED, USAGE,
+                     CommandTest, environment, only_result, rendered_suite, triangle_case)
 
 TIE = f"{SUITE}/triangles/ties/flat-bottom.json"
 
@@ -17,7 +17,7 @@ TIE = f"{SUITE}/triangles/ties/flat-bottom.json"
 @functools.lru_cache(maxsize=None)
 def softpipe_results():
     """What `edgecase run` finds of softpipe on the whole suite."""
-    run = subprocess.run([EDGECASE, "run", SUITE, "--against", "osmesa:softpipe", "--json", "-"],
+    run = subprocess.run([EDGECASE, "run", *PROBES, "--against", "osmesa:softpipe", "--json", "-"],
                          env=environment(), capture_output=True, text=True, timeout=PATIENCE)
     return json.loads(run.stdout)
 
@@ -182,14 +182,14 @@ class Render(CommandTest):
                         self.assertEqual(rows[y][x], rendering["pixels"][4 * index:4 * index + 4])
 
     def test_json_is_one_line_per_case_in_order(self):
-        out = self.command("render", SUITE).stdout
+        out = self.command("render", *PROBES).stdout
         lines = [json.loads(line) for line in out.splitlines()]
         self.assertEqual([line["id"] for line in lines], sorted(line["id"] for line in lines))
         for line in lines:
             self.assertEqual(len(line["pixels"]), 4 * line["width"] * line["height"])
             order = [(f["y"], f["x"], f["primitive"]) for f in line["fragments"]]
             self.assertEqual(order, sorted(order))
-        self.command("render", SUITE, "--json", "all.jsonl")
+        self.command("render", *PROBES, "--json", "all.jsonl")
         self.assertEqual((self.folder / "all.jsonl").read_text(encoding="utf-8"), out)
 
 
@@ -197,7 +197,7 @@ class Report(CommandTest):
     def test_reports_from_a_results_file_are_those_of_the_run(self):
         against = [word for renderer in MESA for word in ("--against", renderer)]
         kinds = ("json", "junit", "html")
-        self.command("run", SUITE, *against, *A_FIFTH,
+        self.command("run", *PROBES, *against, *A_FIFTH,
                      *[word for kind in kinds for word in (f"--{kind}", f"run.{kind}")],
                      expect=None)
         self.command("report", "run.json",
@@ -207,7 +207,7 @@ class Report(CommandTest):
                             == (self.folder / f"report.{kind}").read_bytes(), kind)
 
     def test_json_on_standard_output_is_nothing_but_json(self):
-        run = self.command("run", SUITE, "--against", "exact", "--json", "-")
+        run = self.command("run", *PROBES, "--against", "exact", "--json", "-")
         self.assertGreater(len(json.loads(run.stdout)["cases"]), 50)
         self.assertIn("agree", run.stderr)
 
@@ -241,7 +241,7 @@ class Selection(CommandTest):
         against = ["--against", "osmesa:softpipe"]
         whole = {c["id"]: c for c in softpipe_results()["cases"]}
         for i in (1, 2):
-            part = self.results(SUITE, *against, "--shard", f"{i}/2", expect=None)
+            part = self.results(*PROBES, *against, "--shard", f"{i}/2", expect=None)
             for case in part["cases"]:
                 self.assertEqual(only_result(case)["fingerprint"],
                                  only_result(whole[case["id"]])["fingerprint"])
@@ -278,8 +278,8 @@ class Selection(CommandTest):
 class Strict(CommandTest):
     def test_strict_grants_no_latitude(self):
         against = ["--against", "osmesa:llvmpipe", "--against", "osmesa:softpipe"]
-        lenient = self.results(SUITE, *against, *A_FIFTH, expect=None)
-        strict = self.results(SUITE, *against, *A_FIFTH, "--strict", expect=UNEXPECTED)
+        lenient = self.results(*PROBES, *against, *A_FIFTH, expect=None)
+        strict = self.results(*PROBES, *against, *A_FIFTH, "--strict", expect=UNEXPECTED)
         for before, after in zip(lenient["cases"], strict["cases"]):
             for renderer, result in after["results"].items():
                 verdict = before["results"][renderer]["verdict"]

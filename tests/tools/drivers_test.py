@@ -6,8 +6,8 @@ import json
 import subprocess
 import unittest
 
-from support import (BIN, MESA, PATIENCE, RENDERER, SUITE, CommandTest, environment, places,
-                     rendered_suite)
+from support import (BIN, MESA, PATIENCE, PROBES, RENDERER, SUITE, CommandTest, environment,
+                     places, rendered_suite)
 
 WORKER = str(BIN / "edgecase-gl")
 # A row of centres on the bottom edge of a triangle, where each driver has a rule of its own.
@@ -113,7 +113,7 @@ class Drivers(CommandTest):
 
     def test_devices_and_renderings_differ(self):
         against = [word for renderer in MESA for word in ("--against", renderer)]
-        results = self.results(SUITE, *against, expect=None)
+        results = self.results(*PROBES, *against, expect=None)
         devices = {info["name"]: info["device"] for info in results["renderers"]}
         contexts = {info["name"]: info["traits"]["context"] for info in results["renderers"]}
         for renderer in MESA:

@@ -11,7 +11,8 @@ import time
 import unittest
 import xml.etree.ElementTree
 
-from support import EDGECASE, PATIENCE, SUITE, UNEXPECTED, CommandTest, environment, verdicts
+from support import (EDGECASE, PATIENCE, PROBES, SUITE, UNEXPECTED, CommandTest, environment,
+                     verdicts)
 
 SOON = 10  # seconds
 
@@ -52,7 +53,7 @@ class Interruption(CommandTest):
         return running.returncode, errors
 
     def run_arguments(self, renderer):
-        return ["run", SUITE, "--against", renderer, "--jobs", "1", "--json", "results.json",
+        return ["run", *PROBES, "--against", renderer, "--jobs", "1", "--json", "results.json",
                 "--junit", "junit.xml", "--html", "report.html"]
 
     def check_partial_results(self, least):
@@ -80,7 +81,7 @@ class Interruption(CommandTest):
 
     def test_other_subcommands(self):
         case = f"{SUITE}/triangles/ties/flat-top.json"
-        for arguments in (lambda renderer: ["render", SUITE, "--with", renderer],
+        for arguments in (lambda renderer: ["render", *PROBES, "--with", renderer],
                           lambda renderer: ["explain", case, "--against", renderer],
                           lambda renderer: ["backends", renderer]):
             (self.folder / "truth.jsonl.marks").unlink(missing_ok=True)
@@ -90,7 +91,7 @@ class Interruption(CommandTest):
     def test_render_keeps_what_was_finished(self):
         code, errors = self.start_and_stop(
             "nap", 3, signal.SIGINT,
-            lambda renderer: ["render", SUITE, "--with", renderer, "--json", "some.jsonl"])
+            lambda renderer: ["render", *PROBES, "--with", renderer, "--json", "some.jsonl"])
         self.assertEqual(code, UNEXPECTED)
         self.assertIn("interrupted", errors)
         lines = (self.folder / "some.jsonl").read_text(encoding="utf-8").splitlines()

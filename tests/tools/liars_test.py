@@ -5,7 +5,7 @@ import json
 import re
 import unittest
 
-from support import (RENDERER, SUITE, UNEXPECTED, CommandTest, component_bits, drawings,
+from support import (PROBES, RENDERER, SUITE, UNEXPECTED, CommandTest, component_bits, drawings,
                      rendered_suite)
 
 # The line of a case that one renderer ran: its id, and the verdict.
@@ -65,7 +65,7 @@ class Liars(CommandTest):
         """id -> verdict, of a share of the suite. A lie about everything makes some 300 MB of
         results, a case to a line: what is not asked for is not parsed."""
         path = self.folder / "results.json"
-        self.command("run", SUITE, "--against", self.odd_renderer(behaviour), "--json", path,
+        self.command("run", *PROBES, "--against", self.odd_renderer(behaviour), "--json", path,
                      "--shard", share, expect=expect)
         with path.open(encoding="utf-8") as lines:
             found = dict(match.groups() for match in map(CASE.match, lines) if match)

@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from support import (AS_EXPECTED, RENDERER, ROOT, SUITE, UNEXPECTED, USAGE, CommandTest,
+from support import (AS_EXPECTED, PROBES, RENDERER, ROOT, SUITE, UNEXPECTED, USAGE, CommandTest,
                      triangle_case, verdicts)
 
 PROFILES = ROOT / "cases" / "profiles"
@@ -119,7 +119,7 @@ class ProfilePolicy(CommandTest):
         self.assertNotIn("convention", found)
 
     def test_needs_one_renderer_with_a_profile(self):
-        run = self.command("run", SUITE, "--policy", "profile", "--against", "osmesa:softpipe",
+        run = self.command("run", *PROBES, "--policy", "profile", "--against", "osmesa:softpipe",
                            "--against", "osmesa:llvmpipe", expect=USAGE)
         self.assertIn("name one with --against", run.stderr)
         self.write("cases/one.json", triangle_case())

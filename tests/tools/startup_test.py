@@ -3,7 +3,7 @@
 import re
 import unittest
 
-from support import SUITE, CommandTest
+from support import PROBES, SUITE, CommandTest
 
 HEAVY = ("OpenImageIO", "edgecase_image_io", "libOSMesa", "libEGL", "libGL", "libLLVM")
 
@@ -19,7 +19,7 @@ class StartUp(CommandTest):
     def test_nothing_heavy_is_loaded(self):
         case = f"{SUITE}/triangles/ties/flat-top.json"
         for arguments in (["--version"], ["rules"], ["validate", SUITE], ["render", case],
-                          ["run", SUITE, "--against", "exact"], ["run", SUITE, "--list"],
+                          ["run", *PROBES, "--against", "exact"], ["run", *PROBES, "--list"],
                           ["explain", case, "--pixel", "3,3"]):
             with self.subTest(" ".join(arguments)):
                 self.assertEqual(self.heavy_libraries(*arguments), set())

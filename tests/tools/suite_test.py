@@ -12,7 +12,7 @@ import struct
 import unittest
 import xml.etree.ElementTree
 
-from support import (A_FIFTH, MESA, ROOT, SUITE, CommandTest, component_bits, drawings, float32,
+from support import (A_FIFTH, MESA, PROBES, ROOT, CommandTest, component_bits, drawings,
                      known_not_run, only_result, places, rendered_suite, triangle_case, verdicts)
 
 AGAINST_MESA = [word for renderer in MESA for word in ("--against", renderer)]
@@ -24,7 +24,7 @@ class WholeSuite(CommandTest):
         """Runs the suite against all Mesa renderers; the bytes of the three reports."""
         files = {kind: self.folder / f"{name}.{kind}" for kind in FORMATS}
         options = [word for kind, path in files.items() for word in (f"--{kind}", path)]
-        self.command("run", SUITE, *AGAINST_MESA, *options, *arguments)
+        self.command("run", *PROBES, *AGAINST_MESA, *options, *arguments)
         return {kind: path.read_bytes() for kind, path in files.items()}
 
     def test_mesa_is_as_expected_and_the_same_bytes_each_time(self):
@@ -48,13 +48,13 @@ class WholeSuite(CommandTest):
         self.check_that_each_is_judged_alone(results)
 
     def check_that_each_is_judged_alone(self, together):
-        alone = self.results(SUITE, "--against", "osmesa:softpipe", expect=None)
+        alone = self.results(*PROBES, "--against", "osmesa:softpipe", expect=None)
         for one, many in zip(alone["cases"], together["cases"], strict=True):
             self.assertEqual(one["results"]["osmesa:softpipe"], many["results"]["osmesa:softpipe"])
 
     def test_exact_agrees_with_itself_without_expectations(self):
         nothing = self.write("none.json", {"renderer": "exact", "measured": "", "expectations": []})
-        results = self.results(SUITE, "--against", "exact", "--expectations", nothing)
+        results = self.results(*PROBES, "--against", "exact", "--expectations", nothing)
         self.assertEqual(set(verdicts(results).values()), {"agree"})
         for case in results["cases"]:
             self.assertEqual(case["expect_failures"], [])
@@ -80,7 +80,7 @@ class WholeSuite(CommandTest):
     def test_the_python_example_agrees(self):
         others = [word for folder in ("textures", "samples", "output")
                   for word in ("--exclude", f"{folder}/*")]
-        drawn, refused = self.check_the_python_example("draws lines of width 1", SUITE, *others)
+        drawn, refused = self.check_the_python_example("draws lines of width 1", *PROBES, *others)
         self.assertLess(refused, drawn / 9)
 
     def test_the_python_example_agrees_on_every_sample(self):
@@ -325,7 +325,7 @@ class NothingIsLost(CommandTest):
                                      largest * 2 ** -23)
 
     def test_of_all_renderers(self):
-        results = self.results(SUITE, *AGAINST_MESA, expect=None)
+        results = self.results(*PROBES, *AGAINST_MESA, expect=None)
         exact = rendered_suite()
         self.assertEqual([case["id"] for case in results["cases"]], sorted(exact))
         coverage = values = 0

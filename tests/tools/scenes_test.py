@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""Whole scenes: what is told of their pixels, in how much room, and what they show."""
+import base64
+import json
+import subprocess
+import sys
+import unittest
+import zlib
+
+from support import ROOT, SUITE, CommandTest, only_result
+
+SCENES = f"{SUITE}/scenes"
+VERDICTS = ["agree", "convention", "permitted", "violation"]
+MOST_BYTES = 1_000_000  # of one renderer's result
+
+
+def unfolded(value):
+    """What the results file keeps folded, or the value itself."""
+    if not isinstance(value, str) or not value.startswith("zlib:"):
+        return value
+    return json.loads(zlib.decompress(base64.b64decode(value[5:])))
+
+
+def picture_of(case, result):
+    """Pixels of a result, four bytes each."""
+    exact = bytes.fromhex(unfolded(case["pixels"]))
+    if result.get("pixels") == "exact":
+        picture = exact
+    elif "pixels" in result:
+        picture = bytes.fromhex(unfolded(result["pixels"]))
+    else:
+        difference = bytes.fromhex(unfolded(result["difference"]))
+        picture = bytes(a ^ b for a, b in zip(exact, difference))
+    return [picture[i:i + 4] for i in range(0, len(picture), 4)]
+
+
+def places_of(values):
+    """Pixels of a value's differing places, which may be runs."""
+    return {(x + i, y) for x, y, _, *count in unfolded(values["differing"])
+            for i in range(count[0] if count else 1)}
+
+
+class WholeScenes(CommandTest):
+    def test_every_pixel_is_counted_in_little_room(self):
+        results = self.results(SCENES, "--against", "osmesa:llvmpipe", "--html", "report.html")
+        self.assertGreater(len(results["cases"]), 50)
+        large = 0
+        for case in results["cases"]:
+            with self.subTest(case=case["id"]):
+                self.check_case(case, only_result(case))
+                large += case["width"] == 512
+        self.assertGreater(large, 20)
+        self.assertLess((self.folder / "report.html").stat().st_size, 1_000_000 * large * 2)
+        # What was folded is read back: the report of the file is that of the run.
+        self.command("report", "results.json", "--html", "again.html")
+        self.assertTrue((self.folder / "again.html").read_bytes()
+                        == (self.folder / "report.html").read_bytes())
+
+    def check_case(self, case, result):
+        self.assertEqual(result["standing"], "expected")
+        self.assertLess(len(json.dumps(result)), MOST_BYTES)
+        counts = result["pixel_counts"]
+        area = case["width"] * case["height"]
+        self.assertEqual(sum(counts[verdict] for verdict in VERDICTS), area)
+        self.assertEqual([v for v in VERDICTS if counts[v]][-1], result["verdict"])
+        exact = picture_of(case, {"pixels": "exact"})
+        same = [a == b for a, b in zip(exact, picture_of(case, result), strict=True)]
+        self.assertEqual(sum(same), counts["same"])
+        differing = {tuple(d["pixel"]) for d in unfolded(result["disagreements"])}
+        for values in result["values"]:
+            differing |= places_of(values)
+        self.assertEqual(area - len(differing), counts["agree"])
+
+    def test_glass_in_the_right_order_shows_all_panes_and_in_the_wrong_one_the_nearest(self):
+        results = self.results(f"{SCENES}/glass-sorted.json", f"{SCENES}/glass-unsorted.json",
+                               "--filter", "*:size=512", "--against", "exact")
+        panes = [(.9, .15, .1), (.1, .75, .2), (.1, .3, .95)]
+        # All three panes and a white square of the wall lie behind this pixel.
+        place = 512 * 240 + 250
+        for case, seen in zip(results["cases"], (panes, panes[2:]), strict=True):
+            color = (1, 1, 1)
+            for pane in seen:
+                color = [(a + b) / 2 for a, b in zip(pane, color)]
+            shown = picture_of(case, only_result(case))[place]
+            for code, component in zip(shown, color):
+                # Each pane's mean is rounded.
+                self.assertAlmostEqual(code, 255 * component, delta=1)
+
+    def test_the_knot_is_what_its_script_writes(self):
+        meshes = ROOT / "cases" / "meshes"
+        written = subprocess.run([sys.executable, "-B", str(meshes / "torus_knot.py")],
+                                 capture_output=True, text=True, check=True).stdout
+        self.assertEqual((meshes / "torus-knot.obj").read_text(encoding="utf-8"), written)
+
+
+if __name__ == "__main__":
+    unittest.main()
