@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: MIT
 """Joins the viewer's files into one page and writes it as C++ source (see page.h).
 
-Usage: embed_viewer.py OUTPUT.cpp index.html viewer.css SCRIPT.js...
+Usage: embed_viewer.py OUTPUT.cpp NAME,NAME... TEMPLATE.html STYLE.css... SCRIPT.js...
 
-The template names four places: {{policy}}, {{style}}, {{data}} and {{script}}. The policy allows
-the page nothing but the one style and the one script that stand in it, each by its SHA-256 hash: a
-text that found its way into the markup could not run, load or send anything.
+The template names {{policy}}, {{style}}, {{script}} where there are scripts, and the places where
+text is put in when a page is written: {{title}}, {{data}}. What stands between those becomes one
+string each, of the names given. The policy allows the page nothing but the one style and the one
+script that stand in it, each by its SHA-256 hash: a text that found its way into the markup could
+not run, load or send anything.
 """
 import base64
 import hashlib
 import pathlib
+import re
 import sys
 
 
@@ -22,15 +25,18 @@ def build_page(template, style, script):
     if "</script" in script.lower() or "<!--" in script or "</style" in style.lower():
         sys.exit("embed_viewer.py: a viewer file holds text that would end its own element")
     policy = (
-        "default-src 'none'; base-uri 'none'; form-action 'none'; "
-        f"style-src {hash_of(style)}; script-src {hash_of(script)}"
+        "default-src 'none'; base-uri 'none'; form-action 'none'; " f"style-src {hash_of(style)}"
     )
-    page = template
-    for place, text in (("{{policy}}", policy), ("{{style}}", style), ("{{script}}", script)):
-        if page.count(place) != 1:
+    texts = {"{{style}}": style}
+    if script:
+        policy += f"; script-src {hash_of(script)}"
+        texts["{{script}}"] = script
+    parts = re.split(r"{{(?:title|data)}}", template)
+    for place, text in {"{{policy}}": policy, **texts}.items():
+        if sum(part.count(place) for part in parts) != 1:
             sys.exit(f"embed_viewer.py: the template must hold {place} exactly once")
-        page = page.replace(place, text)
-    return page.split("{{data}}")
+        parts = [part.replace(place, text) for part in parts]
+    return parts
 
 
 def array(name, text):
@@ -40,21 +46,31 @@ def array(name, text):
     return f"constexpr unsigned char {name}[] = {{\n" + ",\n".join(rows) + "};\n"
 
 
+def joined(files, suffix):
+    return "".join(p.read_text(encoding="utf-8") for p in files if p.suffix == suffix)
+
+
 def main():
-    output, template, style, *scripts = (pathlib.Path(a) for a in sys.argv[1:])
-    script = '"use strict";\n' + "".join(p.read_text(encoding="utf-8") for p in scripts)
+    output, names, template, *files = sys.argv[1:]
+    names = names.split(",")
+    files = [pathlib.Path(file) for file in files]
+    script = joined(files, ".js")
     parts = build_page(
-        template.read_text(encoding="utf-8"), style.read_text(encoding="utf-8"), script
+        pathlib.Path(template).read_text(encoding="utf-8"),
+        joined(files, ".css"),
+        '"use strict";\n' + script if script else "",
     )
-    if len(parts) != 2:
-        sys.exit("embed_viewer.py: the template must hold {{data}} exactly once")
-    view = "{reinterpret_cast<const char*>(%s), sizeof %s}"
-    output.write_text(
+    if len(parts) != len(names):
+        sys.exit("embed_viewer.py: a name is needed for each part between {{title}} and {{data}}")
+    arrays = "".join(array(f"{name}Bytes", part) for name, part in zip(names, parts))
+    views = "".join(
+        f"const std::string_view {name}{{reinterpret_cast<const char*>({name}Bytes), "
+        f"sizeof {name}Bytes}};\n"
+        for name in names
+    )
+    pathlib.Path(output).write_text(
         '// Made by embed_viewer.py.\n#include "reports/page.h"\n\nnamespace edgecase {\n'
-        "namespace {\n" + array("kBefore", parts[0]) + array("kAfter", parts[1]) + "}\n"
-        f"const std::string_view kPageBeforeData{view % ('kBefore', 'kBefore')};\n"
-        f"const std::string_view kPageAfterData{view % ('kAfter', 'kAfter')};\n"
-        "}  // namespace edgecase\n",
+        f"namespace {{\n{arrays}}}\n{views}}}  // namespace edgecase\n",
         encoding="utf-8",
     )
 

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "casefile/policy_reader.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <utility>
 
-#include "casefile/case_reader.h"
 #include "casefile/fields.h"
-#include "casefile/text.h"
 #include "casefile/text_file.h"
 
 namespace edgecase {
@@ -16,44 +11,6 @@ namespace {
 
 const Keys kPolicyKeys{{"name"}, {"$schema", "why", "latitude", "rules", "surfaces"}, {}};
 const Keys kSurfaceKeys{{}, {"fbo", "window"}, {}};
-
-void check_choice(const Place& place, const std::string& alternative,
-                  std::span<const KnownRule> known, Findings& findings) {
-  const std::string& id = place.node->name;
-  const auto rule = std::find_if(known.begin(), known.end(),
-                                 [&](const KnownRule& candidate) { return candidate.id == id; });
-  if (rule == known.end()) {
-    std::vector<std::string> ids;
-    for (const KnownRule& candidate : known) ids.push_back(candidate.id);
-    findings.add_key(place, fmt::format("there is no rule {}", quote(id)), suggest_names(id, ids));
-    return;
-  }
-  const auto& names = rule->alternatives;
-  if (std::find(names.begin(), names.end(), alternative) == names.end())
-    findings.add(place, fmt::format("rule {} has no alternative {}", id, quote(alternative)),
-                 suggest_names(alternative, names));
-}
-
-Choices read_choices(const Place& place, std::span<const KnownRule> known, Findings& findings) {
-  Choices choices;
-  if (!expect_kind(place, JsonKind::object, "a choice of alternatives", findings)) return choices;
-  for (std::size_t i = 0; i < place.node->children.size(); ++i) {
-    const Place choice = place.child(i);
-    const std::string& id = choice.node->name;
-    if (choice.node->duplicate) continue;
-    const auto alternative =
-        read_text(choice, fmt::format("the alternative of {}", quote(id)), {1, 200}, findings);
-    if (!is_rule_id(id)) {
-      findings.add_key(choice, fmt::format("{} is no rule's id", quote(id)),
-                       "write an id like line.diamond-exit; `edgecase rules` lists them");
-      continue;
-    }
-    if (!alternative) continue;
-    if (!known.empty()) check_choice(choice, *alternative, known, findings);
-    choices[id] = *alternative;
-  }
-  return choices;
-}
 
 void read_policy(const JsonNode& root, std::span<const KnownRule> known, Findings& findings,
                  Policy& policy) {

@@ -16,15 +16,11 @@
 #include <string>
 #include <vector>
 
+#include "casefile/choices_reader.h"
 #include "model/case.h"
 #include "model/policy.h"
 
 namespace edgecase {
-
-struct KnownRule {
-  std::string id;
-  std::vector<std::string> alternatives;
-};
 
 struct LoadedPolicy {
   std::optional<Policy> value;  // set exactly when there are no diagnostics

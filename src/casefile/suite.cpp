@@ -21,7 +21,9 @@ bool is_case_file(const fs::path& file) {
 
 bool is_skipped(const fs::path& folder) {
   const std::string name = folder.filename().string();
-  return name == "expectations" || name == "policies" || name == "profiles" || name.starts_with('.');
+  for (const char* other : {"expectations", "policies", "profiles", "galleries"})
+    if (name == other) return true;
+  return name.starts_with('.');
 }
 
 // The nearest of `folder` and the folders above it that is named "cases", else `folder`.

@@ -28,8 +28,8 @@ struct FoundCases {
 };
 
 // Expands files and folders. Folders are searched to any depth, without following links to folders,
-// for *.json except *.schema.json; hidden folders and folders named "expectations" or "policies"
-// are skipped. Never throws.
+// for *.json except *.schema.json; hidden folders and folders named "expectations", "policies",
+// "profiles" or "galleries" are skipped. Never throws.
 FoundCases find_cases(std::span<const std::filesystem::path> paths);
 
 }  // namespace edgecase

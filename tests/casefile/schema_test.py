@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Holds cases/case.schema.json against the case files that the loader is tested with.
+"""Holds cases/case.schema.json against the case files that the loader is tested with, and
+cases/gallery.schema.json against the suite's galleries.
 
-The schema must accept every good case and all of cases/, and refuse every file of bad/. Files of
+The schema of cases must accept every good case and all of cases/, and refuse every file of bad/. Files of
 bad_loader_only/ are those that no schema can refuse: they are no JSON at all, or the schema accepts
 them. Were one of them refused, it would belong to bad/.
 """
@@ -17,6 +18,9 @@ CASES = HERE.parent.parent / "cases"
 SCHEMA = json.loads((CASES / "case.schema.json").read_text(encoding="utf-8"))
 VALIDATOR = Draft202012Validator(SCHEMA)
 LEAST_BAD_FILES = 60
+GALLERIES = sorted((CASES / "galleries").glob("*.json"))
+GALLERY_SCHEMA = json.loads((CASES / "gallery.schema.json").read_text(encoding="utf-8"))
+GALLERY_VALIDATOR = Draft202012Validator(GALLERY_SCHEMA)
 
 
 class NotJson(Exception):
@@ -54,7 +58,7 @@ def faults(file):
 
 def is_case(file):
     folders = {part.name for part in file.relative_to(CASES).parents}
-    other = {"expectations", "policies", "profiles"}
+    other = {"expectations", "policies", "profiles", "galleries"}
     return not file.name.endswith(".schema.json") and not folders & other
 
 
@@ -105,6 +109,31 @@ class SchemaTest(unittest.TestCase):
                     self.assertEqual(faults(file), [])
                 except NotJson:
                     pass
+
+
+class GallerySchemaTest(unittest.TestCase):
+    def test_schema_is_valid(self):
+        Draft202012Validator.check_schema(GALLERY_SCHEMA)
+
+    def test_accepts_the_suite(self):
+        self.assertGreaterEqual(len(GALLERIES), 5)
+        for file in GALLERIES:
+            with self.subTest(file.name):
+                errors = GALLERY_VALIDATOR.iter_errors(parse(file))
+                self.assertEqual([error.message for error in errors], [])
+
+    def test_refuses_what_the_loader_refuses(self):
+        good = {"title": "t", "policy": "p", "pictures": [{"case": "a", "heading": "b"}]}
+        self.assertTrue(GALLERY_VALIDATOR.is_valid(good))
+        picture = good["pictures"][0]
+        for wrong in ({"title": ""}, {"title": "a\tb"}, {"policy": 1}, {"pictures": []},
+                      {"pictures": [{"case": "a"}]}, {"pictures": [picture | {"rule": {}}]},
+                      {"pictures": [picture | {"rules": {"Snap": "none"}}]},
+                      {"pictures": [picture] * 101}, {"choices": {"snap": "x"}},
+                      {"choices": {"line.snap": ""}}, {"not_shown": []}, {"sources": "x"},
+                      {"caption": "x"}):
+            with self.subTest(wrong):
+                self.assertFalse(GALLERY_VALIDATOR.is_valid(good | wrong))
 
 
 if __name__ == "__main__":

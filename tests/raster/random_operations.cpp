@@ -38,7 +38,11 @@ StencilFace face(RandomScenes& random) {
   return result;
 }
 
+// Some of them over, in either form.
 BlendTerm term(RandomScenes& random) {
+  if (one_in(random, 4))
+    return {BlendEquation::add, one_in(random, 2) ? BlendFactor::src_alpha : BlendFactor::one,
+            BlendFactor::one_minus_src_alpha};
   BlendTerm result;
   result.equation = any_to(random, BlendEquation::max);
   result.source = any_to(random, BlendFactor::src_alpha_saturate);

@@ -184,6 +184,46 @@ TEST(Blending, AlternativesOfTheEquation) {
   EXPECT_EQ(by(BlendMethod::color_for_alpha), (Rgba8{51, 100, 204, 50}));
   // 4/5 of the source and 1/5 of what is stored; alpha 4/25 + 50/255.
   EXPECT_EQ(by(BlendMethod::swapped), (Rgba8{204, 102, 51, 91}));
+  // The whole source and 4/5 of what is stored.
+  EXPECT_EQ(by(BlendMethod::over_as_premultiplied), (Rgba8{255, 182, 204, 91}));
+  EXPECT_EQ(by(BlendMethod::over_as_straight), by(BlendMethod::as_set));
+}
+
+// Each form of over taken for the other is the other; no other blending is touched.
+TEST(Blending, FormsOfOverAreTakenForEachOther) {
+  const Blending& premultiplied = kBlendPresets[1].blending;
+  ASSERT_EQ(premultiplied.color.source, BlendFactor::one);
+  const auto taken = [](BlendMethod method) { return BlendChoice{.method = method}; };
+  const BlendChoice as_premultiplied = taken(BlendMethod::over_as_premultiplied);
+  const BlendChoice as_straight = taken(BlendMethod::over_as_straight);
+  const auto is_form = [](const BlendTerm& term, BlendFactor source) {
+    return term.equation == BlendEquation::add && term.source == source &&
+           term.destination == BlendFactor::one_minus_src_alpha;
+  };
+  for (const Numbers& source : kSources)
+    for (const Rgba8& stored : kDestinations) {
+      EXPECT_EQ(written(over(), source, stored, as_premultiplied),
+                by_oracle(premultiplied, source, stored, {false, false}));
+      EXPECT_EQ(written(premultiplied, source, stored, as_straight),
+                by_oracle(over(), source, stored, {false, false}));
+      for (const BlendEquation equation : kBlendEquations)
+        for (const BlendFactor of_source : kBlendFactors)
+          for (const BlendFactor of_stored : kBlendFactors) {
+            const BlendTerm term{equation, of_source, of_stored};
+            // Alpha's own term stays, even where it has the form.
+            const Blending blending{
+                term,
+                {BlendEquation::add, BlendFactor::src_alpha, BlendFactor::one_minus_src_alpha},
+                {}};
+            const Rgba8 plain = written(blending, source, stored);
+            const Rgba8 first = written(blending, source, stored, as_premultiplied);
+            const Rgba8 second = written(blending, source, stored, as_straight);
+            EXPECT_EQ(first[3], plain[3]);
+            EXPECT_EQ(second[3], plain[3]);
+            if (!is_form(term, BlendFactor::src_alpha)) EXPECT_EQ(first, plain);
+            if (!is_form(term, BlendFactor::one)) EXPECT_EQ(second, plain);
+          }
+    }
 }
 
 // For every pair of roundings, over of some alpha and stored value tells them apart.

@@ -20,5 +20,6 @@ void add_report_command(CLI::App& app, ExitCode& exit);
 void add_separation_command(CLI::App& app, ExitCode& exit);
 void add_draw_command(CLI::App& app, ExitCode& exit);
 void add_profile_command(CLI::App& app, ExitCode& exit);
+void add_gallery_command(CLI::App& app, ExitCode& exit);
 
 }  // namespace edgecase

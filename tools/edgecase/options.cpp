@@ -56,17 +56,6 @@ Shard parse_shard(const std::string& text) {
   return {};
 }
 
-std::vector<KnownRule> known_rules() {
-  std::vector<KnownRule> result;
-  for (const Rule& rule : all_rules()) {
-    KnownRule known{rule.id, {}};
-    for (const Alternative& alternative : rule.alternatives)
-      known.alternatives.push_back(alternative.name);
-    result.push_back(std::move(known));
-  }
-  return result;
-}
-
 // The names of the policies in a folder: "cs184, direct3d-11, ...".
 std::string policy_names(const std::filesystem::path& folder) {
   std::set<std::string> names = {"opengl"};
@@ -120,6 +109,17 @@ std::optional<std::filesystem::path> find_policy(const std::string& policy,
 }
 
 }  // namespace
+
+std::vector<KnownRule> known_rules() {
+  std::vector<KnownRule> result;
+  for (const Rule& rule : all_rules()) {
+    KnownRule known{rule.id, {}};
+    for (const Alternative& alternative : rule.alternatives)
+      known.alternatives.push_back(alternative.name);
+    result.push_back(std::move(known));
+  }
+  return result;
+}
 
 void add_repeatable(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                     const std::string& description) {

@@ -9,12 +9,16 @@
 #include <string>
 #include <vector>
 
+#include "casefile/choices_reader.h"
 #include "model/policy.h"
 #include "run/selection.h"
 
 namespace edgecase {
 
 inline constexpr const char* kToolName = "edgecase " EDGECASE_VERSION;
+
+// Every rule of the catalogue, with its alternatives.
+std::vector<KnownRule> known_rules();
 
 // An option that takes one value each time it is given, so that "--filter GLOB PATH" ends with a
 // path.

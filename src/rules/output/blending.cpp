@@ -21,7 +21,12 @@ constexpr TabledAlternative<BlendMethod> kMethods[] = {
     {BlendMethod::color_for_alpha, "color-for-alpha", Openness::illegal,
      "alpha is blended by the equation and the factors of colour"},
     {BlendMethod::swapped, "swapped", Openness::illegal,
-     "the factors of source and destination are taken for each other"}};
+     "the factors of source and destination are taken for each other"},
+    {BlendMethod::over_as_premultiplied, "over-as-premultiplied", Openness::illegal,
+     "over of a straight colour does without the product by its alpha, as if it had been "
+     "premultiplied"},
+    {BlendMethod::over_as_straight, "over-as-straight", Openness::illegal,
+     "over of a premultiplied colour multiplies it by its alpha once more"}};
 constexpr auto kAllMethods = values_in(kMethods);
 
 constexpr TabledAlternative<BlendRounding> kRoundings[] = {
@@ -94,10 +99,22 @@ std::uint8_t nearest_operand(const std::array<double, 4>& source, std::size_t co
   return exactly_blended({}, source, {}, {}, component);
 }
 
+// Over of colours, with the factor that the other form of it has.
+void exchange_form(BlendTerm& term, BlendFactor from, BlendFactor to) {
+  if (term.equation == BlendEquation::add && term.source == from &&
+      term.destination == BlendFactor::one_minus_src_alpha)
+    term.source = to;
+}
+
 BlendTerm term_of(const Blending& blending, std::size_t component, BlendMethod method) {
   const bool is_alpha = component == kAlpha && method != BlendMethod::color_for_alpha;
   BlendTerm term = is_alpha ? blending.alpha : blending.color;
   if (method == BlendMethod::swapped) std::swap(term.source, term.destination);
+  if (is_alpha) return term;
+  if (method == BlendMethod::over_as_premultiplied)
+    exchange_form(term, BlendFactor::src_alpha, BlendFactor::one);
+  if (method == BlendMethod::over_as_straight)
+    exchange_form(term, BlendFactor::one, BlendFactor::src_alpha);
   return term;
 }
 

@@ -28,6 +28,10 @@ enum class BlendMethod {
   ignored,          // the source replaces the destination
   color_for_alpha,  // alpha is blended by the colour's term
   swapped,          // source and destination factors are taken for each other
+  // The two forms of over taken for each other: colours by {src_alpha, one_minus_src_alpha} as by
+  // {one, one_minus_src_alpha}, and the other way round.
+  over_as_premultiplied,
+  over_as_straight,
 };
 std::span<const BlendMethod> all_blend_methods();
 const char* name_of(BlendMethod choice);
@@ -58,8 +62,8 @@ using Rgba8 = std::array<std::uint8_t, 4>;
 using Rgba8Range = std::array<Unorm8Range, 4>;
 
 // What is stored after a fragment that has passed all tests. `source`: its colour, any number, NaN
-// counts as 0. Where it is blended the double is taken for the exact number; where not, it is stored
-// as to_unorm8 has it.
+// counts as 0. Where it is blended the double is taken for the exact number; where not, it is
+// stored as to_unorm8 has it.
 Rgba8 written_color(const FragmentOperations& operations, const std::array<double, 4>& source,
                     const Rgba8& destination, const BlendChoice& choice);
 
