@@ -157,12 +157,12 @@ std::string counted(std::size_t count, const char* one, const char* more) {
   return fmt::format("{} {}", count, count == 1 ? one : more);
 }
 
-// "3 pixels have another colour, by at most 9 of 255, 1 more is drawn another number of times";
+// "3 pixels have another colour, by up to 9 of 255, 1 more is drawn another number of times";
 // empty where nothing differs.
 std::string difference_words(const GalleryDifference& difference) {
   std::string words;
   if (difference.colors > 0)
-    words = fmt::format("{} another colour, by at most {} of 255",
+    words = fmt::format("{} another colour, by up to {} of 255",
                         counted(difference.colors, "pixel has", "pixels have"), difference.largest);
   if (difference.counts == 0) return words;
   if (words.empty())
@@ -292,9 +292,8 @@ std::string contrast_words(const GalleryEntry& entry) {
         "same.",
         words, joined(entry.alone, "or"));
   return fmt::format(
-      "{}. The two pictures are the same with {} as OpenGL has them, and not with "
-      "fewer.",
-      words, joined(entry.together, "and"));
+      "{}. The two pictures are the same with {} as OpenGL has them, and not with {}.", words,
+      joined(entry.together, "and"), entry.together.size() > 3 ? "any three of these" : "fewer");
 }
 
 void write_gallery(const GalleryPage& page, std::ostream& out) {
