@@ -235,10 +235,10 @@ std::string body_of(const GalleryPage& page) {
   add_navigation(body, page);
   add_choices(body, page);
   add_words(body, "p", "legend",
-            "A black line on white surrounds pixels that differ in colour from "
-            "OpenGL's exact picture; a ring marks those that are drawn another "
-            "number of times. Dots and thin lines are the vertices and outlines of "
-            "what is drawn.");
+            "A dashed line on white surrounds pixels that differ in colour from OpenGL's exact "
+            "picture, a thin dotted one those that differ by no more than 1 of 255; a ring marks "
+            "pixels that are drawn another number of times. Dots and thin lines are points and "
+            "outlines of what is drawn.");
   for (std::size_t i = 0; i < page.entries.size(); ++i) add_entry(body, page, i);
   add_words(body, "footer", "faint", page.tool);
   std::ostringstream text;

@@ -78,7 +78,7 @@ class WholeSuite(CommandTest):
         return drawn, refused
 
     def test_the_python_example_agrees(self):
-        others = [word for folder in ("textures", "samples", "output")
+        others = [word for folder in ("textures", "samples", "output", "clipping", "gallery")
                   for word in ("--exclude", f"{folder}/*")]
         drawn, refused = self.check_the_python_example("draws lines of width 1", *PROBES, *others)
         self.assertLess(refused, drawn / 9)
@@ -91,9 +91,16 @@ class WholeSuite(CommandTest):
     def test_the_python_example_agrees_on_what_becomes_of_fragments(self):
         folders = [ROOT / "cases/output" / name
                    for name in ("depth", "stencil", "blending", "culling", "order", "offset")]
+        folders.append(ROOT / "cases/gallery")
         drawn, refused = self.check_the_python_example("this example ", *folders, *A_FIFTH)
         self.assertGreater(drawn, 1000)
         self.assertLess(refused, drawn / 100)
+
+    def test_the_python_example_agrees_on_what_leaves_the_clip_volume(self):
+        drawn, refused = self.check_the_python_example("this example ", ROOT / "cases/clipping",
+                                                       *A_FIFTH)
+        self.assertGreater(drawn, 500)
+        self.assertLess(refused, drawn / 20)
 
     def test_the_python_example_agrees_on_nearest_texels(self):
         folders = [ROOT / "cases/textures" / name for name in ("wrap", "filter", "formats")]

@@ -23,7 +23,8 @@ constexpr Entry kEntries[] = {
     {LineAlgorithm::walk_floor_to_floor, "walk-floor-to-floor",
      "a pixel in each column from the start's to the end's, both included"},
     {LineAlgorithm::walk_ends_tested, "walk-ends-tested",
-     "the same, the first and last pixel held to the diamond-exit test"},
+     "a pixel in each column from the start's to the end's, the first and the last held to the "
+     "diamond-exit test"},
     {LineAlgorithm::walk_half_open_direction, "walk-half-open-direction",
      "a pixel in each column whose centre lies between start, included, and end, excluded"},
     {LineAlgorithm::walk_half_open_geometry, "walk-half-open-geometry",
