@@ -75,11 +75,25 @@ std::pair<BlockDecision, int> literal_decision(const PixelBounds& pixels, Sides&
   return {last ? BlockDecision::tested : BlockDecision::divided, -1};
 }
 
+// Does the block start at multiples of its size, is it cut at the bounds alone, and does it meet
+// the box?
+bool lies_well(const WalkedBlock& block, const PixelBounds& bounds, const PixelBounds& box) {
+  const PixelBounds& p = block.pixels;
+  const int x = p.x_min - p.x_min % block.size, y = p.y_min - p.y_min % block.size;
+  const PixelBounds whole{x, y, x + block.size - 1, y + block.size - 1};
+  return p.x_min == std::max(whole.x_min, bounds.x_min) &&
+         p.y_min == std::max(whole.y_min, bounds.y_min) &&
+         p.x_max == std::min(whole.x_max, bounds.x_max) &&
+         p.y_max == std::min(whole.y_max, bounds.y_max) && p.x_min <= box.x_max &&
+         p.x_max >= box.x_min && p.y_min <= box.y_max && p.y_max >= box.y_min;
+}
+
 void check(const BlockWalk& walk, const BlockGrid& grid, Sides& sides, Seen& seen) {
   ASSERT_EQ(covered_samples(walk, static_cast<int>(grid.places.size())),
             sides.covered(grid.bounds));
   std::vector<PixelPosition> decided;
   for (const WalkedBlock& block : walk.blocks) {
+    ASSERT_TRUE(lies_well(block, grid.bounds, walk.box));
     const bool last = block.size == grid.sizes.back();
     ASSERT_EQ(std::pair(block.decision, block.edge), literal_decision(block.pixels, sides, last));
     ++seen.decisions[block.decision];
@@ -256,6 +270,9 @@ TEST(BlockWalk, CountsWhatItAsks) {
   EXPECT_EQ(walk.evaluations, 3 * 6 + 3 + 2 * 16);
   // All three edges of each of the 64 samples: only the last can have one outside.
   EXPECT_EQ(walk.plain_evaluations, 3 * 64);
+  // In a block of 8 first, which two edges have wholly inside: the third alone is asked further.
+  EXPECT_EQ(walked({at(0, 0), at(8, 0), at(8, 8)}, {8, 4}, {0, 0, 7, 7}).evaluations,
+            6 + 3 * 2 + 1 + 2 * 16);
 }
 
 // Pixels whose centres lie on the diagonal decide what becomes of the blocks beside it.
