@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "raster/attributes.h"
+#include "raster/vertex_attributes.h"
 #include "raster/facing.h"
 #include "raster/rasterizer.h"
 
