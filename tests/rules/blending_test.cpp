@@ -245,6 +245,24 @@ TEST(Blending, AlternativesOfRoundingDiffer) {
   for (const int count : differing) EXPECT_GT(count, 10);
 }
 
+// Shifting takes one of the two codes next to the quotient, and not always the nearest.
+TEST(Blending, ShiftedProductsOfAllCodes) {
+  const BlendTerm product{BlendEquation::add, BlendFactor::dst_color, BlendFactor::zero};
+  const BlendChoice shifted{.rounding = BlendRounding::shifted};
+  int other_than_nearest = 0;
+  for (int a = 0; a < 256; ++a)
+    for (int b = 0; b < 256; ++b) {
+      const int p = a * b;
+      const int expected = (p + p / 256 + 128) / 256;
+      const Numbers source = {a / 255.0, 0, 0, 0};
+      const Rgba8 stored = {as_code(b), 0, 0, 0};
+      ASSERT_EQ(written({product, product, {}}, source, stored, shifted)[0], expected);
+      ASSERT_TRUE(expected == p / 255 || expected == (p + 254) / 255) << a << " " << b;
+      other_than_nearest += expected != oracle::nearest_code(Fraction(p, 255 * 255)) ? 1 : 0;
+    }
+  EXPECT_EQ(other_than_nearest, 24);
+}
+
 TEST(Blending, ChoicesHaveTheirNames) {
   expect_names_lead_back<BlendMethod>(all_blend_methods(), blend_equation_rule());
   expect_names_lead_back<BlendRounding>(all_blend_roundings(), blend_rounding_rule());

@@ -65,8 +65,8 @@ TEST(PolygonOffset, UnitsMultiplyAStepOfAFixedPointBuffer) {
     const double values = std::ldexp(1, bits);
     expect_about(by(OffsetUnit::step, format), 3 / (values - 1));
     expect_about(by(OffsetUnit::power, format), 3 / values);
-    expect_about(by(OffsetUnit::two_steps, format), 6 / values);
-    expect_about(by(OffsetUnit::four_steps, format), 12 / values);
+    expect_about(by(OffsetUnit::two_steps, format), 6 / (values - 1));
+    expect_about(by(OffsetUnit::four_steps, format), 12 / (values - 1));
     expect_about(by(OffsetUnit::of_24_bits, format), 0x3p-24);
     expect_about(by(OffsetUnit::ignored, format), 0);
     // A step is what moves a stored value to the next.
@@ -100,7 +100,7 @@ TEST(PolygonOffset, UnitsOfAFloatBufferFollowTheLargestDepth) {
   expect_about(by(0.4375, doubled), 0x1p-24);
   expect_about(by(0.4375, OffsetExponent::one), 0x1p-23);
   expect_about(by(0.4375, as_fixed), 1 / (0x1p24 - 1));
-  expect_about(by(0.4375, as_fixed, OffsetUnit::two_steps), 0x1p-23);
+  expect_about(by(0.4375, as_fixed, OffsetUnit::two_steps), 2 / (0x1p24 - 1));
   // The unit of a fixed-point buffer is none of a float's.
   expect_about(by(0.4375, largest_depth, OffsetUnit::two_steps), 0x1p-25);
 }

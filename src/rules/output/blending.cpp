@@ -35,7 +35,10 @@ constexpr TabledAlternative<BlendRounding> kRoundings[] = {
     {BlendRounding::source_first, "source-first", Openness::open,
      "source colour and constant are rounded to 8 bits first, the result again"},
     {BlendRounding::every_product, "every-product", Openness::open,
-     "source colour, constant, factors and both products are rounded to 8 bits"}};
+     "source colour, constant, factors and both products are rounded to 8 bits"},
+    {BlendRounding::shifted, "shifted-products", Openness::open,
+     "the same, but a product p of two codes becomes (p + p/256 + 128)/256 without remainders, in "
+     "place of p/255: half a code off at most, and a little"}};
 constexpr auto kAllRoundings = values_in(kRoundings);
 
 constexpr TabledAlternative<ColorMaskMethod> kMasks[] = {
@@ -58,6 +61,18 @@ struct RoundedCode {
   friend RoundedCode operator-(RoundedCode a, RoundedCode b) { return {a.value - b.value}; }
   friend RoundedCode operator*(RoundedCode a, RoundedCode b) {
     return {code_of_square(a.value * b.value)};
+  }
+};
+
+// The same, whose products are divided by shifting them.
+struct ShiftedCode {
+  int value = 0;
+  friend auto operator<=>(ShiftedCode, ShiftedCode) = default;
+  friend ShiftedCode operator+(ShiftedCode a, ShiftedCode b) { return {a.value + b.value}; }
+  friend ShiftedCode operator-(ShiftedCode a, ShiftedCode b) { return {a.value - b.value}; }
+  friend ShiftedCode operator*(ShiftedCode a, ShiftedCode b) {
+    const int product = a.value * b.value;
+    return {(product + (product >> 8) + 128) >> 8};
   }
 };
 
@@ -133,6 +148,11 @@ BlendOperands<Number> rounded_operands(const std::array<double, 4>& source,
   return result;
 }
 
+template <class Number>
+std::uint8_t clamped_code(Number result) {
+  return static_cast<std::uint8_t>(std::clamp(result.value, 0, kLargest));
+}
+
 std::uint8_t blended_code(const Blending& blending, const std::array<double, 4>& source,
                           const Rgba8& destination, std::size_t component,
                           const BlendChoice& choice) {
@@ -143,11 +163,12 @@ std::uint8_t blended_code(const Blending& blending, const std::array<double, 4>&
     case BlendRounding::source_first:
       return static_cast<std::uint8_t>(code_of_square(
           blended(term, rounded_operands<int>(source, destination, blending.constant), component)));
-    case BlendRounding::every_product: {
-      const auto operands = rounded_operands<RoundedCode>(source, destination, blending.constant);
-      return static_cast<std::uint8_t>(
-          std::clamp(blended(term, operands, component).value, 0, kLargest));
-    }
+    case BlendRounding::every_product:
+      return clamped_code(blended(
+          term, rounded_operands<RoundedCode>(source, destination, blending.constant), component));
+    case BlendRounding::shifted:
+      return clamped_code(blended(
+          term, rounded_operands<ShiftedCode>(source, destination, blending.constant), component));
   }
   return destination[component];
 }

@@ -42,6 +42,7 @@ enum class BlendRounding {
   once,           // the exact result, to nearest, a tie to the even value
   source_first,   // source colour and constant too, before the equation
   every_product,  // these, and both products
+  shifted,        // the same; a product p of two codes is (p + p/256 + 128)/256, whole parts alone
 };
 std::span<const BlendRounding> all_blend_roundings();
 const char* name_of(BlendRounding choice);

@@ -23,9 +23,9 @@ constexpr TabledAlternative<OffsetUnit> kUnits[] = {
     {OffsetUnit::step, "step", Openness::open,
      "1/(2^n - 1), the difference of neighbouring values of n bits"},
     {OffsetUnit::power, "power", Openness::open, "2^-n"},
-    {OffsetUnit::two_steps, "two-steps", Openness::open, "2^-(n-1)"},
+    {OffsetUnit::two_steps, "two-steps", Openness::open, "2/(2^n - 1)"},
     {OffsetUnit::four_steps, "four-steps", Openness::illegal,
-     "2^-(n-2): of 24 bits within ruling 38, of 16 bits beyond it"},
+     "4/(2^n - 1): of 24 bits within ruling 38, of 16 bits beyond it"},
     {OffsetUnit::of_24_bits, "of-24-bits", Openness::illegal,
      "2^-24 whatever n is, which a buffer of 16 bits does not keep apart"},
     {OffsetUnit::ignored, "ignored", Openness::illegal, "0: the units do nothing"}};
@@ -108,7 +108,7 @@ Interval step_of(int bits) {
   return Interval(1) / (std::ldexp(1.0, bits) - 1);
 }
 
-// A power of two is doubled without rounding.
+// Doubled without rounding.
 Interval doubled(Interval unit) {
   return {2 * unit.low, 2 * unit.high};
 }
@@ -120,9 +120,9 @@ Interval fixed_unit(int bits, OffsetUnit choice) {
     case OffsetUnit::power:
       return std::ldexp(1.0, -bits);
     case OffsetUnit::two_steps:
-      return std::ldexp(1.0, 1 - bits);
+      return doubled(step_of(bits));
     case OffsetUnit::four_steps:
-      return std::ldexp(1.0, 2 - bits);
+      return doubled(doubled(step_of(bits)));
     case OffsetUnit::of_24_bits:
       return 0x1p-24;
     case OffsetUnit::ignored:

@@ -33,8 +33,8 @@ bool parse_name(std::string_view name, OffsetSlope& choice);
 enum class OffsetUnit {
   step,        // 1/(2^n - 1), the difference of neighbouring values
   power,       // 2^-n
-  two_steps,   // 2^-(n-1)
-  four_steps,  // 2^-(n-2)
+  two_steps,   // 2/(2^n - 1)
+  four_steps,  // 4/(2^n - 1)
   of_24_bits,  // 2^-24 whatever n is
   ignored,
 };
