@@ -13,6 +13,7 @@
 
 #include "diff/coverage/legality.h"
 #include "profile/counter_examples.h"
+#include "profile/output/output_measurement.h"
 #include "profile/probes/probe_scenes.h"
 #include "profile/probes/probe_traits.h"
 #include "profile/random/random_scenes.h"
@@ -121,6 +122,7 @@ class SurfaceMeasurement {
     total_ += value_scene_count(options.scenes_per_kind);
     total_ += texture_scene_count(options.scenes_per_kind);
     total_ += sample_scene_count(options.scenes_per_kind);
+    total_ += output_scene_count(options.scenes_per_kind);
   }
 
   std::size_t total() const { return total_; }
@@ -144,6 +146,7 @@ class SurfaceMeasurement {
     ask_values(renderer, progress);
     ask_textures(renderer, progress);
     ask_samples(renderer, progress);
+    ask_output(renderer, progress);
     gather_counter_examples();
   }
 
@@ -159,6 +162,12 @@ class SurfaceMeasurement {
         ++profile_.random_scenes;
         if (has_tie(observation.scene)) ++profile_.with_ties;
       }
+  }
+
+  void count(const DrawnCounts& drawn) {
+    profile_.scenes += drawn.scenes;
+    profile_.not_drawn += drawn.not_drawn;
+    if (profile_.first_failure.empty()) profile_.first_failure = drawn.first_failure;
   }
 
   void adopt(const Inference& inference) {
@@ -241,9 +250,7 @@ class SurfaceMeasurement {
     policy.rules = choices_;
     found_.values = resolve(policy, profile_.surface).values;
     profile_.values = std::move(findings.errors);
-    profile_.scenes += findings.scenes;
-    profile_.not_drawn += findings.not_drawn;
-    if (profile_.first_failure.empty()) profile_.first_failure = findings.first_failure;
+    count({findings.scenes, findings.not_drawn, findings.first_failure});
   }
 
   void ask_textures(Renderer& renderer, const ObservationProgress& progress) {
@@ -253,9 +260,7 @@ class SurfaceMeasurement {
     for (Trait& trait : findings.traits) profile_.traits.push_back(std::move(trait));
     choices_.merge(findings.choices);
     profile_.levels = std::move(findings.residuals);
-    profile_.scenes += findings.scenes;
-    profile_.not_drawn += findings.not_drawn;
-    if (profile_.first_failure.empty()) profile_.first_failure = findings.first_failure;
+    count({findings.scenes, findings.not_drawn, findings.first_failure});
   }
 
   void ask_samples(Renderer& renderer, const ObservationProgress& progress) {
@@ -267,9 +272,17 @@ class SurfaceMeasurement {
     choices_.merge(findings.choices);
     profile_.samples = std::move(findings.profile);
     multisampled_ = std::move(findings.observations);
-    profile_.scenes += findings.drawn.scenes;
-    profile_.not_drawn += findings.drawn.not_drawn;
-    if (profile_.first_failure.empty()) profile_.first_failure = findings.drawn.first_failure;
+    count(findings.drawn);
+  }
+
+  void ask_output(Renderer& renderer, const ObservationProgress& progress) {
+    const OutputMeasureQuestion question{options_.seed, profile_.surface, options_.scenes_per_kind,
+                                         choices_};
+    OutputFindings findings = measure_output(renderer, question, progress, options_.stop);
+    for (Trait& trait : findings.traits) profile_.traits.push_back(std::move(trait));
+    choices_.merge(findings.choices);
+    profile_.output = std::move(findings.profile);
+    count(findings.drawn);
   }
 
   void gather_counter_examples() {

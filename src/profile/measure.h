@@ -3,7 +3,7 @@
 // Measure: from a renderer to its profile.
 //
 //   generated scenes -> observed coverage -> inferred choice -> probes -> values ->
-//   textures -> multisampled targets -> counter-examples, clusters
+//   textures -> multisampled targets -> fragment operations -> counter-examples, clusters
 //
 // Both surfaces are measured side by side, each with a renderer of its own. The same renderer, seed
 // and number of scenes give the same profile, whatever the number of threads.

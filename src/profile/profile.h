@@ -16,6 +16,7 @@
 #include "model/renderer.h"
 #include "model/scene.h"
 #include "profile/inference.h"
+#include "profile/output/output_profile.h"
 #include "profile/samples/sample_profile.h"
 #include "profile/textures/texture_residuals.h"
 #include "profile/values/value_errors.h"
@@ -69,6 +70,7 @@ struct SurfaceProfile {
   std::vector<ValueErrors> values;
   std::vector<LevelResiduals> levels;
   SampleProfile samples;
+  OutputProfile output;
   std::size_t illegal_scenes = 0;        // in which something is outside the specification
   std::vector<ProfileCluster> clusters;  // of what differs from the profile, or is illegal
 };

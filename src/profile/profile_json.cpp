@@ -8,6 +8,7 @@
 
 #include "casefile/case_writer.h"
 #include "model/scene_words.h"
+#include "profile/output/output_json.h"
 #include "profile/profile_text.h"
 #include "profile/samples/sample_json.h"
 #include "profile/textures/texture_json.h"
@@ -97,6 +98,7 @@ Json to_json(const SurfaceProfile& surface) {
   json["values"] = value_errors_json(surface.values);
   json["levels_of_detail"] = level_residuals_json(surface.levels);
   json["samples"] = sample_profile_json(surface.samples);
+  json["output"] = output_profile_json(surface.output);
   json["clusters"] = list_of(surface.clusters);
   return json;
 }

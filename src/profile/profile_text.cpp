@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "model/scene_words.h"
+#include "profile/output/output_text.h"
 #include "profile/samples/sample_text.h"
 #include "profile/textures/texture_text.h"
 #include "profile/values/value_text.h"
@@ -86,6 +87,7 @@ void print_surface(Buffer& out, const SurfaceProfile& surface, std::size_t most_
   print(out, "{}", value_errors_text(surface.values));
   print(out, "{}", level_residuals_text(surface.levels));
   print(out, "{}", sample_profile_text(surface.samples));
+  print(out, "{}", output_profile_text(surface.output));
   for (const OwnershipTable& table : surface.tables) print_table(out, table);
   print_clusters(out, surface, most_clusters);
 }

@@ -41,4 +41,15 @@ Trait Tally::trait(std::string id, None none) const {
   return trait;
 }
 
+Trait Tally::fitting(std::string id) const {
+  Trait found = trait(std::move(id), None::counted);
+  const auto [agreeing, of] = found.rate;
+  if (agreeing == of) return found;
+  found.runner_up = found.alternative;
+  found.runner_up_rate = found.rate;
+  found.alternative = kNoneFits;
+  found.rate = {of - agreeing, of};
+  return found;
+}
+
 }  // namespace edgecase

@@ -12,6 +12,9 @@
 
 namespace edgecase {
 
+// What is followed where nothing catalogued yields everything.
+inline constexpr const char* kNoneFits = "none fits";
+
 // Counts, observation by observation, which of a rule's alternatives yield it. What
 // all of them yield says nothing.
 class Tally {
@@ -26,6 +29,9 @@ class Tally {
   // counted too.
   enum class None { remarked, counted };
   Trait trait(std::string id, None none = None::remarked) const;
+  // The alternative that yields everything that tells them apart, and nothing is left over; where
+  // there is none, "none fits", with the one that comes closest as runner-up.
+  Trait fitting(std::string id) const;
 
  private:
   std::vector<std::string> names_;

@@ -10,11 +10,11 @@
 
 #include "profile/inference.h"
 #include "profile/random/random_scenes.h"
-#include "profile/samples/sample_drawing.h"
 #include "profile/samples/sample_places.h"
 #include "profile/samples/sample_scenes.h"
 #include "profile/samples/sample_sweeps.h"
 #include "profile/samples/sample_traits.h"
+#include "profile/scene_drawing.h"
 #include "rules/samples/sample_mask.h"
 
 namespace edgecase {
@@ -89,11 +89,11 @@ class SampleMeasurement {
   }
 
   // Draws planes of triangles and of lines.
-  std::vector<ToldSamples> told_planes(const std::string& family, const Multisampling& use,
+  std::vector<DrawnScene> told_planes(const std::string& family, const Multisampling& use,
                                        DepthFormat depth = DepthFormat::none) {
-    std::vector<ToldSamples> all =
+    std::vector<DrawnScene> all =
         drawing_.told(family, planes(PrimitiveKind::triangle, use, depth));
-    for (ToldSamples& one :
+    for (DrawnScene& one :
          drawing_.told(family + " line", planes(PrimitiveKind::line, use, depth)))
       all.push_back(std::move(one));
     return all;
@@ -109,7 +109,7 @@ class SampleMeasurement {
   }
 
   void adopt_sample_rule(const std::string& rule, const std::string& detail, ToldOf what,
-                         std::span<const ToldSamples> told) {
+                         std::span<const DrawnScene> told) {
     adopt(infer_sample_rule(rule, rule + detail, what, told, rules_));
   }
 
@@ -250,15 +250,15 @@ class SampleMeasurement {
   }
 
   void find_invocations() {
-    std::vector<ToldSamples> all;
-    std::vector<ToldSamples> plain;
-    std::vector<ToldSamples> centroid;
+    std::vector<DrawnScene> all;
+    std::vector<DrawnScene> plain;
+    std::vector<DrawnScene> centroid;
     for (const InvocationsAsked& asked : ways_to_ask_for_invocations()) {
       InvocationRow row = empty_row(asked, samples_);
       const std::string family = fmt::format("{} {}", asked.name, row.location);
-      std::vector<ToldSamples> drawn =
+      std::vector<DrawnScene> drawn =
           drawing_.told(family, planes(PrimitiveKind::triangle, asked.use));
-      for (const ToldSamples& one : drawn) add_invocations(one.rendering, row);
+      for (const DrawnScene& one : drawn) add_invocations(one.rendering, row);
       if (asked.name == "once")
         (asked.use.location == AttributeLocation::center ? plain : centroid) = drawn;
       std::move(drawn.begin(), drawn.end(), std::back_inserter(all));
@@ -275,7 +275,7 @@ class SampleMeasurement {
 
   // Multisampled lines may be interpolated otherwise than those of one sample; what follows is
   // about multisampled ones alone.
-  void find_line_parameter(std::span<const ToldSamples> lines) {
+  void find_line_parameter(std::span<const DrawnScene> lines) {
     Trait trait = infer_line_parameter(lines, rules_);
     if (trait.rate.of > 0) {
       const std::string before = single_sampled("attribute.smooth");
@@ -291,7 +291,7 @@ class SampleMeasurement {
     // What follows from a mask without sample 0 is a fault of its own.
     Multisampling masked;
     masked.mask = mask_of_all(samples_) - 1;
-    for (ToldSamples& one : told_planes("depth masked", masked, DepthFormat::depth32f))
+    for (DrawnScene& one : told_planes("depth masked", masked, DepthFormat::depth32f))
       depths.push_back(std::move(one));
     adopt_sample_rule("sample.depth", "", ToldOf::all_depths, depths);
     adopt_sample_rule("sample.depth", ":fragment", ToldOf::fragment_depths, depths);
@@ -313,9 +313,9 @@ class SampleMeasurement {
       scenes.push_back(alpha_scene(
           samples_,
           std::span(alphas).subspan(from, std::min(kAlphasPerScene, alphas.size() - from))));
-    std::vector<ToldSamples> told_alphas = drawing_.told("alpha", std::move(scenes));
+    std::vector<DrawnScene> told_alphas = drawing_.told("alpha", std::move(scenes));
     findings_.profile.alphas = alpha_runs(told_alphas);
-    for (ToldSamples& one : drawing_.told("alpha plane", alpha_planes(false)))
+    for (DrawnScene& one : drawing_.told("alpha plane", alpha_planes(false)))
       told_alphas.push_back(std::move(one));
     const auto per_sample = drawing_.told("alpha per sample", alpha_planes(true));
     told_alphas.insert(told_alphas.end(), per_sample.begin(), per_sample.end());
@@ -338,7 +338,7 @@ class SampleMeasurement {
   }
 
   const SampleMeasureQuestion& question_;
-  SampleDrawing drawing_;
+  SceneDrawing drawing_;
   Choices rules_;  // those found, of one sample and of several
   int samples_ = 0;
   SamplePositions positions_;

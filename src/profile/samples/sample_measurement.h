@@ -18,8 +18,8 @@
 #include "model/renderer.h"
 #include "profile/observation.h"
 #include "profile/profile.h"
-#include "profile/samples/sample_drawing.h"
 #include "profile/samples/sample_profile.h"
+#include "profile/scene_drawing.h"
 #include "rules/choices.h"
 
 namespace edgecase {

@@ -10,9 +10,8 @@
 #include <tuple>
 #include <utility>
 
-#include "profile/tally.h"
+#include "profile/rule_tally.h"
 #include "raster/rasterizer.h"
-#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -21,7 +20,6 @@ namespace {
 constexpr double kColorTolerance = 1.0 / 64 / kPlainSize;
 constexpr double kDepthTolerance = 1.0 / 64 / 64;
 
-using Facts = std::vector<bool>;
 using FragmentKey = std::tuple<int, int, int, std::uint32_t>;
 
 FragmentKey key_of(const Fragment& fragment) {
@@ -113,63 +111,33 @@ Facts agreement(ToldOf what, const Rendering& told, const Rendering& exact) {
   return {};
 }
 
-std::vector<std::string> names_of_alternatives(const Rule& rule) {
-  std::vector<std::string> names;
-  for (const Alternative& alternative : rule.alternatives) names.push_back(alternative.name);
-  return names;
-}
-
-Tally tally_of(const std::string& id) {
-  const Rule& rule = *find_rule(id);
-  std::vector<std::string> names = names_of_alternatives(rule);
-  const auto standard = std::find(names.begin(), names.end(), rule.standard);
-  const auto index = static_cast<std::size_t>(standard - names.begin());
-  return {std::move(names), index};
-}
-
-// facts[a][i]: does alternative a yield fact i?
-void add_all(Tally& tally, const std::vector<Facts>& facts) {
-  for (std::size_t i = 0; i < facts.front().size(); ++i) {
-    std::vector<bool> yields;
-    for (const Facts& alternative : facts) yields.push_back(alternative[i]);
-    tally.add(yields);
-  }
-}
-
-Policy with(const Choices& found, const std::string& rule, const std::string& alternative) {
-  Policy policy;
-  policy.rules = found;
-  policy.rules[rule] = alternative;
-  return policy;
-}
-
 }  // namespace
 
 Trait infer_sample_rule(const std::string& rule, std::string id, ToldOf what,
-                        std::span<const ToldSamples> told, const Choices& found) {
+                        std::span<const DrawnScene> told, const Choices& found) {
   Tally tally = tally_of(rule);
-  for (const ToldSamples& one : told) {
+  for (const DrawnScene& one : told) {
     std::vector<Facts> facts;
-    for (const std::string& name : names_of_alternatives(*find_rule(rule)))
-      facts.push_back(
-          agreement(what, one.rendering,
-                    rasterize(one.scene, with(found, rule, name), one.rendering.sample_positions)));
+    for (const std::string& name : names_of_alternatives(rule))
+      facts.push_back(agreement(
+          what, one.rendering,
+          rasterize(one.scene, policy_with(found, rule, name), one.rendering.sample_positions)));
     add_all(tally, facts);
   }
   return tally.trait(std::move(id), Tally::None::counted);
 }
 
-Trait infer_line_parameter(std::span<const ToldSamples> lines, const Choices& found) {
+Trait infer_line_parameter(std::span<const DrawnScene> lines, const Choices& found) {
   const std::string rule = "attribute.smooth";
-  std::vector<std::string> names = names_of_alternatives(*find_rule(rule));
-  const auto locations = names_of_alternatives(*find_rule("attribute.location"));
+  std::vector<std::string> names = names_of_alternatives(rule);
+  const auto locations = names_of_alternatives("attribute.location");
   Tally tally(names, 0);
-  for (const ToldSamples& one : lines) {
+  for (const DrawnScene& one : lines) {
     // facts[a]: what alternative a yields with some location.
     std::vector<Facts> facts(names.size());
     for (std::size_t a = 0; a < names.size(); ++a)
       for (const std::string& location : locations) {
-        Policy policy = with(found, rule, names[a]);
+        Policy policy = policy_with(found, rule, names[a]);
         policy.rules["attribute.location"] = location;
         const Facts more = agreement(ToldOf::colors, one.rendering,
                                      rasterize(one.scene, policy, one.rendering.sample_positions));
@@ -181,7 +149,7 @@ Trait infer_line_parameter(std::span<const ToldSamples> lines, const Choices& fo
   return tally.trait(rule + ":multisampled", Tally::None::counted);
 }
 
-Trait infer_resolve(std::span<const ToldSamples> told) {
+Trait infer_resolve(std::span<const DrawnScene> told) {
   Tally tally = tally_of("sample.resolve");
   for (const auto& [scene, rendering] : told) {
     const std::size_t plane = rendering.pixels.size();
@@ -199,7 +167,7 @@ Trait infer_resolve(std::span<const ToldSamples> told) {
   return tally.trait("sample.resolve", Tally::None::counted);
 }
 
-Trait own_alpha_trait(std::span<const ToldSamples> told, AlphaToCoverage choice) {
+Trait own_alpha_trait(std::span<const DrawnScene> told, AlphaToCoverage choice) {
   Trait trait{"sample.alpha-to-coverage:own", "each sample by its own alpha", {}, "", {}, ""};
   for (const auto& [scene, rendering] : told)
     for (const Fragment& fragment : rendering.fragments) {
@@ -219,7 +187,7 @@ Trait own_alpha_trait(std::span<const ToldSamples> told, AlphaToCoverage choice)
   return trait;
 }
 
-std::vector<AlphaRun> alpha_runs(std::span<const ToldSamples> told) {
+std::vector<AlphaRun> alpha_runs(std::span<const DrawnScene> told) {
   std::vector<AlphaRun> runs;
   for (const auto& [scene, rendering] : told) {
     const std::vector<Vertex>& vertices = scene.draws[0].vertices;

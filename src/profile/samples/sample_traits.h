@@ -12,18 +12,13 @@
 #include <string>
 #include <vector>
 
-#include "model/rendering.h"
 #include "profile/profile.h"
 #include "profile/samples/sample_profile.h"
 #include "profile/samples/sample_scenes.h"
+#include "profile/scene_drawing.h"
 #include "rules/choices.h"
 
 namespace edgecase {
-
-struct ToldSamples {
-  Scene scene;
-  Rendering rendering;
-};
 
 // What of a rendering a rule is held against.
 enum class ToldOf {
@@ -38,21 +33,21 @@ enum class ToldOf {
 
 // `found`: the rules found so far.
 Trait infer_sample_rule(const std::string& rule, std::string id, ToldOf what,
-                        std::span<const ToldSamples> told, const Choices& found);
+                        std::span<const DrawnScene> told, const Choices& found);
 
 // Of multisampled lines: does the rule attribute.smooth choose for them as it does for those of one
 // sample? Those of its alternatives and of attribute.location's that together yield most colours.
-Trait infer_line_parameter(std::span<const ToldSamples> lines, const Choices& found);
+Trait infer_line_parameter(std::span<const DrawnScene> lines, const Choices& found);
 
 // sample.resolve, by the samples that the renderer tells.
-Trait infer_resolve(std::span<const ToldSamples> told);
+Trait infer_resolve(std::span<const DrawnScene> told);
 
 // Does alpha to coverage keep each sample by the alpha of its own invocation? Of pixels of which
 // the shader runs for each sample.
-Trait own_alpha_trait(std::span<const ToldSamples> told, AlphaToCoverage choice);
+Trait own_alpha_trait(std::span<const DrawnScene> told, AlphaToCoverage choice);
 
 // Masks by alpha, of alpha scenes whose alphas follow each other.
-std::vector<AlphaRun> alpha_runs(std::span<const ToldSamples> told);
+std::vector<AlphaRun> alpha_runs(std::span<const DrawnScene> told);
 
 // Who owns samples on each part of a line's boundary.
 OwnershipTable line_side_table(std::span<const LineSideProbe> probes,

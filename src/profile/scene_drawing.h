@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// SampleDrawing: draws the scenes of the measurement of multisampled targets, and counts them.
+// SceneDrawing: draws the scenes of a part of the measurement, and counts them.
 #pragma once
 
 #include <atomic>
@@ -10,9 +10,13 @@
 
 #include "model/renderer.h"
 #include "profile/observation.h"
-#include "profile/samples/sample_traits.h"
 
 namespace edgecase {
+
+struct DrawnScene {
+  Scene scene;
+  Rendering rendering;
+};
 
 struct DrawnCounts {
   std::size_t scenes = 0;  // that were drawn
@@ -20,17 +24,17 @@ struct DrawnCounts {
   std::string first_failure;  // of those not drawn
 };
 
-class SampleDrawing {
+class SceneDrawing {
  public:
   // `expected`: of how many scenes progress is told.
-  SampleDrawing(Renderer& renderer, const ObservationProgress& progress,
-                const std::atomic<bool>* stop, std::size_t expected)
+  SceneDrawing(Renderer& renderer, const ObservationProgress& progress,
+               const std::atomic<bool>* stop, std::size_t expected)
       : renderer_(renderer), progress_(progress), stop_(stop), left_(expected) {}
 
   // Scenes with what was covered.
   std::vector<Observation> seen(const std::string& family, std::vector<Scene> scenes);
   // Scenes with their whole renderings, of those that were drawn.
-  std::vector<ToldSamples> told(const std::string& family, std::vector<Scene> scenes);
+  std::vector<DrawnScene> told(const std::string& family, std::vector<Scene> scenes);
   // Why the renderer does not draw a scene; empty: it does. A refusal counts as no failure.
   std::string refusal_of(const Scene& scene);
   // What is left of the expected scenes is not going to be drawn.

@@ -1,15 +1,33 @@
 // SPDX-License-Identifier: MIT
-#include "profile/samples/sample_drawing.h"
+#include "profile/scene_drawing.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
+#include <tuple>
 #include <utility>
 #include <variant>
 
 namespace edgecase {
+namespace {
 
-std::vector<Observation> SampleDrawing::seen(const std::string& family, std::vector<Scene> scenes) {
+// Scenes of one size together: some window systems pay for every change of size.
+std::vector<std::size_t> by_size(const std::vector<Scene>& scenes) {
+  std::vector<std::size_t> order(scenes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const Target& s = scenes[a].target;
+    const Target& t = scenes[b].target;
+    return std::tie(s.width, s.height) < std::tie(t.width, t.height);
+  });
+  return order;
+}
+
+}  // namespace
+
+std::vector<Observation> SceneDrawing::seen(const std::string& family, std::vector<Scene> scenes) {
   std::vector<Observation> observations(scenes.size());
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     observations[i].id = fmt::format("{}/{:05}", family, i);
@@ -21,27 +39,31 @@ std::vector<Observation> SampleDrawing::seen(const std::string& family, std::vec
   return observations;
 }
 
-std::vector<ToldSamples> SampleDrawing::told(const std::string& family, std::vector<Scene> scenes) {
+std::vector<DrawnScene> SceneDrawing::told(const std::string& family, std::vector<Scene> scenes) {
+  const std::vector<std::size_t> order = by_size(scenes);
   std::vector<Task> tasks;
-  for (std::size_t i = 0; i < scenes.size(); ++i)
+  for (const std::size_t i : order)
     tasks.push_back({fmt::format("{}/{:05}", family, i), &scenes[i]});
-  std::vector<ToldSamples> result;
+  std::vector<std::optional<Rendering>> renderings(scenes.size());
   renderer_.render(tasks, [&](std::size_t i, Outcome outcome) {
     if (stop_ != nullptr && stop_->load()) throw MeasurementStopped{};
     count(1);
     if (auto* rendering = std::get_if<Rendering>(&outcome)) {
       note("");
-      result.push_back({scenes[i], std::move(*rendering)});
+      renderings[order[i]] = std::move(*rendering);
       return;
     }
     const auto& failure = std::get<Failure>(outcome);
     note(fmt::format("{}: {}", name_of(failure.kind), failure.reason));
   });
+  std::vector<DrawnScene> result;
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    if (renderings[i]) result.push_back({std::move(scenes[i]), std::move(*renderings[i])});
   return result;
 }
 
-std::string SampleDrawing::refusal_of(const Scene& scene) {
-  const Task task{fmt::format("samples/{}", scene.target.samples), &scene};
+std::string SceneDrawing::refusal_of(const Scene& scene) {
+  const Task task{"refusal", &scene};
   std::string refusal;
   renderer_.render({&task, 1}, [&](std::size_t, const Outcome& outcome) {
     if (const auto* failure = std::get_if<Failure>(&outcome)) refusal = failure->reason;
@@ -51,17 +73,17 @@ std::string SampleDrawing::refusal_of(const Scene& scene) {
   return refusal;
 }
 
-void SampleDrawing::finish() {
+void SceneDrawing::finish() {
   count(left_);
 }
 
-void SampleDrawing::count(std::size_t scenes) {
+void SceneDrawing::count(std::size_t scenes) {
   const std::size_t more = std::min(scenes, left_);
   left_ -= more;
   if (progress_ && more > 0) progress_(more);
 }
 
-void SampleDrawing::note(const std::string& failure) {
+void SceneDrawing::note(const std::string& failure) {
   ++(failure.empty() ? counts_.scenes : counts_.not_drawn);
   if (counts_.first_failure.empty()) counts_.first_failure = failure;
 }

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "profile/output/blend_traits.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "model/rendering.h"
+#include "profile/output/cells.h"
+#include "profile/rule_tally.h"
+
+namespace edgecase {
+namespace {
+
+// A cell in which the colour of the second triangle met what the first one had stored.
+struct BlendedCell {
+  const FragmentOperations* operations = nullptr;
+  std::array<double, 4> source{};
+  Rgba8 destination{};
+  Rgba8 stored{};
+};
+
+std::array<double, 4> color_of(const ScenePrimitive& primitive) {
+  std::array<double, 4> color{};
+  std::copy_n(primitive.vertices[0]->color.begin(), color.size(), color.begin());
+  return color;
+}
+
+// As the first draw writes it; its colours are codes.
+Rgba8 codes_of(const ScenePrimitive& primitive) {
+  Rgba8 codes{};
+  const std::array<double, 4> color = color_of(primitive);
+  std::transform(color.begin(), color.end(), codes.begin(), to_unorm8);
+  return codes;
+}
+
+Rgba8 stored_at(const Rendering& rendering, PixelPosition pixel) {
+  Rgba8 stored{};
+  std::copy_n(rendering.pixels.begin() +
+                  static_cast<std::ptrdiff_t>(4 * rendering.pixel_index(pixel.x, pixel.y)),
+              stored.size(), stored.begin());
+  return stored;
+}
+
+std::vector<BlendedCell> blended_cells(const DrawnScene& drawn) {
+  std::map<PixelPosition, Rgba8> first;
+  std::vector<BlendedCell> cells;
+  for (const ScenePrimitive& primitive : primitives_of(drawn.scene)) {
+    const PixelPosition pixel = cell_pixel(primitive);
+    if (primitive.draw == 0)
+      first.emplace(pixel, codes_of(primitive));
+    else
+      cells.push_back({&primitive.state->operations, color_of(primitive), first.at(pixel),
+                       stored_at(drawn.rendering, pixel)});
+  }
+  return cells;
+}
+
+// Under the method the draw means these operations.
+FragmentOperations operations_by(FragmentOperations operations, BlendMethod method) {
+  Blending& blending = *operations.blending;
+  if (method == BlendMethod::ignored) operations.blending.reset();
+  if (method == BlendMethod::color_for_alpha) blending.alpha = blending.color;
+  if (method == BlendMethod::swapped) {
+    std::swap(blending.color.source, blending.color.destination);
+    std::swap(blending.alpha.source, blending.alpha.destination);
+  }
+  return operations;
+}
+
+bool is_permitted(const BlendedCell& cell, BlendMethod method) {
+  std::array<Interval, 4> source;
+  Rgba8Range destination;
+  for (std::size_t i = 0; i < 4; ++i) {
+    source[i] = Interval(cell.source[i]);
+    destination[i] = {cell.destination[i], cell.destination[i]};
+  }
+  const Rgba8Range permitted =
+      permitted_color(operations_by(*cell.operations, method), source, destination);
+  for (std::size_t i = 0; i < 4; ++i)
+    if (cell.stored[i] < permitted[i].low || cell.stored[i] > permitted[i].high) return false;
+  return true;
+}
+
+}  // namespace
+
+std::size_t BlendResidual::wrong() const {
+  std::size_t sum = 0;
+  for (const auto& [difference, count] : off) sum += count;
+  return sum;
+}
+
+void add_plain_colors(std::span<const DrawnScene> told, CodeTally& tally) {
+  for (const DrawnScene& drawn : told)
+    for (const ScenePrimitive& primitive : primitives_of(drawn.scene)) {
+      const Rgba8 stored = stored_at(drawn.rendering, cell_pixel(primitive));
+      const std::array<double, 4> color = color_of(primitive);
+      for (std::size_t i = 0; i < 4; ++i) tally.add(color[i], stored[i]);
+    }
+}
+
+Trait infer_blend_method(std::span<const DrawnScene> told) {
+  Tally tally = tally_of("blend.equation");
+  for (const DrawnScene& drawn : told)
+    for (const BlendedCell& cell : blended_cells(drawn)) {
+      std::vector<bool> yields;
+      for (const BlendMethod method : all_blend_methods())
+        yields.push_back(is_permitted(cell, method));
+      tally.add(yields);
+    }
+  return tally.fitting("blend.equation");
+}
+
+Trait infer_blend_rounding(std::span<const DrawnScene> told, BlendMethod method) {
+  Tally tally = tally_of("blend.rounding");
+  for (const DrawnScene& drawn : told)
+    for (const BlendedCell& cell : blended_cells(drawn)) {
+      std::vector<Rgba8> written;
+      for (const BlendRounding rounding : all_blend_roundings())
+        written.push_back(written_color(*cell.operations, cell.source, cell.destination,
+                                        {method, rounding, ColorMaskMethod::as_set}));
+      for (std::size_t i = 0; i < 4; ++i) {
+        std::vector<bool> yields;
+        for (const Rgba8& color : written) yields.push_back(color[i] == cell.stored[i]);
+        tally.add(yields);
+      }
+    }
+  return tally.fitting("blend.rounding");
+}
+
+std::vector<BlendResidual> blend_residuals(std::span<const DrawnScene> told,
+                                           const BlendChoice& choice) {
+  std::map<std::tuple<bool, BlendEquation, BlendFactor, BlendFactor>, BlendResidual> by_term;
+  for (const DrawnScene& drawn : told)
+    for (const BlendedCell& cell : blended_cells(drawn)) {
+      const Rgba8 written = written_color(*cell.operations, cell.source, cell.destination, choice);
+      for (std::size_t i = 0; i < 4; ++i) {
+        const bool is_alpha = i == 3;
+        const Blending& blending = *cell.operations->blending;
+        const BlendTerm& term = is_alpha ? blending.alpha : blending.color;
+        BlendResidual& residual = by_term[{is_alpha, term.equation, term.source, term.destination}];
+        residual.term = term;
+        residual.is_alpha = is_alpha;
+        ++residual.values;
+        if (cell.stored[i] != written[i]) ++residual.off[cell.stored[i] - written[i]];
+      }
+    }
+  std::vector<BlendResidual> residuals;
+  for (auto& [term, residual] : by_term)
+    if (residual.wrong() > 0) residuals.push_back(std::move(residual));
+  std::stable_sort(
+      residuals.begin(), residuals.end(),
+      [](const BlendResidual& a, const BlendResidual& b) { return a.wrong() > b.wrong(); });
+  return residuals;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+//
+// Depths that are stored and tested, and stencil values.
+#include <array>
+#include <span>
+#include <utility>
+
+#include "profile/output/cells.h"
+#include "profile/output/output_scenes.h"
+#include "rules/values/depth_buffer.h"
+
+namespace edgecase {
+namespace {
+
+constexpr std::uint64_t kScenesOfARange = 2;
+constexpr std::uint64_t kTestScenes = 4;
+constexpr std::uint64_t kStencilScenes = 6;
+constexpr std::size_t kStencilDraws = 48;
+
+constexpr std::array kFunctions{CompareFunction::never,   CompareFunction::less,
+                                CompareFunction::equal,   CompareFunction::lequal,
+                                CompareFunction::greater, CompareFunction::notequal,
+                                CompareFunction::gequal,  CompareFunction::always};
+constexpr std::array kOperations{StencilOperation::keep,      StencilOperation::zero,
+                                 StencilOperation::replace,   StencilOperation::incr,
+                                 StencilOperation::incr_wrap, StencilOperation::decr,
+                                 StencilOperation::decr_wrap, StencilOperation::invert};
+
+constexpr Color kWhite{1, 1, 1, 1};
+constexpr Color kGray{0.25F, 0.25F, 0.25F, 1};
+
+// The whole range, where 24 bits have every distance from a code but few close to a middle; the
+// lower ends, where float32 is fine enough for many of them between two codes; and round the one
+// half, which is such a middle.
+constexpr std::array<DepthRange, 7> kRanges{{{0, 1},
+                                             {1, 0},
+                                             {0, 0x1p-4F},
+                                             {0, 0x1p-9F},
+                                             {0, 0x1p-12F},
+                                             {0.5F - 0x1p-8F, 0.5F + 0x1p-8F},
+                                             {1 - 0x1p-7F, 1}}};
+
+// A depth that lies above a code by 1/16 to 7/16 of a step; any of a floating-point buffer.
+std::int64_t random_depth_above_a_code(RandomSource& random, DepthFormat format) {
+  const std::int64_t largest = (std::int64_t{1} << bits_of(format)) - 1;
+  for (;;) {
+    const std::int64_t depth = random.between(kDepthOne / 8, 7 * kDepthOne / 8);
+    const std::int64_t above = depth * largest % kDepthOne;
+    if (bits_of(format) == 0) return depth;
+    if (above > kDepthOne / 16 && above < 7 * kDepthOne / 16) return depth;
+  }
+}
+
+StencilFace random_face(RandomSource& random) {
+  constexpr std::array<std::uint8_t, 6> kMaskChoices{0xff, 0xff, 0xff, 0x0f, 0xf0, 0x5a};
+  constexpr std::array<std::uint8_t, 6> kReferences{0, 1, 127, 128, 254, 255};
+  const auto operation = [&] {
+    return random.one_of(std::span<const StencilOperation>(kOperations));
+  };
+  const auto mask = [&] { return random.one_of(std::span<const std::uint8_t>(kMaskChoices)); };
+  StencilFace face;
+  face.function = random.one_of(std::span<const CompareFunction>(kFunctions));
+  face.reference = random.one_in(2) ? random.one_of(std::span<const std::uint8_t>(kReferences))
+                                    : static_cast<std::uint8_t>(random.below(256));
+  face.read_mask = mask();
+  face.write_mask = mask();
+  face.fail = operation();
+  face.depth_fail = operation();
+  face.pass = operation();
+  return face;
+}
+
+}  // namespace
+
+std::vector<Scene> depth_code_scenes(std::uint64_t seed, Surface surface, DepthFormat format) {
+  std::vector<Scene> scenes;
+  for (const DepthRange& range : kRanges)
+    for (std::uint64_t i = 0; i < kScenesOfARange; ++i) {
+      RandomSource random = random_of(seed, OutputStream::codes, surface, scenes.size());
+      Scene scene = cell_scene(surface);
+      scene.target.depth = format;
+      scene.depth_range = range;
+      Draw draw = cell_draw();
+      for (std::size_t cell = 0; cell < kCells; ++cell)
+        add_triangle(draw, cell, flat_triangle(kWhite, random.below(kDepthOne + 1)));
+      scene.draws.push_back(std::move(draw));
+      scenes.push_back(std::move(scene));
+    }
+  return scenes;
+}
+
+std::vector<Scene> depth_test_scenes(std::uint64_t seed, Surface surface, DepthFormat format) {
+  std::vector<Scene> scenes;
+  for (std::uint64_t i = 0; i < kTestScenes; ++i) {
+    RandomSource random = random_of(seed, OutputStream::tests, surface, i);
+    Scene scene = cell_scene(surface);
+    scene.target.depth = format;
+    Draw stored = cell_draw();
+    std::array<Draw, kFunctions.size()> tested;
+    for (std::size_t f = 0; f < tested.size(); ++f) {
+      tested[f] = cell_draw();
+      tested[f].operations.depth.function = kFunctions[f];
+    }
+    for (std::size_t cell = 0; cell < kCells; ++cell) {
+      const std::int64_t depth = random_depth_above_a_code(random, format);
+      // One third each: the same, nearer and farther by many steps of 16 bits.
+      const std::int64_t apart = random.between(-1, 1) * random.between(64, 4096);
+      add_triangle(stored, cell, flat_triangle(kGray, depth));
+      add_triangle(tested[cell % tested.size()], cell, flat_triangle(kWhite, depth + apart));
+    }
+    scene.draws.push_back(std::move(stored));
+    for (Draw& draw : tested) scene.draws.push_back(std::move(draw));
+    scenes.push_back(std::move(scene));
+  }
+  return scenes;
+}
+
+std::vector<Scene> stencil_scenes(std::uint64_t seed, Surface surface, DepthFormat format) {
+  std::vector<Scene> scenes;
+  for (std::uint64_t i = 0; i < kStencilScenes; ++i) {
+    RandomSource random = random_of(seed, OutputStream::stencils, surface, i);
+    Scene scene = cell_scene(surface);
+    scene.target.depth = format;
+    scene.target.stencil = StencilFormat::stencil8;
+    scene.target.clear_stencil = static_cast<std::uint8_t>(random.below(256));
+    for (std::size_t d = 0; d < kStencilDraws; ++d) {
+      Draw draw = cell_draw();
+      draw.operations.stencil = StencilTest{random_face(random), random_face(random)};
+      draw.operations.depth.function = random.one_of(std::span<const CompareFunction>(kFunctions));
+      // Depths far apart, and often the same.
+      const std::int64_t depth = random.between(1, 7) * kDepthOne / 8;
+      const Color color = random_codes(random);
+      for (std::size_t cell = 0; cell < kCells; ++cell)
+        if (random.one_in(4))
+          add_triangle(draw, cell, flat_triangle(color, depth, random.one_in(2)));
+      scene.draws.push_back(std::move(draw));
+    }
+    scenes.push_back(std::move(scene));
+  }
+  return scenes;
+}
+
+}  // namespace edgecase
