@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "diff/coverage/legality.h"
+#include "profile/clipping/clip_measurement.h"
 #include "profile/counter_examples.h"
 #include "profile/output/output_measurement.h"
 #include "profile/probes/probe_scenes.h"
@@ -119,6 +120,7 @@ class SurfaceMeasurement {
       : options_(options), scenes_(surface, options.seed, options.scenes_per_kind) {
     profile_.surface = surface;
     for (const Observations* observations : scenes_.all()) total_ += observations->size();
+    total_ += clip_scene_count(options.scenes_per_kind);
     total_ += value_scene_count(options.scenes_per_kind);
     total_ += texture_scene_count(options.scenes_per_kind);
     total_ += sample_scene_count(options.scenes_per_kind);
@@ -143,6 +145,7 @@ class SurfaceMeasurement {
     }
     infer_choices();
     ask_probes();
+    ask_clipping(renderer, progress);
     ask_values(renderer, progress);
     ask_textures(renderer, progress);
     ask_samples(renderer, progress);
@@ -237,6 +240,15 @@ class SurfaceMeasurement {
     found_.values.provoking = traits.back().alternative == "first"  ? ProvokingChoice::first
                               : traits.back().alternative == "last" ? ProvokingChoice::last
                                                                     : ProvokingChoice::as_set;
+  }
+
+  void ask_clipping(Renderer& renderer, const ObservationProgress& progress) {
+    const ClipMeasureQuestion question{options_.seed, profile_.surface, options_.scenes_per_kind,
+                                       found_.triangles};
+    ClipFindings findings = measure_clipping(renderer, question, progress, options_.stop);
+    for (Trait& trait : findings.traits) profile_.traits.push_back(std::move(trait));
+    choices_.merge(findings.choices);
+    count(findings.drawn);
   }
 
   void ask_values(Renderer& renderer, const ObservationProgress& progress) {

@@ -2,7 +2,7 @@
 //
 // Measure: from a renderer to its profile.
 //
-//   generated scenes -> observed coverage -> inferred choice -> probes -> values ->
+//   generated scenes -> observed coverage -> inferred choice -> probes -> clipping -> values ->
 //   textures -> multisampled targets -> fragment operations -> counter-examples, clusters
 //
 // Both surfaces are measured side by side, each with a renderer of its own. The same renderer, seed
