@@ -3,9 +3,10 @@
 // Folding: how the results file keeps what is long.
 //
 // A picture of 512 by 512 pixels is two megabytes of digits, and a list of all places where it
-// differs as many again. Nothing of that is left out, but JSON of more than kLongest characters
-// stands deflated (RFC 1950) in its place: as the string "zlib:" and base 64. What is shorter
-// stands as it is, so that the results of small cases can be read without any of this.
+// differs as many again. Nothing of that is left out, but of cases with more than kMostPixels
+// pixels JSON of more than kLongest characters stands deflated (RFC 1950) in its place, as the
+// string "zlib:" and base 64, and long lists of places as runs. The results of smaller cases can be
+// read without any of this.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +17,7 @@
 
 namespace edgecase {
 
+constexpr std::size_t kMostPixels = 8192;
 constexpr std::size_t kLongest = 65536;
 
 // The same, or where its text is longer than that, folded. A string that begins with "zlib:" is not

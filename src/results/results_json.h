@@ -24,9 +24,9 @@
 // counted from 0; -1 is the image of all passes.
 //
 // Pictures are RGBA8 in hexadecimal digits, the bottom row first. A result's "pixels" are "exact"
-// where they equal the case's; of large pictures it has a "difference" instead, the exclusive or of
-// the two. Whatever is longer than 65,536 characters stands deflated, and long lists of places as
-// runs (results/folding.h).
+// where they equal the case's. Of cases with more than 8,192 pixels a result has a "difference"
+// instead, the exclusive or of the two, and whatever is long stands deflated or as runs
+// (results/folding.h).
 //
 // Clusters (results/clusters.h) and the summary are counted from the cases, and not read back.
 #pragma once

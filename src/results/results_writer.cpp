@@ -61,7 +61,23 @@ Json place_json(const ValueAggregate::Place& place) {
   return Json::array({place.x, place.y, place.primitive});
 }
 
-Json values_json(const ValueAggregate& values) {
+template <class Range, class Convert>
+Json list(const Range& range, Convert convert) {
+  Json array = Json::array();
+  for (const auto& item : range) array.push_back(convert(item));
+  return array;
+}
+
+// What becomes of long values: folded where the case is large.
+struct Keeping {
+  bool is_large;
+  Json operator()(Json json) const { return is_large ? folded(std::move(json)) : json; }
+  Json places(const std::vector<ValueAggregate::Place>& places) const {
+    return is_large ? folded(places_json(places)) : list(places, place_json);
+  }
+};
+
+Json values_json(const ValueAggregate& values, const Keeping& keep) {
   Json histogram = Json::object();
   for (const auto& [bucket, count] : values.ulp_histogram)
     histogram[std::to_string(bucket)] = count;
@@ -78,7 +94,7 @@ Json values_json(const ValueAggregate& values) {
                  {"mean_ulp", number(values.mean_ulp)},
                  {"worst_relative", number(values.worst_relative)},
                  {"ulp_histogram", std::move(histogram)},
-                 {"differing", folded(places_json(values.differing))}};
+                 {"differing", keep.places(values.differing)}};
   if (!values.cause.empty()) object["cause"] = values.cause;
   return object;
 }
@@ -97,22 +113,15 @@ Json level_json(const Result::LevelPoint& point) {
                       number(point.rendered)});
 }
 
-template <class Range, class Convert>
-Json list(const Range& range, Convert convert) {
-  Json array = Json::array();
-  for (const auto& item : range) array.push_back(convert(item));
-  return array;
-}
-
 // Equal pictures are said to be so, not stored twice; of large ones only the difference is stored.
 void add_picture(const std::vector<std::uint8_t>& rendered, const std::vector<std::uint8_t>& exact,
-                 Json& object) {
+                 const Keeping& keep, Json& object) {
   if (rendered == exact)
     object["pixels"] = "exact";
-  else if (2 * rendered.size() <= kLongest || rendered.size() != exact.size())
-    object["pixels"] = folded(to_hex(rendered));
+  else if (!keep.is_large || rendered.size() != exact.size())
+    object["pixels"] = keep(to_hex(rendered));
   else
-    object["difference"] = folded(to_hex(difference_of(rendered, exact)));
+    object["difference"] = keep(to_hex(difference_of(rendered, exact)));
 }
 
 Json pixel_counts_json(const PixelCounts& counts) {
@@ -123,7 +132,7 @@ Json pixel_counts_json(const PixelCounts& counts) {
           {"same", counts.same}};
 }
 
-Json result_json(const Result& result, const CaseResults& exact) {
+Json result_json(const Result& result, const CaseResults& exact, const Keeping& keep) {
   Json object = {{"verdict", name_of(result.verdict)},
                  {"fingerprint", result.fingerprint},
                  {"standing", name_of(result.standing)}};
@@ -132,24 +141,26 @@ Json result_json(const Result& result, const CaseResults& exact) {
     object["failure"] = {{"kind", name_of(result.failure->kind)},
                          {"reason", result.failure->reason}};
   if (!result.failure) object["pixel_counts"] = pixel_counts_json(result.pixel_counts);
-  object["disagreements"] = folded(list(result.disagreements, disagreement_json));
-  object["values"] = list(result.values, values_json);
-  object["evidence"] = folded(list(result.evidence, evidence_json));
+  object["disagreements"] = keep(list(result.disagreements, disagreement_json));
+  object["values"] =
+      list(result.values, [&](const ValueAggregate& v) { return values_json(v, keep); });
+  object["evidence"] = keep(list(result.evidence, evidence_json));
   object["illegal_line_snaps"] = result.illegal_line_snaps;
   object["refuted"] = result.refuted;
   if (!result.ramp.empty()) object["ramp"] = list(result.ramp, level_json);
-  if (!result.failure) add_picture(result.pixels, exact.pixels, object);
-  if (!result.exact_pixels.empty()) object["exact_pixels"] = folded(to_hex(result.exact_pixels));
-  if (result.samples.samples > 1) object["samples"] = folded(samples_json(result.samples));
+  if (!result.failure) add_picture(result.pixels, exact.pixels, keep, object);
+  if (!result.exact_pixels.empty()) object["exact_pixels"] = keep(to_hex(result.exact_pixels));
+  if (result.samples.samples > 1) object["samples"] = keep(samples_json(result.samples));
   if (result.exact_samples.samples > 1)
-    object["exact_samples"] = folded(samples_json(result.exact_samples));
+    object["exact_samples"] = keep(samples_json(result.exact_samples));
   return object;
 }
 
 Json case_json(const CaseResults& one, const std::vector<RendererInfo>& renderers) {
+  const Keeping keep{one.pixels.size() > 4 * kMostPixels};
   Json results = Json::object();
   for (std::size_t i = 0; i < one.results.size(); ++i)
-    results[renderers[i].name] = result_json(one.results[i], one);
+    results[renderers[i].name] = result_json(one.results[i], one, keep);
   Json object = {{"id", one.id},
                  {"title", one.title},
                  {"why", one.why},
@@ -162,9 +173,9 @@ Json case_json(const CaseResults& one, const std::vector<RendererInfo>& renderer
                  {"width", one.width},
                  {"height", one.height},
                  {"fragments", one.fragments},
-                 {"pixels", folded(to_hex(one.pixels))}};
-  if (one.samples.samples > 1) object["samples"] = folded(samples_json(one.samples));
-  object["figure"] = folded(figure_json(one.figure));
+                 {"pixels", keep(to_hex(one.pixels))}};
+  if (one.samples.samples > 1) object["samples"] = keep(samples_json(one.samples));
+  object["figure"] = keep(figure_json(one.figure));
   object["expect_failures"] = one.expect_failures;
   object["results"] = std::move(results);
   return object;
