@@ -58,7 +58,7 @@ auto by_primitive(const Place& p) {
 
 // Sorted, none twice?
 bool is_set(const std::vector<Place>& places) {
-  return std::ranges::adjacent_find(places, [](const Place& a, const Place& b) {
+  return std::adjacent_find(places.begin(), places.end(), [](const Place& a, const Place& b) {
            return in_reading_order(a) >= in_reading_order(b);
          }) == places.end();
 }
