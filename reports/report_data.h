@@ -5,10 +5,10 @@
 // {"tool", "policy", "interrupted", "renderers", "rules", "rulings", "diagnostics", "cases"}. A
 // case holds the words of its file, its exact pixels, its figure, "answers" and "results": two
 // renderers that answered alike share one answer (pixels, disagreements, values, evidence), a
-// result adds what is each renderer's own (verdict, standing, failure, expectation), and how many of
-// its pixels fare how ("pixel_counts", model/result.h; a run alone can say, since causes hang on it). Pixels are
-// packed as pixels.h says; an answer's are the difference from exact and absent when there is none;
-// an answer without an image of exact's size is "blank".
+// result adds what is each renderer's own (verdict, standing, failure, expectation, and how many of
+// its pixels fare how: "pixel_counts", model/result.h). Pixels are packed as pixels.h says; an
+// answer's are the difference from exact and absent when there is none; an answer without an image
+// of exact's size is "blank".
 // A multisampled case has "samples" (sample_data.h), and so has an answer; a disagreement names its
 // "sample" where it is about one. An answer that was held against exact with samples elsewhere has
 // that as "exact": {"difference", "samples"}, told by its difference from the case's.
