@@ -16,7 +16,7 @@ constexpr const char* kCoverageRules[] = {
     "line.algorithm",     "line.diamond-exit",  "line.width",         "line.snap",
     "line.row-order",     "triangle.algorithm", "triangle.fill-rule", "triangle.snap",
     "triangle.row-order", "line.multisampled",  "sample.positions",   "sample.enable",
-    "sample.mask"};
+    "sample.mask",        "clip.volume",        "polygon.facing"};
 
 // What is drawn of a scene.
 struct Drawn {
