@@ -115,6 +115,11 @@ class Blocks(CommandTest):
         self.assertIn("primitive 5 is not walked: as triangle.algorithm=scan has it",
                       self.walks(case, "4", "--policy", policy)[1])
 
+    def test_what_reaches_out_of_the_clip_volume_is_not_walked(self):
+        cut = f"{SUITE}/clipping/near/one-vertex.json"
+        _, out = self.walks(cut, "4", "--filter", "clipping/near/one-vertex:z=-4")
+        self.assertIn("0 is not walked: it reaches out of the clip volume", out)
+
     def test_passes_of_a_supersampled_scene_are_walked_one_by_one(self):
         case = self.write("passes.json", triangle_case(
             target={"width": 8, "height": 8, "supersample": {"grid": 2}}))

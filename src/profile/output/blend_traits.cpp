@@ -60,13 +60,10 @@ std::vector<BlendedCell> blended_cells(const DrawnScene& drawn) {
 
 // Under the method the draw means these operations.
 FragmentOperations operations_by(FragmentOperations operations, BlendMethod method) {
-  Blending& blending = *operations.blending;
-  if (method == BlendMethod::ignored) operations.blending.reset();
-  if (method == BlendMethod::color_for_alpha) blending.alpha = blending.color;
-  if (method == BlendMethod::swapped) {
-    std::swap(blending.color.source, blending.color.destination);
-    std::swap(blending.alpha.source, blending.alpha.destination);
-  }
+  if (method == BlendMethod::ignored)
+    operations.blending.reset();
+  else
+    operations.blending = blending_by(*operations.blending, method);
   return operations;
 }
 

@@ -122,15 +122,8 @@ void exchange_form(BlendTerm& term, BlendFactor from, BlendFactor to) {
 }
 
 BlendTerm term_of(const Blending& blending, std::size_t component, BlendMethod method) {
-  const bool is_alpha = component == kAlpha && method != BlendMethod::color_for_alpha;
-  BlendTerm term = is_alpha ? blending.alpha : blending.color;
-  if (method == BlendMethod::swapped) std::swap(term.source, term.destination);
-  if (is_alpha) return term;
-  if (method == BlendMethod::over_as_premultiplied)
-    exchange_form(term, BlendFactor::src_alpha, BlendFactor::one);
-  if (method == BlendMethod::over_as_straight)
-    exchange_form(term, BlendFactor::one, BlendFactor::src_alpha);
-  return term;
+  const Blending meant = blending_by(blending, method);
+  return component == kAlpha ? meant.alpha : meant.color;
 }
 
 // All rounded to the nearest code first.
@@ -205,6 +198,28 @@ bool parse_name(std::string_view name, BlendRounding& choice) {
 
 bool parse_name(std::string_view name, ColorMaskMethod& choice) {
   return find_in(kMasks, name, choice);
+}
+
+Blending blending_by(Blending blending, BlendMethod method) {
+  switch (method) {
+    case BlendMethod::as_set:
+    case BlendMethod::ignored:
+      break;
+    case BlendMethod::color_for_alpha:
+      blending.alpha = blending.color;
+      break;
+    case BlendMethod::swapped:
+      std::swap(blending.color.source, blending.color.destination);
+      std::swap(blending.alpha.source, blending.alpha.destination);
+      break;
+    case BlendMethod::over_as_premultiplied:
+      exchange_form(blending.color, BlendFactor::src_alpha, BlendFactor::one);
+      break;
+    case BlendMethod::over_as_straight:
+      exchange_form(blending.color, BlendFactor::one, BlendFactor::src_alpha);
+      break;
+  }
+  return blending;
 }
 
 Rgba8 written_color(const FragmentOperations& operations, const std::array<double, 4>& source,

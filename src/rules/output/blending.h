@@ -37,6 +37,9 @@ std::span<const BlendMethod> all_blend_methods();
 const char* name_of(BlendMethod choice);
 bool parse_name(std::string_view name, BlendMethod& choice);
 
+// The terms that a draw's have become under a method; `ignored`, which blends nothing, leaves them.
+Blending blending_by(Blending blending, BlendMethod method);
+
 // Where a result is rounded on its way to 8 bits. Further ones as renderers are found to have them.
 enum class BlendRounding {
   once,           // the exact result, to nearest, a tie to the even value
