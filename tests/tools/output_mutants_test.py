@@ -84,7 +84,8 @@ class OutputMutants(CommandTest):
                               causes={"", "depth.test=ignored"})
 
     def test_factors_of_blending(self):
-        self.assert_convicted("straight-alpha", 5, "blend.equation", causes={""})
+        self.assert_convicted("straight-alpha", 5, "blend.equation",
+                              causes={"blend.equation=over-as-straight"})
 
     def test_a_blended_colour_that_is_cut_off_is_permitted(self):
         """By ruling 37: with a precision of 8 bits it may come out so."""
