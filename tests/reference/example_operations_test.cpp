@@ -215,14 +215,13 @@ TEST(Example, TestsEachSampleForItself) {
   EXPECT_THAT(rendering.pixels, ElementsAre(255, 128, 128, 255));
 }
 
-TEST(Example, OffsetsNoDepths) {
+// 1/2 is 8388607.5 of the codes up to 2^24 - 1, and a unit of offset is one.
+TEST(Example, OffsetsDepths) {
   Scene scene = blank_scene(1, 1);
   scene.target.depth = DepthFormat::depth24;
   scene.draws = {layer(0)};
-  scene.draws[0].polygon_offset = PolygonOffset{};
-  const Outcome outcome = render_outcome(example(), scene);
-  ASSERT_TRUE(std::holds_alternative<Failure>(outcome));
-  EXPECT_EQ(std::get<Failure>(outcome).kind, FailureKind::unsupported);
+  scene.draws[0].polygon_offset = PolygonOffset{.units = 2.25};
+  EXPECT_THAT(render(example(), scene).depths, ElementsAre(8388610.0 / 16777215));
 }
 
 }  // namespace

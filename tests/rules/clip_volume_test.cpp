@@ -175,6 +175,12 @@ TEST(ClippedPlane, HoldsWhatTheLiteralSolutionHas) {
     Interpolant smooth{
         PrimitiveKind::triangle,  plane->positions(), plane->smooth(values), plane->w(), true,
         LineParameter::projection};
+    Interpolant plain{PrimitiveKind::triangle,
+                      plane->positions(),
+                      plane->noperspective(values),
+                      {1, 1, 1},
+                      false,
+                      LineParameter::projection};
     Interpolant depth{
         PrimitiveKind::triangle,  plane->positions(), plane->depths(), {1, 1, 1}, false,
         LineParameter::projection};
@@ -185,9 +191,12 @@ TEST(ClippedPlane, HoldsWhatTheLiteralSolutionHas) {
         const auto b = oracle::shares_at(
             triangle, oracle::normalized(Rational(2 * x + 1) / 2, kViewport.x, kViewport.width),
             oracle::normalized(Rational(2 * y + 1) / 2, kViewport.y, kViewport.height));
-        Rational value = 0, sum = 0, z = 0;
+        Rational value = 0, sum = 0, z = 0, in_window = 0, largest = 0;
         for (std::size_t i = 0; i < 3; ++i) {
           value += (*b)[i] * rational_of(values[i]);
+          const Rational share = (*b)[i] * rational_of(triangle[i].w);
+          in_window += share * rational_of(values[i]);
+          largest = std::max(largest, Rational(share < 0 ? -share : share));
           sum += (*b)[i];
           z += (*b)[i] * rational_of(triangle[i].z);
         }
@@ -199,6 +208,7 @@ TEST(ClippedPlane, HoldsWhatTheLiteralSolutionHas) {
           if (interval.high - interval.low > std::ldexp(scale, -30)) ++wide;
         };
         holds(interpolate_exact(smooth, sample), value / sum, 7);
+        holds(interpolate_exact(plain, sample), in_window, 7 * interval_of(largest).high);
         holds(interpolate_exact(depth, sample), z, 1);
         holds(interpolate_exact(over, sample), sum, interval_of(sum).high);
         ++compared;
