@@ -12,7 +12,7 @@ import struct
 import unittest
 import xml.etree.ElementTree
 
-from support import (A_FIFTH, MESA, PROBES, ROOT, CommandTest, component_bits, drawings,
+from support import (A_FIFTH, MESA, PROBES, ROOT, CommandTest, component_bits, drawings, float32,
                      known_not_run, only_result, places, rendered_suite, triangle_case, verdicts)
 
 AGAINST_MESA = [word for renderer in MESA for word in ("--against", renderer)]
