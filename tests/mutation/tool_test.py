@@ -10,7 +10,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
-from mutation import arguments, operators, score  # noqa: E402  the path comes first
+from mutation import arguments, command, operators, score  # noqa: E402  the path comes first
 from mutation.project import Project  # noqa: E402
 from mutation.record import UnmutatedFailure, record  # noqa: E402
 from mutation.trial import Trial  # noqa: E402
@@ -40,6 +40,16 @@ class Toy(unittest.TestCase):
         named = {line.split()[0] for line in operators.__doc__.splitlines()
                  if line.startswith("    ")}
         self.assertEqual({mutant.operator for mutant in self.mutants}, named)
+
+    def test_a_sample_stays_when_other_code_changes(self):
+        options = command.parser().parse_args(["--sample", "7", "--seed", "5"])
+        sample = command.selected(self.mutants, options)
+        self.assertEqual(len(sample), 7)
+        rest = [mutant for mutant in self.mutants if mutant not in sample]
+        self.assertEqual(command.selected(rest[::2] + sample, options), sample)
+        self.assertEqual([m.number for m in sample], sorted(m.number for m in sample))
+        other = command.parser().parse_args(["--sample", "7", "--seed", "6"])
+        self.assertNotEqual(command.selected(self.mutants, other), sample)
 
     def test_what_serves_the_compiler_is_left_alone(self):
         text = "\n".join(map(str, self.mutants))

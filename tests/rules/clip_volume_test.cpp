@@ -160,6 +160,33 @@ TEST(ClipVolume, ThePolygonHoldsTheSameSamplesButAtItsBorder) {
   EXPECT_GT(inside, 1000);
 }
 
+// The wider the three places stand apart, the better the plane between them is known: none of the
+// polygon that is seen span a larger triangle.
+TEST(ClippedPlane, ItsPlacesSpanTheLargestTriangle) {
+  ClipTriangles random;
+  int without_the_first = 0;
+  for (int round = 0; round < 900; ++round) {
+    const Scene scene = scene_of(random.any(round));
+    const ScenePrimitive primitive = primitives_of(scene)[0];
+    const auto plane = ClippedPlane::of(primitive);
+    if (!plane) continue;
+    std::vector<HomogeneousPoint> corners;
+    for (const ClipPolygonVertex& vertex : seen_polygon(primitive))
+      corners.push_back(homogeneous(vertex.position));
+    Int128 largest = 0;
+    for (const HomogeneousPoint& a : corners)
+      for (const HomogeneousPoint& b : corners)
+        for (const HomogeneousPoint& c : corners) largest = std::max(largest, cross(a, b, c));
+    const auto& places = plane->positions();
+    const Int128 area = cross(places[0], places[1], places[2]);
+    EXPECT_EQ(area < 0 ? -area : area, largest) << round;
+    without_the_first += std::none_of(places.begin(), places.end(), [&](const auto& place) {
+      return same_point(place, corners[0]);
+    });
+  }
+  EXPECT_GT(without_the_first, 20);
+}
+
 // Attributes and depths of what is seen, at the centres of pixels, against the solution in
 // fractions: each interval holds it and is narrow.
 TEST(ClippedPlane, HoldsWhatTheLiteralSolutionHas) {

@@ -2,7 +2,7 @@
 """The command line of tools/mutate."""
 
 import argparse
-import random
+import hashlib
 import sys
 import time
 from pathlib import Path
@@ -42,10 +42,16 @@ def parser():
     return result
 
 
+def lot(mutant, seed):
+    """What the mutant draws. By its own text alone: a change of other code leaves a sample as it is,
+    so that what a sample finds is news of the change."""
+    return hashlib.sha256(repr((seed, mutant.key)).encode()).digest()
+
+
 def selected(mutants, options):
     chosen = [m for m in mutants if not options.file or any(f in m.file for f in options.file)]
     if options.sample is not None and options.sample < len(chosen):
-        chosen = random.Random(options.seed).sample(chosen, options.sample)
+        chosen = sorted(chosen, key=lambda mutant: lot(mutant, options.seed))[:options.sample]
         chosen.sort(key=lambda mutant: mutant.number)
     return chosen
 

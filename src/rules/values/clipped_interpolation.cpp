@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "rules/values/clipped_interpolation.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "exact/rational.h"
 #include "rules/coverage/clip_polygon.h"
 
@@ -38,7 +41,7 @@ Rational scale_of(const ScenePrimitive& primitive, std::size_t i) {
 
 Interval weighted(const std::array<Interval, 3>& shares, const std::array<double, 3>& values) {
   // What is one number at all vertices is so everywhere.
-  if (values[0] == values[1] && values[1] == values[2]) return values[0];
+  if (std::ranges::adjacent_find(values, std::not_equal_to()) == values.end()) return values[0];
   return shares[0] * values[0] + shares[1] * values[1] + shares[2] * values[2];
 }
 
