@@ -14,6 +14,7 @@ void add_render_command(CLI::App& app, ExitCode& exit);
 void add_explain_command(CLI::App& app, ExitCode& exit);
 void add_rules_command(CLI::App& app, ExitCode& exit);
 void add_backends_command(CLI::App& app, ExitCode& exit);
+void add_new_command(CLI::App& app, ExitCode& exit);
 void add_validate_command(CLI::App& app, ExitCode& exit);
 void add_bless_command(CLI::App& app, ExitCode& exit);
 void add_report_command(CLI::App& app, ExitCode& exit);

@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   edgecase::add_profile_command(app, exit);
   edgecase::add_rules_command(app, exit);
   edgecase::add_backends_command(app, exit);
+  edgecase::add_new_command(app, exit);
   edgecase::add_validate_command(app, exit);
   edgecase::add_bless_command(app, exit);
   edgecase::add_report_command(app, exit);

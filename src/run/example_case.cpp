@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "run/example_case.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "casefile/json_document.h"
+#include "casefile/loader.h"
+#include "casefile/suite.h"
+#include "casefile/text_file.h"
+#include "rules/all_rules.h"
+
+namespace edgecase {
+namespace {
+
+std::string first_part(const std::string& id) {
+  return id.substr(0, id.find('.'));
+}
+
+std::string last_part(const std::string& id) {
+  return id.substr(id.rfind('.') + 1);
+}
+
+// Rules that are about the same primitive, or decide the same of another one.
+std::set<std::string> rules_near(const std::string& rule) {
+  std::set<std::string> near;
+  for (const Rule& other : all_rules())
+    if (other.id != rule &&
+        (first_part(other.id) == first_part(rule) || last_part(other.id) == last_part(rule)))
+      near.insert(other.id);
+  return near;
+}
+
+auto size_of(const Case& one) {
+  std::size_t vertices = 0;
+  for (const Draw& draw : one.scene.draws) vertices += draw.vertices.size();
+  return std::tuple(vertices, one.scene.target.width * one.scene.target.height, one.id);
+}
+
+// Is one of the rules named in the text? Most files of a suite need not be read any further.
+bool mentions(const std::string& text, const std::set<std::string>& rules) {
+  return std::ranges::any_of(rules, [&](const std::string& rule) {
+    return text.find('"' + rule + '"') != std::string::npos;
+  });
+}
+
+std::optional<ExampleCase> simplest_of(const std::vector<CaseFile>& files,
+                                       const std::set<std::string>& rules) {
+  std::optional<ExampleCase> best;
+  for (const CaseFile& file : files) {
+    const TextFile read = read_text_file(file.file, kMaxFileBytes);
+    if (!read.text || !mentions(*read.text, rules)) continue;
+    LoadedCases loaded = load_cases_text(*read.text, file.file, file.id);
+    if (loaded.cases.empty()) continue;
+    Case& base = loaded.cases.front();
+    const auto named = std::ranges::find_if(
+        base.rules, [&](const std::string& rule) { return rules.contains(rule); });
+    if (named == base.rules.end()) continue;
+    if (!best || size_of(base) < size_of(best->example))
+      best = ExampleCase{*named, std::move(base)};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<ExampleCase> simplest_case(const std::filesystem::path& suite,
+                                         const std::string& rule) {
+  const std::array paths = {suite};
+  const FoundCases found = find_cases(paths);
+  if (auto own = simplest_of(found.cases, {rule})) return own;
+  return simplest_of(found.cases, rules_near(rule));
+}
+
+}  // namespace edgecase
