@@ -45,8 +45,7 @@ std::string choose_line_reading(std::span<Result* const> results) {
 
 using Counts = std::map<std::string, std::ptrdiff_t>;
 
-// How many primitives of the run each alternative helps to reproduce, alone or with another, less
-// the cases that refute it. A primitive of several passes counts once.
+// RunReading::alternatives. A primitive of several passes counts once.
 Counts count_alternatives(std::span<Result* const> results) {
   Counts counts;
   for (const Result* result : results) {
@@ -59,6 +58,12 @@ Counts count_alternatives(std::span<Result* const> results) {
       if (result->refuted[i] == '1') --counts[alternative_names()[i]];
   }
   return counts;
+}
+
+// Of an alternative that a run does not know, nothing speaks for or against it.
+std::ptrdiff_t count_of(const Counts& counts, const std::string& alternative) {
+  const auto found = counts.find(alternative);
+  return found == counts.end() ? 0 : found->second;
 }
 
 // Is it what the evidence is about?
@@ -79,7 +84,7 @@ bool is_legal(const Result& result, const Result::Evidence& evidence, const std:
 // Does the run speak for each of these alternatives more often than against it?
 bool is_followed(const std::vector<std::string>& parts, const Counts& counts) {
   return std::all_of(parts.begin(), parts.end(),
-                     [&](const std::string& part) { return counts.at(part) > 0; });
+                     [&](const std::string& part) { return count_of(counts, part) > 0; });
 }
 
 // The candidate whose alternatives explain most of the run, on average; the first in catalogue
@@ -94,7 +99,7 @@ std::string choose_cause(const Result::Evidence& evidence, bool legal, const Cou
   for (const std::string& cause : evidence.causes) {
     const std::vector<std::string> parts = parts_of(cause);
     std::ptrdiff_t sum = 0;
-    for (const std::string& part : parts) sum += counts.at(part);
+    for (const std::string& part : parts) sum += count_of(counts, part);
     const bool likely = parts.size() == least || is_followed(parts, counts);
     const std::pair score{legal && likely && is_open_choice(cause),
                           static_cast<double>(sum) / static_cast<double>(parts.size())};
@@ -172,21 +177,30 @@ std::string fingerprint_of(const Result& result) {
 
 }  // namespace
 
-std::string judge(std::span<Result* const> results, Latitude latitude) {
-  const std::string reading = choose_line_reading(results);
-  const Counts counts = count_alternatives(results);
+RunReading read_run(std::span<Result* const> results) {
+  return {choose_line_reading(results), count_alternatives(results)};
+}
+
+void judge(std::span<Result* const> results, Latitude latitude, const RunReading& reading) {
+  const Counts& counts = reading.alternatives;
   for (Result* result : results) {
     if (!result->failure)
-      for (const Result::Evidence& evidence : result->evidence)
-        judge_primitive(evidence, reading,
-                        choose_cause(evidence, is_legal(*result, evidence, reading), counts),
+      for (const Result::Evidence& evidence : result->evidence) {
+        const bool legal = is_legal(*result, evidence, reading.line_snap);
+        judge_primitive(evidence, reading.line_snap, choose_cause(evidence, legal, counts),
                         *result);
+      }
     name_switch(counts, *result);
     result->verdict = verdict_of(*result, latitude);
     count_pixels(*result, latitude);
     result->fingerprint = fingerprint_of(*result);
   }
-  return reading;
+}
+
+std::string judge(std::span<Result* const> results, Latitude latitude) {
+  RunReading reading = read_run(results);
+  judge(results, latitude, reading);
+  return reading.line_snap;
 }
 
 }  // namespace edgecase

@@ -9,8 +9,13 @@
 // does everywhere. Where what was drawn is legal, one that the specification leaves open comes
 // before one that it does not. Judging is a function of the results alone, so judging merged shards
 // gives what judging the whole run gives.
+//
+// Both make a RunReading. Whoever has a run may read it once, and then judge any result, one of the
+// run or a new one, as the run as a whole reads it.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <span>
 #include <string>
 
@@ -19,8 +24,23 @@
 
 namespace edgecase {
 
-// Fills legal (of lines), cause, ruling, verdict and fingerprint of every result that ran, and
-// returns the name of the snap with which lines were read. Judging twice changes nothing.
+// What a run says of each of its results.
+struct RunReading {
+  std::string line_snap = "none";  // the catalogued snap with which lines are read
+  // "rule=alternative" -> how many primitives of the run it helps to reproduce, alone or with
+  // another, less the cases that refute it. One that is not there counts 0.
+  std::map<std::string, std::ptrdiff_t> alternatives;
+};
+
+// The reading of all results of one renderer on one surface, which compare() made; those without a
+// rendering say nothing. Judged results have the reading that they had before.
+RunReading read_run(std::span<Result* const> results);
+
+// Fills legal (of lines), cause, ruling, verdict and fingerprint of every result that ran, under
+// the reading of a run that they need not be part of. Judging twice changes nothing.
+void judge(std::span<Result* const> results, Latitude latitude, const RunReading& reading);
+
+// The same under their own reading. Returns the name of the snap with which lines were read.
 std::string judge(std::span<Result* const> results, Latitude latitude);
 
 }  // namespace edgecase
