@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   edgecase::add_separation_command(app, exit);
   edgecase::add_draw_command(app, exit);
   edgecase::add_gallery_command(app, exit);
+  edgecase::add_minimize_command(app, exit);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty())

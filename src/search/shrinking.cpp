@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "search/shrinking.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+#include "casefile/case_writer.h"
+#include "casefile/clip_space.h"
+#include "casefile/viewport.h"
+#include "wire/request_line.h"
+
+namespace edgecase {
+namespace {
+
+// Scenes that the renderer gets at once, where any of them would do.
+constexpr std::size_t kBatch = 32;
+
+// A case file of the scene; empty where there can be none.
+std::string written(const Scene& scene) {
+  CaseWords words;
+  words.title = "A candidate";
+  words.rules = {"any"};
+  return case_text(scene, words).text;
+}
+
+bool same_viewport(const Viewport& a, const Viewport& b) {
+  return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+}
+
+bool has_chosen_viewport(const Scene& scene) {
+  const auto chosen = choose_viewport(scene.target, scene.draws, scene.supersampling);
+  return chosen && same_viewport(*chosen, scene.viewport);
+}
+
+bool is_in_range(const Scene& scene) {
+  return std::ranges::all_of(scene.draws, [](const Draw& draw) {
+    return std::ranges::all_of(draw.vertices, [](const Vertex& vertex) {
+      return vertex.position.x.in_coordinate_range() && vertex.position.y.in_coordinate_range();
+    });
+  });
+}
+
+// Sees the scene through another viewport; clip coordinates land elsewhere then.
+void see_through(const Viewport& viewport, Scene& scene) {
+  if (same_viewport(viewport, scene.viewport)) return;
+  scene.viewport = viewport;
+  for (Draw& draw : scene.draws)
+    for (Vertex& vertex : draw.vertices)
+      if (vertex.clip) place_clip_vertex(viewport, vertex);
+}
+
+// Does every vertex reach OpenGL as given? For scenes that no case file can say.
+bool is_exact(const Scene& scene) {
+  const Viewport& viewport = scene.viewport;
+  const Shifts shifts = shifts_of(scene.supersampling);
+  for (const Draw& draw : scene.draws)
+    for (const Vertex& vertex : draw.vertices) {
+      if (vertex.clip) continue;
+      for (const Fixed shift : shifts.x)
+        if (find_inexactness(vertex.position.x + shift, {viewport.x, viewport.width}, 'x',
+                             vertex.w))
+          return false;
+      for (const Fixed shift : shifts.y)
+        if (find_inexactness(vertex.position.y + shift, {viewport.y, viewport.height}, 'y',
+                             vertex.w))
+          return false;
+      if (find_depth_inexactness(vertex.z, vertex.w)) return false;
+    }
+  return true;
+}
+
+}  // namespace
+
+Shrinking::Shrinking(Scene scene, Result result, Signature signature, Trial& trial,
+                     std::size_t asks_left)
+    : scene_(std::move(scene)),
+      result_(std::move(result)),
+      signature_(std::move(signature)),
+      trial_(trial),
+      asks_left_(asks_left),
+      size_(size_of(scene_)),
+      is_writable_(!written(scene_).empty()) {}
+
+std::vector<const Disagreement*> Shrinking::finds() const {
+  return disagreements_of(result_, signature_);
+}
+
+// Completes a candidate; false where it is not to be asked.
+bool Shrinking::prepare(Scene& candidate) {
+  if (candidate.draws.empty() || !is_in_range(candidate)) return false;
+  if (has_chosen_viewport(scene_)) {
+    const auto chosen = choose_viewport(candidate.target, candidate.draws, candidate.supersampling);
+    if (!chosen) return false;
+    see_through(*chosen, candidate);
+  }
+  if (!(size_of(candidate) < size_)) return false;
+  if (!proposed_.insert(scene_json(candidate)).second) return false;
+  return is_writable_ ? !written(candidate).empty() : is_exact(candidate);
+}
+
+bool Shrinking::shows_find(const Answer& answer) const {
+  return std::ranges::find(answer.signatures, signature_) != answer.signatures.end();
+}
+
+void Shrinking::keep(Scene candidate, Answer answer) {
+  size_ = size_of(candidate);
+  scene_ = std::move(candidate);
+  result_ = std::move(answer.result);
+}
+
+bool Shrinking::offer(Scene candidate) {
+  std::vector<Scene> one;
+  one.push_back(std::move(candidate));
+  return offer_first_of(std::move(one));
+}
+
+bool Shrinking::offer_first_of(std::vector<Scene> candidates) {
+  std::vector<Scene> batch;
+  for (std::size_t next = 0; next < candidates.size();) {
+    batch.clear();
+    for (; next < candidates.size() && batch.size() < kBatch; ++next)
+      if (prepare(candidates[next])) batch.push_back(std::move(candidates[next]));
+    if (batch.empty()) break;
+    if (asks_left_ == 0) throw AsksExhausted{};
+    if (batch.size() > asks_left_)
+      batch.erase(batch.begin() + static_cast<std::ptrdiff_t>(asks_left_), batch.end());
+    asks_left_ -= batch.size();
+    std::vector<Answer> answers = trial_.ask(batch);
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      if (!shows_find(answers[i])) continue;
+      keep(std::move(batch[i]), std::move(answers[i]));
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// Shrinking: the state of one minimisation: the simplest scene so far that shows the find, and the
+// one way to replace it.
+//
+// Steps (search/primitive_steps.h, target_steps.h, coordinate_steps.h, grid_search.h) only propose.
+// What is not simpler, cannot be written as a case file, or was proposed before, is never asked.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "model/result.h"
+#include "model/scene.h"
+#include "search/scene_size.h"
+#include "search/signature.h"
+#include "search/trial.h"
+
+namespace edgecase {
+
+// Thrown when another scene would be one more than may be asked.
+struct AsksExhausted {};
+
+class Shrinking {
+ public:
+  // `result` is what `scene` shows, `signature` among it. The trial must outlive this.
+  Shrinking(Scene scene, Result result, Signature signature, Trial& trial, std::size_t asks_left);
+
+  const Scene& scene() const { return scene_; }
+  const Result& result() const { return result_; }
+  // What of the scene's result has the signature; empty of failures and aggregated values.
+  std::vector<const Disagreement*> finds() const;
+
+  // Is the candidate simpler, and does it show the find? Then it is the scene from now on. Its
+  // viewport follows its target and vertices where the scene's own does. Throws AsksExhausted and
+  // SearchStopped.
+  bool offer(Scene candidate);
+  // Offers them in order, up to the first that is kept; the renderer gets several at once. Those
+  // that are asked beyond it count.
+  bool offer_first_of(std::vector<Scene> candidates);
+
+ private:
+  bool prepare(Scene& candidate);
+  bool shows_find(const Answer& answer) const;
+  void keep(Scene candidate, Answer answer);
+
+  Scene scene_;
+  Result result_;
+  Signature signature_;
+  Trial& trial_;
+  std::size_t asks_left_;
+  SceneSize size_;
+  bool is_writable_;
+  std::unordered_set<std::string> proposed_;
+};
+
+}  // namespace edgecase

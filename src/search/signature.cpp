@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "search/signature.h"
+
+#include <utility>
+
+#include "results/clusters.h"
+
+namespace edgecase {
+namespace {
+
+Signature signature_of(const Cluster& cluster) {
+  Signature signature;
+  signature.cause = cluster.cause;
+  signature.surface = cluster.surface;
+  signature.legal = cluster.legal;
+  // A cause joins rules and kinds: that a scene shows one of them alone is no part of it.
+  if (!cluster.cause.empty()) return signature;
+  signature.rule = cluster.rule;
+  signature.kind = cluster.kind;
+  signature.situation = cluster.situation;
+  signature.attribute = cluster.attribute;
+  return signature;
+}
+
+bool is_find(FailureKind kind) {
+  return kind == FailureKind::crashed || kind == FailureKind::timed_out ||
+         kind == FailureKind::garbage;
+}
+
+}  // namespace
+
+std::vector<Signature> signatures_of(const Result& result, Surface surface) {
+  if (result.failure) {
+    if (!is_find(result.failure->kind)) return {};
+    Signature signature;
+    signature.surface = name_of(surface);
+    signature.failure = name_of(result.failure->kind);
+    return {signature};
+  }
+  if (result.disagreements.empty() && result.values.empty()) return {};
+  // Clusters of a run that is this one result.
+  Results run;
+  run.cases.resize(1);
+  CaseResults& one = run.cases.front();
+  one.surface = name_of(surface);
+  one.results.resize(1);
+  one.results.front().disagreements = result.disagreements;
+  one.results.front().values = result.values;
+  std::vector<Signature> signatures;
+  for (const Cluster& cluster : clusters_of(run, 0)) signatures.push_back(signature_of(cluster));
+  return signatures;
+}
+
+std::vector<Signature> signatures_of(const CaseResults& results, std::size_t renderer) {
+  Surface surface = Surface::fbo;
+  parse_name(results.surface, surface);
+  return signatures_of(results.results.at(renderer), surface);
+}
+
+std::vector<const Disagreement*> disagreements_of(const Result& result,
+                                                  const Signature& signature) {
+  Surface surface = Surface::fbo;
+  parse_name(signature.surface, surface);
+  std::vector<const Disagreement*> found;
+  for (const Disagreement& disagreement : result.disagreements) {
+    Result one;
+    one.disagreements = {disagreement};
+    if (signatures_of(one, surface).front() == signature) found.push_back(&disagreement);
+  }
+  return found;
+}
+
+std::string title_of(const Signature& signature) {
+  if (!signature.failure.empty())
+    return "the renderer fails: " + signature.failure + ", " + signature.surface;
+  Cluster cluster;
+  cluster.cause = signature.cause;
+  cluster.rule = signature.rule;
+  cluster.kind = signature.kind;
+  cluster.situation = signature.situation;
+  cluster.attribute = signature.attribute;
+  std::string title = title_of(cluster);
+  if (signature.attribute.empty()) title += signature.legal ? ", allowed" : ", not allowed";
+  return title + ", " + signature.surface;
+}
+
+}  // namespace edgecase
