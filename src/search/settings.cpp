@@ -216,9 +216,10 @@ std::int64_t reset_everywhere(const Setting& setting, Scene& scene) {
 void add_smaller_sizes(const Scene& scene, std::size_t d, Fixed Draw::*size,
                        std::vector<Scene>& simpler) {
   const Fixed own = scene.draws[d].*size;
+  if (own == Fixed::from_integer(1)) return;
   for (const std::int64_t half_steps : {1, 3, 4, 6, 8}) {
     const Fixed smaller = Fixed::from_raw(half_steps * Fixed::kOne / 2);
-    if (smaller == Fixed::from_integer(1) || smaller == own) continue;
+    if (smaller == Fixed::from_integer(1) || smaller >= own) continue;
     simpler.push_back(scene);
     simpler.back().draws[d].*size = smaller;
   }

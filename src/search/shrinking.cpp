@@ -14,7 +14,7 @@ namespace edgecase {
 namespace {
 
 // Scenes that the renderer gets at once, where any of them would do.
-constexpr std::size_t kBatch = 32;
+constexpr std::size_t kBatch = 8;
 
 // A case file of the scene; empty where there can be none.
 std::string written(const Scene& scene) {
@@ -127,11 +127,13 @@ bool Shrinking::offer_first_of(std::vector<Scene> candidates) {
       batch.erase(batch.begin() + static_cast<std::ptrdiff_t>(asks_left_), batch.end());
     asks_left_ -= batch.size();
     std::vector<Answer> answers = trial_.ask(batch);
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      if (!shows_find(answers[i])) continue;
-      keep(std::move(batch[i]), std::move(answers[i]));
-      return true;
-    }
+    // The simplest, so that none that is passed over here would be kept later.
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < batch.size(); ++i)
+      if (shows_find(answers[i]) && (!best || size_of(batch[i]) < size_of(batch[*best]))) best = i;
+    if (!best) continue;
+    keep(std::move(batch[*best]), std::move(answers[*best]));
+    return true;
   }
   return false;
 }

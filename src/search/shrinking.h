@@ -38,8 +38,8 @@ class Shrinking {
   // viewport follows its target and vertices where the scene's own does. Throws AsksExhausted and
   // SearchStopped.
   bool offer(Scene candidate);
-  // Offers them in order, up to the first that is kept; the renderer gets several at once. Those
-  // that are asked beyond it count.
+  // Offers them in order, several at once, up to the first that show the find; of those that were
+  // offered together the simplest is kept.
   bool offer_first_of(std::vector<Scene> candidates);
 
  private:

@@ -51,8 +51,7 @@ bool offer_size(Shrinking& shrinking, const Axis& axis, int size) {
 bool cut_far_side(Shrinking& shrinking, const Axis& axis) {
   const auto size = [&] { return shrinking.scene().target.*axis.size; };
   const int least = span_of(shrinking, axis).last + 1;
-  if (least < size() && offer_size(shrinking, axis, least)) return true;
-  bool any = false;
+  bool any = least < size() && offer_size(shrinking, axis, least);
   for (int less = size() > 1 ? power_below(size() - 1) : 0; less >= 1; less /= 2)
     while (size() - less >= 1 && offer_size(shrinking, axis, size() - less)) any = true;
   return any;
