@@ -12,6 +12,7 @@
 
 #include "casefile/case_writer.h"
 #include "model/scene_words.h"
+#include "rules/all_rules.h"
 #include "run/renderer_names.h"
 #include "run/renderers.h"
 #include "search/minimize.h"
@@ -183,8 +184,8 @@ CaseWords words_for(const Minimized& minimized, const Signature& signature, cons
                     const RendererInfo& info) {
   CaseWords words;
   words.title = fmt::format("{}: {}", info.name, title_of(signature));
-  words.why = fmt::format("Minimised from {}. {}", original.id,
-                          why_of(minimized.result, signature, info));
+  words.why =
+      fmt::format("Minimised from {}. {}", original.id, why_of(minimized.result, signature, info));
   words.rules = rules_of(minimized, signature, original);
   words.spec = original.spec;
   words.origin = original.origin;
@@ -259,12 +260,22 @@ ExitCode deliver(const MinimizeCommand& command, const Case& original, const Min
   return minimized.end == MinimizeEnd::stopped ? ExitCode::unexpected : ExitCode::as_expected;
 }
 
+// Does the renderer draw anything at all? That it fails at a case is no find otherwise.
+bool is_at_work(Trial& trial) {
+  Scene nothing;
+  nothing.target.width = nothing.target.height = 1;
+  nothing.viewport = {0, 0, 1, 1};
+  return !trial.ask(nothing).result.failure;
+}
+
 // What the options choose of what the case shows; prints why there is nothing.
 std::optional<Signature> find_signature(const MinimizeCommand& command, const Case& original,
                                         const Answer& answer, std::optional<Pixel> pixel,
-                                        ExitCode& exit) {
-  if (const auto chosen = choose_signature(answer, command.rule, pixel)) return chosen;
-  if (const auto& failure = answer.result.failure) {
+                                        Trial& trial, ExitCode& exit) {
+  const auto chosen = choose_signature(answer, command.rule, pixel);
+  const auto& failure = answer.result.failure;
+  if (chosen && (!failure || is_at_work(trial))) return chosen;
+  if (failure) {
     print_error(fmt::format("{} does not render {}: {}: {}", command.renderer, original.id,
                             name_of(failure->kind), failure->reason));
     exit = ExitCode::renderer;
@@ -301,7 +312,7 @@ ExitCode minimize_case(const MinimizeCommand& command, const Case& original,
   try {
     ExitCode exit = ExitCode::as_expected;
     const Answer answer = trial.ask(original.scene);
-    const auto signature = find_signature(command, original, answer, pixel, exit);
+    const auto signature = find_signature(command, original, answer, pixel, trial, exit);
     if (!signature) return exit;
     const Minimized minimized = minimize(original.scene, *signature, trial, {command.max_asks});
     return deliver(command, original, minimized, *signature, trial.info());
@@ -319,6 +330,10 @@ ExitCode run_minimize(const MinimizeCommand& command) {
   if (!policy || !are_known({command.renderer})) return ExitCode::usage;
   const auto profiles = load_profiles(selection, {command.renderer});
   if (!profiles) return ExitCode::usage;
+  if (!command.rule.empty() && find_rule(command.rule) == nullptr) {
+    print_error(fmt::format("there is no rule \"{}\"; `edgecase rules` prints all", command.rule));
+    return ExitCode::usage;
+  }
   ExitCode exit = ExitCode::as_expected;
   const auto original = find_case(name, exit);
   if (!original) return exit;
