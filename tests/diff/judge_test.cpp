@@ -333,5 +333,60 @@ TEST(Judge, FindsWhatTheRendererOfARunFollows) {
   EXPECT_GT(convention, 10);
 }
 
+// What a verdict and a report are made of.
+std::string words_of(const Result& result) {
+  std::string text = std::string(name_of(result.verdict)) + " " + result.fingerprint;
+  for (const Disagreement& d : result.disagreements)
+    text += (d.legal ? "; legal " : "; illegal ") + d.cause + " " + std::to_string(d.ruling);
+  return text;
+}
+
+// Random scenes as a renderer with another fill rule and another snap draws them.
+std::deque<Result> drawn_results() {
+  Policy other;
+  other.rules["triangle.fill-rule"] = "bottom-right";
+  other.rules["line.snap"] = "4-half-even";
+  RandomScenes scenes(3);
+  std::deque<Result> results;
+  for (int i = 0; i < 60; ++i) {
+    const Scene scene = scenes.next({});
+    results.push_back(compare(scene, Policy{}, rasterize(scene, Policy{}), rasterize(scene, other),
+                              {8, nullptr}));
+  }
+  return results;
+}
+
+TEST(Judge, UnderTheReadingOfTheRunIsJudgingTheRun) {
+  const std::deque<Result> drawn = drawn_results();
+  std::deque<Result> at_once = drawn;
+  const std::string snap = judge_all(at_once);
+  std::deque<Result> apart = drawn;
+  const RunReading reading = read_run(pointers(apart));
+  EXPECT_EQ(reading.line_snap, snap);
+  EXPECT_FALSE(reading.alternatives.empty());
+  int differ_alone = 0;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    // One by one, as a search meets them.
+    Result* const one = &apart[i];
+    judge({&one, 1}, Latitude::opengl, reading);
+    EXPECT_EQ(words_of(apart[i]), words_of(at_once[i])) << i;
+    std::deque<Result> alone = {drawn[i]};
+    judge_all(alone);
+    differ_alone += words_of(alone[0]) != words_of(at_once[i]) ? 1 : 0;
+  }
+  EXPECT_GT(differ_alone, 0) << "the reading is of no account here";
+}
+
+TEST(Judge, AReadingThatDoesNotKnowAnAlternativeSpeaksForNone) {
+  const std::string a = "triangle.fill-rule=left-bottom", b = "triangle.fill-rule=bottom-left";
+  std::deque<Result> results = {triangle_result({a, b})};
+  judge(pointers(results), Latitude::opengl, RunReading{});
+  EXPECT_EQ(results[0].disagreements[0].cause, a) << "the first in catalogue order";
+  RunReading reading;
+  reading.alternatives[b] = 1;
+  judge(pointers(results), Latitude::opengl, reading);
+  EXPECT_EQ(results[0].disagreements[0].cause, b);
+}
+
 }  // namespace
 }  // namespace edgecase

@@ -47,7 +47,6 @@ TEST(Trial, AnswersABatchInItsOrderAndAsksForItAtOnce) {
 }
 
 TEST(Trial, ExactFollowsThePolicy) {
-  FaultyRenderer first(nullptr, with_rule("provoking", "x"));
   const Policy policy = with_rule("triangle.fill-rule", "right-bottom");
   const Scene scene = scene_with(
       8, {make_draw(Primitive::triangles,
