@@ -12,8 +12,8 @@ import re
 import sys
 from pathlib import Path
 
-SRC = {"exact", "model", "rules", "raster", "casefile", "wire", "image", "diff", "results", "run",
-       "profile", "search"}
+SRC = {"exact", "model", "rules", "raster", "casefile", "wire", "recording", "image", "diff",
+       "results", "run", "profile", "search"}
 
 # module -> modules that it may include, besides itself.
 ALLOWED = {
@@ -23,6 +23,7 @@ ALLOWED = {
     "raster": {"rules", "model", "exact"},
     "casefile": {"model", "exact", "image"},
     "wire": {"model", "exact"},
+    "recording": {"wire", "model", "exact"},
     "image": {"model", "exact"},
     "diff": {"raster", "rules", "model", "exact"},
     "results": {"model"},
@@ -36,7 +37,7 @@ ALLOWED = {
 
 # A library's headers -> modules that may include them.
 LIBRARIES = [
-    (r"nlohmann/", {"casefile", "wire", "results", "profile", "reports", "tools"}),
+    (r"nlohmann/", {"casefile", "wire", "recording", "results", "profile", "reports", "tools"}),
     (r"OpenImageIO/", {"image"}),
     (r"(GL|EGL|KHR|GLES\d?|glad)/", {"reference"}),
     (r"glm/", {"casefile"}),

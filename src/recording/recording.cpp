@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "recording/recording.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "recording/block.h"
+#include "recording/bytes.h"
+
+namespace edgecase {
+
+namespace {
+
+using nlohmann::json;
+using recording::checksum;
+
+constexpr std::string_view kMagic = "edgecase-recording ";
+// A size of 16 digits, a space, a checksum of 8, a line break.
+constexpr std::size_t kEndSize = 26;
+
+std::string text_of(const json& value) {
+  return value.dump(-1, ' ', true, json::error_handler_t::replace);
+}
+
+std::string head_text(const RecordingHead& head) {
+  const RendererInfo& info = head.renderer;
+  const json renderer = {{"name", info.name},
+                         {"vendor", info.vendor},
+                         {"version", info.version},
+                         {"device", info.device},
+                         {"subpixel_bits", info.subpixel_bits},
+                         {"traits", info.traits}};
+  const json line = {{"tool", head.tool}, {"complete", head.is_complete}, {"renderer", renderer}};
+  return fmt::format("{}{}\n{}\n", kMagic, kRecordingVersion, text_of(line));
+}
+
+RecordingHead to_head(const json& line) {
+  RecordingHead head;
+  head.tool = line.at("tool");
+  head.is_complete = line.at("complete");
+  const json& renderer = line.at("renderer");
+  head.renderer.name = renderer.at("name");
+  head.renderer.vendor = renderer.at("vendor");
+  head.renderer.version = renderer.at("version");
+  head.renderer.device = renderer.at("device");
+  head.renderer.subpixel_bits = renderer.at("subpixel_bits");
+  head.renderer.traits = renderer.at("traits").get<std::map<std::string, std::string>>();
+  return head;
+}
+
+json stretch_json(std::string_view bytes) {
+  return {{"size", bytes.size()}, {"crc", checksum(bytes)}};
+}
+
+std::string index_text(std::string_view head, const std::vector<RecordedBlock>& blocks) {
+  json list = json::array();
+  for (const RecordedBlock& block : blocks) {
+    json scenes = json::array();
+    for (const auto& [id, digest] : block.scenes) {
+      scenes.push_back(id);
+      scenes.push_back(digest);
+    }
+    json one = stretch_json(block.bytes);
+    one["scenes"] = std::move(scenes);
+    list.push_back(std::move(one));
+  }
+  return text_of({{"head", stretch_json(head)}, {"blocks", std::move(list)}});
+}
+
+// The stretch of a file that an entry of its index describes, beginning at `begin`.
+std::string_view checked(std::string_view bytes, std::size_t begin, const json& entry) {
+  const std::size_t size = entry.at("size");
+  if (begin > bytes.size() || size > bytes.size() - begin)
+    throw std::runtime_error("it is cut off");
+  const std::string_view stretch = bytes.substr(begin, size);
+  if (checksum(stretch) != entry.at("crc").get<std::uint32_t>())
+    throw std::runtime_error(
+        fmt::format("its bytes {} to {} are not what was written", begin, begin + size));
+  return stretch;
+}
+
+template <class Number>
+Number read_hex(std::string_view digits) {
+  Number value = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+  if (error != std::errc() || end != digits.data() + digits.size())
+    throw std::runtime_error("its end is missing");
+  return value;
+}
+
+// The index as it stands before the file's end.
+std::string_view index_of(std::string_view bytes) {
+  if (bytes.size() < kEndSize) throw std::runtime_error("its end is missing");
+  const std::string_view end = bytes.substr(bytes.size() - kEndSize);
+  if (end[16] != ' ' || end.back() != '\n') throw std::runtime_error("its end is missing");
+  const auto size = read_hex<std::size_t>(end.substr(0, 16));
+  if (size > bytes.size() - kEndSize) throw std::runtime_error("its end is missing");
+  const std::string_view index = bytes.substr(bytes.size() - kEndSize - size, size);
+  if (checksum(index) != read_hex<std::uint32_t>(end.substr(17, 8)))
+    throw std::runtime_error("its index is not what was written");
+  return index;
+}
+
+// Refuses what is no recording, and versions other than ours.
+void check_version(std::string_view first_line) {
+  if (!first_line.starts_with(kMagic)) throw std::runtime_error("it is no recording");
+  const std::string_view version = first_line.substr(kMagic.size());
+  if (version != std::to_string(kRecordingVersion))
+    throw std::runtime_error(
+        fmt::format("it has version {} of the format, and this program reads "
+                    "version {}",
+                    version.substr(0, 20), kRecordingVersion));
+}
+
+std::string refusal(const std::filesystem::path& path, const std::string& why) {
+  return fmt::format("the recording {} cannot be used: {}; record it again with `edgecase record`",
+                     path.string(), why);
+}
+
+std::string unreadable(const std::filesystem::path& path) {
+  const int code = errno;
+  return fmt::format("cannot read the recording {}: {}", path.string(),
+                     std::strerror(code != 0 ? code : EISDIR));
+}
+
+// A file that can be read from its beginning.
+std::optional<std::ifstream> open_file(const std::filesystem::path& path) {
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in || in.peek() == std::ifstream::traits_type::eof()) {
+    std::error_code error;
+    // An empty file can be read, and is refused for what it is.
+    if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+    in.clear();
+  }
+  return in;
+}
+
+}  // namespace
+
+RecordedBlock make_block(std::vector<RecordedBlock::Scene> scenes,
+                         const std::vector<std::string>& lines) {
+  return {std::move(scenes), recording::pack_block(lines)};
+}
+
+std::string recording_bytes(const RecordingHead& head, const std::vector<RecordedBlock>& blocks) {
+  std::string bytes = head_text(head);
+  std::string index;
+  recording::write_deflated(index_text(bytes, blocks), index);
+  for (const RecordedBlock& block : blocks) bytes += block.bytes;
+  bytes += index;
+  bytes += fmt::format("{:016x} {:08x}\n", index.size(), checksum(index));
+  return bytes;
+}
+
+Recording Recording::read(std::string bytes) {
+  Recording result;
+  result.bytes_ = std::move(bytes);
+  const std::string_view all = result.bytes_;
+  check_version(all.substr(0, all.find('\n')));
+  std::string_view index = index_of(all);
+  const std::size_t end = all.size() - kEndSize - index.size();
+  const json entries = json::parse(recording::read_deflated(index));
+  const std::string_view head = checked(all, 0, entries.at("head"));
+  result.head_ = to_head(json::parse(head.substr(head.find('\n'))));
+  std::size_t begin = head.size();
+  for (const json& entry : entries.at("blocks")) {
+    const std::size_t size = checked(all, begin, entry).size();
+    const json& scenes = entry.at("scenes");
+    for (std::size_t i = 0; i + 1 < scenes.size(); i += 2)
+      result.places_[scenes[i]] = {scenes[i + 1], result.blocks_.size(), i / 2};
+    result.blocks_.push_back({begin, size});
+    begin += size;
+  }
+  if (begin != end) throw std::runtime_error("it holds more than its index says");
+  return result;
+}
+
+std::variant<Recording, std::string> Recording::open(const std::filesystem::path& path) {
+  auto in = open_file(path);
+  if (!in) return unreadable(path);
+  std::ostringstream text;
+  text << in->rdbuf();
+  try {
+    return read(std::move(text).str());
+  } catch (const std::exception& error) {
+    return refusal(path, error.what());
+  }
+}
+
+std::variant<RecordingHead, std::string> Recording::open_head(const std::filesystem::path& path) {
+  auto in = open_file(path);
+  if (!in) return unreadable(path);
+  try {
+    std::string version;
+    std::string line;
+    std::getline(*in, version);
+    check_version(version);
+    std::getline(*in, line);
+    return to_head(json::parse(line));
+  } catch (const std::exception& error) {
+    return refusal(path, error.what());
+  }
+}
+
+const Recording::Place* Recording::find(const std::string& id) const {
+  const auto found = places_.find(id);
+  return found == places_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> Recording::lines(std::size_t block) const {
+  const Stretch& stretch = blocks_.at(block);
+  return recording::unpack_block(std::string_view(bytes_).substr(stretch.begin, stretch.size));
+}
+
+}  // namespace edgecase
