@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "model/recorded.h"
 #include "reports/cluster_summary.h"
 #include "reports/painter.h"
 #include "reports/text.h"
@@ -70,6 +71,14 @@ class Table {
   std::vector<std::string> names_;
 };
 
+// Whose expectations hold for a recording's answers.
+void write_recordings(const Results& results, std::ostream& out) {
+  for (const RendererInfo& info : results.renderers)
+    if (known_as(info) != info.name)
+      out << fmt::format("{} replays {} ({}, {}), whose expectations hold.\n", one_line(info.name),
+                         one_line(known_as(info)), one_line(info.device), one_line(info.version));
+}
+
 // A heading and at most kMaxListed of the lines.
 void write_list(std::ostream& out, const std::string& heading,
                 const std::vector<std::string>& lines) {
@@ -114,6 +123,7 @@ std::vector<std::string> drawn_lines(const Results& results, const Painter& pain
 void write_summary(const Results& results, bool color, std::ostream& out) {
   const Painter paint(color);
   Table(results, paint).write(out);
+  write_recordings(results, out);
   write_clusters(results, paint, out);
 
   std::vector<std::string> files;

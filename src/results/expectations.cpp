@@ -154,6 +154,8 @@ std::vector<ExpectationChange> plan_blessing(const Results& results, std::size_t
   std::vector<ExpectationChange> changes;
   for (const CaseResults& one : results.cases) {
     const Result& result = one.results[index];
+    // A renderer that was never asked, or a case that a recording lacks, says nothing of it.
+    if (result.failure && result.failure->kind == FailureKind::unavailable) continue;
     const auto found = current.cases.find(one.id);
     const Expectation* before = found != current.cases.end() ? &found->second : nullptr;
     if (result.verdict == Verdict::agree) {

@@ -8,6 +8,8 @@
 #include <optional>
 #include <string_view>
 
+#include "run/recording_renderer.h"
+
 namespace edgecase {
 
 namespace {
@@ -146,12 +148,17 @@ const std::vector<std::string>& opengl_renderer_names() {
 
 std::string known_renderer_names() {
   return "exact, osmesa:llvmpipe, osmesa:softpipe, egl:llvmpipe, egl:softpipe, egl:zink, "
-         "egl:zink-swiftshader, egl:deviceN, exec:PROGRAM";
+         "egl:zink-swiftshader, egl:deviceN, exec:PROGRAM, recording:FILE";
 }
 
 std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& name,
                                                          const std::string& program_directory) {
   if (name.starts_with(kExecPrefix)) return exec_renderer(name);
+  if (is_recording(name))
+    return UnknownRenderer{fmt::format(
+        "'{}' replays what was recorded: there is no program behind it that could be asked for "
+        "more; name the renderer itself",
+        name)};
   const std::string worker = (std::filesystem::path(program_directory) / "edgecase-gl").string();
   ProcessSpec spec;
   spec.name = name;

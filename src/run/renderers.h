@@ -21,7 +21,7 @@ struct RendererOptions {
   const std::atomic<bool>* stop = nullptr;  // as ProcessSpec has it
 };
 
-// `exact`, or any name that renderer_names.h knows. A sentence with the known names otherwise.
+// `exact`, `recording:FILE` or a name that renderer_names.h knows. A sentence that says why not.
 std::variant<std::unique_ptr<Renderer>, std::string> make_renderer(const std::string& name,
                                                                    const RendererOptions& options);
 

@@ -74,6 +74,16 @@ TEST(PlanBlessing, MakesAReasonOfWhatWasFound) {
 }
 
 // Blessed and read back, the same results are expected; blessing again changes nothing.
+// A renderer that could not be asked, as a recording that lacks the case, says nothing of it.
+TEST(PlanBlessing, LeavesOutWhatWasNotAsked) {
+  Results results = results_with({Verdict::not_run, Verdict::not_run});
+  results.cases[0].results[0].failure = Failure{FailureKind::unavailable, "not recorded"};
+  results.cases[1].results[0].failure = Failure{FailureKind::unsupported, "too large"};
+  const auto changes = plan_blessing(results, 0, {}, "because");
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].id, "b");
+}
+
 TEST(PlanBlessing, WhatWasBlessedIsExpected) {
   Results results =
       results_with({Verdict::agree, Verdict::convention, Verdict::violation, Verdict::not_run});

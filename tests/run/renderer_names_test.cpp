@@ -8,6 +8,7 @@
 namespace edgecase {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
@@ -41,6 +42,12 @@ TEST(RendererNames, MesaDriversComeFromTheWorkerProgram) {
   EXPECT_THAT(command_of("egl:device12").argv,
               ElementsAre("/opt/bin/edgecase-gl", "egl-device:12"));
   for (const std::string& name : opengl_renderer_names()) command_of(name);
+}
+
+TEST(RendererNames, ARecordingHasNoProgram) {
+  EXPECT_THAT(message_of("recording:some.rec"),
+              AllOf(HasSubstr("'recording:some.rec'"), HasSubstr("no program behind it")));
+  EXPECT_THAT(message_of("osmesa:recording"), HasSubstr("recording:FILE"));
 }
 
 TEST(RendererNames, ZinkComesWithItsVulkanDriver) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "model/recorded.h"
 #include "results/expectations.h"
 #include "tools/edgecase/commands.h"
 #include "tools/edgecase/options.h"
@@ -54,7 +55,7 @@ std::optional<Expectations> load_current(const std::filesystem::path& path) {
 
 ExitCode bless_renderer(const BlessCommand& command, const Results& results, std::size_t index) {
   const RendererInfo& info = results.renderers[index];
-  const auto path = std::filesystem::path(command.folder) / expectations_file_name(info.name);
+  const auto path = std::filesystem::path(command.folder) / expectations_file_name(known_as(info));
   auto current = load_current(path);
   if (!current) return ExitCode::usage;
   auto changes = plan_blessing(results, index, *current, command.reason);
@@ -66,7 +67,7 @@ ExitCode bless_renderer(const BlessCommand& command, const Results& results, std
   if (!command.apply || changes.empty()) return ExitCode::as_expected;
 
   Expectations updated = *current;
-  updated.renderer = info.name;
+  updated.renderer = known_as(info);
   updated.measured = info.device + ", " + info.version;
   for (const ExpectationChange& change : changes) {
     if (change.after)

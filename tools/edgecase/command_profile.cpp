@@ -11,6 +11,7 @@
 #include "profile/measure.h"
 #include "profile/profile_json.h"
 #include "profile/profile_text.h"
+#include "run/recording_renderer.h"
 #include "run/renderer_names.h"
 #include "run/renderers.h"
 #include "tools/edgecase/commands.h"
@@ -78,6 +79,13 @@ ExitCode run_profile(const ProfileCommand& command) {
   suite.paths = {"cases"};
   const auto policy = command.policy.load(suite);
   if (!policy || !are_known({command.renderer})) return ExitCode::usage;
+  if (is_recording(command.renderer)) {
+    print_error(
+        fmt::format("a profile asks for scenes of its own, which no recording has; measure {} "
+                    "itself",
+                    known_name_of(command.renderer)));
+    return ExitCode::usage;
+  }
   const RendererOptions renderer{
       *policy, std::chrono::milliseconds(static_cast<int>(command.timeout * 1000)),
       executable_directory(), &interrupted()};

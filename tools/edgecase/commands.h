@@ -23,5 +23,6 @@ void add_draw_command(CLI::App& app, ExitCode& exit);
 void add_profile_command(CLI::App& app, ExitCode& exit);
 void add_gallery_command(CLI::App& app, ExitCode& exit);
 void add_minimize_command(CLI::App& app, ExitCode& exit);
+void add_record_command(CLI::App& app, ExitCode& exit);
 
 }  // namespace edgecase

@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   edgecase::add_render_command(app, exit);
   edgecase::add_explain_command(app, exit);
   edgecase::add_profile_command(app, exit);
+  edgecase::add_record_command(app, exit);
   edgecase::add_rules_command(app, exit);
   edgecase::add_backends_command(app, exit);
   edgecase::add_new_command(app, exit);

@@ -15,6 +15,7 @@
 #include "casefile/policy_reader.h"
 #include "results/expectations.h"
 #include "rules/all_rules.h"
+#include "run/recording_renderer.h"
 
 namespace edgecase {
 namespace {
@@ -81,7 +82,7 @@ std::optional<std::filesystem::path> policy_file(const std::string& policy,
 
 // Where the profile of a renderer is kept.
 std::filesystem::path profile_file(const std::string& renderer, const Selection& selection) {
-  return suite_folder(selection) / "profiles" / expectations_file_name(renderer);
+  return suite_folder(selection) / "profiles" / expectations_file_name(known_name_of(renderer));
 }
 
 std::optional<Policy> read_policy(const std::filesystem::path& file) {

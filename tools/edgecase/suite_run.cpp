@@ -8,6 +8,7 @@
 #include <set>
 #include <thread>
 
+#include "model/recorded.h"
 #include "run/renderer_names.h"
 #include "run/run.h"
 #include "tools/edgecase/interrupt.h"
@@ -45,9 +46,11 @@ bool are_known(const std::vector<std::string>& renderers) {
 }
 
 void SuiteRunOptions::add_to(CLI::App& command) {
-  add_repeatable(command, "--against", renderers,
-                 "Renderer to compare with exact, repeatable: osmesa:llvmpipe, osmesa:softpipe, "
-                 "egl:llvmpipe, egl:softpipe, egl:zink, egl:zink-swiftshader, egl:deviceN, exec:PROGRAM, exact");
+  add_repeatable(
+      command, "--against", renderers,
+      "Renderer to compare with exact, repeatable: osmesa:llvmpipe, osmesa:softpipe, "
+      "egl:llvmpipe, egl:softpipe, egl:zink, egl:zink-swiftshader, egl:deviceN, exec:PROGRAM, "
+      "recording:FILE, exact");
   command.add_option("--jobs", jobs, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 256));
   command.add_option("--timeout", timeout, "Seconds per case")->check(CLI::Range(0.01, 3600.0));
@@ -119,7 +122,7 @@ void apply_all_expectations(const std::vector<Expectations>& expectations, Resul
   for (std::size_t r = 0; r < results.renderers.size(); ++r) {
     const Expectations* own = nullptr;
     for (const Expectations& candidate : expectations)
-      if (candidate.renderer == results.renderers[r].name) own = &candidate;
+      if (candidate.renderer == known_as(results.renderers[r])) own = &candidate;
     apply_expectations(results, r, own);
   }
 }

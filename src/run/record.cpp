@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "run/record.h"
+
+#include <algorithm>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "model/recorded.h"
+#include "recording/recording.h"
+#include "recording/stored_outcome.h"
+#include "run/recording_renderer.h"
+#include "wire/request_line.h"
+
+namespace edgecase {
+
+namespace {
+
+// What a block holds, in samples of targets: some megabytes of answers. Larger blocks deflate
+// little better, and reading one case means reading its block.
+constexpr std::size_t kBlockWeight = std::size_t{1} << 16;
+// What a case weighs beside its samples.
+constexpr std::size_t kCaseWeight = 256;
+
+// Thrown out of a renderer's sink when recording should end.
+struct Stopped {};
+
+std::size_t weight_of(const Scene& scene) {
+  const Target& target = scene.target;
+  return kCaseWeight + static_cast<std::size_t>(target.width) *
+                           static_cast<std::size_t>(target.height) *
+                           static_cast<std::size_t>(target.samples) *
+                           std::max<std::size_t>(1, scene.supersampling.size());
+}
+
+// The cases of a block: [begin, end).
+struct Slice {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+std::vector<Slice> cut(const std::vector<Case>& cases) {
+  std::vector<Slice> slices;
+  std::size_t weight = 0;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const std::size_t more = weight_of(cases[i].scene);
+    if (slices.empty() || weight + more > kBlockWeight) {
+      slices.push_back({i, i});
+      weight = 0;
+    }
+    weight += more;
+    slices.back().end = i + 1;
+  }
+  return slices;
+}
+
+class Recorder {
+ public:
+  Recorder(const Suite& suite, const RecordOptions& options)
+      : suite_(suite), options_(options), slices_(cut(suite.cases)), made_(slices_.size()) {}
+
+  Recorded operator()() {
+    const auto jobs = static_cast<std::size_t>(std::max(1, options_.jobs));
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i < std::min(jobs, slices_.size()); ++i)
+      threads.emplace_back([this] { work(); });
+    for (std::thread& thread : threads) thread.join();
+    return collect();
+  }
+
+ private:
+  struct Made {
+    RecordedBlock block;
+    RendererInfo renderer;
+    std::size_t failures = 0;
+  };
+
+  bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+
+  void work() {
+    auto made = make_renderer(options_.renderer, options_.renderer_options);
+    Renderer& renderer = *std::get<std::unique_ptr<Renderer>>(made);
+    for (std::size_t next = next_++; next < slices_.size() && !stopped(); next = next_++)
+      record(slices_[next], renderer, made_[next]);
+  }
+
+  void record(const Slice& slice, Renderer& renderer, Made& made) {
+    std::vector<Task> tasks;
+    for (std::size_t i = slice.begin; i < slice.end; ++i)
+      tasks.push_back({suite_.cases[i].id, &suite_.cases[i].scene});
+    std::vector<RecordedBlock::Scene> scenes;
+    std::vector<std::string> lines;
+    try {
+      renderer.render(tasks, [&](std::size_t index, Outcome outcome) {
+        // A failure may come from being stopped itself.
+        const auto* failure = std::get_if<Failure>(&outcome);
+        if (stopped() && failure != nullptr) throw Stopped{};
+        if (failure != nullptr) note(*failure, made);
+        scenes.push_back({tasks[index].id, digest_of(scene_json(*tasks[index].scene))});
+        lines.push_back(recording::stored_line(outcome));
+        report_progress();
+        if (stopped()) throw Stopped{};
+      });
+    } catch (const Stopped&) {
+    }
+    made.renderer = renderer.info();
+    if (!lines.empty()) made.block = make_block(std::move(scenes), lines);
+  }
+
+  void note(const Failure& failure, Made& made) {
+    ++made.failures;
+    if (failure.kind != FailureKind::unavailable) return;
+    const std::lock_guard lock(mutex_);
+    unavailable_ = failure.reason;
+  }
+
+  void report_progress() {
+    const std::size_t done = ++done_;
+    if (options_.progress) options_.progress(done, suite_.cases.size());
+  }
+
+  Recorded collect() {
+    Recorded recorded;
+    recorded.is_complete = done_ == suite_.cases.size();
+    recorded.unavailable = unavailable_;
+    recorded.renderer.name = options_.renderer;
+    std::vector<RecordedBlock> blocks;
+    for (Made& made : made_) {
+      // One that never got an answer knows nothing of the renderer.
+      if (recorded.renderer.device.empty() && !made.renderer.name.empty())
+        recorded.renderer = std::move(made.renderer);
+      recorded.cases += made.block.scenes.size();
+      recorded.failures += made.failures;
+      if (!made.block.scenes.empty()) blocks.push_back(std::move(made.block));
+    }
+    RecordingHead head{options_.tool, recorded.renderer, recorded.is_complete};
+    // Of a recording: as if the renderer itself had been asked again.
+    head.renderer.name = known_as(recorded.renderer);
+    if (is_recording(recorded.renderer.name)) head.renderer.traits.erase(kRecordedTrait);
+    recorded.bytes = recording_bytes(head, blocks);
+    return recorded;
+  }
+
+  const Suite& suite_;
+  const RecordOptions& options_;
+  std::vector<Slice> slices_;
+  std::vector<Made> made_;  // by slice
+  std::atomic<std::size_t> next_ = 0;
+  std::atomic<std::size_t> done_ = 0;
+  std::mutex mutex_;
+  std::string unavailable_;
+};
+
+}  // namespace
+
+Recorded record_suite(const Suite& suite, const RecordOptions& options) {
+  return Recorder(suite, options)();
+}
+
+}  // namespace edgecase
