@@ -92,8 +92,9 @@ FragmentDetail to_detail(const TexturedRecord& record) {
 
 Capture::Capture(const GladGLContext& gl, Form form)
     : gl_(gl), form_(form), buffer_(make_buffer(gl)) {
-  GLint block_size = 0;
-  gl_.GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block_size);
+  // Some drivers have 2^32 - 1, which is no GLint.
+  GLint64 block_size = 0;
+  gl_.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block_size);
   const std::size_t bytes = block_size > 0 ? static_cast<std::size_t>(block_size) : 0;
   if (bytes > kHeaderSize)
     limit_ =
