@@ -158,6 +158,19 @@ void write_expect_failures(pugi::xml_node root, const Results& results, Counts& 
   suite.close(total);
 }
 
+void write_missing(pugi::xml_node root, const Results& results, Counts& total) {
+  if (results.missing.empty()) return;
+  Suite suite(root, "expectations");
+  for (const MissingCase& missing : results.missing) {
+    const std::string name = one_line(missing.renderer);
+    suite.fail(suite.add("expectations." + name, one_line(missing.id)),
+               fmt::format("missing: {} is expected of {}, and the suite has no such case",
+                           name_of(missing.expected.verdict), name),
+               "`edgecase bless --apply` removes the expectation: " + missing.reason);
+  }
+  suite.close(total);
+}
+
 void write_totals(pugi::xml_node root, const Counts& total) {
   root.append_attribute("tests") = total.tests;
   root.append_attribute("failures") = total.failures;
@@ -166,9 +179,9 @@ void write_totals(pugi::xml_node root, const Counts& total) {
 }
 
 // A run that was stopped must not look like a small one that passed.
-void write_interruption(pugi::xml_node root, Counts& total) {
+void write_interruption(pugi::xml_node root, const Results& results, Counts& total) {
   Suite suite(root, "run");
-  suite.error(suite.add("run", "complete"), "the run was interrupted; cases are missing", "");
+  suite.error(suite.add("run", "complete"), words_of_interruption(results), "");
   suite.close(total);
 }
 
@@ -191,7 +204,8 @@ void write_junit(const Results& results, std::ostream& out) {
   }
   write_diagnostics(root, results, total);
   write_expect_failures(root, results, total);
-  if (results.interrupted) write_interruption(root, total);
+  write_missing(root, results, total);
+  if (results.interrupted) write_interruption(root, results, total);
   write_totals(root, total);
   document.save(out, "  ", pugi::format_default, pugi::encoding_utf8);
 }

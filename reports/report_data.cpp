@@ -169,11 +169,17 @@ Json pixel_counts_json(const PixelCounts& counts) {
           {"same", counts.same}};
 }
 
-Json result_json(const Result& result, std::size_t answer) {
+Json outcome_json(const Judgement& answer) {
+  return {{"verdict", name_of(answer.verdict)}, {"fingerprint", answer.fingerprint}};
+}
+
+Json result_json(const KnownResult& result, std::size_t answer) {
   Json json = {{"verdict", name_of(result.verdict)},
                {"standing", name_of(result.standing)},
                {"expectation", result.expectation},
                {"answer", answer}};
+  if (result.expected) json["expected"] = outcome_json(*result.expected);
+  if (result.again) json["again"] = outcome_json(*result.again);
   if (!result.failure) json["pixel_counts"] = pixel_counts_json(result.pixel_counts);
   if (result.failure)
     json["failure"] = {{"kind", name_of(result.failure->kind)}, {"reason", result.failure->reason}};
@@ -183,7 +189,7 @@ Json result_json(const Result& result, std::size_t answer) {
 void add_results(Json& json, const CaseResults& one) {
   Json answers = Json::array();
   Json results = Json::array();
-  for (const Result& result : one.results) {
+  for (const KnownResult& result : one.results) {
     Json answer = answer_json(one, result);
     const auto found = std::find(answers.begin(), answers.end(), answer);
     const auto index = static_cast<std::size_t>(found - answers.begin());
@@ -266,6 +272,7 @@ std::string report_data(const Results& results, const ReportTexts& texts) {
   Json json = {{"tool", results.tool},
                {"policy", results.policy},
                {"interrupted", results.interrupted},
+               {"left_out", results.left_out},
                {"renderers", Json::array()}};
   for (std::size_t i = 0; i < results.renderers.size(); ++i)
     json["renderers"].push_back(renderer_json(results, i));
@@ -277,6 +284,13 @@ std::string report_data(const Results& results, const ReportTexts& texts) {
                                    {"pointer", d.pointer},
                                    {"message", d.message},
                                    {"remedy", d.remedy}});
+  json["missing"] = Json::array();
+  for (const MissingCase& missing : results.missing)
+    json["missing"].push_back({{"renderer", missing.renderer},
+                               {"case", missing.id},
+                               {"verdict", name_of(missing.expected.verdict)},
+                               {"fingerprint", missing.expected.fingerprint},
+                               {"reason", missing.reason}});
   json["cases"] = Json::array();
   json["sources"] = Json::object();
   for (const CaseResults& one : results.cases) {

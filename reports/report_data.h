@@ -2,8 +2,8 @@
 //
 // The data of the HTML report, as JSON.
 //
-// {"tool", "policy", "interrupted", "renderers", "rules", "rulings", "diagnostics", "cases"}. A
-// case holds the words of its file, its exact pixels, its figure, "answers" and "results": two
+// {"tool", "policy", "interrupted", "left_out", "renderers", "rules", "rulings", "diagnostics",
+// "missing", "cases"}. A case holds the words of its file, its exact pixels, its figure, "answers" and "results": two
 // renderers that answered alike share one answer (pixels, disagreements, values, evidence), a
 // result adds what is each renderer's own (verdict, standing, failure, expectation, and how many of
 // its pixels fare how: "pixel_counts", model/result.h). Pixels are packed as pixels.h says; an

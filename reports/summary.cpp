@@ -97,6 +97,7 @@ std::string unexpected_line(const Results& results, const CaseResults& one, std:
   std::string line = fmt::format("{} {} {}, {}", paint.bold(one_line(one.id)), one_line(name),
                                  paint(style_of(result.verdict), name_of(result.verdict)),
                                  name_of(result.standing));
+  if (result.standing == Standing::flake) line += ": " + one_line(result.expectation);
   const std::string explanation = one_line(first_explanation(result, one.samples.samples));
   return explanation.empty() ? line : line + "\n      " + explanation;
 }
@@ -118,6 +119,14 @@ std::vector<std::string> drawn_lines(const Results& results, const Painter& pain
   return lines;
 }
 
+std::vector<std::string> missing_lines(const Results& results, const Painter& paint) {
+  std::vector<std::string> lines;
+  for (const MissingCase& missing : results.missing)
+    lines.push_back(fmt::format("{} {}, expected {}", paint.bold(one_line(missing.id)),
+                                one_line(missing.renderer), name_of(missing.expected.verdict)));
+  return lines;
+}
+
 }  // namespace
 
 void write_summary(const Results& results, bool color, std::ostream& out) {
@@ -132,9 +141,12 @@ void write_summary(const Results& results, bool color, std::ostream& out) {
   write_list(out, paint.bold("Case files that cannot be loaded:"), files);
   write_list(out, paint.bold("Hand-drawn expectations that the exact side does not meet:"),
              drawn_lines(results, paint));
+  write_list(out,
+             paint.bold("Expectations of cases that the suite has no more; `edgecase bless "
+                        "--apply` removes them:"),
+             missing_lines(results, paint));
   write_list(out, paint.bold("Unexpected:"), unexpected_lines(results, paint));
-  if (results.interrupted)
-    out << '\n' << paint.bold("The run was interrupted; cases are missing.") << '\n';
+  if (results.interrupted) out << '\n' << paint.bold(words_of_interruption(results)) << '\n';
 }
 
 }  // namespace edgecase

@@ -123,6 +123,12 @@ std::string headline(const Result& result) {
   return text;
 }
 
+std::string words_of_interruption(const Results& results) {
+  if (results.left_out == 0) return "The run was interrupted.";
+  return fmt::format("The run was interrupted; {} missing.",
+                     counted(results.left_out, "case is", "cases are"));
+}
+
 bool names_sample(const Disagreement& d, int samples) {
   return samples > 1 && d.sample >= 0;
 }

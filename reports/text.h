@@ -25,6 +25,9 @@ std::size_t count_differences(const Result& result);
 // "violation, unexpected, 3 disagreements": verdict, standing and counts of a result.
 std::string headline(const Result& result);
 
+// "The run was interrupted; 3 cases are missing."
+std::string words_of_interruption(const Results& results);
+
 // Is it about one sample of a pixel of so many?
 bool names_sample(const Disagreement& disagreement, int samples);
 

@@ -10,7 +10,11 @@ function headlineOf() {
   if (surprises) parts.push(plural(surprises, "result is", "results are") + " not as expected");
   if (broken) parts.push(plural(broken, "case file", "case files") + " cannot be loaded");
   if (drawn) parts.push(plural(drawn, "hand-drawn truth is", "hand-drawn truths are") + " not met");
-  if (Report.interrupted) parts.push("the run was interrupted");
+  if (Report.missing.length)
+    parts.push(plural(Report.missing.length, "expectation has", "expectations have") + " no case");
+  if (Report.interrupted)
+    parts.push("the run was interrupted" + (Report.left_out
+      ? "; " + plural(Report.left_out, "case is", "cases are") + " missing" : ""));
   if (!parts.length)
     return h("p.headline.good", {}, icon(VERDICTS.agree.path),
       results.length ? "Every result is as expected." : "Nothing was run.");
@@ -96,7 +100,10 @@ function problems() {
     h("summary", {}, icon(BANG), title + " (" + items.length + ")"), h("ul", {}, items));
   return h("div.problems", {},
     box("Case files that cannot be loaded", Report.diagnostics.map(diagnosticItem)),
-    box("Hand-drawn truths that the exact side does not meet", drawn));
+    box("Hand-drawn truths that the exact side does not meet", drawn),
+    box("Expectations of cases that the suite has no more; edgecase bless --apply removes them",
+      Report.missing.map((m) => h("li", {}, h("code", {}, m.case), " " + m.renderer,
+        h("div", {}, m.verdict + ": " + m.reason)))));
 }
 
 function overview(state) {

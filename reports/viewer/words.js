@@ -32,6 +32,7 @@ const STANDINGS = {
   "unexpected-agreement": {
     label: "now agrees", means: "It agrees, although an expectation says that it differs.",
   },
+  flake: {label: "flake", means: "Asked a second time, the renderer answered otherwise."},
   expected: {label: "expected", means: "It agrees, or differs exactly as an expectation says."},
 };
 

@@ -118,7 +118,8 @@ void judge_primitive(const Result::Evidence& evidence, const std::string& readin
     d.cause = cause;
     if (!is_about_a_line(d)) continue;
     d.legal = !contains(evidence.illegal_line_snaps, reading);
-    if (cause == kInteriorGap && d.legal) d.ruling = 3;
+    // An illegal gap is judged as compare() did; it may have been legal among other results.
+    if (cause == kInteriorGap) d.ruling = d.legal ? 3 : d.rule == "line.joint" ? 14 : 1;
   }
 }
 

@@ -25,6 +25,7 @@ enum class Standing {
   unexpected,            // differs, and no expectation says so
   changed,               // differs, but not as its expectation says
   unexpected_agreement,  // agrees, although an expectation says that it differs
+  flake,                 // asked again, the renderer answered otherwise: no answer can be expected
 };
 
 const char* name_of(Standing);

@@ -29,8 +29,45 @@ Expectation parse_entry(const Json& json) {
   return entry;
 }
 
-// "3 pixels differ by triangle.fill-rule (triangle.fill-rule=left-bottom)": what was found, in
-// short.
+// Bytes that are no UTF-8 are replaced, never fatal.
+std::string dump(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+bool same_answer(const Expectation& entry, const Result& result) {
+  return entry.verdict == result.verdict && entry.fingerprint == result.fingerprint;
+}
+
+std::string words_of(const Judgement& answer) {
+  return answer.fingerprint.empty()
+             ? std::string(name_of(answer.verdict))
+             : fmt::format("{} {}", name_of(answer.verdict), answer.fingerprint);
+}
+
+// What is expected of an answer, if anything.
+void set_standing(const Expectation* entry, KnownResult& result) {
+  const bool agrees = result.verdict == Verdict::agree;
+  result.expected.reset();
+  if (entry != nullptr) result.expected = {entry->verdict, entry->fingerprint};
+  if (result.again) {
+    result.standing = Standing::flake;
+    result.expectation = fmt::format("it answered {}, and when asked again {}",
+                                     words_of(judgement_of(result)), words_of(*result.again));
+  } else if (entry == nullptr) {
+    result.standing = agrees ? Standing::expected : Standing::unexpected;
+    result.expectation = agrees ? "" : "no expectation says that it differs";
+  } else if (same_answer(*entry, result)) {
+    result.standing = Standing::expected;
+    result.expectation = entry->reason;
+  } else {
+    result.standing = agrees ? Standing::unexpected_agreement : Standing::changed;
+    result.expectation = fmt::format("expected {} {} ({})", name_of(entry->verdict),
+                                     entry->fingerprint, entry->reason);
+  }
+}
+
+}  // namespace
+
 std::string reason_from(const Result& result) {
   if (result.failure)
     return fmt::format("{}: {}", name_of(result.failure->kind), result.failure->reason);
@@ -63,17 +100,6 @@ std::string reason_from(const Result& result) {
             : fmt::format("{}{} by {}", text.empty() ? "" : "; ", values.attribute, values.cause);
   return text;
 }
-
-// Bytes that are no UTF-8 are replaced, never fatal.
-std::string dump(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-bool same_answer(const Expectation& entry, const Result& result) {
-  return entry.verdict == result.verdict && entry.fingerprint == result.fingerprint;
-}
-
-}  // namespace
 
 std::variant<Expectations, std::string> parse_expectations(const std::string& text) {
   std::string where = "the file";
@@ -126,26 +152,24 @@ std::string expectations_file_name(const std::string& renderer) {
 
 void apply_expectations(Results& results, std::size_t index, const Expectations* expectations) {
   for (CaseResults& one : results.cases) {
-    Result& result = one.results[index];
     const Expectation* entry = nullptr;
     if (expectations != nullptr)
       if (const auto found = expectations->cases.find(one.id); found != expectations->cases.end())
         entry = &found->second;
-    if (entry == nullptr) {
-      result.standing =
-          result.verdict == Verdict::agree ? Standing::expected : Standing::unexpected;
-      result.expectation =
-          result.verdict == Verdict::agree ? "" : "no expectation says that it differs";
-    } else if (same_answer(*entry, result)) {
-      result.standing = Standing::expected;
-      result.expectation = entry->reason;
-    } else {
-      result.standing =
-          result.verdict == Verdict::agree ? Standing::unexpected_agreement : Standing::changed;
-      result.expectation = fmt::format("expected {} {} ({})", name_of(entry->verdict),
-                                       entry->fingerprint, entry->reason);
-    }
+    set_standing(entry, one.results[index]);
   }
+}
+
+std::vector<MissingCase> missing_cases(const Results& results, const Expectations& expectations) {
+  if (!is_whole(results)) return {};
+  std::set<std::string> ids;
+  for (const CaseResults& one : results.cases) ids.insert(one.id);
+  std::vector<MissingCase> missing;
+  for (const auto& [id, entry] : expectations.cases)
+    if (!ids.contains(id))
+      missing.push_back(
+          {expectations.renderer, id, {entry.verdict, entry.fingerprint}, entry.reason});
+  return missing;
 }
 
 std::vector<ExpectationChange> plan_blessing(const Results& results, std::size_t index,
@@ -153,9 +177,10 @@ std::vector<ExpectationChange> plan_blessing(const Results& results, std::size_t
                                              const std::string& reason) {
   std::vector<ExpectationChange> changes;
   for (const CaseResults& one : results.cases) {
-    const Result& result = one.results[index];
+    const KnownResult& result = one.results[index];
     // A renderer that was never asked, or a case that a recording lacks, says nothing of it.
     if (result.failure && result.failure->kind == FailureKind::unavailable) continue;
+    if (result.again) continue;
     const auto found = current.cases.find(one.id);
     const Expectation* before = found != current.cases.end() ? &found->second : nullptr;
     if (result.verdict == Verdict::agree) {
@@ -168,6 +193,9 @@ std::vector<ExpectationChange> plan_blessing(const Results& results, std::size_t
                       before != nullptr ? before->link : ""};
     changes.push_back({one.id, before, std::move(after)});
   }
+  for (const MissingCase& missing : missing_cases(results, current))
+    changes.push_back({missing.id, &current.cases.at(missing.id), std::nullopt});
+  std::ranges::sort(changes, {}, &ExpectationChange::id);
   return changes;
 }
 

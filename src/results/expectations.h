@@ -42,13 +42,19 @@ std::string expectations_text(const Expectations& expectations);
 // The name of a renderer's file: "osmesa-llvmpipe.json".
 std::string expectations_file_name(const std::string& renderer);
 
-// Sets standing and expectation of every result of the renderer at `index`. `expectations` may be
-// null: then every case is expected to agree.
+// Sets standing, expectation and expected of every result of the renderer at `index`.
+// `expectations` may be null: then every case is expected to agree. A result that was another one
+// when it was asked for again is a flake, whatever is expected.
 void apply_expectations(Results& results, std::size_t index, const Expectations* expectations);
 
+// The entries without a case, of results that hold every case of the suite; of others none, since a
+// case may have been left out.
+std::vector<MissingCase> missing_cases(const Results& results, const Expectations& expectations);
+
 // What blessing would change: for each case of the results whose entry would be another, the old
-// and the new one. Reasons of unchanged entries are kept; a new entry gets `reason`, or where that
-// is empty a reason made of the causes found.
+// and the new one, and the entries of missing cases, which go. Reasons of unchanged entries are
+// kept; a new entry gets `reason`, or where that is empty a reason made of the causes found. Flakes
+// are left as they are: nothing that changes can be expected. Sorted by case id.
 struct ExpectationChange {
   std::string id;
   const Expectation* before = nullptr;  // null: the entry is new
@@ -58,5 +64,8 @@ struct ExpectationChange {
 std::vector<ExpectationChange> plan_blessing(const Results& results, std::size_t index,
                                              const Expectations& current,
                                              const std::string& reason);
+
+// The reason that a new entry gets where nobody gives one: what was found, in short.
+std::string reason_from(const Result& result);
 
 }  // namespace edgecase

@@ -7,15 +7,44 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/case.h"
 #include "model/figure.h"
+#include "model/policy.h"
 #include "model/renderer.h"
 #include "model/result.h"
 
 namespace edgecase {
+
+// "opengl" or "none", as policy files say it.
+constexpr const char* name_of(Latitude latitude) {
+  return latitude == Latitude::none ? "none" : "opengl";
+}
+
+// What judging makes of an answer: two that are equal in this are the same to expectations.
+struct Judgement {
+  Verdict verdict = Verdict::agree;
+  std::string fingerprint;
+  friend bool operator==(const Judgement&, const Judgement&) = default;
+};
+
+inline Judgement judgement_of(const Result& result) {
+  return {result.verdict, result.fingerprint};
+}
+
+// A result, and what is known of the renderer's other answers to the case.
+struct KnownResult : Result {
+  std::optional<Judgement> expected;  // what the expectations' entry says, where there is one
+  // Of an unexpected answer that was asked for a second time, what came then, where it was another.
+  std::optional<Judgement> again;
+
+  KnownResult() = default;
+  KnownResult(Result result) : Result(std::move(result)) {}
+};
 
 // One case with the results of all renderers, in the order of Results::renderers.
 struct CaseResults {
@@ -26,8 +55,9 @@ struct CaseResults {
   std::string spec;
   std::string origin;
   std::vector<std::string> tags;
-  std::string file;    // path of the case file, as given
-  std::string source;  // its text
+  std::string file;         // path of the case file, as given
+  std::string source;       // its text
+  std::string file_digest;  // of its text (model/digest.h)
   std::string surface;
   int width = 0;
   int height = 0;
@@ -36,17 +66,49 @@ struct CaseResults {
   std::size_t fragments = 0;                 // of the exact side
   Figure figure;                             // the case's primitives and vertices
   std::vector<std::string> expect_failures;  // hand-drawn truths that exact does not meet
-  std::vector<Result> results;
+  std::vector<KnownResult> results;
+};
+
+// Which share of a run's cases results hold.
+struct ShareOfRun {
+  int index = 0;  // 0 to count - 1
+  int count = 1;
+  std::size_t cases = 0;  // of the run as a whole
+  std::string selection;  // digest of their ids and of their files' texts
+  friend bool operator==(const ShareOfRun&, const ShareOfRun&) = default;
+};
+
+// An expectation whose case is not in the suite any more.
+struct MissingCase {
+  std::string renderer;
+  std::string id;
+  Judgement expected;
+  std::string reason;  // that the entry gives
+  friend bool operator==(const MissingCase&, const MissingCase&) = default;
 };
 
 struct Results {
   std::string tool;    // "edgecase 0.1.0"
   std::string policy;  // name
+  Latitude latitude = Latitude::opengl;
+  std::string policy_digest;  // of the policy's choices, and of the renderers' profiles
   std::vector<RendererInfo> renderers;
   std::vector<CaseResults> cases;       // sorted by id
   std::vector<Diagnostic> diagnostics;  // case files that could not be loaded
-  bool interrupted = false;             // some cases were left out
+  bool interrupted = false;             // not all that was asked for was done
+  std::size_t left_out = 0;             // cases that are missing therefore
+  // All files of the suite's folder were asked for, and no case of theirs left out on purpose.
+  bool whole_suite = false;
+  std::optional<ShareOfRun> shard;  // of a run that was divided among several
+  // By renderer, then by id; known only where results are whole.
+  std::vector<MissingCase> missing;
 };
+
+// Do the results hold every case that the suite has?
+inline bool is_whole(const Results& results) {
+  return results.whole_suite && !results.shard && !results.interrupted &&
+         results.diagnostics.empty();
+}
 
 // verdict -> number of cases, for the renderer at `index`.
 std::map<Verdict, std::size_t> count_verdicts(const Results& results, std::size_t index);

@@ -6,10 +6,20 @@
 // when or where the run took place. Cases stand on a line each, so that two files can be compared
 // with ordinary tools. What was written reads back as it was, but for the text of case files.
 //
-//   {"tool", "policy", "renderers": [{"name", "vendor", "version", "device", "subpixel_bits",
-//    "traits"}], "cases": [{"id", "title", …, "results": {RENDERER: {"verdict", "fingerprint",
-//    "pixel_counts", "disagreements": […], "values": […], …}}}], "diagnostics": […], "summary",
+//   {"tool", "policy", "latitude", "policy_digest", "interrupted", "left_out", "whole_suite",
+//    "shard", "renderers": [{"name", "vendor", "version", "device", "subpixel_bits", "traits"}],
+//    "cases": [{"id", "title", …, "results": {RENDERER: {"verdict", "fingerprint",
+//    "pixel_counts", "disagreements": […], "values": […], …}}}], "diagnostics": […],
+//    "missing": [{"renderer", "case", "verdict", "fingerprint", "reason"}], "summary",
 //    "clusters": {RENDERER: […]}}
+//
+// "shard", absent but for a run that was divided, is {"index": from 1, "count", "cases": of the
+// whole run, "selection": digest of them}; `edgecase merge` joins the shards. "left_out", absent
+// where it is 0, says how many cases are missing since the run ended before them.
+//
+// A result's "expected", absent where expectations have no entry, is {"verdict", "fingerprint"} of
+// the entry; "again", absent but for flakes, the same of the answer that came when the renderer was
+// asked a second time. "missing" are entries of cases that the suite has no more.
 //
 // A result's "pixel_counts", absent where it is not run, are {"agree", "convention", "permitted",
 // "violation", "same"} (model/result.h).

@@ -71,7 +71,7 @@ Figure to_figure(const Json& json) {
     mark.closed = item.value("closed", false);
     mark.label = item.value("label", "");
     for (const Json& point : item.at("points"))
-      mark.points.emplace_back(point.at(0).get<double>(), point.at(1).get<double>());
+      mark.points.emplace_back(to_number(point.at(0)), to_number(point.at(1)));
     figure.marks.push_back(std::move(mark));
   }
   return figure;
@@ -146,13 +146,22 @@ PixelCounts to_pixel_counts(const Json& json) {
           json.at("same")};
 }
 
-Result to_result(const Json& json, const CaseResults& exact) {
-  Result result;
+Judgement to_answer(const Json& json) {
+  return {to_enum(json.at("verdict"), Verdict::agree, Verdict::not_run), json.at("fingerprint")};
+}
+
+MissingCase to_missing(const Json& json) {
+  return {json.at("renderer"), json.at("case"), to_answer(json), json.at("reason")};
+}
+
+KnownResult to_result(const Json& json, const CaseResults& exact) {
+  KnownResult result;
   result.verdict = to_enum(json.at("verdict"), Verdict::agree, Verdict::not_run);
   result.fingerprint = json.at("fingerprint");
-  result.standing =
-      to_enum(json.at("standing"), Standing::expected, Standing::unexpected_agreement);
+  result.standing = to_enum(json.at("standing"), Standing::expected, Standing::flake);
   result.expectation = json.value("expectation", "");
+  if (json.contains("expected")) result.expected = to_answer(json.at("expected"));
+  if (json.contains("again")) result.again = to_answer(json.at("again"));
   if (json.contains("failure")) {
     const Json& failure = json.at("failure");
     result.failure =
@@ -193,6 +202,7 @@ CaseResults to_case(const Json& json, const std::vector<RendererInfo>& renderers
   one.origin = json.at("origin");
   one.tags = json.at("tags").get<std::vector<std::string>>();
   one.file = json.at("file");
+  one.file_digest = json.at("file_digest");
   one.surface = json.at("surface");
   one.width = json.at("width");
   one.height = json.at("height");
@@ -218,6 +228,15 @@ RendererInfo to_renderer(const Json& json) {
   return info;
 }
 
+ShareOfRun to_shard(const Json& json) {
+  const ShareOfRun shard{json.at("index").get<int>() - 1, json.at("count"), json.at("cases"),
+                         json.at("selection")};
+  if (shard.index < 0 || shard.index >= shard.count)
+    throw std::runtime_error(
+        fmt::format("there is no share {} of {}", shard.index + 1, shard.count));
+  return shard;
+}
+
 Diagnostic to_diagnostic(const Json& json) {
   return {json.at("file"), json.at("line"), json.at("pointer"), json.at("message"),
           json.at("remedy")};
@@ -232,9 +251,15 @@ std::variant<Results, std::string> read_results(const std::string& text) {
     Results results;
     results.tool = json.at("tool");
     results.policy = json.at("policy");
+    results.latitude = to_enum(json.at("latitude"), Latitude::opengl, Latitude::none);
+    results.policy_digest = json.at("policy_digest");
     results.interrupted = json.at("interrupted");
+    results.left_out = json.value("left_out", std::size_t{0});
+    results.whole_suite = json.at("whole_suite");
+    if (json.contains("shard")) results.shard = to_shard(json.at("shard"));
     results.renderers = to_list<RendererInfo>(json.at("renderers"), to_renderer);
     results.diagnostics = to_list<Diagnostic>(json.at("diagnostics"), to_diagnostic);
+    results.missing = to_list<MissingCase>(json.at("missing"), to_missing);
     results.cases = to_list<CaseResults>(json.at("cases"), [&](const Json& one) {
       where = fmt::format("case {}: ", one.at("id").get<std::string>());
       return to_case(one, results.renderers);

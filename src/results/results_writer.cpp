@@ -34,7 +34,7 @@ Json figure_json(const Figure& figure) {
   Json array = Json::array();
   for (const Mark& mark : figure.marks) {
     Json points = Json::array();
-    for (const auto& [x, y] : mark.points) points.push_back({x, y});
+    for (const auto& [x, y] : mark.points) points.push_back({number(x), number(y)});
     Json object = {{"role", name_of(mark.role)}, {"points", std::move(points)}};
     if (mark.closed) object["closed"] = true;
     if (!mark.label.empty()) object["label"] = mark.label;
@@ -132,11 +132,17 @@ Json pixel_counts_json(const PixelCounts& counts) {
           {"same", counts.same}};
 }
 
-Json result_json(const Result& result, const CaseResults& exact, const Keeping& keep) {
+Json answer_json(const Judgement& answer) {
+  return {{"verdict", name_of(answer.verdict)}, {"fingerprint", answer.fingerprint}};
+}
+
+Json result_json(const KnownResult& result, const CaseResults& exact, const Keeping& keep) {
   Json object = {{"verdict", name_of(result.verdict)},
                  {"fingerprint", result.fingerprint},
                  {"standing", name_of(result.standing)}};
   if (!result.expectation.empty()) object["expectation"] = result.expectation;
+  if (result.expected) object["expected"] = answer_json(*result.expected);
+  if (result.again) object["again"] = answer_json(*result.again);
   if (result.failure)
     object["failure"] = {{"kind", name_of(result.failure->kind)},
                          {"reason", result.failure->reason}};
@@ -169,6 +175,7 @@ Json case_json(const CaseResults& one, const std::vector<RendererInfo>& renderer
                  {"origin", one.origin},
                  {"tags", one.tags},
                  {"file", one.file},
+                 {"file_digest", one.file_digest},
                  {"surface", one.surface},
                  {"width", one.width},
                  {"height", one.height},
@@ -196,6 +203,21 @@ Json diagnostic_json(const Diagnostic& d) {
           {"pointer", d.pointer},
           {"message", d.message},
           {"remedy", d.remedy}};
+}
+
+Json shard_json(const ShareOfRun& shard) {
+  return {{"index", shard.index + 1},
+          {"count", shard.count},
+          {"cases", shard.cases},
+          {"selection", shard.selection}};
+}
+
+Json missing_json(const MissingCase& missing) {
+  return {{"renderer", missing.renderer},
+          {"case", missing.id},
+          {"verdict", name_of(missing.expected.verdict)},
+          {"fingerprint", missing.expected.fingerprint},
+          {"reason", missing.reason}};
 }
 
 // renderer -> verdict -> number of cases.
@@ -248,9 +270,15 @@ std::string dump(const Json& json) {
 
 void write_results(const Results& results, std::ostream& out) {
   out << "{\n\"tool\":" << dump(results.tool) << ",\n\"policy\":" << dump(results.policy)
-      << ",\n\"interrupted\":" << (results.interrupted ? "true" : "false")
-      << ",\n\"renderers\":" << dump(list(results.renderers, renderer_json))
+      << ",\n\"latitude\":" << dump(name_of(results.latitude))
+      << ",\n\"policy_digest\":" << dump(results.policy_digest)
+      << ",\n\"interrupted\":" << (results.interrupted ? "true" : "false");
+  if (results.left_out > 0) out << ",\n\"left_out\":" << results.left_out;
+  out << ",\n\"whole_suite\":" << (results.whole_suite ? "true" : "false");
+  if (results.shard) out << ",\n\"shard\":" << dump(shard_json(*results.shard));
+  out << ",\n\"renderers\":" << dump(list(results.renderers, renderer_json))
       << ",\n\"diagnostics\":" << dump(list(results.diagnostics, diagnostic_json))
+      << ",\n\"missing\":" << dump(list(results.missing, missing_json))
       << ",\n\"summary\":" << dump(summary_json(results))
       << ",\n\"clusters\":" << dump(clusters_json(results)) << ",\n\"cases\":[";
   const char* separator = "\n";

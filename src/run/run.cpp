@@ -5,48 +5,28 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <span>
+#include <numeric>
+#include <set>
 #include <thread>
 #include <utility>
 #include <variant>
 
-#include "diff/compare.h"
-#include "diff/judge.h"
-#include "diff/textures/level_ramp.h"
-#include "raster/rasterizer.h"
+#include "model/digest.h"
+#include "run/comparing.h"
+#include "run/early_judgement.h"
 #include "run/expectation_check.h"
+#include "run/judging.h"
 
 namespace edgecase {
 namespace {
 
 // Starting a renderer costs as much as drawing some hundred cases.
 constexpr std::size_t kLeastSlice = 200;
+// Cases that each renderer of a run that may end early answers in turn.
+constexpr std::size_t kShortSlice = 50;
 
 // Thrown out of a renderer's sink when the run should end.
 struct Stopped {};
-
-// The exact rendering of every case, each made once by whoever asks first, with samples where the
-// policy has them when no renderer says where its own lie.
-class ExactSide {
- public:
-  ExactSide(const std::vector<Case>& cases, const Policy& policy)
-      : cases_(cases),
-        policy_(policy),
-        made_(std::make_unique<std::once_flag[]>(cases.size())),
-        renderings_(cases.size()) {}
-
-  const Rendering& operator[](std::size_t index) {
-    std::call_once(made_[index],
-                   [&] { renderings_[index] = rasterize(cases_[index].scene, policy_); });
-    return renderings_[index];
-  }
-
- private:
-  const std::vector<Case>& cases_;
-  const Policy& policy_;
-  std::unique_ptr<std::once_flag[]> made_;
-  std::vector<Rendering> renderings_;
-};
 
 // A renderer's share of the cases: [begin, end).
 struct Slice {
@@ -55,13 +35,37 @@ struct Slice {
   std::size_t end = 0;
 };
 
-std::vector<Slice> cut(std::size_t cases, std::size_t renderers, std::size_t jobs) {
-  const std::size_t wanted = (cases + kLeastSlice - 1) / kLeastSlice;
-  const std::size_t parts = std::clamp<std::size_t>(wanted, 1, jobs);
+void add_choices(const Choices& choices, Digest& digest) {
+  for (const auto& [rule, alternative] : choices) digest.add(rule).add(alternative);
+  digest.add("");
+}
+
+void add_policy(const Policy& policy, Digest& digest) {
+  digest.add(policy.name).add(name_of(policy.latitude));
+  add_choices(policy.rules, digest);
+  for (const auto& [surface, choices] : policy.surfaces)
+    add_choices(choices, digest.add(name_of(surface)));
+}
+
+// All that is not the cases' and decides on results.
+std::string digest_of(const Policy& policy, const std::map<std::string, Policy>& profiles) {
+  Digest digest;
+  add_policy(policy, digest);
+  for (const auto& [renderer, profile] : profiles) add_policy(profile, digest.add(renderer));
+  return digest.text();
+}
+
+// The cases in slices, one for each renderer. Of a run that may end early all renderers get a short
+// slice before any gets the next.
+std::vector<Slice> cut(std::size_t cases, std::size_t renderers, std::size_t jobs, bool may_end) {
+  const std::size_t length = may_end ? kShortSlice : kLeastSlice;
+  const std::size_t wanted = std::max<std::size_t>(1, (cases + length - 1) / length);
+  const std::size_t parts = may_end ? wanted : std::min(wanted, jobs);
   std::vector<Slice> slices;
   for (std::size_t r = 0; r < renderers; ++r)
     for (std::size_t p = 0; p < parts; ++p)
       slices.push_back({r, cases * p / parts, cases * (p + 1) / parts});
+  if (may_end) std::ranges::stable_sort(slices, {}, &Slice::begin);
   return slices;
 }
 
@@ -70,7 +74,7 @@ class Run {
   Run(const Suite& suite, const RunOptions& options)
       : suite_(suite),
         options_(options),
-        exact_(suite.cases, options.policy),
+        comparison_(suite, options),
         infos_(options.renderers.size()),
         results_(suite.cases.size(), std::vector<std::optional<Result>>(options.renderers.size())) {
     for (std::size_t r = 0; r < infos_.size(); ++r) infos_[r].name = options.renderers[r];
@@ -78,79 +82,104 @@ class Run {
 
   Results operator()() {
     const auto jobs = static_cast<std::size_t>(std::max(1, options_.jobs));
-    slices_ = cut(suite_.cases.size(), options_.renderers.size(), jobs);
+    slices_ =
+        cut(suite_.cases.size(), options_.renderers.size(), jobs, options_.max_unexpected > 0);
     std::vector<std::thread> threads;
     for (std::size_t i = 0; i < std::min(jobs, slices_.size()); ++i)
       threads.emplace_back([this] { work(); });
     for (std::thread& thread : threads) thread.join();
+    if (enough_) finish_begun_cases();
     return collect();
   }
 
  private:
+  using Renderers = std::map<std::size_t, std::unique_ptr<Renderer>>;  // by index
+
   bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
   void work() {
-    for (std::size_t next = next_slice_++; next < slices_.size() && !stopped();
+    Renderers kept;
+    for (std::size_t next = next_slice_++; next < slices_.size() && !stopped() && !enough_;
          next = next_slice_++) {
+      const Slice& slice = slices_[next];
+      std::vector<std::size_t> cases(slice.end - slice.begin);
+      std::iota(cases.begin(), cases.end(), slice.begin);
       try {
-        render_slice(slices_[next]);
+        render_cases(slice.renderer, cases, renderer_of(slice.renderer, kept));
+      } catch (const Stopped&) {
+        return;
+      }
+      // Short slices share a renderer, long ones have one each.
+      if (options_.max_unexpected == 0) kept.clear();
+    }
+  }
+
+  Renderer& renderer_of(std::size_t index, Renderers& kept) const {
+    std::unique_ptr<Renderer>& renderer = kept[index];
+    if (renderer == nullptr)
+      renderer = std::get<std::unique_ptr<Renderer>>(
+          make_renderer(options_.renderers[index], options_.renderer_options));
+    return *renderer;
+  }
+
+  // What one renderer answered and others did not, when enough cases were unexpected.
+  void finish_begun_cases() {
+    is_finishing_ = true;
+    for (std::size_t r = 0; r < infos_.size() && !stopped(); ++r) {
+      std::vector<std::size_t> cases;
+      for (std::size_t i = 0; i < results_.size(); ++i)
+        if (!results_[i][r] &&
+            std::ranges::any_of(results_[i], [](const auto& result) { return result.has_value(); }))
+          cases.push_back(i);
+      if (cases.empty()) continue;
+      Renderers own;
+      try {
+        render_cases(r, cases, renderer_of(r, own));
       } catch (const Stopped&) {
         return;
       }
     }
   }
 
-  void render_slice(const Slice& slice) {
-    auto made = make_renderer(options_.renderers[slice.renderer], options_.renderer_options);
-    Renderer& renderer = *std::get<std::unique_ptr<Renderer>>(made);
+  void render_cases(std::size_t index, const std::vector<std::size_t>& cases, Renderer& renderer) {
     std::vector<Task> tasks;
-    for (std::size_t i = slice.begin; i < slice.end; ++i)
-      tasks.push_back({suite_.cases[i].id, &suite_.cases[i].scene});
-    renderer.render(tasks, [&](std::size_t index, Outcome outcome) {
-      // A failure may come from being stopped itself.
-      if (stopped() && std::holds_alternative<Failure>(outcome)) throw Stopped{};
-      const std::size_t at = slice.begin + index;
-      results_[at][slice.renderer] = compare_outcome(at, std::move(outcome), renderer);
-      report_progress();
-      if (stopped()) throw Stopped{};
-    });
-    const std::lock_guard lock(mutex_);
-    RendererInfo info = renderer.info();
-    // A slice that never got an answer knows nothing of its renderer.
-    if (infos_[slice.renderer].device.empty()) infos_[slice.renderer] = std::move(info);
-  }
-
-  Result compare_outcome(std::size_t index, Outcome outcome, const Renderer& renderer) {
-    if (auto* failure = std::get_if<Failure>(&outcome)) return not_run(std::move(*failure));
-    const RendererInfo info = renderer.info();
-    const auto profile = options_.profiles.find(info.name);
-    const Case& one = suite_.cases[index];
-    const auto& rendering = std::get<Rendering>(outcome);
-    const RendererFacts facts{info.subpixel_bits,
-                              profile != options_.profiles.end() ? &profile->second : nullptr};
-    Result result = compare_with_exact(index, rendering, facts);
-    if (std::ranges::find(one.tags, kRampTag) != one.tags.end())
-      result.ramp = level_ramp(one.scene, options_.policy, rendering, facts);
-    return result;
-  }
-
-  // A renderer that has its samples elsewhere is held against exact with samples there.
-  Result compare_with_exact(std::size_t index, const Rendering& rendering,
-                            const RendererFacts& facts) {
-    const Scene& scene = suite_.cases[index].scene;
-    const Rendering& usual = exact_[index];
-    const SamplePositions& reported = rendering.sample_positions;
-    if (reported.empty() || reported == usual.sample_positions) {
-      Result result = compare(scene, options_.policy, usual, rendering, facts);
-      result.samples = sample_image(rendering);
-      return result;
+    for (const std::size_t i : cases) tasks.push_back({suite_.cases[i].id, &suite_.cases[i].scene});
+    try {
+      renderer.render(tasks, [&](std::size_t i, Outcome outcome) {
+        // A failure may come from being stopped itself.
+        if (stopped() && std::holds_alternative<Failure>(outcome)) throw Stopped{};
+        std::optional<Result>& result = results_[cases[i]][index];
+        result = comparison_.compare_outcome(cases[i], std::move(outcome), renderer.info());
+        count_unexpected(cases[i], index, *result);
+        report_progress();
+        if (stopped() || (enough_ && !is_finishing_)) throw Stopped{};
+      });
+    } catch (const Stopped&) {
+      note_info(index, renderer.info());
+      throw;
     }
-    Rendering own = rasterize(scene, options_.policy, reported);
-    Result result = compare(scene, options_.policy, own, rendering, facts);
-    result.samples = sample_image(rendering);
-    result.exact_samples = sample_image(own);
-    result.exact_pixels = std::move(own.pixels);
-    return result;
+    note_info(index, renderer.info());
+  }
+
+  // A renderer that never gave an answer knows nothing of itself.
+  void note_info(std::size_t index, RendererInfo info) {
+    const std::lock_guard lock(mutex_);
+    if (infos_[index].device.empty()) infos_[index] = std::move(info);
+  }
+
+  // Counts a case once, however many renderers answer it unexpectedly.
+  void count_unexpected(std::size_t at, std::size_t renderer, const Result& result) {
+    if (options_.max_unexpected == 0 || enough_) return;
+    const Expectation* entry = nullptr;
+    for (const Expectations& candidate : options_.expectations)
+      if (candidate.renderer == options_.renderers[renderer])
+        if (const auto found = candidate.cases.find(suite_.cases[at].id);
+            found != candidate.cases.end())
+          entry = &found->second;
+    if (!is_surely_unexpected(result, options_.policy.latitude, entry)) return;
+    const std::lock_guard lock(mutex_);
+    unexpected_.insert(at);
+    if (unexpected_.size() >= options_.max_unexpected) enough_ = true;
   }
 
   void report_progress() {
@@ -160,7 +189,7 @@ class Run {
 
   CaseResults describe(std::size_t index) {
     const Case& one = suite_.cases[index];
-    const Rendering& exact = exact_[index];
+    const Rendering& exact = comparison_.exact(index);
     CaseResults result;
     result.id = one.id;
     result.title = one.title;
@@ -171,6 +200,7 @@ class Run {
     result.tags = one.tags;
     result.file = one.file.generic_string();
     result.source = one.source;
+    result.file_digest = digest_of_text(one.source);
     result.surface = name_of(one.scene.target.surface);
     result.width = exact.width;
     result.height = exact.height;
@@ -186,42 +216,37 @@ class Run {
   Results collect() {
     Results results;
     results.policy = options_.policy.name;
+    results.latitude = options_.policy.latitude;
+    results.policy_digest = digest_of(options_.policy, options_.profiles);
     results.renderers = infos_;
     results.diagnostics = suite_.diagnostics;
+    results.shard = suite_.share;
     for (std::size_t i = 0; i < suite_.cases.size(); ++i) {
       const bool complete = std::all_of(results_[i].begin(), results_[i].end(),
                                         [](const auto& result) { return result.has_value(); });
       if (!complete) {
-        results.interrupted = true;
+        ++results.left_out;
         continue;
       }
       results.cases.push_back(describe(i));
       for (auto& result : results_[i]) results.cases.back().results.push_back(std::move(*result));
     }
+    results.interrupted = results.left_out > 0;
     judge_all(results);
     return results;
   }
 
-  // One judgement per renderer and surface: what is read the same way is what is drawn the same
-  // way.
-  void judge_all(Results& results) {
-    for (std::size_t r = 0; r < results.renderers.size(); ++r) {
-      std::map<std::string, std::vector<Result*>> by_surface;
-      for (CaseResults& one : results.cases) by_surface[one.surface].push_back(&one.results[r]);
-      for (const auto& [surface, group] : by_surface)
-        results.renderers[r].traits["lines read with snap, " + surface] =
-            judge(group, options_.policy.latitude);
-    }
-  }
-
   const Suite& suite_;
   const RunOptions& options_;
-  ExactSide exact_;
+  CaseComparison comparison_;
   std::vector<RendererInfo> infos_;
   std::vector<std::vector<std::optional<Result>>> results_;  // by case, then renderer
   std::vector<Slice> slices_;
   std::atomic<std::size_t> next_slice_ = 0;
   std::atomic<std::size_t> done_ = 0;
+  std::atomic<bool> enough_ = false;  // cases are unexpected
+  bool is_finishing_ = false;         // what was begun before that
+  std::set<std::size_t> unexpected_;  // cases, where their number matters
   std::mutex mutex_;
 };
 

@@ -5,7 +5,8 @@
 // Work is cut into (renderer, slice of the cases) and handed to a few threads. Each drives one
 // renderer of its own over its slice, while the exact rendering of a case is made once, by whoever
 // needs it first. Results go to places fixed beforehand, so neither the number of threads nor their
-// order can be seen in them.
+// order can be seen in them. A run that ends after some unexpected cases is the exception: with
+// several threads, which cases were finished by then is a matter of chance.
 #pragma once
 
 #include <atomic>
@@ -15,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "results/expectations.h"
 #include "results/results.h"
 #include "run/renderers.h"
 #include "run/selection.h"
@@ -31,10 +33,14 @@ struct RunOptions {
   // Becomes true when the run should end; put it into renderer_options as well, or a renderer that
   // hangs is waited for.
   const std::atomic<bool>* stop = nullptr;
+  // End when so many cases are unexpected however the run is read (run/early_judgement.h), by
+  // `expectations`; the cases that some renderer has answered by then are finished. 0: never.
+  std::size_t max_unexpected = 0;
+  std::vector<Expectations> expectations;
 };
 
-// Runs and judges. Renderer names must be known. Cases that were left out when `stop` became true
-// are not in the results. Expectations are not applied.
+// Runs and judges. Renderer names must be known. Cases that were left out when the run ended early
+// are not in the results, which count them. Expectations are not applied.
 Results run_suite(const Suite& suite, const RunOptions& options);
 
 }  // namespace edgecase

@@ -9,6 +9,7 @@
 
 #include "casefile/loader.h"
 #include "casefile/suite.h"
+#include "model/digest.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {
@@ -34,6 +35,19 @@ bool may_match(const std::string& glob, const std::string& start) {
   for (std::size_t length = 1; length <= glob.size(); ++length)
     if (fnmatch(glob.substr(0, length).c_str(), start.c_str(), 0) == 0) return true;
   return false;
+}
+
+// Is one of the file's cases named, or the file itself?
+bool may_be_named(const Selection& selection, const CaseFile& file) {
+  if (!selection.only || selection.only->files.contains(file.file.generic_string())) return true;
+  const std::set<std::string>& ids = selection.only->ids;
+  const auto swept = ids.lower_bound(file.id + ":");
+  return ids.contains(file.id) || (swept != ids.end() && swept->starts_with(file.id + ":"));
+}
+
+bool is_named(const Selection& selection, const Case& one) {
+  return !selection.only || selection.only->files.contains(one.file.generic_string()) ||
+         selection.only->ids.contains(one.id);
 }
 
 // Can one of a file's cases be asked for?
@@ -62,6 +76,18 @@ std::vector<std::string> known_rule_ids() {
   return ids;
 }
 
+// Ids, and texts of files, each of which stands with all of its cases.
+std::string digest_of(const std::vector<Case>& cases) {
+  Digest digest;
+  const std::string* text = nullptr;
+  for (const Case& one : cases) {
+    digest.add(one.id);
+    if (text == nullptr || *text != one.source) digest.add(one.source);
+    text = &one.source;
+  }
+  return digest.text();
+}
+
 // Round robin, so that shards are of one size and each sees every folder.
 void keep_shard(const Shard& shard, std::vector<Case>& cases) {
   std::vector<Case> kept;
@@ -79,16 +105,20 @@ Suite load_suite(const Selection& selection) {
   Suite suite;
   suite.diagnostics = std::move(found.diagnostics);
   for (const CaseFile& file : found.cases) {
-    if (!may_be_wanted(selection, file.id)) continue;
+    if (!may_be_wanted(selection, file.id) || !may_be_named(selection, file)) continue;
     LoadedCases loaded = load_cases(file.file, file.id, rules);
     append(loaded.diagnostics, suite.diagnostics);
     append(loaded.notes, suite.notes);
     for (Case& one : loaded.cases)
-      if (wanted_id(selection, file.id, one.id) && wanted_tags(selection, one))
+      if (wanted_id(selection, file.id, one.id) && wanted_tags(selection, one) &&
+          is_named(selection, one))
         suite.cases.push_back(std::move(one));
   }
   std::sort(suite.cases.begin(), suite.cases.end(),
             [](const Case& a, const Case& b) { return a.id < b.id; });
+  if (selection.shard.count > 1)
+    suite.share = {selection.shard.index, selection.shard.count, suite.cases.size(),
+                   digest_of(suite.cases)};
   keep_shard(selection.shard, suite.cases);
   return suite;
 }

@@ -4,10 +4,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "model/case.h"
+#include "results/results.h"
 
 namespace edgecase {
 
@@ -16,19 +19,27 @@ struct Shard {
   int count = 1;
 };
 
+// Some cases, by their ids or by the files that hold them.
+struct NamedCases {
+  std::set<std::string> ids;
+  std::set<std::string> files;  // paths as given
+};
+
 struct Selection {
   std::vector<std::filesystem::path> paths;  // files and folders
   // Shell globs on ids of cases; one that matches a file's id means all cases of the file.
   std::vector<std::string> filters;  // none: all
   std::vector<std::string> excludes;
-  std::vector<std::string> tags;  // a case needs one of them; none: all
-  Shard shard;                    // applied last, round robin over sorted ids
+  std::vector<std::string> tags;   // a case needs one of them; none: all
+  std::optional<NamedCases> only;  // of all that the others select
+  Shard shard;                     // applied last, round robin over sorted ids
 };
 
 struct Suite {
   std::vector<Case> cases;              // sorted by id
   std::vector<Diagnostic> diagnostics;  // what could not be loaded, and two cases of one id
   std::vector<Diagnostic> notes;        // no faults: what "~0.1" was taken as
+  std::optional<ShareOfRun> share;      // what `cases` are of all, where a shard was asked for
 };
 
 // Loads what the selection asks for. A file that cannot be loaded is a diagnostic and costs nothing

@@ -144,6 +144,29 @@ TEST(Junit, AnInterruptedRunIsAnError) {
   Results results = single(result_of(Verdict::agree, Standing::expected));
   results.interrupted = true;
   EXPECT_EQ(parse(junit_of(results)).child("testsuites").attribute("errors").as_int(), 1);
+  results.left_out = 7;
+  EXPECT_NE(junit_of(results).find("The run was interrupted; 7 cases are missing."),
+            std::string::npos);
+}
+
+// Whichever of its answers agrees.
+TEST(Junit, AFlakeIsAFailureOrAnError) {
+  for (Verdict verdict : {Verdict::agree, Verdict::violation, Verdict::not_run}) {
+    const Results results = single(result_of(verdict, Standing::flake));
+    const pugi::xml_node root = parse(junit_of(results)).child("testsuites");
+    EXPECT_EQ(root.attribute("failures").as_int() + root.attribute("errors").as_int(), 1);
+  }
+}
+
+TEST(Junit, AnExpectationWithoutACaseIsAFailure) {
+  Results results = single(result_of(Verdict::agree, Standing::expected));
+  results.missing = {{"osmesa:llvmpipe", "lines/gone", {Verdict::permitted, "p"}, "was so"}};
+  const pugi::xml_document document = parse(junit_of(results));
+  const pugi::xml_node root = document.child("testsuites");
+  EXPECT_EQ(root.attribute("failures").as_int(), 1);
+  const pugi::xml_node test = root.last_child().child("testcase");
+  EXPECT_STREQ(test.attribute("name").as_string(), "lines/gone");
+  EXPECT_STREQ(test.attribute("classname").as_string(), "expectations.osmesa:llvmpipe");
 }
 
 TEST(Junit, SameResultsSameBytes) {

@@ -35,6 +35,28 @@ TEST(Summary, WithoutColourThereIsNoEscape) {
   EXPECT_THAT(summary_of(sample::results(), true), HasSubstr("\x1b["));
 }
 
+TEST(Summary, SaysWhatIsMissing) {
+  Results results = sample::results();
+  EXPECT_THAT(summary_of(results, false), Not(HasSubstr("has no more")));
+  results.missing = {{"osmesa:softpipe", "lines/gone", {Verdict::permitted, "p"}, "was so"}};
+  EXPECT_THAT(summary_of(results, false),
+              HasSubstr("  lines/gone osmesa:softpipe, expected permitted"));
+  results.interrupted = true;
+  EXPECT_THAT(summary_of(results, false), HasSubstr("The run was interrupted.\n"));
+  results.left_out = 1;
+  EXPECT_THAT(summary_of(results, false), HasSubstr("interrupted; 1 case is missing."));
+}
+
+TEST(Summary, TellsBothAnswersOfAFlake) {
+  Results results;
+  results.renderers.resize(1);
+  results.cases.resize(1);
+  results.cases[0].results.resize(1);
+  results.cases[0].results[0].standing = Standing::flake;
+  results.cases[0].results[0].expectation = "it answered this, and then that";
+  EXPECT_THAT(summary_of(results, false), HasSubstr("flake: it answered this, and then that"));
+}
+
 TEST(Summary, ListsUnexpectedResultsWithTheirFirstExplanation) {
   Results results;
   results.renderers.resize(1);

@@ -45,6 +45,22 @@ TEST(PlanBlessing, NamesNewChangedAndGoneEntriesOnly) {
   EXPECT_EQ(changes[3].after->verdict, Verdict::not_run);
 }
 
+TEST(PlanBlessing, TakesAwayMissingCasesAndLeavesFlakesAlone) {
+  Results results = results_with({Verdict::violation, Verdict::violation});
+  results.whole_suite = true;
+  results.cases[0].results[0].again = {Verdict::agree, ""};
+  Expectations current;
+  current.cases = {{"a", {Verdict::permitted, "old", "known", ""}},
+                   {"aa", {Verdict::permitted, "gone", "known", ""}}};
+  const auto changes = plan_blessing(results, 0, current, "because");
+  ASSERT_EQ(changes.size(), 2u);
+  EXPECT_EQ(changes[0].id, "aa");
+  EXPECT_EQ(changes[0].before, &current.cases.at("aa"));
+  EXPECT_FALSE(changes[0].after);
+  EXPECT_EQ(changes[1].id, "b");
+  EXPECT_TRUE(changes[1].after);
+}
+
 TEST(PlanBlessing, MakesAReasonOfWhatWasFound) {
   Results results =
       results_with({Verdict::convention, Verdict::permitted, Verdict::not_run, Verdict::permitted});
@@ -69,8 +85,7 @@ TEST(PlanBlessing, MakesAReasonOfWhatWasFound) {
   EXPECT_EQ(changes[3].after->reason,
             "color rounded otherwise than exactly, within what is permitted");
   results.cases[3].results[0].values[0].cause = "texture.log2=mantissa-8";
-  EXPECT_EQ(plan_blessing(results, 0, {}, "")[3].after->reason,
-            "color by texture.log2=mantissa-8");
+  EXPECT_EQ(plan_blessing(results, 0, {}, "")[3].after->reason, "color by texture.log2=mantissa-8");
 }
 
 // Blessed and read back, the same results are expected; blessing again changes nothing.

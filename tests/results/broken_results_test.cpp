@@ -60,7 +60,9 @@ TEST(BrokenResults, DamageIsNamedWithItsCase) {
       {"\"verdict\":\"permitted\",", "", "verdict"},
       {"\"kind\":\"value\"", "\"kind\":\"lost\"", "\"lost\""},
       {"\"kind\":\"timed-out\"", "\"kind\":\"tired\"", "\"tired\""},
-      {"\"standing\":\"changed\"", "\"standing\":7", "string"},
+      {"\"standing\":\"flake\"", "\"standing\":7", "string"},
+      {"\"again\":{\"verdict\":\"agree\"", "\"again\":{\"verdict\":\"fine\"", "\"fine\""},
+      {"\"expected\":{\"verdict\"", "\"expected\":{\"versed\"", "verdict"},
       {"\"role\":\"edge\"", "\"role\":\"ledge\"", "\"ledge\""},
       {"\"legal\":true", "\"legal\":\"yes\"", "boolean"},
       {"\"situation\":\"", "\"situation\":7,\"x\":\"", "string"},
@@ -97,11 +99,17 @@ TEST(BrokenResults, DamageIsNamedWithItsCase) {
 }
 
 TEST(BrokenResults, DamageOutsideCasesIsRefusedToo) {
-  for (const auto& [from, to] : {std::pair{"\"subpixel_bits\":8", "\"subpixel_bits\":\"8\""},
-                                 std::pair{"\"interrupted\":true", "\"interrupted\":1"},
-                                 std::pair{"\"renderers\":[", "\"renderers\":7,\"x\":["},
-                                 std::pair{"\"cases\":[", "\"cases\":{},\"x\":["},
-                                 std::pair{"\"remedy\":\"\"", "\"cure\":\"\""}})
+  for (const auto& [from, to] :
+       {std::pair{"\"subpixel_bits\":8", "\"subpixel_bits\":\"8\""},
+        std::pair{"\"interrupted\":true", "\"interrupted\":1"},
+        std::pair{"\"renderers\":[", "\"renderers\":7,\"x\":["},
+        std::pair{"\"cases\":[", "\"cases\":{},\"x\":["},
+        std::pair{"\"latitude\":\"none\"", "\"latitude\":\"some\""},
+        std::pair{"\"whole_suite\":true", "\"whole_suite\":7"},
+        std::pair{"\"left_out\":12", "\"left_out\":\"12\""},
+        std::pair{"\"index\":3", "\"index\":5"}, std::pair{"\"index\":3", "\"index\":0"},
+        std::pair{"\"missing\":[", "\"missing\":7,\"x\":["},
+        std::pair{"\"remedy\":\"\"", "\"cure\":\"\""}})
     EXPECT_NE(refusal(damaged(from, to)), "") << to;
 }
 

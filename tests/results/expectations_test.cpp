@@ -144,6 +144,48 @@ TEST(Standing, OfAgreement) {
   }
 }
 
+// Neither of the two answers can be what is expected.
+TEST(Standing, OfAFlakeWhateverIsExpected) {
+  for (const Judgement& again : {Judgement{Verdict::agree, ""}, {Verdict::permitted, "print-a"}}) {
+    Results results = results_with({Verdict::violation});
+    KnownResult& result = results.cases[0].results[0];
+    result.again = again;
+    apply_expectations(results, 0, nullptr);
+    EXPECT_EQ(result.standing, Standing::flake);
+    EXPECT_FALSE(result.expected);
+    for (const Judgement& known : {Judgement{Verdict::violation, "print-a"}, again}) {
+      Expectations expectations;
+      expectations.cases["a"] = {known.verdict, known.fingerprint, "known", ""};
+      apply_expectations(results, 0, &expectations);
+      EXPECT_EQ(result.standing, Standing::flake);
+      EXPECT_EQ(result.expected, known);
+      EXPECT_NE(result.expectation.find("violation print-a"), std::string::npos);
+      EXPECT_NE(result.expectation.find(name_of(again.verdict)), std::string::npos);
+    }
+  }
+}
+
+TEST(MissingCases, AreKnownOfWholeResultsOnly) {
+  Results results = results_with({Verdict::agree, Verdict::violation});
+  results.whole_suite = true;
+  Expectations expectations;
+  expectations.renderer = "fake";
+  expectations.cases = {{"a", {Verdict::violation, "p", "now agrees", ""}},
+                        {"gone", {Verdict::permitted, "q", "was so", ""}}};
+  const std::vector<MissingCase> gone = {{"fake", "gone", {Verdict::permitted, "q"}, "was so"}};
+  EXPECT_EQ(missing_cases(results, expectations), gone);
+
+  const auto spoil = [&](auto change) {
+    Results other = results;
+    change(other);
+    EXPECT_TRUE(missing_cases(other, expectations).empty());
+  };
+  spoil([](Results& r) { r.whole_suite = false; });
+  spoil([](Results& r) { r.shard = {0, 2, 4, ""}; });
+  spoil([](Results& r) { r.interrupted = true; });
+  spoil([](Results& r) { r.diagnostics.resize(1); });
+}
+
 TEST(Standing, IsSetForTheRendererAskedForOnly) {
   Results results = results_with({Verdict::violation});
   results.renderers.push_back({});

@@ -86,13 +86,15 @@ void expect_ramp(const std::vector<Result::LevelPoint>& a,
   }
 }
 
-void expect_result(const Result& a, const Result& b) {
+void expect_result(const KnownResult& a, const KnownResult& b) {
   EXPECT_EQ(a.refuted, b.refuted);
   EXPECT_EQ(a.pixel_counts, b.pixel_counts);
   EXPECT_TRUE(a.samples == b.samples);
   EXPECT_TRUE(a.exact_samples == b.exact_samples);
   EXPECT_EQ(a.exact_pixels, b.exact_pixels);
   expect_ramp(a.ramp, b.ramp);
+  EXPECT_EQ(a.expected, b.expected);
+  EXPECT_EQ(a.again, b.again);
   EXPECT_EQ(
       std::tie(a.verdict, a.fingerprint, a.illegal_line_snaps, a.pixels, a.standing, a.expectation),
       std::tie(b.verdict, b.fingerprint, b.illegal_line_snaps, b.pixels, b.standing,
@@ -116,8 +118,10 @@ void expect_result(const Result& a, const Result& b) {
 }
 
 void expect_case(const CaseResults& a, const CaseResults& b) {
-  EXPECT_EQ(std::tie(a.id, a.title, a.why, a.rules, a.spec, a.origin, a.tags, a.file, a.surface),
-            std::tie(b.id, b.title, b.why, b.rules, b.spec, b.origin, b.tags, b.file, b.surface));
+  EXPECT_EQ(std::tie(a.id, a.title, a.why, a.rules, a.spec, a.origin, a.tags, a.file, a.surface,
+                     a.file_digest),
+            std::tie(b.id, b.title, b.why, b.rules, b.spec, b.origin, b.tags, b.file, b.surface,
+                     b.file_digest));
   EXPECT_EQ(std::tie(a.width, a.height, a.pixels, a.fragments, a.expect_failures),
             std::tie(b.width, b.height, b.pixels, b.fragments, b.expect_failures));
   EXPECT_TRUE(a.samples == b.samples);
@@ -127,7 +131,10 @@ void expect_case(const CaseResults& a, const CaseResults& b) {
 }
 
 void expect_results(const Results& a, const Results& b) {
-  EXPECT_EQ(std::tie(a.tool, a.policy, a.interrupted), std::tie(b.tool, b.policy, b.interrupted));
+  EXPECT_EQ(std::tie(a.tool, a.policy, a.latitude, a.policy_digest, a.interrupted, a.left_out,
+                     a.whole_suite, a.shard, a.missing),
+            std::tie(b.tool, b.policy, b.latitude, b.policy_digest, b.interrupted, b.left_out,
+                     b.whole_suite, b.shard, b.missing));
   ASSERT_EQ(a.renderers.size(), b.renderers.size());
   for (std::size_t i = 0; i < a.renderers.size(); ++i) {
     const auto &r = a.renderers[i], &s = b.renderers[i];
@@ -164,6 +171,23 @@ TEST(ResultsJson, SameResultsGiveTheSameBytes) {
 
 TEST(ResultsJson, EmptyResultsReadBack) {
   expect_results(Results{}, read(written(Results{})));
+}
+
+// A whole run's file and one that was merged are the same: neither knows of shards.
+TEST(ResultsJson, WhatIsOnlyOfSomeRunsIsAbsentFromOthers) {
+  Results results = full_results();
+  for (const char* member : {"\"shard\":{\"index\":3,\"count\":4,\"cases\":123,", "\"left_out\":12",
+                             "\"again\":{", "\"expected\":{"})
+    EXPECT_NE(written(results).find(member), std::string::npos) << member;
+  results.shard.reset();
+  results.left_out = 0;
+  for (CaseResults& one : results.cases)
+    for (KnownResult& result : one.results) {
+      result.again.reset();
+      result.expected.reset();
+    }
+  for (const char* member : {"\"shard\"", "\"left_out\"", "\"again\"", "\"expected\":"})
+    EXPECT_EQ(written(results).find(member), std::string::npos) << member;
 }
 
 TEST(ResultsJson, ARampIsCompactAndAbsentWhereItIsEmpty) {

@@ -13,7 +13,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const char* const kHostile = "\"\\/\b\f\n\r\t\x01 </script> \u2028 ]]> é 漢 \U0001F600";
 
 Figure figure() {
-  return {{{MarkRole::primitive, true, {{0.5, -3}, {1.0 / 3, 1e-300}}, "0"},
+  return {{{MarkRole::primitive, true, {{0.5, -3}, {1.0 / 3, 1e-300}, {-kInfinity, -0.0}}, "0"},
            {MarkRole::edge, false, {}, kHostile},
            {MarkRole::snapped_vertex, false, {{8192, -8192}}, ""}}};
 }
@@ -68,8 +68,8 @@ ValueAggregate aggregate() {
   return values;
 }
 
-Result full_result() {
-  Result result;
+KnownResult full_result() {
+  KnownResult result;
   result.verdict = Verdict::permitted;
   result.fingerprint = "0123456789abcdef";
   result.disagreements = {disagreement(), Disagreement{}};
@@ -88,8 +88,10 @@ Result full_result() {
   result.exact_samples = samples();
   result.exact_samples.positions.clear();
   result.exact_pixels = {1, 2, 3, 4, 5, 6, 7, 8};
-  result.standing = Standing::changed;
+  result.standing = Standing::flake;
   result.expectation = kHostile;
+  result.expected = {Verdict::violation, "fedcba9876543210"};
+  result.again = {Verdict::agree, ""};
   return result;
 }
 
@@ -112,6 +114,7 @@ CaseResults full_case(const std::string& id) {
   one.origin = "https://example.org/?a=1&b=<2>";
   one.tags = {"smoke", "long"};
   one.file = "cases/a b.json";
+  one.file_digest = "00000000000000ff";
   one.surface = "fbo";
   one.width = 2;
   one.height = 1;
@@ -129,7 +132,14 @@ Results full_results() {
   Results results;
   results.tool = "edgecase 0.1.0";
   results.policy = "opengl";
+  results.latitude = Latitude::none;
+  results.policy_digest = "0011223344556677";
   results.interrupted = true;
+  results.left_out = 12;
+  results.whole_suite = true;
+  results.shard = {2, 4, 123, "8899aabbccddeeff"};
+  results.missing = {{"osmesa:llvmpipe", "gone/a", {Verdict::permitted, "0f"}, kHostile},
+                     {"exec:./a \"b\"", "gone/b", {Verdict::not_run, "crashed"}, "why"}};
   results.renderers = {
       {"osmesa:llvmpipe", "Mesa", "4.5", "llvmpipe", 8, {{"a", "b"}, {"c d", kHostile}}},
       {"exec:./a \"b\"", "", "", "", 4, {}}};

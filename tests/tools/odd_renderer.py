@@ -181,6 +181,24 @@ FAILURES = {function.__name__.replace("_", "-"): function for function in (
     wrong_hits, nan_colors, nap)}
 
 
+# Waverers: a case answered in one way the first time that anyone asks for it, in TRUTH.asked, and
+# honestly from then on; "mirror-of" never learns.
+
+def asked_before(name):
+    path = pathlib.Path(sys.argv[2] + ".asked")
+    names = path.read_text("utf-8").splitlines() if path.exists() else []
+    path.write_text("\n".join(names + [name]), "utf-8")
+    return name in names
+
+
+WAVERERS = {
+    "waver": lambda truth: mirror(truth, None),
+    "refuse-once": lambda truth: {"not_run": "not yet"},
+    "die-once": die,
+    "mirror-of": lambda truth: mirror(truth, None),
+}
+
+
 class Truths:
     """Renderings by id, each parsed when it is asked for: a program that a test starts again and
     again must not read the whole suite each time."""
@@ -205,6 +223,9 @@ def answers(behaviour, truths, victim):
             answer = previous = LIARS[behaviour](truth, previous)
         else:
             answer = honest(truth) if truth else {"not_run": "a case without a truth"}
+            if behaviour in WAVERERS and victim in ("", request["id"]) and (
+                    behaviour == "mirror-of" or not asked_before(request["id"])):
+                answer = WAVERERS[behaviour](truth)
             if behaviour in FAILURES and victim in ("", request["id"]):
                 answer = FAILURES[behaviour](request, answer)
         if answer is not None:

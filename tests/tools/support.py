@@ -29,7 +29,8 @@ SUITE = str(ROOT / "cases")
 PROBES = [SUITE, "--exclude", "scenes/*"]
 MESA = ["osmesa:llvmpipe", "osmesa:softpipe", "egl:llvmpipe", "egl:softpipe"]
 # What CI systems set for their own shards must not reach the command under test.
-SHARD_VARIABLES = ("TEST_TOTAL_SHARDS", "TEST_SHARD_INDEX", "CI_NODE_TOTAL", "CI_NODE_INDEX")
+SHARD_VARIABLES = ("TEST_TOTAL_SHARDS", "TEST_SHARD_INDEX", "TEST_SHARD_STATUS_FILE",
+                   "CI_NODE_TOTAL", "CI_NODE_INDEX")
 PATIENCE = 1200  # seconds, for a command over the whole suite on a busy machine
 # A fifth of the suite, some of each folder: where a test says the same of every case, and parsing
 # the results of all of them would take minutes.

@@ -12,15 +12,6 @@
 namespace edgecase {
 namespace {
 
-// The text of the case files is not part of a results file; take it from where they lie.
-void load_sources(Results& results) {
-  for (CaseResults& one : results.cases) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(one.file, error)) continue;
-    if (auto text = read_file(one.file)) one.source = std::move(*text);
-  }
-}
-
 ExitCode report(const std::string& path, const ReportFiles& files) {
   auto results = load_results(path);
   if (!results) return ExitCode::usage;

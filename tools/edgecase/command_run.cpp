@@ -2,14 +2,14 @@
 //
 // edgecase run: the suite against renderers, judged, held against expectations, reported.
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <iostream>
+#include <filesystem>
 #include <memory>
+#include <optional>
 
-#include "reports/summary.h"
+#include "run/last_failed.h"
 #include "tools/edgecase/commands.h"
-#include "tools/edgecase/report_files.h"
+#include "tools/edgecase/delivery.h"
 #include "tools/edgecase/suite_run.h"
 
 namespace edgecase {
@@ -23,7 +23,35 @@ struct RunCommand {
   std::vector<std::string> expectations;
   std::string color = "auto";
   bool list = false;
+  bool last_failed = false;
+  bool no_rerun = false;
+  std::size_t max_failures = 0;
 };
+
+// Narrows the selection to what was not as expected in the last results; otherwise the exit code
+// that this deserves, with the reason printed.
+std::optional<ExitCode> narrow_to_last_failed(const RunCommand& command, Selection& selection) {
+  const std::string path = command.files.json.empty() || command.files.json == "-"
+                               ? ReportFiles::kDefaultJson
+                               : command.files.json;
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    print_error(
+        fmt::format("--last-failed finds no last results: there is no {}; run once without "
+                    "it, or name the results with --json",
+                    path));
+    return ExitCode::usage;
+  }
+  const auto last = load_results(path);
+  if (!last) return ExitCode::usage;
+  selection.only = unexpected_cases(*last);
+  if (!selection.only->ids.empty() || !selection.only->files.empty()) return std::nullopt;
+  print_error(
+      fmt::format("nothing failed: in {} all {} cases are as expected; run without "
+                  "--last-failed to run them again",
+                  path, last->cases.size()));
+  return ExitCode::nothing_selected;
+}
 
 ExitCode print_list(const Suite& suite) {
   for (const Case& one : suite.cases) fmt::print("{}\n", one.id);
@@ -34,7 +62,9 @@ ExitCode print_list(const Suite& suite) {
 }
 
 ExitCode run(const RunCommand& command) {
-  const Selection selection = command.selection.selection();
+  Selection selection = command.selection.selection();
+  if (command.last_failed)
+    if (const auto exit = narrow_to_last_failed(command, selection)) return *exit;
   const auto policy = command.policy.load(selection, command.run.renderers);
   if (!policy) return ExitCode::usage;
   const auto expectations =
@@ -46,24 +76,11 @@ ExitCode run(const RunCommand& command) {
   if (command.list) return print_list(suite);
   const auto profiles = load_profiles(selection, command.run.named());
   if (!profiles) return ExitCode::usage;
-  auto results = run_against(suite, *policy, *profiles, command.run);
+  const ExpectantRun expectant{*expectations, command.max_failures, !command.no_rerun,
+                               is_whole_suite(selection)};
+  const auto results = run_expecting(suite, *policy, *profiles, command.run, expectant);
   if (!results) return ExitCode::usage;
-  apply_all_expectations(*expectations, *results);
-
-  const bool to_stdout =
-      command.files.json == "-" || command.files.junit == "-" || command.files.html == "-";
-  write_summary(*results, use_color(command.color, to_stdout ? STDERR_FILENO : STDOUT_FILENO),
-                to_stdout ? std::cerr : std::cout);
-  ExitCode exit = exit_code_of(*results);
-  if (exit == ExitCode::nothing_selected) {
-    // Nothing was run: what an earlier run wrote stays.
-    print_nothing_selected();
-    return exit;
-  }
-  if (!command.files.write(*results)) return worse(exit, ExitCode::internal);
-  const std::string html = command.files.html_path();
-  if (!to_stdout && !html.empty()) fmt::print("Report: {}\n", html);
-  return exit;
+  return deliver_results(*results, command.files, command.color);
 }
 
 }  // namespace
@@ -81,6 +98,15 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
                  "expectations)");
   command->add_option("--color", options->color, "Colours in the summary")
       ->check(CLI::IsMember({"auto", "always", "never"}));
+  command->add_flag("--last-failed", options->last_failed,
+                    "Only the cases that were not as expected in the last results: those in the "
+                    "file that --json names, or in out/results.json");
+  command
+      ->add_option("--max-failures", options->max_failures,
+                   "End after so many unexpected cases; what was finished is reported")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}));
+  command->add_flag("--no-rerun", options->no_rerun,
+                    "Do not ask for unexpected answers again, which tells flakes");
   command->add_flag("--list", options->list, "Only list the ids of the selected cases");
   command->callback([options, &exit] { exit = run(*options); });
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -16,45 +17,36 @@
 #include "results/expectations.h"
 #include "rules/all_rules.h"
 #include "run/recording_renderer.h"
+#include "run/sharding.h"
 
 namespace edgecase {
 namespace {
 
-// A number that must be one: "3" of "I/N".
-std::optional<int> to_number(const std::string& text) {
-  char* end = nullptr;
-  const long value = std::strtol(text.c_str(), &end, 10);
-  if (text.empty() || *end != '\0' || value < 0 || value > 1'000'000) return std::nullopt;
-  return static_cast<int>(value);
+// Bazel runs a test in shards only if it touches the file that this variable names.
+void touch_status_file() {
+  const char* path = std::getenv("TEST_SHARD_STATUS_FILE");
+  if (path != nullptr && *path != '\0' && !write_file(path, ""))
+    throw std::runtime_error("the file that TEST_SHARD_STATUS_FILE names cannot be touched");
 }
 
-std::optional<int> environment_number(const char* name) {
-  const char* value = std::getenv(name);
-  return value != nullptr ? to_number(value) : std::nullopt;
+Shard shard_of_option(const std::string& text) {
+  const auto shard = parse_shard(text);
+  if (!shard)
+    throw CLI::ValidationError("--shard", fmt::format("\"{}\" is no shard; write I/N with I from "
+                                                      "1 to N, for example 1/4",
+                                                      text));
+  return *shard;
 }
 
-// "I/N" with I from 1, or what CI systems say: Bazel counts from 0, GitLab from 1.
-Shard parse_shard(const std::string& text) {
-  if (!text.empty()) {
-    const std::size_t slash = text.find('/');
-    const auto index = to_number(text.substr(0, slash));
-    const auto count =
-        slash != std::string::npos ? to_number(text.substr(slash + 1)) : std::nullopt;
-    if (!index || !count || *index < 1 || *index > *count)
-      throw CLI::ValidationError("--shard", fmt::format("\"{}\" is no shard; write I/N with I from "
-                                                        "1 to N, for example 1/4",
-                                                        text));
-    return {*index - 1, *count};
-  }
-  const auto bazel_count = environment_number("TEST_TOTAL_SHARDS");
-  const auto bazel_index = environment_number("TEST_SHARD_INDEX");
-  if (bazel_count && bazel_index && *bazel_index < *bazel_count)
-    return {*bazel_index, *bazel_count};
-  const auto gitlab_count = environment_number("CI_NODE_TOTAL");
-  const auto gitlab_index = environment_number("CI_NODE_INDEX");
-  if (gitlab_count && gitlab_index && *gitlab_index >= 1 && *gitlab_index <= *gitlab_count)
-    return {*gitlab_index - 1, *gitlab_count};
-  return {};
+Shard shard_of_environment() {
+  const auto choice = shard_of_variables([](const char* name) { return std::getenv(name); });
+  if (const auto* fault = std::get_if<std::string>(&choice))
+    throw CLI::ValidationError("environment", *fault);
+  const auto& [shard, source] = std::get<ShardChoice>(choice);
+  if (!source.empty())
+    print_error(fmt::format("{} ask for shard {}/{}: only that share of the cases is taken", source,
+                            shard.index + 1, shard.count));
+  return shard;
 }
 
 // The names of the policies in a folder: "cs184, direct3d-11, ...".
@@ -134,10 +126,11 @@ void SelectionOptions::add_to(CLI::App& command, bool with_shard) {
   add_repeatable(command, "--exclude", excludes,
                  "Not the cases whose id matches this glob; repeatable");
   add_repeatable(command, "--tag", tags, "Only cases with this tag; repeatable");
+  obeys_variables = with_shard;
   if (with_shard)
-    command.add_option(
-        "--shard", shard,
-        "I/N: only the I-th of N shares; TEST_TOTAL_SHARDS and CI_NODE_TOTAL work too");
+    command.add_option("--shard", shard,
+                       "I/N: only the I-th of N shares, I from 1 (default: what "
+                       "TEST_TOTAL_SHARDS, TEST_SHARD_INDEX or CI_NODE_TOTAL, CI_NODE_INDEX say)");
 }
 
 Selection SelectionOptions::selection() const {
@@ -147,7 +140,10 @@ Selection SelectionOptions::selection() const {
   result.filters = filters;
   result.excludes = excludes;
   result.tags = tags;
-  result.shard = parse_shard(shard);
+  if (obeys_variables) {
+    touch_status_file();
+    result.shard = shard.empty() ? shard_of_environment() : shard_of_option(shard);
+  }
   return result;
 }
 
@@ -194,6 +190,18 @@ std::filesystem::path suite_folder(const Selection& selection) {
   for (fs::path folder = first; folder.has_relative_path(); folder = folder.parent_path())
     if (folder.filename() == "cases") return folder;
   return fs::is_directory(first, error) ? first : first.parent_path();
+}
+
+bool is_whole_suite(const Selection& selection) {
+  namespace fs = std::filesystem;
+  if (selection.only || !selection.filters.empty() || !selection.excludes.empty() ||
+      !selection.tags.empty())
+    return false;
+  const fs::path folder = suite_folder(selection);
+  return std::any_of(selection.paths.begin(), selection.paths.end(), [&](const fs::path& path) {
+    std::error_code error;
+    return fs::is_directory(path, error) && fs::equivalent(path, folder, error);
+  });
 }
 
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {

@@ -32,9 +32,12 @@ struct SelectionOptions {
   std::vector<std::string> excludes;
   std::vector<std::string> tags;
   std::string shard;
+  bool obeys_variables = false;  // set by add_to
 
   void add_to(CLI::App& command, bool with_shard);
-  // The selection, `cases` where no path is given; throws CLI::ValidationError for a bad --shard.
+  // The selection, `cases` where no path is given; throws CLI::ValidationError for a bad --shard
+  // and, where `--shard` is an option and not given, for bad variables of CI systems. Says on
+  // standard error when variables decide, and touches the file by which Bazel learns that they do.
   Selection selection() const;
 };
 
@@ -60,6 +63,9 @@ std::optional<std::map<std::string, Policy>> load_profiles(
 // The folder whose expectations and policies belong to these paths: the nearest `cases`, or the
 // first folder given.
 std::filesystem::path suite_folder(const Selection& selection);
+
+// Are these all cases of the suite's folder, or a shard of them, with nothing filtered out?
+bool is_whole_suite(const Selection& selection);
 
 // Prints diagnostics, one a line, to standard error.
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics);

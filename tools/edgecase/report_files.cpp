@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <sstream>
 #include <utility>
 #include <variant>
 
+#include "model/digest.h"
 #include "reports/html.h"
 #include "reports/junit.h"
 #include "results/results_json.h"
@@ -47,8 +50,23 @@ std::optional<Results> load_results(const std::string& path) {
   return std::nullopt;
 }
 
-void ReportFiles::add_to(CLI::App& command) {
-  command.add_option("--json", json, "File for the results as JSON, - for standard output");
+void load_sources(Results& results) {
+  std::map<std::string, std::string> texts;
+  for (CaseResults& one : results.cases) {
+    const auto [found, is_new] = texts.try_emplace(one.file);
+    std::error_code error;
+    if (is_new && std::filesystem::is_regular_file(one.file, error))
+      if (auto text = read_file(one.file)) found->second = std::move(*text);
+    const bool is_same = digest_of_text(found->second) == one.file_digest;
+    if (is_same) one.source = found->second;
+    if (is_new && !is_same && !found->second.empty())
+      print_error(
+          fmt::format("{} is not what it was in the run; reports leave its text out", one.file));
+  }
+}
+
+void ReportFiles::add_to(CLI::App& command, const std::string& json_names) {
+  command.add_option(json_names, json, "File for the results as JSON, - for standard output");
   command.add_option("--junit", junit, "File for JUnit XML");
   command.add_option("--html", html, "File for the HTML report");
 }
@@ -59,8 +77,8 @@ std::string ReportFiles::html_path() const {
 
 bool ReportFiles::write(const Results& results) const {
   const bool all = json.empty() && junit.empty() && html.empty();
-  const bool wrote_json = write_one(all ? "out/results.json" : json,
-                                    [&](std::ostream& out) { write_results(results, out); });
+  const bool wrote_json =
+      write_one(all ? kDefaultJson : json, [&](std::ostream& out) { write_results(results, out); });
   const bool wrote_junit = write_one(all ? "out/junit.xml" : junit,
                                      [&](std::ostream& out) { write_junit(results, out); });
   const bool wrote_html =

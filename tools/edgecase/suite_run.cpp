@@ -4,12 +4,15 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <set>
 #include <thread>
 
 #include "model/recorded.h"
 #include "run/renderer_names.h"
+#include "run/rerun.h"
 #include "run/run.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/progress_line.h"
@@ -28,8 +31,33 @@ bool is_known(const std::string& renderer) {
 
 ExitCode exit_code_of(const Result& result) {
   if (result.standing == Standing::expected) return ExitCode::as_expected;
+  if (result.standing == Standing::flake) return ExitCode::unexpected;
   if (result.failure && result.failure->kind != FailureKind::unsupported) return ExitCode::renderer;
   return ExitCode::unexpected;
+}
+
+RunOptions run_options(const Policy& policy, const std::map<std::string, Policy>& profiles,
+                       const SuiteRunOptions& options) {
+  RunOptions run;
+  run.policy = policy;
+  run.profiles = profiles;
+  run.renderers = options.renderers;
+  run.renderer_options = {policy,
+                          std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),
+                          executable_directory(), &interrupted()};
+  run.jobs =
+      options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
+  run.stop = &interrupted();
+  return run;
+}
+
+Results run_with_progress(const Suite& suite, RunOptions& run, const SuiteRunOptions& options) {
+  ProgressLine progress(options.progress, "cases");
+  run.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
+  Results results = run_suite(suite, run);
+  run.progress = nullptr;
+  results.tool = kToolName;
+  return results;
 }
 
 }  // namespace
@@ -77,22 +105,32 @@ std::optional<Results> run_against(const Suite& suite, const Policy& policy,
                                    SuiteRunOptions options) {
   options.renderers = options.named();
   if (!are_known(options.renderers)) return std::nullopt;
-  ProgressLine progress(options.progress, "cases");
-
-  RunOptions run;
-  run.policy = policy;
-  run.profiles = profiles;
-  run.renderers = options.renderers;
-  run.renderer_options = {policy,
-                          std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),
-                          executable_directory(), &interrupted()};
-  run.jobs =
-      options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
-  run.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
-  run.stop = &interrupted();
+  RunOptions run = run_options(policy, profiles, options);
   const InterruptGuard guard;
-  Results results = run_suite(suite, run);
-  results.tool = kToolName;
+  return run_with_progress(suite, run, options);
+}
+
+std::optional<Results> run_expecting(const Suite& suite, const Policy& policy,
+                                     const std::map<std::string, Policy>& profiles,
+                                     SuiteRunOptions options, const ExpectantRun& expectant) {
+  options.renderers = options.named();
+  if (!are_known(options.renderers)) return std::nullopt;
+  RunOptions run = run_options(policy, profiles, options);
+  run.max_unexpected = expectant.max_unexpected;
+  run.expectations = expectant.expectations;
+  const InterruptGuard guard;
+  Results results = run_with_progress(suite, run, options);
+  results.whole_suite = expectant.whole_suite;
+  apply_all_expectations(expectant.expectations, results);
+  if (!expectant.reruns || interrupted()) return results;
+  const RerunCounts counts = rerun_unexpected(suite, run, results);
+  if (counts.not_asked > 0)
+    print_error(
+        fmt::format("{} unexpected answers are not asked for again: at most {} are, of "
+                    "those that came too late {}",
+                    counts.not_asked, kMostReruns, kMostTimeoutReruns));
+  results.interrupted = results.interrupted || counts.stopped;
+  apply_all_expectations(expectant.expectations, results);
   return results;
 }
 
@@ -119,11 +157,14 @@ std::optional<std::vector<Expectations>> load_expectations(const std::filesystem
 }
 
 void apply_all_expectations(const std::vector<Expectations>& expectations, Results& results) {
+  results.missing.clear();
   for (std::size_t r = 0; r < results.renderers.size(); ++r) {
     const Expectations* own = nullptr;
     for (const Expectations& candidate : expectations)
       if (candidate.renderer == known_as(results.renderers[r])) own = &candidate;
     apply_expectations(results, r, own);
+    if (own != nullptr)
+      std::ranges::move(missing_cases(results, *own), std::back_inserter(results.missing));
   }
 }
 
@@ -131,7 +172,7 @@ ExitCode exit_code_of(const Results& results) {
   ExitCode exit = ExitCode::as_expected;
   if (!results.diagnostics.empty()) exit = worse(exit, ExitCode::usage);
   if (results.cases.empty() && results.diagnostics.empty()) exit = ExitCode::nothing_selected;
-  if (results.interrupted) exit = worse(exit, ExitCode::unexpected);
+  if (results.interrupted || !results.missing.empty()) exit = worse(exit, ExitCode::unexpected);
   for (const CaseResults& one : results.cases) {
     if (!one.expect_failures.empty()) exit = worse(exit, ExitCode::unexpected);
     for (const Result& result : one.results) exit = worse(exit, exit_code_of(result));

@@ -41,12 +41,26 @@ std::optional<Results> run_against(const Suite& suite, const Policy& policy,
                                    const std::map<std::string, Policy>& profiles,
                                    SuiteRunOptions options);
 
+// What `run` does beyond drawing: expectations, and what hangs on them.
+struct ExpectantRun {
+  std::vector<Expectations> expectations;
+  std::size_t max_unexpected = 0;  // RunOptions has it
+  bool reruns = true;              // ask for unexpected answers again (run/rerun.h)
+  bool whole_suite = false;        // as Results have it
+};
+
+// The same, with the expectations applied. Says on standard error where not all unexpected answers
+// were asked for again.
+std::optional<Results> run_expecting(const Suite& suite, const Policy& policy,
+                                     const std::map<std::string, Policy>& profiles,
+                                     SuiteRunOptions options, const ExpectantRun& expectant);
+
 // The expectations of the results' renderers, read from `folder` or from the files named; a file
 // that is missing in the folder is no error. Nothing, with the error printed, when one is broken.
 std::optional<std::vector<Expectations>> load_expectations(const std::filesystem::path& folder,
                                                            const std::vector<std::string>& files);
 
-// Applies the expectations to the renderers that they belong to.
+// Applies the expectations to the renderers that they belong to, and finds their missing cases.
 void apply_all_expectations(const std::vector<Expectations>& expectations, Results& results);
 
 // The exit code that results deserve, expectations having been applied.

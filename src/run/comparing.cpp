@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "run/comparing.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "diff/textures/level_ramp.h"
+#include "raster/rasterizer.h"
+
+namespace edgecase {
+
+CaseComparison::CaseComparison(const Suite& suite, const RunOptions& options)
+    : suite_(suite),
+      options_(options),
+      made_(std::make_unique<std::once_flag[]>(suite.cases.size())),
+      renderings_(suite.cases.size()) {}
+
+const Rendering& CaseComparison::exact(std::size_t index) {
+  std::call_once(made_[index], [&] {
+    renderings_[index] = rasterize(suite_.cases[index].scene, options_.policy);
+  });
+  return renderings_[index];
+}
+
+Result CaseComparison::compare_outcome(std::size_t index, Outcome outcome,
+                                       const RendererInfo& info) {
+  if (auto* failure = std::get_if<Failure>(&outcome)) return not_run(std::move(*failure));
+  const auto profile = options_.profiles.find(info.name);
+  const Case& one = suite_.cases[index];
+  const auto& rendering = std::get<Rendering>(outcome);
+  const RendererFacts facts{info.subpixel_bits,
+                            profile != options_.profiles.end() ? &profile->second : nullptr};
+  Result result = compare_with_exact(index, rendering, facts);
+  if (std::ranges::find(one.tags, kRampTag) != one.tags.end())
+    result.ramp = level_ramp(one.scene, options_.policy, rendering, facts);
+  return result;
+}
+
+// A renderer that has its samples elsewhere is held against exact with samples there.
+Result CaseComparison::compare_with_exact(std::size_t index, const Rendering& rendering,
+                                          const RendererFacts& facts) {
+  const Scene& scene = suite_.cases[index].scene;
+  const Rendering& usual = exact(index);
+  const SamplePositions& reported = rendering.sample_positions;
+  if (reported.empty() || reported == usual.sample_positions) {
+    Result result = compare(scene, options_.policy, usual, rendering, facts);
+    result.samples = sample_image(rendering);
+    return result;
+  }
+  Rendering own = rasterize(scene, options_.policy, reported);
+  Result result = compare(scene, options_.policy, own, rendering, facts);
+  result.samples = sample_image(rendering);
+  result.exact_samples = sample_image(own);
+  result.exact_pixels = std::move(own.pixels);
+  return result;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// Comparing the answers of a run's renderers with the exact side, case by case, whichever thread
+// they come from. Nothing is judged here.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "diff/compare.h"
+#include "model/renderer.h"
+#include "run/run.h"
+
+namespace edgecase {
+
+// Both arguments must outlive it. Safe to use from several threads.
+class CaseComparison {
+ public:
+  CaseComparison(const Suite& suite, const RunOptions& options);
+
+  // The exact rendering of the case at `index`, made once by whoever asks first, with samples where
+  // the policy has them when no renderer says where its own lie.
+  const Rendering& exact(std::size_t index);
+
+  // What `info` answered to the case at `index`, compared.
+  Result compare_outcome(std::size_t index, Outcome outcome, const RendererInfo& info);
+
+ private:
+  Result compare_with_exact(std::size_t index, const Rendering& rendering,
+                            const RendererFacts& facts);
+
+  const Suite& suite_;
+  const RunOptions& options_;
+  std::unique_ptr<std::once_flag[]> made_;
+  std::vector<Rendering> renderings_;
+};
+
+}  // namespace edgecase

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "run/rerun.h"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "diff/judge.h"
+#include "run/comparing.h"
+
+namespace edgecase {
+namespace {
+
+// Results that one process answers again.
+constexpr std::size_t kSlice = 200;
+
+struct Question {
+  std::size_t renderer = 0;
+  std::size_t index = 0;  // of the case in the suite
+  CaseResults* one = nullptr;
+};
+
+struct Stopped {};
+
+bool is_timeout(const Result& result) {
+  return result.failure && result.failure->kind == FailureKind::timed_out;
+}
+
+class Rerun {
+ public:
+  Rerun(const Suite& suite, const RunOptions& options, Results& results)
+      : suite_(suite), options_(options), results_(results), comparison_(suite, options) {}
+
+  RerunCounts operator()() {
+    gather();
+    read();
+    std::vector<std::thread> threads;
+    const std::size_t slices = (questions_.size() + kSlice - 1) / kSlice;
+    for (std::size_t i = 0; i < std::min(slices, static_cast<std::size_t>(options_.jobs)); ++i)
+      threads.emplace_back([this] { work(); });
+    for (std::thread& thread : threads) thread.join();
+    counts_.stopped = stopped();
+    return counts_;
+  }
+
+ private:
+  bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+
+  // A renderer that could not be had at all is not asked for.
+  static bool is_asked(const Result& result) {
+    return result.standing != Standing::expected &&
+           !(result.failure && result.failure->kind == FailureKind::unavailable);
+  }
+
+  void gather() {
+    std::size_t timeouts = 0;
+    for (std::size_t r = 0; r < results_.renderers.size(); ++r) {
+      std::size_t index = 0;
+      for (CaseResults& one : results_.cases) {
+        while (suite_.cases[index].id != one.id) ++index;
+        const Result& result = one.results[r];
+        if (!is_asked(result)) continue;
+        const bool late = is_timeout(result);
+        if (questions_.size() == kMostReruns || (late && timeouts == kMostTimeoutReruns)) {
+          ++counts_.not_asked;
+          continue;
+        }
+        if (late) ++timeouts;
+        questions_.push_back({r, index, &one});
+      }
+    }
+    counts_.asked = questions_.size();
+  }
+
+  // How the run reads what each renderer drew on each surface.
+  void read() {
+    std::map<Key, std::vector<Result*>> groups;
+    for (CaseResults& one : results_.cases)
+      for (std::size_t r = 0; r < one.results.size(); ++r)
+        groups[{r, one.surface}].push_back(&one.results[r]);
+    for (const auto& [key, group] : groups) readings_.emplace(key, read_run(group));
+  }
+
+  void work() {
+    for (std::size_t begin = next_.fetch_add(kSlice); begin < questions_.size() && !stopped();
+         begin = next_.fetch_add(kSlice)) {
+      try {
+        ask_slice(begin, std::min(begin + kSlice, questions_.size()));
+      } catch (const Stopped&) {
+        return;
+      }
+    }
+  }
+
+  // A slice may hold questions to several renderers, one after the other.
+  void ask_slice(std::size_t begin, std::size_t end) {
+    while (begin < end) {
+      std::size_t next = begin;
+      while (next < end && questions_[next].renderer == questions_[begin].renderer) ++next;
+      ask(std::span(questions_).subspan(begin, next - begin));
+      begin = next;
+    }
+  }
+
+  void ask(std::span<const Question> questions) {
+    auto made =
+        make_renderer(options_.renderers[questions.front().renderer], options_.renderer_options);
+    Renderer& renderer = *std::get<std::unique_ptr<Renderer>>(made);
+    std::vector<Task> tasks;
+    for (const Question& question : questions)
+      tasks.push_back({suite_.cases[question.index].id, &suite_.cases[question.index].scene});
+    renderer.render(tasks, [&](std::size_t i, Outcome outcome) {
+      if (stopped()) throw Stopped{};
+      take(questions[i],
+           comparison_.compare_outcome(questions[i].index, std::move(outcome), renderer.info()));
+    });
+  }
+
+  void take(const Question& question, Result second) const {
+    Result* const only = &second;
+    judge({&only, 1}, results_.latitude, readings_.at({question.renderer, question.one->surface}));
+    KnownResult& first = question.one->results[question.renderer];
+    if (judgement_of(second) != judgement_of(first)) first.again = judgement_of(second);
+  }
+
+  using Key = std::pair<std::size_t, std::string>;  // renderer, surface
+
+  const Suite& suite_;
+  const RunOptions& options_;
+  Results& results_;
+  CaseComparison comparison_;
+  std::vector<Question> questions_;
+  std::map<Key, RunReading> readings_;
+  RerunCounts counts_;
+  std::atomic<std::size_t> next_ = 0;
+};
+
+}  // namespace
+
+RerunCounts rerun_unexpected(const Suite& suite, const RunOptions& options, Results& results) {
+  return Rerun(suite, options, results)();
+}
+
+}  // namespace edgecase

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// Asking again: an unexpected answer may be a renderer's that does not always answer alike.
+//
+// Each unexpected answer of a run is asked for once more, of a process that is new to the run. If
+// the second one has another verdict or fingerprint, judged as the run is read, the result keeps
+// both and is a flake. A second answer that is the same leaves no trace.
+#pragma once
+
+#include <cstddef>
+
+#include "run/run.h"
+
+namespace edgecase {
+
+// At most so many answers are asked for again, of all renderers together; and of those that did not
+// come in time, each of which may cost its time once more, so many.
+constexpr std::size_t kMostReruns = 1000;
+constexpr std::size_t kMostTimeoutReruns = 10;
+
+struct RerunCounts {
+  std::size_t asked = 0;
+  std::size_t not_asked = 0;  // unexpected answers beyond the limits
+  bool stopped = false;       // by options.stop, before all were asked
+};
+
+// `results` are those of the suite under the same options, judged, expectations applied. Standings
+// stay as they are: the caller applies expectations again.
+RerunCounts rerun_unexpected(const Suite& suite, const RunOptions& options, Results& results);
+
+}  // namespace edgecase
