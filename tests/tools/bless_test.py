@@ -4,7 +4,7 @@ it would change and writes only when asked."""
 import json
 import unittest
 
-from support import AS_EXPECTED, UNEXPECTED, CommandTest, only_result
+from support import AS_EXPECTED, UNEXPECTED, USAGE, CommandTest, only_result
 
 RENDERER = "osmesa:softpipe"
 AGAINST = ["--against", RENDERER]
@@ -19,8 +19,8 @@ class Bless(CommandTest):
     def expectations(self):
         return json.loads((self.folder / FILE).read_text(encoding="utf-8"))
 
-    def standings(self, expect):
-        results = self.results("cases", *AGAINST, expect=expect)
+    def standings(self, expect, *options):
+        results = self.results("cases", *AGAINST, *options, expect=expect)
         return {case["id"]: only_result(case)["standing"] for case in results["cases"]}
 
     def run_and_bless(self, *options, expect):
@@ -103,6 +103,91 @@ class Bless(CommandTest):
         self.assertTrue(all(name.startswith("points/") for name in names))
         out = self.command("bless", "results.json", "--against", "exact").stdout
         self.assertNotIn("changes", out)
+
+    def test_entries_of_cases_that_are_gone(self):
+        content = self.expectations()
+        content["expectations"].append({"case": "points/gone", "verdict": "violation",
+                                        "fingerprint": "0123456789abcdef", "reason": "was so"})
+        self.write(FILE, content)
+        self.standings(AS_EXPECTED, "--filter", "*")
+        out = self.command("bless", "results.json", "--apply").stdout
+        self.assertIn(f"{FILE}: 0 changes", out, "a filter may have left the case out")
+        results = self.results("cases", *AGAINST, "--junit", "junit.xml", expect=UNEXPECTED)
+        self.assertTrue(results["whole_suite"])
+        self.assertEqual(results["missing"],
+                         [{"renderer": RENDERER, "case": "points/gone", "verdict": "violation",
+                           "fingerprint": "0123456789abcdef", "reason": "was so"}])
+        self.assertIn("points/gone", (self.folder / "junit.xml").read_text("utf-8"))
+        out = self.command("run", "cases", *AGAINST, "--json", "results.json",
+                           expect=UNEXPECTED).stdout
+        self.assertIn("`edgecase bless --apply` removes them", out)
+        self.assertIn("points/gone", out)
+        for i in (1, 2):
+            self.command("run", "cases", *AGAINST, "--shard", f"{i}/2", "--json", f"{i}.json")
+        self.command("merge", "1.json", "2.json", "--json", "merged.json", expect=UNEXPECTED)
+        self.assertEqual(json.loads((self.folder / "merged.json").read_text("utf-8")), results)
+
+        out = self.command("bless", "results.json", "--apply").stdout
+        self.assertIn("\n- points/gone: ", out)
+        self.assertNotIn("points/gone", (self.folder / FILE).read_text("utf-8"))
+        self.standings(AS_EXPECTED)
+
+    def decide(self, *decisions, expect=AS_EXPECTED):
+        self.write("decisions.json", {"edgecase_decisions": 1, "renderer": RENDERER,
+                                      "decisions": decisions})
+        return self.command("bless", "results.json", "--from", "decisions.json", "--apply",
+                            expect=expect)
+
+    def test_decisions(self):
+        (self.folder / FILE).unlink()
+        results = self.results("cases", *AGAINST, expect=UNEXPECTED)
+        one, other, third = [
+            {"case": case["id"], "verdict": result["verdict"], "reason": "seen",
+             "fingerprint": result["fingerprint"], "decision": "accept"}
+            for case in results["cases"] for result in [only_result(case)]
+            if result["verdict"] != "agree"][:3]
+        late = {**other, "fingerprint": "0123456789abcdef"}
+        elsewhere = {**third, "renderer": "egl:softpipe"}
+        run = self.decide({**one, "link": "https://example.org/3"}, late,
+                          {**third, "decision": "reject"}, elsewhere, expect=UNEXPECTED)
+        self.assertIn(f"! {other['case']} {RENDERER}: refused: it was made on", run.stdout)
+        self.assertIn(f"! {third['case']} egl:softpipe: refused", run.stdout)
+        self.assertIn(f"{third['case']} {RENDERER}: rejected, and stays unexpected", run.stdout)
+        self.assertEqual(self.expectations()["expectations"],
+                         [{"case": one["case"], "verdict": one["verdict"],
+                           "fingerprint": one["fingerprint"], "reason": "seen",
+                           "link": "https://example.org/3"}])
+        # The same again changes nothing; made on no entry, a rejection comes too late.
+        self.assertIn(": 0 changes", self.decide({**one, "link": "https://example.org/3"}).stdout)
+        self.assertIn("refused: it was made when nothing was expected",
+                      self.decide({**one, "decision": "reject"}, expect=UNEXPECTED).stdout)
+        seen = {"verdict": one["verdict"], "fingerprint": one["fingerprint"]}
+        self.decide({**one, "decision": "reject", "expected": seen})
+        self.assertEqual(self.expectations()["expectations"], [])
+
+    def test_results_say_what_was_expected(self):
+        content = self.expectations()
+        content["expectations"][0]["fingerprint"] = "0123456789abcdef"
+        self.write(FILE, content)
+        results = self.results("cases", *AGAINST, expect=UNEXPECTED)
+        entry = content["expectations"][0]
+        (case,) = [case for case in results["cases"] if case["id"] == entry["case"]]
+        self.assertEqual(only_result(case)["expected"],
+                         {"verdict": entry["verdict"], "fingerprint": "0123456789abcdef"})
+
+    def test_broken_decisions(self):
+        self.results("cases", *AGAINST)
+        good = {"case": "a", "verdict": "agree", "fingerprint": "", "decision": "accept",
+                "reason": "why"}
+        for bad, said in (({**good, "more": 1}, "/decisions/0 (case a): unknown key \"more\""),
+                          ({**good, "reason": ""}, "\"reason\" is empty"),
+                          ({**good, "decision": "maybe"}, "\"maybe\" is no decision")):
+            self.assertIn(said, self.decide(bad, expect=USAGE).stderr)
+        self.assertIn("/decisions/1 (case a): /decisions/0 is on",
+                      self.decide(good, good, expect=USAGE).stderr)
+        self.command("bless", "results.json", "--from", "gone.json", expect=USAGE)
+        self.command("bless", "results.json", "--from", "decisions.json", "--filter", "*",
+                     expect=USAGE)
 
     def test_a_failure_can_be_expected(self):
         self.write("small/a.json", (self.folder / "cases/points/centres.json").read_text("utf-8"))

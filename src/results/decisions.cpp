@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "results/decisions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+namespace edgecase {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int kFormat = 1;
+
+void check_keys(const Json& object, const std::set<std::string>& known) {
+  if (!object.is_object()) throw std::runtime_error("this is no object");
+  for (const auto& [key, value] : object.items())
+    if (!known.contains(key)) throw std::runtime_error(fmt::format("unknown key \"{}\"", key));
+}
+
+// A text that must be there and must not be empty.
+std::string text_of(const Json& object, const char* key) {
+  if (!object.contains(key)) throw std::runtime_error(fmt::format("\"{}\" is missing", key));
+  if (!object.at(key).is_string()) throw std::runtime_error(fmt::format("\"{}\" is no text", key));
+  std::string text = object.at(key);
+  if (text.empty()) throw std::runtime_error(fmt::format("\"{}\" is empty", key));
+  return text;
+}
+
+std::string optional_text_of(const Json& object, const char* key) {
+  return object.contains(key) ? text_of(object, key) : "";
+}
+
+Judgement to_answer(const Json& object) {
+  Judgement answer;
+  const std::string verdict = text_of(object, "verdict");
+  if (!parse_name(verdict, answer.verdict))
+    throw std::runtime_error(fmt::format("\"{}\" is no verdict", verdict));
+  // What agrees has an empty one.
+  if (!object.contains("fingerprint") || !object.at("fingerprint").is_string())
+    throw std::runtime_error("\"fingerprint\" is missing");
+  answer.fingerprint = object.at("fingerprint");
+  return answer;
+}
+
+Decision to_decision(const Json& object, const std::string& renderer) {
+  check_keys(object, {"case", "renderer", "verdict", "fingerprint", "expected", "decision",
+                      "reason", "link"});
+  Decision decision;
+  decision.id = text_of(object, "case");
+  decision.renderer = object.contains("renderer") ? text_of(object, "renderer") : renderer;
+  if (decision.renderer.empty())
+    throw std::runtime_error("\"renderer\" is missing, here and of the file");
+  decision.seen = to_answer(object);
+  if (object.contains("expected") && !object.at("expected").is_null()) {
+    check_keys(object.at("expected"), {"verdict", "fingerprint"});
+    decision.expected = to_answer(object.at("expected"));
+  }
+  const std::string word = text_of(object, "decision");
+  if (word != "accept" && word != "reject")
+    throw std::runtime_error(fmt::format("\"{}\" is no decision; write accept or reject", word));
+  decision.accepts = word == "accept";
+  decision.reason = text_of(object, "reason");
+  decision.link = optional_text_of(object, "link");
+  return decision;
+}
+
+std::string words_of(const Judgement& answer) {
+  return answer.fingerprint.empty()
+             ? std::string(name_of(answer.verdict))
+             : fmt::format("{} {}", name_of(answer.verdict), answer.fingerprint);
+}
+
+std::string words_of(const std::optional<Judgement>& entry) {
+  return entry ? words_of(*entry) : "nothing";
+}
+
+// The entry that a decision leaves.
+std::optional<Expectation> entry_after(const Decision& decision, const Expectation* before) {
+  if (decision.accepts) {
+    if (decision.seen.verdict == Verdict::agree) return std::nullopt;
+    std::string link = decision.link;
+    if (link.empty() && before != nullptr) link = before->link;
+    return Expectation{decision.seen.verdict, decision.seen.fingerprint, decision.reason,
+                       std::move(link)};
+  }
+  if (before == nullptr) return std::nullopt;
+  if (Judgement{before->verdict, before->fingerprint} == decision.seen) return std::nullopt;
+  return *before;
+}
+
+bool is_same(const std::optional<Expectation>& a, const Expectation* b) {
+  if (!a || b == nullptr) return !a && b == nullptr;
+  return std::tie(a->verdict, a->fingerprint, a->reason, a->link) ==
+         std::tie(b->verdict, b->fingerprint, b->reason, b->link);
+}
+
+const KnownResult* find_result(const Results& results, std::size_t index, const std::string& id) {
+  const auto found = std::ranges::find(results.cases, id, &CaseResults::id);
+  return found != results.cases.end() ? &found->results[index] : nullptr;
+}
+
+// Why a decision holds no more, or empty.
+std::string refusal_of(const Decision& decision, const KnownResult* result) {
+  if (result == nullptr) return "the results have no such case";
+  if (result->again) return "the answer changes when it is asked for again: nothing to decide on";
+  if (judgement_of(*result) != decision.seen)
+    return fmt::format("it was made on {}, and the results have {}", words_of(decision.seen),
+                       words_of(judgement_of(*result)));
+  return "";
+}
+
+DecisionOutcome outcome_of(const Decision& decision, const KnownResult* result,
+                           const Expectations& current) {
+  DecisionOutcome outcome{&decision, refusal_of(decision, result), std::nullopt};
+  if (!outcome.refusal.empty()) return outcome;
+  const auto found = current.cases.find(decision.id);
+  const Expectation* before = found != current.cases.end() ? &found->second : nullptr;
+  std::optional<Expectation> after = entry_after(decision, before);
+  if (is_same(after, before)) return outcome;
+  std::optional<Judgement> entry;
+  if (before != nullptr) entry = Judgement{before->verdict, before->fingerprint};
+  if (entry != decision.expected) {
+    outcome.refusal = fmt::format("it was made when {} was expected, and now {} is",
+                                  words_of(decision.expected), words_of(entry));
+    return outcome;
+  }
+  outcome.change = ExpectationChange{decision.id, before, std::move(after)};
+  return outcome;
+}
+
+}  // namespace
+
+std::variant<std::vector<Decision>, std::string> parse_decisions(const std::string& text) {
+  std::string where = "the file";
+  try {
+    const Json json = Json::parse(text);
+    check_keys(json, {"edgecase_decisions", "renderer", "decisions"});
+    if (!json.contains("edgecase_decisions") || json.at("edgecase_decisions") != kFormat)
+      throw std::runtime_error(fmt::format("\"edgecase_decisions\" must be {}", kFormat));
+    const std::string renderer = optional_text_of(json, "renderer");
+    if (!json.contains("decisions") || !json.at("decisions").is_array())
+      throw std::runtime_error("\"decisions\" is no list");
+    std::vector<Decision> decisions;
+    std::map<std::pair<std::string, std::string>, std::size_t> seen;
+    for (const Json& item : json.at("decisions")) {
+      const std::size_t at = decisions.size();
+      where = fmt::format("/decisions/{}", at);
+      if (item.is_object() && item.contains("case") && item.at("case").is_string())
+        where += fmt::format(" (case {})", item.at("case").get<std::string>());
+      decisions.push_back(to_decision(item, renderer));
+      const auto [twin, is_new] =
+          seen.emplace(std::pair(decisions.back().renderer, decisions.back().id), at);
+      if (!is_new)
+        throw std::runtime_error(
+            fmt::format("/decisions/{} is on the same case and renderer", twin->second));
+    }
+    return decisions;
+  } catch (const std::exception& error) {
+    return fmt::format("{}: {}", where, error.what());
+  }
+}
+
+std::vector<DecisionOutcome> apply_decisions(const Results& results, std::size_t index,
+                                             const Expectations& current,
+                                             std::span<const Decision> decisions) {
+  std::vector<DecisionOutcome> outcomes;
+  for (const Decision& decision : decisions)
+    if (decision.renderer == results.renderers[index].name)
+      outcomes.push_back(outcome_of(decision, find_result(results, index, decision.id), current));
+  return outcomes;
+}
+
+}  // namespace edgecase
