@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   edgecase::add_validate_command(app, exit);
   edgecase::add_bless_command(app, exit);
   edgecase::add_merge_command(app, exit);
+  edgecase::add_compare_command(app, exit);
   edgecase::add_report_command(app, exit);
   edgecase::add_separation_command(app, exit);
   edgecase::add_draw_command(app, exit);

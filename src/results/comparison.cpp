@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "results/comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace edgecase {
+namespace {
+
+void add_fact(const std::string& what, const std::string& before, const std::string& after,
+              std::vector<FactChange>& facts) {
+  if (before != after) facts.push_back({what, before, after});
+}
+
+std::string words_on_completeness(const Results& results) {
+  if (results.shard)
+    return fmt::format("shard {} of {}", results.shard->index + 1, results.shard->count);
+  return results.interrupted ? fmt::format("interrupted, {} cases missing", results.left_out)
+                             : "complete";
+}
+
+std::vector<FactChange> compare_facts(const Results& before, const Results& after) {
+  std::vector<FactChange> facts;
+  add_fact("tool", before.tool, after.tool, facts);
+  add_fact("policy", before.policy, after.policy, facts);
+  add_fact("latitude", name_of(before.latitude), name_of(after.latitude), facts);
+  add_fact("choices of policy and profiles, digest", before.policy_digest, after.policy_digest,
+           facts);
+  add_fact("run", words_on_completeness(before), words_on_completeness(after), facts);
+  add_fact("case files that cannot be loaded", std::to_string(before.diagnostics.size()),
+           std::to_string(after.diagnostics.size()), facts);
+  return facts;
+}
+
+std::vector<FactChange> compare_claims(const RendererInfo& before, const RendererInfo& after) {
+  std::vector<FactChange> facts;
+  add_fact("name", before.name, after.name, facts);
+  add_fact("vendor", before.vendor, after.vendor, facts);
+  add_fact("version", before.version, after.version, facts);
+  add_fact("device", before.device, after.device, facts);
+  add_fact("subpixel bits", std::to_string(before.subpixel_bits),
+           std::to_string(after.subpixel_bits), facts);
+  std::set<std::string> names;
+  for (const auto& [name, value] : before.traits) names.insert(name);
+  for (const auto& [name, value] : after.traits) names.insert(name);
+  const auto value_of = [](const RendererInfo& info, const std::string& name) {
+    const auto found = info.traits.find(name);
+    return found != info.traits.end() ? found->second : std::string();
+  };
+  for (const std::string& name : names)
+    add_fact(name, value_of(before, name), value_of(after, name), facts);
+  return facts;
+}
+
+// Nothing where the two answers are the same.
+std::optional<ChangeKind> change_of(const Judgement& before, const Judgement& after) {
+  if (before == after) return std::nullopt;
+  const bool ran = before.verdict != Verdict::not_run;
+  const bool runs = after.verdict != Verdict::not_run;
+  if (ran != runs) return ran ? ChangeKind::not_run : ChangeKind::runs;
+  if (before.verdict == after.verdict) return ChangeKind::changed;
+  if (before.verdict == Verdict::agree) return ChangeKind::new_disagreement;
+  if (after.verdict == Verdict::agree) return ChangeKind::fixed;
+  return before.verdict < after.verdict ? ChangeKind::worse : ChangeKind::better;
+}
+
+// Of both results, the one that shows what a change is about.
+const Result* telling(ChangeKind change, const Result* before, const Result* after) {
+  switch (change) {
+    case ChangeKind::new_disagreement:
+    case ChangeKind::worse:
+    case ChangeKind::not_run:
+    case ChangeKind::changed:
+    case ChangeKind::appeared:
+      return after;
+    case ChangeKind::disappeared:
+    case ChangeKind::runs:
+    case ChangeKind::better:
+    case ChangeKind::fixed:
+      return before;
+  }
+  return after;
+}
+
+class Clusters {
+ public:
+  void add(const std::string& id, ChangeKind change, const Result& result) {
+    id_ = id;
+    seen_.clear();
+    if (result.failure) count(change, "not-run", name_of(result.failure->kind), 1);
+    for (const Disagreement& d : result.disagreements) count(change, d.rule, d.cause, 1);
+    for (const ValueAggregate& values : result.values)
+      count(change, values.rule, values.cause, values.differing.size());
+  }
+
+  std::vector<ChangeCluster> take() const {
+    std::vector<ChangeCluster> list;
+    for (const auto& [key, cluster] : clusters_) list.push_back(cluster);
+    std::ranges::stable_sort(list, [](const ChangeCluster& a, const ChangeCluster& b) {
+      return std::tie(a.change, b.cases, b.disagreements) <
+             std::tie(b.change, a.cases, a.disagreements);
+    });
+    return list;
+  }
+
+ private:
+  using Key = std::tuple<ChangeKind, std::string, std::string>;
+
+  void count(ChangeKind change, const std::string& rule, const std::string& cause,
+             std::size_t number) {
+    const Key key(change, rule, cause);
+    ChangeCluster& cluster = clusters_[key];
+    if (cluster.cases == 0) cluster = {change, rule, cause, 0, 0, id_};
+    if (seen_.insert(key).second) ++cluster.cases;
+    cluster.disagreements += number;
+  }
+
+  std::string id_;
+  std::set<Key> seen_;  // of the case at hand
+  std::map<Key, ChangeCluster> clusters_;
+};
+
+using ById = std::map<std::string, std::pair<const Result*, const Result*>>;
+
+RendererComparison compare_answers(const Results& before, std::size_t b, const Results& after,
+                                   std::size_t a) {
+  ById both;
+  for (const CaseResults& one : before.cases) both[one.id].first = &one.results[b];
+  for (const CaseResults& one : after.cases) both[one.id].second = &one.results[a];
+  RendererComparison comparison;
+  comparison.before = before.renderers[b].name;
+  comparison.after = after.renderers[a].name;
+  comparison.facts = compare_claims(before.renderers[b], after.renderers[a]);
+  Clusters clusters;
+  for (const auto& [id, results] : both) {
+    CaseChange one{id, ChangeKind::changed, std::nullopt, std::nullopt};
+    if (results.first != nullptr) one.before = judgement_of(*results.first);
+    if (results.second != nullptr) one.after = judgement_of(*results.second);
+    const std::optional<ChangeKind> change = !one.before  ? ChangeKind::appeared
+                                             : !one.after ? ChangeKind::disappeared
+                                                          : change_of(*one.before, *one.after);
+    if (!change) {
+      ++comparison.same;
+      continue;
+    }
+    one.change = *change;
+    ++comparison.counts[*change];
+    clusters.add(id, *change, *telling(*change, results.first, results.second));
+    comparison.cases.push_back(std::move(one));
+  }
+  comparison.clusters = clusters.take();
+  return comparison;
+}
+
+std::optional<std::size_t> index_of(const Results& results, const std::string& name) {
+  for (std::size_t r = 0; r < results.renderers.size(); ++r)
+    if (results.renderers[r].name == name) return r;
+  return std::nullopt;
+}
+
+std::string names_of(const Results& results) {
+  std::string text;
+  for (const RendererInfo& info : results.renderers) text += (text.empty() ? "" : ", ") + info.name;
+  return text;
+}
+
+}  // namespace
+
+const char* name_of(ChangeKind change) {
+  switch (change) {
+    case ChangeKind::new_disagreement:
+      return "new-disagreement";
+    case ChangeKind::worse:
+      return "worse";
+    case ChangeKind::not_run:
+      return "not-run";
+    case ChangeKind::changed:
+      return "changed";
+    case ChangeKind::appeared:
+      return "appeared";
+    case ChangeKind::disappeared:
+      return "disappeared";
+    case ChangeKind::runs:
+      return "runs";
+    case ChangeKind::better:
+      return "better";
+    case ChangeKind::fixed:
+      return "fixed";
+  }
+  return "?";
+}
+
+std::variant<Comparison, std::string> compare_results(const Results& before, const Results& after) {
+  Comparison comparison;
+  comparison.facts = compare_facts(before, after);
+  if (before.renderers.size() == 1 && after.renderers.size() == 1) {
+    comparison.renderers.push_back(compare_answers(before, 0, after, 0));
+    return comparison;
+  }
+  for (std::size_t b = 0; b < before.renderers.size(); ++b) {
+    const std::string& name = before.renderers[b].name;
+    if (const auto a = index_of(after, name))
+      comparison.renderers.push_back(compare_answers(before, b, after, *a));
+    else
+      comparison.only_before.push_back(name);
+  }
+  for (const RendererInfo& info : after.renderers)
+    if (!index_of(before, info.name)) comparison.only_after.push_back(info.name);
+  if (comparison.renderers.empty())
+    return fmt::format(
+        "no renderer is in both: the old results are of {}, the new ones of {}; renderers are "
+        "matched by name, unless each file has one alone",
+        names_of(before), names_of(after));
+  return comparison;
+}
+
+bool differs(const Comparison& comparison) {
+  return !comparison.only_before.empty() || !comparison.only_after.empty() ||
+         std::ranges::any_of(comparison.renderers, [](const RendererComparison& renderer) {
+           return !renderer.cases.empty();
+         });
+}
+
+}  // namespace edgecase
