@@ -22,6 +22,7 @@ from fractions import Fraction
 import polygon_offset
 from clipping import ClippedTriangle, cut_line, is_outside
 from fragment_operations import Buffers, stored
+from known_names import refusal
 
 HALF = Fraction(1, 2)
 CENTRE = [HALF, HALF]
@@ -393,7 +394,7 @@ def answer(scene):
 
 
 for request in map(json.loads, sys.stdin):
-    reply = answer(request["scene"])
+    reply = refusal(request) or answer(request["scene"])
     reply["digest"] = request["digest"]
     reply["renderer"] = {"vendor": "Edgecase", "device": "rasterizer.py", "subpixel_bits": 16}
     print(json.dumps(reply), flush=True)

@@ -31,13 +31,15 @@ ALLOWED = {
     "profile": SRC,
     "search": SRC,
     "reference": {"model", "wire", "exact"},
+    "examples": set(),  # reference/examples: programs of people who have nothing of ours
     "reports": {"results", "model", "image"},
     "tools": SRC | {"reference", "reports"},
 }
 
 # A library's headers -> modules that may include them.
 LIBRARIES = [
-    (r"nlohmann/", {"casefile", "wire", "recording", "results", "profile", "reports", "tools"}),
+    (r"nlohmann/", {"casefile", "wire", "recording", "results", "profile", "reports", "tools",
+                    "examples"}),
     (r"OpenImageIO/", {"image"}),
     (r"(GL|EGL|KHR|GLES\d?|glad)/", {"reference"}),
     (r"glm/", {"casefile"}),
@@ -74,6 +76,8 @@ NOISE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+
 
 def module_of(path):
     """The module that a file of the repository belongs to, by its path from the root."""
+    if path.parts[:2] == ("reference", "examples"):
+        return "examples"
     return path.parts[1] if path.parts[0] == "src" else path.parts[0]
 
 
