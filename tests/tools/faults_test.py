@@ -2,10 +2,13 @@
 """Bad input and bad renderers: the right exit code, one clear message that names the place and the
 remedy, and the other cases are judged all the same."""
 import json
+import os
+import signal
 import subprocess
+import time
 import unittest
 
-from support import (EDGECASE, INTERNAL, NOTHING_SELECTED, PATIENCE, RENDERER, UNEXPECTED, USAGE,
+from support import (AS_EXPECTED, EDGECASE, INTERNAL, NOTHING_SELECTED, PATIENCE, RENDERER, UNEXPECTED, USAGE,
                      CommandTest, environment, only_result, triangle_case, verdicts)
 
 NAMES = ["a", "b", "c", "d", "e"]
@@ -100,8 +103,13 @@ class BadCases(CommandTest):
 FAILING = {
     "hang": ("timed-out", "no answer within"),
     "die": ("crashed", "exit status 7"),
+    "die-by-signal": ("crashed", "signal 9"),
     "crash": ("crashed", "signal 6"),
+    "late": ("timed-out", "no answer within"),
+    "half-an-answer": ("timed-out", "no answer within"),
     "garbage": ("garbage", "JSON"),
+    "bytes-of-no-text": ("garbage", "JSON"),
+    "number-that-is-none": ("garbage", "JSON"),
     "close-output": ("crashed", "closed its output"),
     "refuse": ("unsupported", "not today"),
     "another-digest": ("garbage", "digest"),
@@ -132,6 +140,59 @@ class BadRenderers(CommandTest):
                 failure = only_result(results["cases"][2])["failure"]
                 self.assertEqual(failure["kind"], kind)
                 self.assertIn(words, failure["reason"])
+
+    def test_killed_by_others(self):
+        """While it draws c: only that is lost."""
+        renderer = self.odd_renderer("await-death", "c", "cases")
+        running = subprocess.Popen([EDGECASE, "run", "cases", "--against", renderer, "--json",
+                                    "results.json", "--timeout", "300"], cwd=self.folder,
+                                   env=environment(), stdout=subprocess.DEVNULL)
+        self.addCleanup(running.kill)
+        path = self.folder / "truth.jsonl.pid"
+        deadline = time.monotonic() + PATIENCE
+        while not path.exists():
+            self.assertLess(time.monotonic(), deadline, "the renderer does not get going")
+            time.sleep(.02)
+        os.kill(int(path.read_text(encoding="utf-8")), signal.SIGKILL)
+        self.assertEqual(running.wait(timeout=PATIENCE), RENDERER)
+        results = json.loads((self.folder / "results.json").read_text(encoding="utf-8"))
+        self.assertEqual(verdicts(results), {**dict.fromkeys(NAMES, "agree"), "c": "not-run"})
+        failure = only_result(results["cases"][2])["failure"]
+        self.assertEqual(failure["kind"], "crashed")
+        self.assertIn("signal 9", failure["reason"])
+
+    def test_a_line_without_end(self):
+        renderer = self.odd_renderer("endless-line", "c", "cases")
+        results = self.results("cases", "--against", renderer, "--timeout", "120", expect=RENDERER)
+        self.assertEqual(verdicts(results), {**dict.fromkeys(NAMES, "agree"), "c": "not-run"})
+        failure = only_result(results["cases"][2])["failure"]
+        self.assertEqual(failure["kind"], "garbage")
+        self.assertIn("goes on without a line break", failure["reason"])
+
+    def test_an_answer_given_twice_costs_nothing(self):
+        """The second one is not taken for an answer to the next case."""
+        for victim in "c", "":
+            with self.subTest(victim):
+                results = self.run_against(self.odd_renderer("twice", victim, "cases"),
+                                           expect=AS_EXPECTED)
+                self.assertEqual(verdicts(results), dict.fromkeys(NAMES, "agree"))
+
+    def test_known_failures_are_as_expected(self):
+        """A crash that is expected leaves nothing unexpected, and one that is not there does."""
+        renderer = self.odd_renderer("die", "c", "cases")
+        known = {"renderer": renderer, "measured": "", "expectations": [
+            {"case": "c", "verdict": "not-run", "fingerprint": "crashed", "reason": "dies of it"}]}
+        path = self.write("known.json", known)
+        self.command("run", "cases", "--against", renderer, "--expectations", path)
+        known["expectations"][0]["case"] = "d"
+        path = self.write("known.json", known)
+        self.command("run", "cases", "--against", renderer, "--expectations", path,
+                     expect=RENDERER)
+
+    def test_infinite_depths_are_a_violation(self):
+        results = self.run_against(self.odd_renderer("infinite-depths", "c", "cases"),
+                                   expect=UNEXPECTED)
+        self.assertEqual(verdicts(results), {**dict.fromkeys(NAMES, "agree"), "c": "violation"})
 
     def test_nan_colours_are_a_violation(self):
         results = self.run_against(self.odd_renderer("nan-colors", "c", "cases"),

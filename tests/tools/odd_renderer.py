@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import re
+import signal
 import sys
 import time
 
@@ -127,8 +128,25 @@ def hang(*_):
     time.sleep(3600)
 
 
+def await_death(*_):
+    """Writes its number to the file TRUTH.pid: a test kills it."""
+    with open(sys.argv[2] + ".part", "w") as file:
+        file.write(str(os.getpid()))
+    os.rename(sys.argv[2] + ".part", sys.argv[2] + ".pid")
+    time.sleep(3600)
+
+
+def late(_, answer):
+    time.sleep(3)
+    return answer
+
+
 def die(*_):
     os._exit(7)
+
+
+def die_by_signal(*_):
+    os.kill(os.getpid(), signal.SIGKILL)
 
 
 def crash(*_):
@@ -138,6 +156,31 @@ def crash(*_):
 def garbage(*_):
     print("this is no JSON", flush=True)
     return None
+
+
+def bytes_of_no_text(*_):
+    os.write(1, b"\xff\xfe\x00{\x80\n")
+
+
+def endless_line(*_):
+    """Until nobody reads it any more."""
+    while True:
+        os.write(1, b"0," * 65536)
+
+
+def half_an_answer(_, answer):
+    text = json.dumps(answer)
+    os.write(1, text[:len(text) // 2].encode())
+    time.sleep(3600)
+
+
+def number_that_is_none(_, answer):
+    return dict(answer, pixels=[float("nan")] + answer["pixels"][1:])
+
+
+def twice(request, answer):
+    line = json.dumps({"digest": request["digest"], **answer}) + "\n"
+    os.write(1, line.encode() * 2)
 
 
 def close_output(*_):
@@ -170,6 +213,11 @@ def nan_colors(_, answer):
     return dict(answer, fragments=fragments)
 
 
+def infinite_depths(_, answer):
+    fragments = [dict(f, depth="inf") for f in answer["fragments"]]
+    return dict(answer, fragments=fragments)
+
+
 def nap(_, answer):
     leave_mark()
     time.sleep(.2)
@@ -177,8 +225,9 @@ def nap(_, answer):
 
 
 FAILURES = {function.__name__.replace("_", "-"): function for function in (
-    hang, die, crash, garbage, close_output, refuse, another_digest, wrong_size, far_fragment,
-    wrong_hits, nan_colors, nap)}
+    hang, await_death, late, die, die_by_signal, crash, garbage, bytes_of_no_text, endless_line,
+    half_an_answer, number_that_is_none, twice, close_output, refuse, another_digest, wrong_size,
+    far_fragment, wrong_hits, nan_colors, infinite_depths, nap)}
 
 
 # Waverers: a case answered in one way the first time that anyone asks for it, in TRUTH.asked, and
