@@ -259,6 +259,34 @@ ChildProcess::Status ChildProcess::exchange(std::string_view request, std::strin
   return answered ? Status::answered : Status::ended;
 }
 
+const std::string& ChildProcess::unasked_output(milliseconds patience) {
+  const auto deadline = Clock::now() + patience;
+  while (received_.empty() && output_.is_open()) {
+    const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
+    if (left.count() <= 0) break;
+    pollfd polled{output_.number(), POLLIN, 0};
+    if (poll(&polled, 1, static_cast<int>(std::min(left, kGlance).count())) > 0 && !read_some())
+      break;
+    drain_errors();
+  }
+  return received_;
+}
+
+bool ChildProcess::finish(milliseconds patience) {
+  input_.close();
+  const auto deadline = Clock::now() + patience;
+  while (!has_ended() && Clock::now() < deadline) {
+    read_some();
+    wait_for_end(milliseconds(10));
+  }
+  while (has_ended() && output_.is_open()) {
+    const std::size_t before = received_.size();
+    if (!read_some() || received_.size() == before) break;
+  }
+  reap();
+  return ended_by_itself_;
+}
+
 bool ChildProcess::has_ended() {
   if (pid_ < 0) return true;
   siginfo_t info{};

@@ -57,6 +57,14 @@ class ChildProcess {
   Status exchange(std::string_view request, std::string& answer, std::size_t max_line_length,
                   Clock::time_point deadline, const std::atomic<bool>* stop = nullptr);
 
+  // What it has written beyond the line that exchange() returned last: "" from a program that
+  // answers one line for each request. Waits for `patience` or until something comes.
+  const std::string& unasked_output(std::chrono::milliseconds patience);
+
+  // Closes its input and waits: true if the program ended by itself in time. It is reaped in either
+  // case, and what it wrote to its output meanwhile counts as unasked.
+  bool finish(std::chrono::milliseconds patience);
+
   // Kills the group and reaps the program. Afterwards the two below are known.
   void kill();
 

@@ -3,20 +3,23 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <utility>
 
 #include "run/process_renderer.h"
 #include "run/renderer_names.h"
 #include "tools/edgecase/backend_probe.h"
-#include "tools/edgecase/backends.h"
 #include "tools/edgecase/commands.h"
 #include "tools/edgecase/interrupt.h"
+#include "tools/edgecase/options.h"
+#include "tools/edgecase/protocol_checks.h"
+#include "tools/edgecase/protocol_report.h"
 
 namespace edgecase {
 
 namespace {
-
-constexpr int kUsageError = 2;
-constexpr int kRendererMissing = 4;
 
 constexpr std::size_t kColumns = 12;
 using Row = std::array<std::string, kColumns>;
@@ -80,43 +83,116 @@ void print_table(const std::vector<Row>& rows) {
 
 }  // namespace
 
-int run_backends(const std::vector<std::string>& names, const std::string& program_directory) {
-  std::vector<ProcessSpec> specs;
-  for (const std::string& name : names.empty() ? opengl_renderer_names() : names) {
-    auto found = find_renderer(name, program_directory);
-    if (const auto* unknown = std::get_if<UnknownRenderer>(&found)) {
-      fmt::print(stderr, "edgecase: {}\n", unknown->message);
-      return kUsageError;
-    }
-    specs.push_back(std::move(std::get<ProcessSpec>(found)));
+namespace {
+
+struct BackendsCommand {
+  std::vector<std::string> names;
+  std::string json;
+  double timeout = 10;
+};
+
+using Examinations = std::vector<std::pair<std::string, ProtocolExamination>>;
+
+// Whatever speaks the protocol and is none of ours.
+bool is_program(const ProcessSpec& spec) {
+  return spec.name.starts_with("exec:");
+}
+
+// The protocol of each program, told as it is found out unless standard output is for JSON.
+Examinations examine(const std::vector<ProcessSpec>& specs, const BackendsCommand& command) {
+  const std::chrono::milliseconds patience(static_cast<std::int64_t>(1000 * command.timeout));
+  Examinations all;
+  for (const ProcessSpec& spec : specs) {
+    if (!is_program(spec)) continue;
+    all.emplace_back(spec.name, examine_protocol(spec.command, patience, &interrupted()));
+    if (command.json != "-")
+      fmt::print("{}\n", examination_text(all.back().first, all.back().second));
   }
+  return all;
+}
+
+// Of programs: 4 where one does not start, 1 where a check fails.
+ExitCode exit_code_of(const Examinations& examinations) {
+  ExitCode code = ExitCode::as_expected;
+  for (const auto& [name, examination] : examinations) {
+    if (!examination.started) code = worse(code, ExitCode::renderer);
+    if (examination.count(CheckOutcome::fail) > 0) code = worse(code, ExitCode::unexpected);
+  }
+  return code;
+}
+
+// Has the examination shown that the program answers nothing? Probing it would only take longer.
+bool is_dead(const std::string& name, const Examinations& examinations) {
+  return std::any_of(examinations.begin(), examinations.end(), [&](const auto& examined) {
+    return examined.first == name && !examined.second.started;
+  });
+}
+
+// Probes all but dead programs and prints the table. 4 where one of ours that was named, or all of
+// those that are there by default, draw nothing.
+ExitCode print_probes(std::vector<ProcessSpec>& specs, const Examinations& examinations,
+                      bool all_must_work) {
   std::vector<Row> rows = {{"renderer", "device", "version", "bits claimed / measured", "capture",
                             "fragments", "smooth", "surfaces", "line widths", "point sizes",
                             "first", ""}};
   std::size_t working = 0;
-  const InterruptGuard guard;
   for (ProcessSpec& spec : specs) {
+    if (is_dead(spec.name, examinations)) continue;
     spec.stop = &interrupted();
     ProcessRenderer renderer(spec);
     const ProbeResult result = probe(renderer);
-    if (result.problem.empty()) ++working;
+    if (result.problem.empty() || is_program(spec)) ++working;
     rows.push_back(describe(renderer.info(), result));
     if (!result.problem.empty()) rows.back().back() = result.problem;
   }
-  print_table(rows);
-  fmt::print("{}", kExplanation);
-  const bool enough = names.empty() ? working > 0 : working == specs.size();
-  return enough ? 0 : kRendererMissing;
+  if (rows.size() > 1) {
+    print_table(rows);
+    fmt::print("{}", kExplanation);
+  }
+  const bool enough = all_must_work ? working == rows.size() - 1 : working > 0;
+  return enough ? ExitCode::as_expected : ExitCode::renderer;
 }
+
+ExitCode run_backends(const BackendsCommand& command) {
+  std::vector<ProcessSpec> specs;
+  for (const std::string& name : command.names.empty() ? opengl_renderer_names() : command.names) {
+    auto found = find_renderer(name, executable_directory());
+    if (const auto* unknown = std::get_if<UnknownRenderer>(&found)) {
+      fmt::print(stderr, "edgecase: {}\n", unknown->message);
+      return ExitCode::usage;
+    }
+    specs.push_back(std::move(std::get<ProcessSpec>(found)));
+  }
+  const InterruptGuard guard;
+  const Examinations examinations = examine(specs, command);
+  ExitCode code = exit_code_of(examinations);
+  if (!command.json.empty()) {
+    const std::string text = examinations_json(examinations);
+    if (command.json == "-")
+      fmt::print("{}", text);
+    else if (!write_file(command.json, text))
+      code = ExitCode::internal;
+  }
+  if (command.json != "-")
+    code = worse(code, print_probes(specs, examinations, !command.names.empty()));
+  if (interrupted().load()) code = worse(code, ExitCode::unexpected);
+  return code;
+}
+
+}  // namespace
 
 void add_backends_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand(
-      "backends", "Probe renderers by rendering, and print what each really offers");
-  auto names = std::make_shared<std::vector<std::string>>();
-  command->add_option("renderers", *names, "Renderers (default: the OpenGL ones)");
-  command->callback([names, &exit] {
-    exit = static_cast<ExitCode>(run_backends(*names, executable_directory()));
-  });
+      "backends",
+      "Probe renderers by rendering, print what each really offers, and check that programs keep "
+      "the protocol of exec:");
+  auto options = std::make_shared<BackendsCommand>();
+  command->add_option("renderers", options->names, "Renderers (default: the OpenGL ones)");
+  command->add_option("--json", options->json,
+                      "Write the checks of programs as JSON; - for standard output");
+  command->add_option("--timeout", options->timeout, "Seconds for each answer to a check")
+      ->check(CLI::Range(0.001, 3600.0));
+  command->callback([options, &exit] { exit = run_backends(*options); });
 }
 
 }  // namespace edgecase
