@@ -70,8 +70,15 @@ def halved(level, rgba8):
     return {"width": width, "height": height, "texels": texels}
 
 
+def spelt_out(level):
+    """A level with all of its texels, where they are all alike, too."""
+    if "texels" in level:
+        return level
+    return {**level, "texels": level["texel"] * (level["width"] * level["height"])}
+
+
 def chain_of(texture, fault):
-    levels = list(texture["levels"])
+    levels = [spelt_out(level) for level in texture["levels"]]
     if texture["generated"]:
         while levels[-1]["width"] > 1 or levels[-1]["height"] > 1:
             levels.append(halved(levels[-1], texture["format"] == "rgba8"))
@@ -180,7 +187,24 @@ def number(value):
     return {math.inf: "inf", -math.inf: "-inf"}.get(value, float(value))
 
 
+def refusal(scene):
+    """Why the scene is not drawn, or none."""
+    for draw in scene["draws"]:
+        use = draw.get("texture")
+        if not use or not draw["primitive"].startswith("triangle"):
+            return "this program draws textured triangles"
+        if use["lookup"]["kind"] != "implicit" or use["max_anisotropy"] > 1:
+            return "this program has no such lookup"
+        if scene["textures"][use["texture"]]["dimensions"] != 2:
+            return "this program has textures of two dimensions"
+    many = scene["target"]["samples"] > 1 or "supersampling" in scene["target"]
+    return "this program draws one sample" if many else None
+
+
 def answer(scene, fault):
+    reason = refusal(scene)
+    if reason:
+        return {"not_run": reason}
     plain = json.loads(json.dumps(scene))  # the example looks up nearest texels, and those go unused
     for draw in plain["draws"]:
         draw["texture"].update(magnify="nearest", minify="nearest", mipmap="none", base_level=0)
@@ -194,8 +218,9 @@ def answer(scene, fault):
         triangle = triangles[f["primitive"]][1]
         point, accessed, prime, color = lookups[f["primitive"]].answer(triangle, f["x"], f["y"])
         f["color"] = [float(n) for n in color]
-        f["texture_coordinates"] = [float(n) for n in point]
-        f["level_of_detail"] = [number(accessed), number(prime)]
+        if "texture" in scene.get("details", []):
+            f["texture_coordinates"] = [float(n) for n in point]
+            f["level_of_detail"] = [number(accessed), number(prime)]
         at = 4 * (f["y"] * width + f["x"])
         reply["pixels"][at:at + 4] = [round(255 * min(max(n, 0), 1)) for n in color]
     chains = {str(n): chain_of(texture, fault) for n, texture in enumerate(scene["textures"])
