@@ -261,13 +261,14 @@ ChildProcess::Status ChildProcess::exchange(std::string_view request, std::strin
 
 const std::string& ChildProcess::unasked_output(milliseconds patience) {
   const auto deadline = Clock::now() + patience;
-  while (received_.empty() && output_.is_open()) {
-    const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
-    if (left.count() <= 0) break;
+  auto left = patience;
+  while (received_.empty() && output_.is_open() && left.count() >= 0) {
     pollfd polled{output_.number(), POLLIN, 0};
     if (poll(&polled, 1, static_cast<int>(std::min(left, kGlance).count())) > 0 && !read_some())
       break;
     drain_errors();
+    left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
+    if (left.count() == 0) break;
   }
   return received_;
 }

@@ -88,7 +88,6 @@ bool ProcessRenderer::answers_an_empty_scene() {
 
 bool ProcessRenderer::start() {
   child_answered_ = false;
-  last_digest_.clear();
   auto started = ChildProcess::start(spec_.command);
   if (const auto* error = std::get_if<std::string>(&started)) {
     unavailable_ = *error;
@@ -99,6 +98,10 @@ bool ProcessRenderer::start() {
 }
 
 Outcome ProcessRenderer::attempt(const Task& task) {
+  // What lies there before the scene is asked for is no answer to it, but a second one to the scene
+  // before. Only a new process is sure to be in step.
+  if (child_ != nullptr && !child_->unasked_output(std::chrono::milliseconds{0}).empty())
+    child_.reset();
   if (child_ == nullptr && !start()) return Failure{FailureKind::unavailable, unavailable_};
   const Scene& scene = *task.scene;
   const std::string scene_text = scene_json(scene);
@@ -106,26 +109,10 @@ Outcome ProcessRenderer::attempt(const Task& task) {
   std::string answer;
   const auto status = child_->exchange(request, answer, longest_answer(scene),
                                        ChildProcess::Clock::now() + patience(), spec_.stop);
-  const std::string digest = digest_of(scene_text);
-  if (status == ChildProcess::Status::answered && is_left_over(answer, digest)) {
-    // A new process, which has nothing left over, draws this scene.
-    child_->kill();
-    child_.reset();
-    return attempt(task);
-  }
-  if (status == ChildProcess::Status::answered) return read(answer, digest, task);
+  if (status == ChildProcess::Status::answered) return read(answer, digest_of(scene_text), task);
   Failure failure = failure_of(status);
   child_.reset();
   return failure;
-}
-
-// Is the line another answer to the scene before, which the program answered twice? That costs
-// neither scene its verdict.
-bool ProcessRenderer::is_left_over(const std::string& line, const std::string& digest) const {
-  const auto holds = [&](const std::string& name) {
-    return line.find('"' + name + '"') != std::string::npos;
-  };
-  return !last_digest_.empty() && !holds(digest) && holds(last_digest_);
 }
 
 Outcome ProcessRenderer::read(const std::string& line, const std::string& digest,
@@ -142,7 +129,6 @@ Outcome ProcessRenderer::read(const std::string& line, const std::string& digest
     child_.reset();
     return failure;
   }
-  last_digest_ = digest;
   Answer& answer = std::get<Answer>(parsed);
   if (answer.claims) {
     info_ = std::move(*answer.claims);

@@ -41,7 +41,6 @@ class ProcessRenderer final : public Renderer {
   Outcome render_one(const Task& task);
   bool start();
   Outcome attempt(const Task& task);
-  bool is_left_over(const std::string& line, const std::string& digest) const;
   Outcome read(const std::string& line, const std::string& digest, const Task& task);
   std::chrono::milliseconds patience() const;
   Failure failure_of(ChildProcess::Status status);
@@ -51,7 +50,6 @@ class ProcessRenderer final : public Renderer {
   ProcessSpec spec_;
   RendererInfo info_;
   std::unique_ptr<ChildProcess> child_;
-  std::string last_digest_;      // of the scene that this process answered last, or ""
   bool child_answered_ = false;  // this process has answered something
   bool ever_answered_ = false;   // any process has
   int silent_deaths_ = 0;        // processes in a row that ended or hung without any answer
