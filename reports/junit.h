@@ -7,7 +7,8 @@
 // verdict; everything else is a failure, and a renderer that did not answer is an error.
 // `skipped` says one thing only: not run, and known not to run, with the reason. Case files that
 // could not be loaded, hand-drawn expectations that exact does not meet, and expectations of cases
-// that are no more have suites of their own. No times are written: the same results give the same bytes.
+// that are no more have suites of their own. No times are written: the same results give the same
+// bytes.
 #pragma once
 
 #include <iosfwd>

@@ -8,10 +8,9 @@ from support import (AS_EXPECTED, NOTHING_SELECTED, SUITE, UNEXPECTED, USAGE, Co
                      only_result)
 
 RENDERERS = ["--against", "osmesa:llvmpipe", "--against", "osmesa:softpipe"]
-# Lines and points read in several ways, both surfaces, samples, ramps, and pictures large enough to
-# be folded.
-FOLDERS = ["lines/joints", "lines/short", "lines/wide", "points", "samples/shading", "surfaces",
-           "textures/scenes", "colors/smooth", "scenes/floor.json"]
+# Lines and joints, both surfaces, samples, ramps, and pictures large enough to be folded.
+FOLDERS = ["lines/joints", "lines/directions", "lines/ends", "samples/shading",
+           "surfaces/lines.json", "textures/scenes", "colors/smooth", "scenes/floor.json"]
 PATHS = [f"{SUITE}/{folder}" for folder in FOLDERS]
 SHARDS = 4
 
@@ -97,7 +96,7 @@ class Merge(CommandTest):
         def refused(said, **changes):
             self.write("other.json", {**first, "shard": {**first["shard"], "index": 2}, **changes})
             self.assertIn(said, self.complaint(parts[0], "other.json"))
-        refused("written by edgecase 9", tool="edgecase 9")
+        refused("other.json by edgecase 9", tool="edgecase 9")
         refused("by policy cs184", policy="cs184")
         refused("without latitude", latitude="none")
         refused("policies or profiles that differ", policy_digest="0" * 16)
