@@ -12,12 +12,12 @@
 #include <utility>
 
 #include "diff/coverage/legality.h"
+#include "generate/random_scenes.h"
 #include "profile/clipping/clip_measurement.h"
 #include "profile/counter_examples.h"
 #include "profile/output/output_measurement.h"
 #include "profile/probes/probe_scenes.h"
 #include "profile/probes/probe_traits.h"
-#include "profile/random/random_scenes.h"
 #include "profile/samples/sample_measurement.h"
 #include "profile/textures/texture_measurement.h"
 #include "profile/values/value_measurement.h"

@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 SRC = {"exact", "model", "rules", "raster", "casefile", "wire", "recording", "image", "diff",
-       "results", "run", "profile", "search"}
+       "results", "run", "generate", "profile", "search"}
 
 # module -> modules that it may include, besides itself.
 ALLOWED = {
@@ -27,7 +27,8 @@ ALLOWED = {
     "image": {"model", "exact"},
     "diff": {"raster", "rules", "model", "exact"},
     "results": {"model"},
-    "run": SRC - {"profile", "search"},
+    "run": SRC - {"generate", "profile", "search"},
+    "generate": {"raster", "rules", "model", "exact"},
     "profile": SRC,
     "search": SRC,
     "reference": {"model", "wire", "exact"},

@@ -12,7 +12,7 @@
 #include "rules/coverage/line_joints.h"
 #include "rules/coverage/shared_edge.h"
 #include "rules/coverage/snap.h"
-#include "tests/profile/scene_checks.h"
+#include "tests/generate/scene_checks.h"
 
 namespace edgecase {
 namespace {

@@ -14,11 +14,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generate/random_output.h"
 #include "profile/output/output_json.h"
 #include "profile/output/output_measurement.h"
 #include "profile/output/output_scenes.h"
 #include "profile/output/output_text.h"
-#include "profile/random/random_output.h"
 #include "profile/rule_tally.h"
 #include "raster/rasterizer.h"
 

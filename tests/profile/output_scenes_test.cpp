@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "generate/random_output.h"
+#include "generate/scene_parts.h"
 #include "profile/output/code_rounding.h"
 #include "profile/output/output_scenes.h"
-#include "profile/random/random_output.h"
-#include "profile/scene_parts.h"
 #include "raster/rasterizer.h"
 #include "rules/values/depth_buffer.h"
-#include "tests/profile/scene_checks.h"
+#include "tests/generate/scene_checks.h"
 
 namespace edgecase {
 namespace {

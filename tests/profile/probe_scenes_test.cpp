@@ -11,13 +11,13 @@
 #include <set>
 #include <tuple>
 
-#include "profile/probes/diamond_places.h"
-#include "profile/random/random_scenes.h"
-#include "profile/scene_parts.h"
+#include "generate/diamond_places.h"
+#include "generate/random_scenes.h"
+#include "generate/scene_parts.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/triangle_fill.h"
-#include "tests/profile/scene_checks.h"
+#include "tests/generate/scene_checks.h"
 
 namespace edgecase {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "profile/random/random_scenes.h"
+#include "generate/random_scenes.h"
+#include "generate/scene_parts.h"
 #include "profile/samples/sample_scenes.h"
 #include "profile/samples/sample_sweeps.h"
-#include "profile/scene_parts.h"
 #include "raster/rasterizer.h"
 #include "rules/samples/sample_placement.h"
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "casefile/clip_space.h"
-#include "profile/random/random_source.h"
+#include "generate/random_source.h"
+#include "generate/scene_parts.h"
 #include "profile/rule_tally.h"
-#include "profile/scene_parts.h"
 
 namespace edgecase {
 namespace {

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "generate/random_source.h"
 #include "model/scene.h"
 #include "profile/output/output_scenes.h"
-#include "profile/random/random_source.h"
 
 namespace edgecase {
 

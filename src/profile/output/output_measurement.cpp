@@ -10,12 +10,12 @@
 #include <string>
 #include <utility>
 
+#include "generate/random_output.h"
 #include "profile/output/blend_traits.h"
 #include "profile/output/code_rounding.h"
 #include "profile/output/offset_traits.h"
 #include "profile/output/output_scenes.h"
 #include "profile/output/output_traits.h"
-#include "profile/random/random_output.h"
 #include "rules/values/depth_buffer.h"
 
 namespace edgecase {

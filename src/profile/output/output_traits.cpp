@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "generate/scene_parts.h"
 #include "profile/output/cells.h"
 #include "profile/rule_tally.h"
-#include "profile/scene_parts.h"
 #include "raster/fragment_stage.h"
 #include "raster/rasterizer.h"
 #include "rules/values/depth_buffer.h"

@@ -6,9 +6,9 @@
 #include <array>
 #include <optional>
 
+#include "generate/random_source.h"
+#include "generate/scene_parts.h"
 #include "profile/probes/probe_scenes.h"
-#include "profile/random/random_source.h"
-#include "profile/scene_parts.h"
 
 namespace edgecase {
 namespace {

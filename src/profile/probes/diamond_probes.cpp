@@ -6,8 +6,9 @@
 #include <array>
 #include <cstdlib>
 
-#include "profile/probes/diamond_places.h"
-#include "profile/scene_parts.h"
+#include "generate/diamond_places.h"
+#include "generate/scene_parts.h"
+#include "profile/probes/probe_scenes.h"
 
 namespace edgecase {
 namespace {

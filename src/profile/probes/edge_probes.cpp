@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "generate/scene_parts.h"
 #include "profile/probes/probe_scenes.h"
-#include "profile/scene_parts.h"
 #include "rules/coverage/triangle_fill.h"
 
 namespace edgecase {

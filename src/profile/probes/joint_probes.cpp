@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <array>
 
-#include "profile/probes/diamond_places.h"
-#include "profile/scene_parts.h"
+#include "generate/diamond_places.h"
+#include "generate/scene_parts.h"
+#include "profile/probes/probe_scenes.h"
 #include "rules/coverage/line_joints.h"
 
 namespace edgecase {

@@ -14,65 +14,10 @@
 #include <vector>
 
 #include "exact/pixel.h"
+#include "generate/diamond_places.h"
 #include "model/scene.h"
-#include "rules/coverage/segment.h"
 
 namespace edgecase {
-
-// Where a line goes, y up, counter-clockwise from the right: the axes, the exact diagonals, and the
-// eight octants between them.
-enum class LineDirection {
-  right,
-  x_major_right_rising,
-  diagonal_right_rising,
-  y_major_right_rising,
-  up,
-  y_major_left_rising,
-  diagonal_left_rising,
-  x_major_left_rising,
-  left,
-  x_major_left_falling,
-  diagonal_left_falling,
-  y_major_left_falling,
-  down,
-  y_major_right_falling,
-  diagonal_right_falling,
-  x_major_right_falling,
-};
-constexpr int kLineDirections = 16;
-
-// "right", "x-major right, rising", "diagonal left, falling", …
-const char* name_of(LineDirection direction);
-
-// The segment must have a length.
-LineDirection direction_of(const Segment& segment);
-
-// A place of a pixel, by the diamond |dx| + |dy| < 1/2 round its centre. Edges are without their
-// ends; outside is a quarter of the pixel's square without its border. The first eight are the
-// bits of DiamondPart (rules/coverage/diamond_boundary.h), in their order.
-enum class DiamondPlace {
-  left_corner,
-  right_corner,
-  bottom_corner,
-  top_corner,
-  lower_left_edge,
-  lower_right_edge,
-  upper_left_edge,
-  upper_right_edge,
-  inside,
-  lower_left_outside,
-  lower_right_outside,
-  upper_left_outside,
-  upper_right_outside,
-};
-constexpr int kDiamondPlaces = 13;
-
-// "left corner", "lower left edge", "inside", "outside, lower left", …
-const char* name_of(DiamondPlace place);
-
-// Where in a pixel a point lies; none on the border of the pixel's square outside its four corners
-// of the diamond, or beyond it.
-std::optional<DiamondPlace> place_in_pixel(Point point, PixelPosition pixel);
 
 // A line that starts, or ends, at a place of a pixel's diamond, and lies strictly inside a diamond
 // with its other end.

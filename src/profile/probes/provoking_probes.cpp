@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 
+#include "generate/scene_parts.h"
 #include "profile/probes/probe_scenes.h"
-#include "profile/scene_parts.h"
 
 namespace edgecase {
 namespace {

@@ -5,8 +5,8 @@
 // pixel from a sample, as quads, strips and fans.
 #include <array>
 
+#include "generate/scene_parts.h"
 #include "profile/probes/probe_scenes.h"
-#include "profile/scene_parts.h"
 
 namespace edgecase {
 namespace {

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <utility>
 
+#include "generate/random_scenes.h"
 #include "profile/inference.h"
-#include "profile/random/random_scenes.h"
 #include "profile/samples/sample_places.h"
 #include "profile/samples/sample_scenes.h"
 #include "profile/samples/sample_sweeps.h"
@@ -90,11 +90,10 @@ class SampleMeasurement {
 
   // Draws planes of triangles and of lines.
   std::vector<DrawnScene> told_planes(const std::string& family, const Multisampling& use,
-                                       DepthFormat depth = DepthFormat::none) {
+                                      DepthFormat depth = DepthFormat::none) {
     std::vector<DrawnScene> all =
         drawing_.told(family, planes(PrimitiveKind::triangle, use, depth));
-    for (DrawnScene& one :
-         drawing_.told(family + " line", planes(PrimitiveKind::line, use, depth)))
+    for (DrawnScene& one : drawing_.told(family + " line", planes(PrimitiveKind::line, use, depth)))
       all.push_back(std::move(one));
     return all;
   }

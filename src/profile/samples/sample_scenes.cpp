@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "profile/random/random_source.h"
-#include "profile/scene_parts.h"
+#include "generate/random_source.h"
+#include "generate/scene_parts.h"
 
 namespace edgecase {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "profile/scene_parts.h"
+#include "generate/scene_parts.h"
 #include "rules/samples/sample_placement.h"
 
 namespace edgecase {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "profile/scene_parts.h"
+#include "generate/scene_parts.h"
 
 namespace edgecase {
 

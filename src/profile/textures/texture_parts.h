@@ -8,8 +8,8 @@
 #include <functional>
 #include <memory>
 
+#include "generate/random_source.h"
 #include "model/scene.h"
-#include "profile/random/random_source.h"
 
 namespace edgecase {
 

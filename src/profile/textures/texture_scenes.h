@@ -2,7 +2,7 @@
 //
 // Scenes by which texturing is measured.
 //
-// Each is a function of its seed and index alone, as those of profile/random/random_scenes.h are.
+// Each is a function of its seed and index alone, as those of generate/random_scenes.h are.
 // Vertices lie on whole pixels, or points on pixels' centres, so that no snapping moves them; where
 // a question is about ties, texture coordinates are short binary fractions.
 #pragma once

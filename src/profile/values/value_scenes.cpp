@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "casefile/viewport.h"
-#include "profile/random/random_shapes.h"
+#include "generate/random_shapes.h"
 
 namespace edgecase {
 namespace {
 
-// Far from the streams of profile/random/random_scenes.cpp; a mode and a purpose have one each.
+// Far from the streams of generate/random_scenes.cpp; a mode and a purpose have one each.
 constexpr std::uint64_t kModeStreams = 0x100;
 constexpr std::uint64_t kDerivativeStream = 0x200;
 constexpr std::uint64_t kDepthStream = 0x300;

@@ -2,7 +2,7 @@
 //
 // Random scenes by which values are measured: colours, depths, derivatives, depth buffers.
 //
-// Each is a function of its seed and index alone, as those of profile/random/random_scenes.h are,
+// Each is a function of its seed and index alone, as those of generate/random_scenes.h are,
 // with the same shapes and grids. Beside shapes, what an interpolation depends on is spread:
 // colours in 0 to 1 and beyond, through zero, of tiny and of huge ranges, constant; depths
 // anywhere; w all the same or in ratios up to 2^16.
@@ -17,8 +17,8 @@
 #include <span>
 #include <string>
 
+#include "generate/random_source.h"
 #include "model/scene.h"
-#include "profile/random/random_source.h"
 
 namespace edgecase {
 

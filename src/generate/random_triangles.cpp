@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "profile/random/random_shapes.h"
+#include "generate/random_shapes.h"
 
 namespace edgecase {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/profile/scene_checks.h"
+#include "tests/generate/scene_checks.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 //
 // 20,000 random scenes of each kind: the same every time, exact on their way to OpenGL, of every
 // size, and with ties enough.
-#include "profile/random/random_scenes.h"
+#include "generate/random_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 
 #include "rules/coverage/shared_edge.h"
 #include "rules/coverage/triangle_fill.h"
-#include "tests/profile/scene_checks.h"
+#include "tests/generate/scene_checks.h"
 
 namespace edgecase {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profile/scene_parts.h"
+#include "generate/scene_parts.h"
 
 namespace edgecase {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profile/random/random_shapes.h"
+#include "generate/random_shapes.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "profile/random/random_scenes.h"
+#include "generate/random_scenes.h"
 
 namespace edgecase {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "profile/random/random_output.h"
+#include "generate/random_output.h"
 
 #include <array>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "profile/random/random_scenes.h"
-#include "profile/random/random_shapes.h"
+#include "generate/random_scenes.h"
+#include "generate/random_shapes.h"
 
 namespace edgecase {
 namespace {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "profile/random/random_scenes.h"
+#include "generate/random_scenes.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/point_ownership.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "profile/random/random_scenes.h"
+#include "generate/random_scenes.h"
 
-#include "profile/random/random_shapes.h"
+#include "generate/random_shapes.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/diamond_boundary.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profile/probes/diamond_places.h"
+#include "generate/diamond_places.h"
 
 #include <array>
 #include <cstdlib>

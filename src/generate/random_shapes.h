@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "profile/random/random_scenes.h"
-#include "profile/random/random_source.h"
-#include "profile/scene_parts.h"
+#include "generate/random_scenes.h"
+#include "generate/random_source.h"
+#include "generate/scene_parts.h"
 
 namespace edgecase {
 

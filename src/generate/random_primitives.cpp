@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "profile/probes/diamond_places.h"
-#include "profile/random/random_shapes.h"
+#include "generate/diamond_places.h"
+#include "generate/random_shapes.h"
 
 namespace edgecase {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Random scenes of triangles that meet fragment operations, by which a profile is held against the
-// renderer that it is of. See profile/random/random_scenes.h; each is a function of its seed and
+// renderer that it is of. See generate/random_scenes.h; each is a function of its seed and
 // index alone, too.
 #pragma once
 
