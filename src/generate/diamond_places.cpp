@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "generate/diamond_places.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
@@ -99,6 +100,21 @@ Point random_point_at(DiamondPlace place, RandomSource& random, std::int64_t ste
   const bool on_edge = place >= DiamondPlace::lower_left_edge && place < DiamondPlace::inside;
   const std::int64_t stride = on_edge ? step : 4 * step;
   return point_at(place, stride * random.between(1, (kHalf - 1) / stride));
+}
+
+RawVector random_along(RandomSource& random, LineDirection direction, std::int64_t length,
+                       std::int64_t step) {
+  const int number = static_cast<int>(direction);
+  const std::int64_t longer = std::max(length / step, std::int64_t{2}) * step;
+  const bool on_axis = number % 4 == 0;
+  const bool diagonal = number % 4 == 2;
+  const std::int64_t between = random.between(1, longer / step - 1) * step;
+  const std::int64_t shorter = on_axis ? 0 : diagonal ? longer : between;
+  const bool x_major = number % 8 <= 2 || number % 8 >= 6;
+  const bool left = number > 4 && number < 12;
+  const bool down = number > 8;
+  const RawVector v = x_major ? RawVector{longer, shorter} : RawVector{shorter, longer};
+  return {left ? -v.x : v.x, down ? -v.y : v.y};
 }
 
 bool is_tied(const Segment& segment, PixelPosition pixel) {

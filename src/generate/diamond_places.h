@@ -9,6 +9,7 @@
 #include "exact/fixed.h"
 #include "exact/pixel.h"
 #include "generate/random_source.h"
+#include "generate/scene_parts.h"
 #include "rules/coverage/segment.h"
 
 namespace edgecase {
@@ -40,6 +41,11 @@ const char* name_of(LineDirection direction);
 
 // The segment must have a length.
 LineDirection direction_of(const Segment& segment);
+
+// A vector of a direction whose longer component is about `length`, both multiples of `step`; raw,
+// at least two steps long.
+RawVector random_along(RandomSource& random, LineDirection direction, std::int64_t length,
+                       std::int64_t step);
 
 // A place of a pixel, by the diamond |dx| + |dy| < 1/2 round its centre. Edges are without their
 // ends; outside is a quarter of the pixel's square without its border. The first eight are the

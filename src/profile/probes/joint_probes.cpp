@@ -28,22 +28,6 @@ std::int64_t random_step(RandomSource& random) {
   return kOne >> random.one_of(std::span<const int>(kBits));
 }
 
-// A vector of a direction whose longer component is `length`, both multiples of `step`.
-RawVector random_along(RandomSource& random, LineDirection direction, std::int64_t length,
-                       std::int64_t step) {
-  const int number = static_cast<int>(direction);
-  const std::int64_t longer = std::max(length / step, std::int64_t{2}) * step;
-  const bool on_axis = number % 4 == 0;
-  const bool diagonal = number % 4 == 2;
-  const std::int64_t between = random.between(1, longer / step - 1) * step;
-  const std::int64_t shorter = on_axis ? 0 : diagonal ? longer : between;
-  const bool x_major = number % 8 <= 2 || number % 8 >= 6;
-  const bool left = number > 4 && number < 12;
-  const bool down = number > 8;
-  const RawVector v = x_major ? RawVector{longer, shorter} : RawVector{shorter, longer};
-  return {left ? -v.x : v.x, down ? -v.y : v.y};
-}
-
 // From less than a pixel to five.
 std::int64_t random_length(RandomSource& random) {
   return random.one_in(4) ? random.between(kOne / 8, kOne) : random.between(kOne, 5 * kOne);

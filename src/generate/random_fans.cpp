@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "generate/diamond_places.h"
+#include "generate/random_compounds.h"
+#include "generate/random_shapes.h"
+
+namespace edgecase {
+namespace {
+
+// Generators of one seed and different purpose have nothing in common.
+constexpr std::uint64_t kStream = 0x6200;
+constexpr int kFinestSnap = 12;
+constexpr std::int64_t kOne = Fixed::kOne;
+
+// Vertices in the order of a fan or a strip, or of separate triangles.
+struct Mesh {
+  Primitive primitive = Primitive::triangle_fan;
+  std::vector<Point> vertices;
+};
+
+// A hub and what lies round it, counter-clockwise: directions of growing angle. All the way round,
+// the last vertex is the first again.
+Mesh random_fan(RandomSource& random, const Frame& frame, std::int64_t step) {
+  const bool is_closed = random.one_in(2);
+  const std::int64_t spokes = is_closed ? random.between(3, 8) : random.between(2, 6);
+  const std::int64_t most = std::max(frame.most / 2, 2 * step);
+  const Point hub =
+      random.one_in(8) ? random_point(random, random_grid(random)) : pixel_centre(0, 0);
+  Mesh mesh{Primitive::triangle_fan, {hub}};
+  const std::int64_t first = random.below(kLineDirections);
+  for (std::int64_t i = 0; i < spokes; ++i) {
+    // Sixteenths of a turn, spread evenly; part of the way, next to each other.
+    const std::int64_t turned = is_closed ? i * kLineDirections / spokes : i;
+    const auto direction = static_cast<LineDirection>((first + turned) % kLineDirections);
+    const std::int64_t length = random.one_in(3) ? random.between(kOne, 2 * kOne) : most;
+    mesh.vertices.push_back(hub + random_along(random, direction, random.between(1, length), step));
+  }
+  if (is_closed) mesh.vertices.push_back(mesh.vertices[1]);
+  return mesh;
+}
+
+// A long spoke round which a few others lie, from a pixel down to 2^-16 away.
+Mesh random_slivers(RandomSource& random, const Frame& frame, std::int64_t step) {
+  const Point hub = pixel_centre(0, 0);
+  const RawVector spoke =
+      random_vector(random, random.between(std::min(kOne, frame.most), frame.most - kOne), step);
+  const bool is_flat = std::abs(spoke.x) >= std::abs(spoke.y);
+  std::int64_t aside = -random.log_uniform(15);
+  Mesh mesh{Primitive::triangle_fan, {hub}};
+  const std::int64_t count = random.between(2, 5);
+  for (std::int64_t i = 0; i < count; ++i) {
+    mesh.vertices.push_back(hub + spoke + (is_flat ? RawVector{0, aside} : RawVector{aside, 0}));
+    aside = aside < 0 && random.one_in(2)
+                ? 0
+                : std::max<std::int64_t>(aside, 0) + random.log_uniform(14);
+  }
+  return mesh;
+}
+
+// Two rows of vertices, one half a run before the other.
+Mesh random_strip(RandomSource& random, const Frame& frame, std::int64_t step) {
+  const std::int64_t triangles = random.between(2, 8);
+  const std::int64_t runs = triangles / 2 + 1;
+  const RawVector run = random_vector(random, frame.most / (2 * runs), step);
+  const RawVector rise = random_vector(random, frame.most / 2, step);
+  const Point start = pixel_centre(0, 0);
+  Mesh mesh{Primitive::triangle_strip, {}};
+  for (std::int64_t i = 0; i < triangles + 2; ++i)
+    mesh.vertices.push_back(start + (i / 2) * run + (i % 2) * rise);
+  return mesh;
+}
+
+// One triangle, and two on the other side of its edge that share a vertex upon it.
+Mesh random_t_junction(RandomSource& random, const Frame& frame, std::int64_t step) {
+  const std::int64_t before = random.between(1, 3);
+  const std::int64_t after = random.between(1, 3);
+  const RawVector part = random_vector(random, frame.most / (before + after) / 2, step);
+  const Point junction = pixel_centre(0, 0);
+  const Point a = junction - before * part;
+  const Point b = junction + after * part;
+  const auto third = [&] { return random_neighbour(random, a, b, frame.most, step); };
+  const Point left = third();
+  Point right = third();
+  for (int i = 0; i < 8 && (turn(b - a, left - a) > 0) == (turn(b - a, right - a) > 0); ++i)
+    right = third();
+  return {Primitive::triangles, {a, b, left, a, junction, right, junction, b, right}};
+}
+
+Mesh random_mesh(RandomSource& random, const Frame& frame, std::int64_t step) {
+  switch (random.below(8)) {
+    case 0:
+      return random_slivers(random, frame, step);
+    case 1:
+    case 2:
+      return random_strip(random, frame, step);
+    case 3:
+      return random_t_junction(random, frame, step);
+    default:
+      return random_fan(random, frame, step);
+  }
+}
+
+bool spans_at_most(const std::vector<Point>& points, std::int64_t most) {
+  for (const Point& p : points)
+    for (const Point& q : points)
+      if ((p - q).x > most || (p - q).y > most) return false;
+  return true;
+}
+
+Mesh fitting_mesh(RandomSource& random, const Frame& frame) {
+  for (;;) {
+    const Theme theme = random_theme(random);
+    const std::int64_t step = std::min(step_of(random, theme), kOne / 2);
+    Mesh mesh = random_mesh(random, frame, step);
+    if (!spans_at_most(mesh.vertices, frame.most)) continue;
+    shift_inside(random, frame.target, mesh.vertices);
+    if (theme != Theme::near_tie) return mesh;
+    // Vertices that are one stay one.
+    std::vector<Point> moved = mesh.vertices;
+    nudge(random, kFinestSnap, frame.target, moved);
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (mesh.vertices[i] == mesh.vertices[j]) {
+          moved[i] = moved[j];
+          break;
+        }
+    mesh.vertices = std::move(moved);
+    return mesh;
+  }
+}
+
+// The triangles one by one, each begun at any vertex and wound either way, in any order.
+Mesh separated(RandomSource& random, const Mesh& mesh) {
+  std::vector<std::array<Point, 3>> triangles;
+  const std::vector<Point>& v = mesh.vertices;
+  if (mesh.primitive == Primitive::triangles)
+    for (std::size_t i = 0; i + 2 < v.size(); i += 3)
+      triangles.push_back({v[i], v[i + 1], v[i + 2]});
+  else
+    for (std::size_t i = 2; i < v.size(); ++i)
+      triangles.push_back(
+          {mesh.primitive == Primitive::triangle_fan ? v[0] : v[i - 2], v[i - 1], v[i]});
+  Mesh result{Primitive::triangles, {}};
+  while (!triangles.empty()) {
+    const auto next = triangles.begin() + random.below(static_cast<std::int64_t>(triangles.size()));
+    std::array<Point, 3> triangle = *next;
+    triangles.erase(next);
+    std::rotate(triangle.begin(), triangle.begin() + random.below(3), triangle.end());
+    if (random.one_in(2)) std::swap(triangle[0], triangle[1]);
+    result.vertices.insert(result.vertices.end(), triangle.begin(), triangle.end());
+  }
+  return result;
+}
+
+}  // namespace
+
+Scene random_fan_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
+  RandomSource random(seed, kStream, index);
+  Frame frame = random_frame(random, kMostCompoundTarget);
+  // Triangles on all sides of a vertex need room.
+  if (frame.target < 8) {
+    frame.target = 8;
+    frame.most = 7 * kOne - kOne / 4;
+  }
+  Mesh mesh = fitting_mesh(random, frame);
+  if (random.one_in(3)) mesh = separated(random, mesh);
+  return scene_of(surface, frame.target, mesh.primitive, mesh.vertices);
+}
+
+}  // namespace edgecase
