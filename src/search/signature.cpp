@@ -57,6 +57,30 @@ std::vector<Signature> signatures_of(const CaseResults& results, std::size_t ren
   return signatures_of(results.results.at(renderer), surface);
 }
 
+Signature signature_of(const Disagreement& disagreement, Surface surface) {
+  Signature signature;
+  signature.cause = disagreement.cause;
+  signature.surface = name_of(surface);
+  signature.legal = disagreement.legal;
+  if (!disagreement.cause.empty()) return signature;
+  signature.rule = disagreement.rule;
+  signature.kind = name_of(disagreement.kind);
+  signature.situation = disagreement.situation;
+  return signature;
+}
+
+Signature signature_of(const ValueAggregate& values, Surface surface) {
+  Signature signature;
+  signature.cause = values.cause;
+  signature.surface = name_of(surface);
+  signature.legal = true;
+  if (!values.cause.empty()) return signature;
+  signature.rule = values.rule;
+  signature.kind = name_of(DisagreementKind::value);
+  signature.attribute = values.attribute;
+  return signature;
+}
+
 std::vector<const Disagreement*> disagreements_of(const Result& result,
                                                   const Signature& signature) {
   Surface surface = Surface::fbo;

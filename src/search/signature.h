@@ -37,6 +37,10 @@ std::vector<Signature> signatures_of(const Result& result, Surface surface);
 // The same of the renderer at `renderer`.
 std::vector<Signature> signatures_of(const CaseResults& results, std::size_t renderer);
 
+// The same of one disagreement, or of one attribute's values inside what is permitted.
+Signature signature_of(const Disagreement& disagreement, Surface surface);
+Signature signature_of(const ValueAggregate& values, Surface surface);
+
 // The disagreements of a result that have a signature, in their order; none of aggregated values
 // and of failures.
 std::vector<const Disagreement*> disagreements_of(const Result& result, const Signature& signature);

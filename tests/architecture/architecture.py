@@ -39,8 +39,8 @@ ALLOWED = {
 
 # A library's headers -> modules that may include them.
 LIBRARIES = [
-    (r"nlohmann/", {"casefile", "wire", "recording", "results", "profile", "reports", "tools",
-                    "examples"}),
+    (r"nlohmann/", {"casefile", "wire", "recording", "results", "profile", "search", "reports",
+                    "tools", "examples"}),
     (r"OpenImageIO/", {"image"}),
     (r"(GL|EGL|KHR|GLES\d?|glad)/", {"reference"}),
     (r"glm/", {"casefile"}),

@@ -24,6 +24,7 @@ void add_separation_command(CLI::App& app, ExitCode& exit);
 void add_draw_command(CLI::App& app, ExitCode& exit);
 void add_profile_command(CLI::App& app, ExitCode& exit);
 void add_gallery_command(CLI::App& app, ExitCode& exit);
+void add_fuzz_command(CLI::App& app, ExitCode& exit);
 void add_minimize_command(CLI::App& app, ExitCode& exit);
 void add_record_command(CLI::App& app, ExitCode& exit);
 

@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   edgecase::add_separation_command(app, exit);
   edgecase::add_draw_command(app, exit);
   edgecase::add_gallery_command(app, exit);
+  edgecase::add_fuzz_command(app, exit);
   edgecase::add_minimize_command(app, exit);
   try {
     app.parse(argc, argv);

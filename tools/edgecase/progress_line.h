@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <string>
 
 namespace edgecase {
@@ -21,11 +22,15 @@ class ProgressLine {
 
   // May be called from any thread.
   void update(std::size_t done, std::size_t total);
+  // The same where no total is known; `more` is what stands behind number and rate.
+  void update(std::size_t done, const std::string& more);
   // Takes the line away.
   void clear();
 
  private:
   using Clock = std::chrono::steady_clock;
+  // Is the line to be written? Seconds since the start, then.
+  std::optional<double> due();
   bool enabled_;
   std::string noun_;
   bool shown_ = false;

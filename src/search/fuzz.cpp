@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include "search/fuzz.h"
+
+#include <algorithm>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "diff/compare.h"
+#include "search/ledger.h"
+#include "search/screen.h"
+#include "search/trial.h"
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kPiece = 32;      // scenes that a thread takes at once
+constexpr std::size_t kWarmUp = 4;      // rounds before anything is minimised: what is read of them
+constexpr std::size_t kLateAsks = 100;  // to minimise a find, when the time is over
+constexpr std::size_t kUnlimited = ~std::size_t{0};
+
+// Some scenes of a batch, and what came of them.
+struct Piece {
+  const Batch* batch = nullptr;
+  std::size_t first = 0;
+  std::size_t count = 0;
+  bool done = false;
+  std::vector<SourcedScene> scenes;
+  std::vector<Screening> screenings;  // by renderer
+};
+
+std::vector<Piece> pieces_of(const std::vector<Batch>& batches) {
+  std::vector<Piece> pieces;
+  for (const Batch& batch : batches)
+    for (std::size_t first = 0; first < batch.count; first += kPiece)
+      pieces.push_back({&batch, first, std::min(kPiece, batch.count - first), false, {}, {}});
+  return pieces;
+}
+
+class Search {
+ public:
+  Search(const std::vector<FuzzRenderer>& renderers, const FuzzOptions& options)
+      : renderers_(renderers),
+        options_(options),
+        source_(options.seed, options.families, options.surfaces, options.corpus),
+        start_(Clock::now()) {
+    for (const FuzzRenderer& renderer : renderers_) {
+      screens_.emplace_back(renderer.policy, renderer.profile);
+      ledgers_.emplace_back(renderer.policy.latitude, options.least);
+    }
+    workers_.resize(static_cast<std::size_t>(std::max(options.jobs, 1)));
+    for (auto& worker : workers_)
+      for (const FuzzRenderer& renderer : renderers_) worker.push_back(renderer.make());
+    report_.renderers.resize(renderers_.size());
+  }
+
+  FuzzReport run() {
+    try {
+      learn_known();
+      for (std::size_t round = 1; !is_over(); ++round) {
+        const auto batches = source_.next_round(left());
+        if (batches.empty()) break;
+        if (!ask(batches)) break;
+        if (round >= kWarmUp) minimize_candidates();
+      }
+      minimize_candidates();
+    } catch (const SearchStopped&) {
+    }
+    return finished();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool is_stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+  bool is_late() const { return options_.time && Clock::now() - start_ >= *options_.time; }
+  std::size_t left() const { return options_.count ? *options_.count - asked_ : kUnlimited; }
+  std::size_t finds() const {
+    std::size_t sum = 0;
+    for (const Ledger& ledger : ledgers_) sum += ledger.finds();
+    return sum;
+  }
+  bool is_over() const {
+    return is_stopped() || is_late() || left() == 0 ||
+           (options_.finds && finds() >= *options_.finds);
+  }
+
+  // Runs work(item, worker) for items 0 to count - 1 on all threads; false where some were left
+  // out, as `is_over` said so.
+  template <class Work, class IsOver>
+  bool in_parallel(std::size_t count, const Work& work, const IsOver& over) {
+    std::atomic<std::size_t> next{0};
+    std::atomic<bool> left_out{false};
+    std::exception_ptr error;
+    std::mutex mutex;
+    const auto take = [&](std::size_t worker) {
+      try {
+        for (;;) {
+          const std::size_t item = next++;
+          if (item >= count) return;
+          if (over()) {
+            left_out = true;
+            return;
+          }
+          work(item, worker);
+        }
+      } catch (const SearchStopped&) {
+        left_out = true;
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        error = std::current_exception();
+      }
+    };
+    std::vector<std::thread> threads;
+    for (std::size_t w = 1; w < std::min(workers_.size(), count); ++w)
+      threads.emplace_back(take, w);
+    take(0);
+    for (std::thread& thread : threads) thread.join();
+    if (error) std::rethrow_exception(error);
+    return !left_out;
+  }
+
+  // ------------------------------------------------------------------------------------- one round
+
+  // False when nothing more should be asked.
+  bool ask(const std::vector<Batch>& batches) {
+    std::vector<Piece> pieces = pieces_of(batches);
+    const bool all = in_parallel(
+        pieces.size(),
+        [&](std::size_t i, std::size_t worker) {
+          ask(pieces[i], worker);
+          tell_progress(pieces[i].scenes.size());
+        },
+        [&] { return is_stopped() || is_late(); });
+    for (const Batch& batch : batches) asked_ += batch.count;
+    for (Piece& piece : pieces)
+      if (piece.done) keep(piece);
+    for (const Batch& batch : batches)
+      if (batch.family != nullptr && is_drawn_by_none(batch, pieces)) source_.retire(*batch.family);
+    return all && !is_unavailable();
+  }
+
+  void ask(Piece& piece, std::size_t worker) const {
+    for (std::size_t i = 0; i < piece.count; ++i)
+      if (auto scene = source_.scene(*piece.batch, piece.first + i))
+        piece.scenes.push_back(std::move(*scene));
+    std::vector<Scene> scenes;
+    for (const SourcedScene& sourced : piece.scenes) scenes.push_back(sourced.scene);
+    const bool coverage_only = piece.batch->family != nullptr && piece.batch->family->coverage_only;
+    for (std::size_t r = 0; r < renderers_.size(); ++r)
+      piece.screenings.push_back(
+          screens_[r].ask(*workers_[worker][r], scenes, coverage_only, options_.stop));
+    piece.done = true;
+  }
+
+  void keep(Piece& piece) {
+    report_.scenes += piece.scenes.size();
+    const Family* family = piece.batch->family;
+    report_.by_family[family == nullptr ? kMutated : family->name] += piece.scenes.size();
+    for (std::size_t r = 0; r < renderers_.size(); ++r) {
+      Screening& screening = piece.screenings[r];
+      FuzzedRenderer& renderer = report_.renderers[r];
+      renderer.drawn += screening.drawn;
+      renderer.not_drawn += piece.scenes.size() - screening.drawn;
+      if (!renderer.failure) renderer.failure = screening.failure;
+      for (Screening::Suspect& suspect : screening.suspects)
+        ledgers_[r].add(piece.scenes[suspect.scene], std::move(suspect.result));
+    }
+  }
+
+  static bool is_drawn_by_none(const Batch& batch, const std::vector<Piece>& pieces) {
+    return std::ranges::none_of(pieces, [&](const Piece& piece) {
+      return piece.batch == &batch &&
+             (!piece.done || std::ranges::any_of(piece.screenings, [](const Screening& s) {
+               return s.drawn > 0 || !s.suspects.empty();
+             }));
+    });
+  }
+
+  // A renderer that cannot be started draws nothing ever.
+  bool is_unavailable() const {
+    return std::ranges::any_of(report_.renderers, [](const FuzzedRenderer& renderer) {
+      return renderer.drawn == 0 && renderer.failure &&
+             renderer.failure->kind == FailureKind::unavailable;
+    });
+  }
+
+  void tell_progress(std::size_t scenes) {
+    if (!options_.progress) return;
+    const std::lock_guard lock(progress_mutex_);
+    progress_.scenes += scenes;
+    options_.progress(progress_);
+  }
+
+  // ---------------------------------------------------------------------------------------- finds
+
+  Trial trial_of(std::size_t r, std::size_t worker) {
+    return {*workers_[worker][r],
+            {renderers_[r].policy, renderers_[r].profile, ledgers_[r].readings(), options_.stop}};
+  }
+
+  void learn_known() {
+    for (std::size_t r = 0; r < renderers_.size(); ++r) {
+      const auto keys = options_.known.keys.find(renderers_[r].name);
+      if (keys != options_.known.keys.end())
+        for (const FindKey& key : keys->second) ledgers_[r].know(key);
+      Trial trial = trial_of(r, 0);
+      std::vector<Answer> answers = trial.ask(options_.known.scenes);
+      for (std::size_t i = 0; i < answers.size(); ++i)
+        ledgers_[r].know(options_.known.scenes[i], std::move(answers[i].result));
+    }
+  }
+
+  void minimize_candidates() {
+    for (std::size_t r = 0; r < renderers_.size(); ++r) {
+      const std::vector<Candidate> candidates = ledgers_[r].take_candidates();
+      std::size_t at = 0;
+      while (at < candidates.size() && !is_full()) {
+        // No more at once than may be wanted.
+        const std::size_t wanted = options_.finds ? *options_.finds - finds() : kUnlimited;
+        const std::size_t count = std::min(candidates.size() - at, wanted);
+        std::vector<Find> found(count);
+        in_parallel(
+            count,
+            [&](std::size_t i, std::size_t w) { found[i] = minimized(r, candidates[at + i], w); },
+            [] { return false; });
+        for (Find& find : found) add(r, std::move(find));
+        at += count;
+      }
+    }
+  }
+
+  bool is_full() const { return options_.finds && finds() >= *options_.finds; }
+
+  Find minimized(std::size_t r, const Candidate& candidate, std::size_t worker) {
+    Find find;
+    find.renderer = renderers_[r].name;
+    find.key = candidate.key;
+    find.verdict = candidate.verdict;
+    find.scene = candidate.sourced.scene;
+    find.origin = candidate.sourced.origin;
+    Trial trial = trial_of(r, worker);
+    MinimizeOptions options = options_.minimize;
+    if (is_late()) options.max_asks = std::min(options.max_asks, kLateAsks);
+    Minimized least = edgecase::minimize(find.scene, find.key.signature, trial, options);
+    // One that was stopped at once, or did not show it again, stays as it was found.
+    const bool is_shown = least.end == MinimizeEnd::finished || least.end == MinimizeEnd::exhausted;
+    find.result = is_shown ? std::move(least.result) : candidate.result;
+    if (is_shown) find.scene = std::move(least.scene);
+    find.end = least.end;
+    find.asks = least.asks;
+    return find;
+  }
+
+  void add(std::size_t r, Find find) {
+    const std::string name = "a find of " + words_of(find.origin, options_.seed);
+    const CorpusScene scene{name, find.scene};
+    const Verdict verdict = find.verdict;
+    if (!ledgers_[r].add_find(std::move(find))) return;
+    source_.add_to_corpus(scene);
+    const std::lock_guard lock(progress_mutex_);
+    ++progress_.finds[verdict];
+  }
+
+  // What every renderer draws of every find.
+  void answer_all(std::vector<Find>& finds) {
+    std::vector<Scene> scenes;
+    for (const Find& find : finds) scenes.push_back(find.scene);
+    for (std::size_t r = 0; r < renderers_.size(); ++r) {
+      Trial trial = trial_of(r, 0);
+      const std::vector<Answer> answers = trial.ask(scenes);
+      for (std::size_t i = 0; i < finds.size(); ++i)
+        finds[i].answers.push_back({renderers_[r].name, words_of(answers[i].result)});
+    }
+  }
+
+  FuzzReport finished() {
+    for (std::size_t r = 0; r < renderers_.size(); ++r) {
+      FuzzedRenderer& renderer = report_.renderers[r];
+      renderer.info = workers_[0][r]->info();
+      for (Find& find : ledgers_[r].take_finds()) report_.finds.push_back(std::move(find));
+      renderer.known = ledgers_[r].known_met();
+    }
+    report_.stopped = is_stopped();
+    try {
+      if (!report_.stopped) answer_all(report_.finds);
+    } catch (const SearchStopped&) {
+      report_.stopped = true;
+    }
+    return std::move(report_);
+  }
+
+  const std::vector<FuzzRenderer>& renderers_;
+  const FuzzOptions& options_;
+  SceneSource source_;
+  Clock::time_point start_;
+  std::vector<Screen> screens_;                                  // by renderer
+  std::vector<Ledger> ledgers_;                                  // by renderer
+  std::vector<std::vector<std::unique_ptr<Renderer>>> workers_;  // by thread, by renderer
+  std::size_t asked_ = 0;  // scenes that were to be asked, mutations that were not found among them
+  FuzzReport report_;
+  std::mutex progress_mutex_;
+  FuzzProgress progress_;
+};
+
+}  // namespace
+
+FuzzReport fuzz(const std::vector<FuzzRenderer>& renderers, const FuzzOptions& options) {
+  return Search(renderers, options).run();
+}
+
+}  // namespace edgecase

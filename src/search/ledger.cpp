@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "search/ledger.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <tuple>
+#include <utility>
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kMostRead = 4096;  // results of a surface: then the reading stands
+
+void judge_one(Result& result, Latitude latitude, const RunReading* reading) {
+  const std::array<Result* const, 1> one{&result};
+  if (reading == nullptr)
+    judge(one, latitude);
+  else
+    judge(one, latitude, *reading);
+}
+
+// What read_run looks at.
+Result stripped(const Result& result) {
+  Result kept;
+  kept.failure = result.failure;
+  kept.evidence = result.evidence;
+  kept.illegal_line_snaps = result.illegal_line_snaps;
+  kept.refuted = result.refuted;
+  return kept;
+}
+
+bool is_smaller(const Scene& a, const Scene& b) {
+  const auto size = [](const Scene& scene) {
+    return std::tuple(primitives_of(scene).size(),
+                      std::int64_t{scene.target.width} * scene.target.height);
+  };
+  return size(a) < size(b);
+}
+
+}  // namespace
+
+void Ledger::know(Scene scene, Result result) {
+  judge_one(result, latitude_, nullptr);
+  for (Shown& shown : shown_by(scene, result, latitude_)) know(std::move(shown.key));
+  known_.push_back({{std::move(scene), {}}, std::move(result)});
+}
+
+void Ledger::add(SourcedScene sourced, Result result) {
+  Run& run = runs_[sourced.scene.target.surface];
+  if (run.results.size() < kMostRead) run.results.push_back(stripped(result));
+  pending_.push_back({std::move(sourced), std::move(result)});
+}
+
+void Ledger::read(bool all) {
+  bool changed = false;
+  for (auto& [surface, run] : runs_) {
+    if (run.read == run.results.size() || (!all && run.results.size() < 2 * run.read)) continue;
+    std::vector<Result*> results;
+    for (Result& result : run.results) results.push_back(&result);
+    readings_[surface] = read_run(results);
+    run.read = run.results.size();
+    changed = true;
+  }
+  if (!changed) return;
+  keys_of_known_.clear();
+  for (Pending& known : known_) {
+    judge_under_reading(known.sourced.scene, known.result);
+    for (Shown& shown : shown_by(known.sourced.scene, known.result, latitude_))
+      keys_of_known_.insert(std::move(shown.key));
+  }
+  merge_finds();
+}
+
+void Ledger::judge_under_reading(const Scene& scene, Result& result) const {
+  const auto reading = readings_.find(scene.target.surface);
+  judge_one(result, latitude_, reading == readings_.end() ? nullptr : &reading->second);
+}
+
+bool Ledger::is_known(const FindKey& key) {
+  if (!known_keys_.contains(key) && !keys_of_known_.contains(key)) return false;
+  known_met_.insert(key);
+  return true;
+}
+
+std::vector<Shown> Ledger::shown(const Pending& pending) const {
+  std::vector<Shown> shown = shown_by(pending.sourced.scene, pending.result, latitude_);
+  std::erase_if(shown, [&](const Shown& s) { return s.verdict < least_; });
+  return shown;
+}
+
+std::vector<Candidate> Ledger::take_candidates() {
+  read(false);
+  std::vector<Candidate> candidates;
+  std::map<FindKey, std::size_t> places;
+  for (Pending& pending : pending_) {
+    judge_under_reading(pending.sourced.scene, pending.result);
+    for (const Shown& what : shown(pending)) {
+      const bool is_new = seen_[what.key]++ == 0;
+      if (is_new && !is_known(what.key)) {
+        places[what.key] = candidates.size();
+        candidates.push_back({what.key, what.verdict, pending.sourced, pending.result});
+        continue;
+      }
+      const auto place = places.find(what.key);
+      if (place == places.end()) continue;
+      Candidate& candidate = candidates[place->second];
+      if (!is_smaller(pending.sourced.scene, candidate.sourced.scene)) continue;
+      candidate.sourced = pending.sourced;
+      candidate.result = pending.result;
+    }
+  }
+  pending_.clear();
+  return candidates;
+}
+
+bool Ledger::add_find(Find find) {
+  judge_again(find);
+  if (find.verdict < least_ || is_known(find.key)) return false;
+  const auto same = std::ranges::find(finds_, find.key, &Find::key);
+  if (same != finds_.end()) return false;
+  // What a minimised scene shows need not be looked for again.
+  ++seen_[find.key];
+  finds_.push_back(std::move(find));
+  return true;
+}
+
+// Under another reading a find may have another cause: then that is what it is about.
+void Ledger::judge_again(Find& find) const {
+  judge_under_reading(find.scene, find.result);
+  const std::vector<Shown> shown = shown_by(find.scene, find.result, latitude_);
+  const auto same = std::ranges::find_if(
+      shown, [&](const Shown& s) { return s.key.signature == find.key.signature; });
+  if (same != shown.end()) {
+    find.key = same->key;
+    find.verdict = same->verdict;
+  } else if (!shown.empty()) {
+    find.key = shown.front().key;
+    find.verdict = shown.front().verdict;
+  }
+}
+
+void Ledger::merge_finds() {
+  std::vector<Find> kept;
+  for (Find& find : finds_) {
+    judge_again(find);
+    if (is_known(find.key) || std::ranges::find(kept, find.key, &Find::key) != kept.end()) continue;
+    kept.push_back(std::move(find));
+  }
+  finds_ = std::move(kept);
+}
+
+std::vector<Find> Ledger::take_finds() {
+  read(true);
+  for (Find& find : finds_) {
+    const auto seen = seen_.find(find.key);
+    find.scenes = seen == seen_.end() ? 1 : seen->second;
+  }
+  std::ranges::stable_sort(finds_, [](const Find& a, const Find& b) {
+    return std::tuple(-static_cast<int>(a.verdict), a.key) <
+           std::tuple(-static_cast<int>(b.verdict), b.key);
+  });
+  return std::move(finds_);
+}
+
+}  // namespace edgecase

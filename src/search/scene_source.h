@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+//
+// SceneSource: which scenes a search asks next.
+//
+// Families take turns, a batch each; then comes a batch of scenes that are mutated from the corpus:
+// from scenes that were given, and from finds of the search itself, as they join it. Surfaces
+// alternate from round to round. Which scenes come depends on the seed and on what joined the
+// corpus before the round, and on nothing else.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "search/families.h"
+
+namespace edgecase {
+
+// Where a scene came from, so that it can be made again.
+struct SceneOrigin {
+  std::string family;  // "mutated": of no family
+  Surface surface = Surface::fbo;
+  std::uint64_t index = 0;
+  std::string parent;  // of a mutated scene: what it was mutated from
+};
+
+// "lines, seed 1, index 123, window"; "mutated from lines/short/between-diamonds, seed 1, index 7".
+std::string words_of(const SceneOrigin& origin, std::uint64_t seed);
+
+struct CorpusScene {
+  std::string name;  // id of a case, or words of a find
+  Scene scene;
+};
+
+inline constexpr const char* kMutated = "mutated";
+
+// Scenes of one family and surface that follow each other.
+struct Batch {
+  const Family* family = nullptr;  // null: mutated ones
+  Surface surface = Surface::fbo;  // of a family
+  std::uint64_t first = 0;         // index
+  std::size_t count = 0;
+};
+
+struct SourcedScene {
+  Scene scene;
+  SceneOrigin origin;
+};
+
+class SceneSource {
+ public:
+  static constexpr std::size_t kBatch = 256;  // scenes of a batch at most
+
+  // Surfaces: at least one. Without families all scenes are mutated.
+  SceneSource(std::uint64_t seed, std::vector<const Family*> families,
+              std::vector<Surface> surfaces, std::vector<CorpusScene> corpus);
+
+  // The next batch of each family, and one of mutated scenes where there is a corpus: `most` scenes
+  // together at most. Empty when nothing is left to ask.
+  std::vector<Batch> next_round(std::size_t most);
+
+  // The scene at `place` of a batch of the latest round; none where no mutation was found. May be
+  // called from any thread.
+  std::optional<SourcedScene> scene(const Batch& batch, std::size_t place) const;
+
+  // From the next round on.
+  void add_to_corpus(CorpusScene scene);
+  // The family comes no more: no renderer draws its scenes.
+  void retire(const Family& family);
+
+ private:
+  struct Progress {
+    const Family* family;
+    std::vector<std::uint64_t> asked;  // by surface
+  };
+
+  std::uint64_t seed_;
+  std::vector<Progress> families_;
+  std::vector<Surface> surfaces_;
+  std::vector<CorpusScene> corpus_;
+  std::uint64_t mutated_ = 0;
+  std::size_t round_ = 0;
+};
+
+}  // namespace edgecase

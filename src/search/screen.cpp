@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "search/screen.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <variant>
+
+#include "diff/compare.h"
+#include "diff/coverage/coverage_compare.h"
+#include "diff/coverage/legality.h"
+#include "raster/rasterizer.h"
+#include "search/trial.h"
+
+namespace edgecase {
+namespace {
+
+using Drawn = std::vector<std::vector<PixelPosition>>;  // by primitive
+
+Drawn drawn_of(std::size_t primitives, const Rendering& rendering) {
+  Drawn drawn(primitives);
+  for (const Fragment& fragment : rendering.fragments)
+    drawn[static_cast<std::size_t>(fragment.primitive)].push_back({fragment.x, fragment.y});
+  return drawn;
+}
+
+// What the choices cover, by primitive.
+Drawn covered_under(const RuleChoices& choices, const Target& target,
+                    std::span<const ScenePrimitive> primitives) {
+  Drawn covered;
+  for (const ScenePrimitive& primitive : primitives)
+    covered.push_back(covered_pixels(primitive, target, choices.of(primitive.kind)));
+  return covered;
+}
+
+// Scenes of one size together: some window systems pay for every change of size.
+std::vector<std::size_t> by_size(std::span<const Scene> scenes) {
+  std::vector<std::size_t> order(scenes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto size = [&](std::size_t i) {
+    const Target& target = scenes[i].target;
+    return std::tuple(target.surface, target.width, target.height, target.samples);
+  };
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return size(a) < size(b); });
+  return order;
+}
+
+}  // namespace
+
+Screen::Screen(Policy policy, std::optional<Policy> profile)
+    : policy_(std::move(policy)), profile_(std::move(profile)) {
+  for (const Surface surface : {Surface::fbo, Surface::window}) {
+    Sides sides{resolve(policy_, surface), resolve(Policy{}, surface), std::nullopt};
+    if (profile_) sides.profile = resolve(*profile_, surface);
+    sides_.emplace(surface, std::move(sides));
+  }
+}
+
+Screening Screen::ask(Renderer& renderer, std::span<const Scene> scenes, bool coverage_only,
+                      const std::atomic<bool>* stop) const {
+  const std::vector<std::size_t> order = by_size(scenes);
+  std::vector<Task> tasks;
+  for (const std::size_t i : order)
+    tasks.push_back(
+        {fmt::format("fuzz/{}", i), &scenes[i], coverage_only && scenes[i].target.samples == 1});
+  Screening screening;
+  renderer.render(tasks, [&](std::size_t k, Outcome outcome) {
+    // A failure may come from being stopped itself.
+    if (stop != nullptr && stop->load()) throw SearchStopped{};
+    if (const auto* failure = std::get_if<Failure>(&outcome)) {
+      if (!screening.failure) screening.failure = *failure;
+    } else {
+      ++screening.drawn;
+    }
+    const int bits = renderer.info().subpixel_bits;
+    auto result = screened(scenes[order[k]], std::move(outcome), tasks[k].coverage_only, bits);
+    if (result) screening.suspects.push_back({order[k], std::move(*result)});
+  });
+  std::ranges::sort(screening.suspects, {}, &Screening::Suspect::scene);
+  return screening;
+}
+
+std::optional<Result> Screen::screened(const Scene& scene, Outcome outcome, bool coverage_only,
+                                       int bits) const {
+  if (auto* failure = std::get_if<Failure>(&outcome)) {
+    if (failure->kind == FailureKind::unsupported || failure->kind == FailureKind::unavailable)
+      return std::nullopt;
+    return not_run(std::move(*failure));
+  }
+  const auto& rendering = std::get<Rendering>(outcome);
+  if (coverage_only) return coverage_of(scene, rendering, bits);
+  const Rendering exact = rasterize(scene, policy_, rendering.sample_positions);
+  const RendererFacts facts{bits, profile_ ? &*profile_ : nullptr};
+  Result result = compare(scene, policy_, exact, rendering, facts);
+  if (result.disagreements.empty() && result.values.empty()) return std::nullopt;
+  return result;
+}
+
+std::optional<Result> Screen::coverage_of(const Scene& scene, const Rendering& rendering,
+                                          int bits) const {
+  const Sides& sides = sides_.at(scene.target.surface);
+  const auto primitives = primitives_of(scene);
+  Drawn drawn = drawn_of(primitives.size(), rendering);
+  Drawn covered = covered_under(sides.policy, scene.target, primitives);
+  // What the specification's own choice draws, too, is beyond doubt.
+  if (drawn == covered && drawn == covered_under(sides.standard, scene.target, primitives))
+    return std::nullopt;
+  std::vector<PrimitiveCoverage> coverage;
+  for (std::size_t i = 0; i < primitives.size(); ++i)
+    coverage.push_back({{std::move(covered[i])}, {std::move(drawn[i])}});
+  Result result;
+  compare_coverage({scene,
+                    primitives,
+                    coverage,
+                    sides.policy,
+                    sides.profile ? &*sides.profile : nullptr,
+                    policy_.latitude,
+                    latitude_bits(bits),
+                    false,
+                    {}},
+                   result);
+  if (result.disagreements.empty()) return std::nullopt;
+  return result;
+}
+
+}  // namespace edgecase
