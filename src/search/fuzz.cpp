@@ -2,6 +2,7 @@
 #include "search/fuzz.h"
 
 #include <algorithm>
+#include <deque>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -16,7 +17,10 @@ namespace {
 
 constexpr std::size_t kPiece = 32;      // scenes that a thread takes at once
 constexpr std::size_t kWarmUp = 4;      // rounds before anything is minimised: what is read of them
-constexpr std::size_t kLateAsks = 100;  // to minimise a find, when the time is over
+constexpr std::size_t kChunk = 8;       // candidates that are minimised side by side
+constexpr std::size_t kLeastAsks = 30;  // to minimise a find, however late it is
+// Of a time that is given, the part in which scenes are asked that are not yet smaller ones.
+constexpr double kSearchShare = 0.6;
 constexpr std::size_t kUnlimited = ~std::size_t{0};
 
 // Some scenes of a batch, and what came of them.
@@ -48,6 +52,7 @@ class Search {
       screens_.emplace_back(renderer.policy, renderer.profile);
       ledgers_.emplace_back(renderer.policy.latitude, options.least);
     }
+    waiting_.resize(renderers_.size());
     workers_.resize(static_cast<std::size_t>(std::max(options.jobs, 1)));
     for (auto& worker : workers_)
       for (const FuzzRenderer& renderer : renderers_) worker.push_back(renderer.make());
@@ -61,9 +66,10 @@ class Search {
         const auto batches = source_.next_round(left());
         if (batches.empty()) break;
         if (!ask(batches)) break;
-        if (round >= kWarmUp) minimize_candidates();
+        // As long as the search goes on, it has half of all scenes asked at least.
+        if (round >= kWarmUp) minimize_candidates([&] { return minimize_asks_ < report_.scenes; });
       }
-      minimize_candidates();
+      minimize_candidates([] { return true; });
     } catch (const SearchStopped&) {
     }
     return finished();
@@ -73,7 +79,9 @@ class Search {
   using Clock = std::chrono::steady_clock;
 
   bool is_stopped() const { return options_.stop != nullptr && options_.stop->load(); }
-  bool is_late() const { return options_.time && Clock::now() - start_ >= *options_.time; }
+  double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  double time() const { return std::chrono::duration<double>(*options_.time).count(); }
+  bool is_late() const { return options_.time && elapsed() >= kSearchShare * time(); }
   std::size_t left() const { return options_.count ? *options_.count - asked_ : kUnlimited; }
   std::size_t finds() const {
     std::size_t sum = 0;
@@ -211,28 +219,49 @@ class Search {
     }
   }
 
-  void minimize_candidates() {
+  // Those that wait, in the order in which they were found, for as long as `goes_on` says so.
+  template <class GoesOn>
+  void minimize_candidates(const GoesOn& goes_on) {
     for (std::size_t r = 0; r < renderers_.size(); ++r) {
-      const std::vector<Candidate> candidates = ledgers_[r].take_candidates();
-      std::size_t at = 0;
-      while (at < candidates.size() && !is_full()) {
+      std::deque<Candidate>& waiting = waiting_[r];
+      for (Candidate& candidate : ledgers_[r].take_candidates())
+        waiting.push_back(std::move(candidate));
+      while (!waiting.empty() && !is_full() && goes_on()) {
         // No more at once than may be wanted.
         const std::size_t wanted = options_.finds ? *options_.finds - finds() : kUnlimited;
-        const std::size_t count = std::min(candidates.size() - at, wanted);
+        const std::size_t count = std::min({waiting.size(), wanted, kChunk});
+        const MinimizeOptions options = affordable();
         std::vector<Find> found(count);
         in_parallel(
             count,
-            [&](std::size_t i, std::size_t w) { found[i] = minimized(r, candidates[at + i], w); },
+            [&](std::size_t i, std::size_t w) { found[i] = minimized(r, waiting[i], w, options); },
             [] { return false; });
-        for (Find& find : found) add(r, std::move(find));
-        at += count;
+        waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count));
+        for (Find& find : found) {
+          minimize_asks_ += find.asks;
+          add(r, std::move(find));
+        }
       }
     }
   }
 
+  // Where the time is given: as many asks for each that waits as there is time for, if all go as
+  // fast as those before.
+  MinimizeOptions affordable() const {
+    MinimizeOptions options = options_.minimize;
+    if (!options_.time) return options;
+    std::size_t waiting = 0;
+    for (const auto& of_renderer : waiting_) waiting += of_renderer.size();
+    const double rate = static_cast<double>(report_.scenes + minimize_asks_) / elapsed();
+    const double asks = rate * std::max(time() - elapsed(), 0.0) / static_cast<double>(waiting);
+    options.max_asks = std::clamp(static_cast<std::size_t>(asks), kLeastAsks, options.max_asks);
+    return options;
+  }
+
   bool is_full() const { return options_.finds && finds() >= *options_.finds; }
 
-  Find minimized(std::size_t r, const Candidate& candidate, std::size_t worker) {
+  Find minimized(std::size_t r, const Candidate& candidate, std::size_t worker,
+                 const MinimizeOptions& options) {
     Find find;
     find.renderer = renderers_[r].name;
     find.key = candidate.key;
@@ -240,8 +269,6 @@ class Search {
     find.scene = candidate.sourced.scene;
     find.origin = candidate.sourced.origin;
     Trial trial = trial_of(r, worker);
-    MinimizeOptions options = options_.minimize;
-    if (is_late()) options.max_asks = std::min(options.max_asks, kLateAsks);
     Minimized least = edgecase::minimize(find.scene, find.key.signature, trial, options);
     // One that was stopped at once, or did not show it again, stays as it was found.
     const bool is_shown = least.end == MinimizeEnd::finished || least.end == MinimizeEnd::exhausted;
@@ -296,8 +323,10 @@ class Search {
   Clock::time_point start_;
   std::vector<Screen> screens_;                                  // by renderer
   std::vector<Ledger> ledgers_;                                  // by renderer
+  std::vector<std::deque<Candidate>> waiting_;                   // by renderer
   std::vector<std::vector<std::unique_ptr<Renderer>>> workers_;  // by thread, by renderer
   std::size_t asked_ = 0;  // scenes that were to be asked, mutations that were not found among them
+  std::size_t minimize_asks_ = 0;  // scenes asked to make others small
   FuzzReport report_;
   std::mutex progress_mutex_;
   FuzzProgress progress_;
