@@ -89,4 +89,14 @@ inline Interval widened(Interval value, double relative) {
   return outward(value.low - margin, value.high + margin);
 }
 
+// The nearest float32 value.
+inline double to_float(double value) {
+  return static_cast<double>(static_cast<float>(value));
+}
+
+// Correct rounding is monotonic, so the roundings of the interval's ends enclose that of the value.
+inline Interval rounded_to_float(Interval value) {
+  return {to_float(value.low), to_float(value.high)};
+}
+
 }  // namespace edgecase

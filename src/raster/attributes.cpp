@@ -2,8 +2,10 @@
 #include "raster/attributes.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "raster/texture_stage.h"
 #include "raster/vertex_attributes.h"
@@ -110,7 +112,12 @@ Interval color_inexact(const PrimitiveAttributes& attributes, std::size_t compon
 double middle(Interval value) {
   const bool about_zero =
       value.contains(0) && std::isfinite(value.low) && std::isfinite(value.high);
-  return about_zero ? 0 : value.low / 2 + value.high / 2;
+  if (about_zero) return 0;
+  // Of two neighbours the odd one: halfway between two float32 numbers lies an even one, and what
+  // lies beside it is rounded to the nearer of them, to which the number itself is.
+  if (next_above(value.low) == value.high)
+    return (std::bit_cast<std::uint64_t>(value.low) & 1) != 0 ? value.low : value.high;
+  return value.low / 2 + value.high / 2;
 }
 
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,

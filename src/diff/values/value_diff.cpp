@@ -165,14 +165,6 @@ double error_in_ulp(double exact, double rendered) {
   return std::fabs(rendered - exact) / float_ulp(std::max(std::fabs(exact), std::fabs(rendered)));
 }
 
-double to_float(double value) {
-  return static_cast<double>(static_cast<float>(value));
-}
-
-Interval rounded_to_float(Interval value) {
-  return {to_float(value.low), to_float(value.high)};
-}
-
 double range_of(const Interpolant& interpolant) {
   const auto count = vertices_of(interpolant.kind);
   const auto [least, largest] =

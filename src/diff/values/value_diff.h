@@ -132,10 +132,6 @@ double float_ulp(double value);
 // where the exact value has hardly any place of its own, at most 2^24; that, too, where one of them
 // is infinite.
 double error_in_ulp(double exact, double rendered);
-// The nearest float32 value.
-double to_float(double value);
-// Correct rounding is monotonic, so the roundings of the interval's ends enclose that of the value.
-Interval rounded_to_float(Interval value);
 // Largest less least of the values at the vertices; 0 where float32 could hardly tell them apart.
 double range_of(const Interpolant& interpolant);
 

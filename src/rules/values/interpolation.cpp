@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "rules/coverage/homogeneous_line.h"
+#include "rules/values/rational_interpolation.h"
 
 namespace edgecase {
 namespace {
@@ -133,6 +134,14 @@ Mean mean_of(const Interpolant& f, const HomogeneousPoint& p) {
   return mean;
 }
 
+// Asked again without rounding where what is known leaves open which float32 number is nearest.
+Interval settled(Interval value, const Interpolant& f, Point sample) {
+  const Interval nearest = rounded_to_float(value);
+  if (nearest.low == nearest.high) return value;
+  const auto number = interpolate_rational(f, sample);
+  return number ? interval_of(*number) : value;
+}
+
 // The point of the sample, and the one a pixel further, over the same denominator.
 HomogeneousPoint next_pixel(HomogeneousPoint p, Axis axis) {
   (axis == Axis::x ? p.x : p.y) += p.w;
@@ -152,7 +161,7 @@ bool is_x_major(const Interpolant& line) {
 Interval interpolate_exact(const Interpolant& f, Point sample) {
   if (f.kind == PrimitiveKind::point || is_constant(f)) return f.values[0];
   if (!has_extent(f)) return Interval::everything();
-  return mean_of(f, homogeneous(sample)).value();
+  return settled(mean_of(f, homogeneous(sample)).value(), f, sample);
 }
 
 Interpolant over_w(Interpolant f) {

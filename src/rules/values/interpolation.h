@@ -57,8 +57,9 @@ Interpolant inverse_w(Interpolant interpolant);
 bool is_x_major(const Interpolant& line);
 
 // A narrow interval (about 2^-48 of the largest value, before division by a tiny area) that holds
-// the exact value at the sample, which may lie outside the primitive. Everything when the primitive
-// has no extent.
+// the exact value at the sample, which may lie outside the primitive. Where that would leave open
+// which float32 number is nearest, and values and w are single numbers, it is the exact value, or
+// the two neighbouring doubles round it. Everything when the primitive has no extent.
 Interval interpolate_exact(const Interpolant& interpolant, Point sample);
 
 Interval interpolate_inexact(const Interpolant& interpolant, Point sample);
