@@ -47,11 +47,14 @@ void add_policy(const Policy& policy, Digest& digest) {
     add_choices(choices, digest.add(name_of(surface)));
 }
 
-// All that is not the cases' and decides on results.
+// All that is not the cases' and decides on results. Profiles count under their own names: what a
+// recording has is what its renderer has.
 std::string digest_of(const Policy& policy, const std::map<std::string, Policy>& profiles) {
+  std::map<std::string, const Policy*> by_name;
+  for (const auto& [renderer, profile] : profiles) by_name.emplace(profile.name, &profile);
   Digest digest;
   add_policy(policy, digest);
-  for (const auto& [renderer, profile] : profiles) add_policy(profile, digest.add(renderer));
+  for (const auto& [name, profile] : by_name) add_policy(*profile, digest);
   return digest.text();
 }
 

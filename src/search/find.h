@@ -54,8 +54,9 @@ struct Find {
   Result result;       // of that scene, judged as the run reads it
   SceneOrigin origin;  // of the scene that it was minimised from
   MinimizeEnd end = MinimizeEnd::finished;
-  std::size_t asks = 0;             // scenes asked to minimise it
-  std::size_t scenes = 1;           // of the search that showed it
+  int least_bits = 0;      // fraction bits that a scene like it needs to show it; 0: not known
+  std::size_t asks = 0;    // scenes asked to minimise it
+  std::size_t scenes = 1;  // of the search that showed it
   std::vector<FindAnswer> answers;  // of all renderers
 };
 

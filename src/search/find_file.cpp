@@ -8,6 +8,7 @@
 
 #include "casefile/case_writer.h"
 #include "rules/all_rules.h"
+#include "search/grid_search.h"
 
 namespace edgecase {
 namespace {
@@ -35,6 +36,15 @@ std::string sentence_of_end(const Find& find) {
   return "";
 }
 
+// Why its coordinates are as fine as they are, where that is known.
+std::string sentence_of_bits(const Find& find) {
+  if (find.least_bits <= kReadableBits) return "";
+  return fmt::format(
+      " With fewer than {} fraction bits its vertices lie on both grids, that of the policy and "
+      "that of the cause, and neither moves them.",
+      find.least_bits);
+}
+
 std::string explanation_of(const Find& find) {
   if (find.result.failure)
     return fmt::format("The renderer fails: {}.", find.result.failure->reason);
@@ -58,8 +68,8 @@ std::string why_of(const Find& find, std::uint64_t seed) {
   std::string why = explanation_of(find) + " " + judgement_of(find);
   for (const FindAnswer& answer : find.answers)
     why += fmt::format("{}: {}. ", answer.renderer, answer.words);
-  return why + fmt::format("Found by edgecase fuzz: {}. {}", words_of(find.origin, seed),
-                           sentence_of_end(find));
+  return why + fmt::format("Found by edgecase fuzz: {}. {}{}", words_of(find.origin, seed),
+                           sentence_of_end(find), sentence_of_bits(find));
 }
 
 }  // namespace

@@ -275,6 +275,7 @@ class Search {
     find.result = is_shown ? std::move(least.result) : candidate.result;
     if (is_shown) find.scene = std::move(least.scene);
     find.end = least.end;
+    find.least_bits = least.least_bits;
     find.asks = least.asks;
     return find;
   }

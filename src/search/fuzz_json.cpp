@@ -55,6 +55,7 @@ Json find_json(const Find& find, std::uint64_t seed, const std::string& path) {
                {"primitives", size.primitives},
                {"target", {find.scene.target.width, find.scene.target.height}},
                {"bits", size.fraction_bits},
+               {"least_bits", find.least_bits},
                {"scenes", find.scenes},
                {"asks", find.asks},
                {"minimized", name_of(find.end)},

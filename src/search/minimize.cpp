@@ -33,8 +33,9 @@ bool take_steps(Shrinking& shrinking) {
   return any;
 }
 
+// As coarse as people like it, or as can be.
 bool is_readable(const Shrinking& shrinking) {
-  return fraction_bits_of(shrinking.scene()) <= kReadableBits;
+  return fraction_bits_of(shrinking.scene()) <= std::max(kReadableBits, shrinking.least_bits());
 }
 
 void shrink(Shrinking& shrinking) {
@@ -72,6 +73,7 @@ Minimized minimize(const Scene& scene, const Signature& signature, Trial& trial,
         minimized.end = MinimizeEnd::stopped;
       }
       minimized.scene = shrinking.scene();
+      minimized.least_bits = shrinking.least_bits();
       minimized.result = shrinking.result();
     }
   } catch (const SearchStopped&) {

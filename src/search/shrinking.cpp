@@ -8,6 +8,7 @@
 #include "casefile/case_writer.h"
 #include "casefile/clip_space.h"
 #include "casefile/viewport.h"
+#include "search/snap_limit.h"
 #include "wire/request_line.h"
 
 namespace edgecase {
@@ -82,6 +83,10 @@ Shrinking::Shrinking(Scene scene, Result result, Signature signature, Trial& tri
       size_(size_of(scene_)),
       is_writable_(!written(scene_).empty()) {}
 
+int Shrinking::least_bits() const {
+  return least_fraction_bits(signature_, trial_.options().policy, scene_);
+}
+
 std::vector<const Disagreement*> Shrinking::finds() const {
   return disagreements_of(result_, signature_);
 }
@@ -95,6 +100,9 @@ bool Shrinking::prepare(Scene& candidate) {
     see_through(*chosen, candidate);
   }
   if (!(size_of(candidate) < size_)) return false;
+  if (fraction_bits_of(candidate) <
+      least_fraction_bits(signature_, trial_.options().policy, candidate))
+    return false;
   if (!proposed_.insert(scene_json(candidate)).second) return false;
   return is_writable_ ? !written(candidate).empty() : is_exact(candidate);
 }

@@ -4,7 +4,8 @@
 // one way to replace it.
 //
 // Steps (search/primitive_steps.h, target_steps.h, coordinate_steps.h, grid_search.h) only propose.
-// What is not simpler, cannot be written as a case file, or was proposed before, is never asked.
+// What is not simpler, cannot be written as a case file, is too coarse to show the find
+// (search/snap_limit.h), or was proposed before, is never asked.
 #pragma once
 
 #include <cstddef>
@@ -31,6 +32,8 @@ class Shrinking {
 
   const Scene& scene() const { return scene_; }
   const Result& result() const { return result_; }
+  // Fraction bits that a scene like this one needs to show the find.
+  int least_bits() const;
   // What of the scene's result has the signature; empty of failures and aggregated values.
   std::vector<const Disagreement*> finds() const;
 

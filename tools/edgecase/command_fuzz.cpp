@@ -209,9 +209,10 @@ void print_summary(const FuzzReport& report, const FuzzWords& words, double seco
     const SceneSize size = size_of(find.scene);
     const std::string file = i < words.files.size() ? words.files[i] : "";
     fmt::print(
-        "{:<10}  {}: {}\n            {}, {}x{}, {}, shown by {}{}{}\n", name_of(find.verdict),
+        "{:<10}  {}: {}\n            {}, {}x{}, {}{}, shown by {}{}{}\n", name_of(find.verdict),
         find.renderer, title_of(find), plural(size.primitives, "primitive"),
         find.scene.target.width, find.scene.target.height, plural(size.fraction_bits, "bit"),
+        size.fraction_bits == find.least_bits ? ", as few as can show it" : "",
         plural(static_cast<std::int64_t>(find.scenes), "scene"), file.empty() ? "" : ", ", file);
   }
   for (std::size_t r = 0; r < report.renderers.size(); ++r) {
