@@ -14,13 +14,12 @@
 #include "casefile/text.h"
 #include "casefile/texture_writer.h"
 #include "casefile/viewport.h"
+#include "casefile/word_pieces.h"
 #include "exact/numeral.h"
 #include "model/scene_words.h"
 
 namespace edgecase {
 namespace {
-
-using Pieces = std::vector<JsonPiece>;
 
 // A decimal where it is short; a fraction says what 10.01171875 hides.
 JsonPiece coordinate(Fixed value) {
@@ -33,12 +32,6 @@ JsonPiece rectangle(const Viewport& value) {
   return json_object({named("x", integer_piece(value.x)), named("y", integer_piece(value.y)),
                       named("width", integer_piece(value.width)),
                       named("height", integer_piece(value.height))});
-}
-
-JsonPiece strings(const std::vector<std::string>& words) {
-  Pieces items;
-  for (const std::string& word : words) items.push_back(json_string(word));
-  return json_array(std::move(items));
 }
 
 bool chosen_by_loader(const Scene& scene) {
@@ -200,19 +193,8 @@ JsonPiece textures_piece(const Scene& scene) {
   return json_array(std::move(items));
 }
 
-void add_word(const char* name, const std::string& word, Pieces& members) {
-  if (!word.empty()) members.push_back(named(name, json_string(word)));
-}
-
 JsonPiece case_piece(const Scene& scene, const CaseWords& words) {
-  Pieces members;
-  add_word("$schema", words.schema, members);
-  members.push_back(named("title", json_string(words.title)));
-  add_word("why", words.why, members);
-  members.push_back(named("rules", strings(words.rules)));
-  add_word("spec", words.spec, members);
-  add_word("origin", words.origin, members);
-  if (!words.tags.empty()) members.push_back(named("tags", strings(words.tags)));
+  Pieces members = word_pieces(words);
   members.push_back(named("target", target_piece(scene)));
   if (scene.details.coordinates || scene.details.derivatives)
     members.push_back(named("details", details_piece(scene.details)));

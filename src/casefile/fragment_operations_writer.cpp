@@ -10,8 +10,6 @@
 namespace edgecase {
 namespace {
 
-using Pieces = std::vector<JsonPiece>;
-
 template <class Enum>
 void add_name(const char* key, Enum value, Enum standard, Pieces& members) {
   if (value != standard) members.push_back(named(key, json_string(name_of(value))));

@@ -22,6 +22,7 @@ struct JsonPiece {
   bool broken = false;       // one child a line even where all of it fits on one
   std::size_t together = 1;  // children that share a line of a broken array
 };
+using Pieces = std::vector<JsonPiece>;
 
 JsonPiece json_scalar(std::string text);
 // Escaped and in quotes; `text` must be well-formed UTF-8.

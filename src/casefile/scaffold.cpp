@@ -10,12 +10,11 @@
 #include "casefile/json_document.h"
 #include "casefile/json_format.h"
 #include "casefile/json_layout.h"
+#include "casefile/word_pieces.h"
 #include "exact/numeral.h"
 
 namespace edgecase {
 namespace {
-
-using Pieces = std::vector<JsonPiece>;
 
 constexpr int kLeastTarget = 8;
 constexpr int kMostTarget = 4096;
@@ -46,16 +45,6 @@ JsonPiece numeral_piece(const std::string& numeral) {
       (numeral.front() == '-' || (numeral.front() >= '0' && numeral.front() <= '9')) &&
       nlohmann::json::accept(numeral);
   return is_number ? json_scalar(numeral) : json_string(numeral);
-}
-
-JsonPiece strings(const std::vector<std::string>& words) {
-  Pieces items;
-  for (const std::string& word : words) items.push_back(json_string(word));
-  return json_array(std::move(items));
-}
-
-void add_word(const char* name, const std::string& word, Pieces& members) {
-  if (!word.empty()) members.push_back(named(name, json_string(word)));
 }
 
 JsonPiece target_piece(const Scaffold& scaffold) {
@@ -146,21 +135,15 @@ int least_target(const std::vector<ScaffoldDraw>& draws) {
       for (std::size_t axis = 0; axis < 2; ++axis) {
         const auto parsed = parse_numeral(numerals[axis]);
         const Fixed* value = std::get_if<Fixed>(&parsed);
-        while (value != nullptr && size<kMostTarget&& * value> Fixed::from_integer(size)) size *= 2;
+        if (value == nullptr) continue;
+        while (size < kMostTarget && Fixed::from_integer(size) < *value) size *= 2;
       }
   return size;
 }
 
 std::string scaffold_text(const Scaffold& scaffold) {
   const CaseWords& words = scaffold.words;
-  Pieces members;
-  add_word("$schema", words.schema, members);
-  members.push_back(named("title", json_string(words.title)));
-  add_word("why", words.why, members);
-  members.push_back(named("rules", strings(words.rules)));
-  add_word("spec", words.spec, members);
-  add_word("origin", words.origin, members);
-  if (!words.tags.empty()) members.push_back(named("tags", strings(words.tags)));
+  Pieces members = word_pieces(words);
   members.push_back(named("target", target_piece(scaffold)));
   Pieces draws;
   for (const ScaffoldDraw& draw : scaffold.draws) draws.push_back(draw_piece(draw));

@@ -16,8 +16,6 @@
 namespace edgecase {
 namespace {
 
-using Pieces = std::vector<JsonPiece>;
-
 constexpr std::size_t kFewTexels = 16;  // written one by one, whatever they show
 
 ImageSize size_of(const TextureLevel& level) {

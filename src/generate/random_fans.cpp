@@ -160,12 +160,8 @@ Mesh separated(RandomSource& random, const Mesh& mesh) {
 
 Scene random_fan_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
   RandomSource random(seed, kStream, index);
-  Frame frame = random_frame(random, kMostCompoundTarget);
   // Triangles on all sides of a vertex need room.
-  if (frame.target < 8) {
-    frame.target = 8;
-    frame.most = 7 * kOne - kOne / 4;
-  }
+  const Frame frame = with_room(random_frame(random, kMostCompoundTarget));
   Mesh mesh = fitting_mesh(random, frame);
   if (random.one_in(3)) mesh = separated(random, mesh);
   return scene_of(surface, frame.target, mesh.primitive, mesh.vertices);

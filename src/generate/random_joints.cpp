@@ -118,12 +118,8 @@ Scene drawn(RandomSource& random, Surface surface, int target, const Chain& chai
 
 Scene random_joint_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
   RandomSource random(seed, kStream, index);
-  Frame frame = random_frame(random, kMostCompoundTarget);
   // Two segments of two steps each need room.
-  if (frame.target < 8) {
-    frame.target = 8;
-    frame.most = 7 * kOne - kOne / 4;
-  }
+  const Frame frame = with_room(random_frame(random, kMostCompoundTarget));
   Scene scene = drawn(random, surface, frame.target, fitting_chain(random, frame));
   if (random.one_in(8))
     scene.draws[0].line_width = Fixed::from_raw(random.between(5, 24) * kOne / 4);

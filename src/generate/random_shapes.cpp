@@ -71,6 +71,14 @@ Frame random_frame(RandomSource& random, int largest) {
   return frame;
 }
 
+Frame with_room(Frame frame) {
+  constexpr int kRoom = 8;
+  if (frame.target >= kRoom) return frame;
+  frame.target = kRoom;
+  frame.most = (kRoom - 1) * kOne - kOne / 4;
+  return frame;
+}
+
 Grid random_grid(RandomSource& random) {
   switch (random.below(10)) {
     case 0:

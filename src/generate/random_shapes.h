@@ -24,6 +24,9 @@ struct Frame {
 // `largest`: of the target, pixels, a power of two.
 Frame random_frame(RandomSource& random, int largest = kMostRandomExtent);
 
+// The same on a target of at least 8 pixels: shapes of several primitives need room.
+Frame with_room(Frame frame);
+
 // Coordinates of a scene: offset + any multiple of step; raw.
 struct Grid {
   std::int64_t step = Fixed::kOne;

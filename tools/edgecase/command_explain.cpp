@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <sstream>
 
@@ -31,21 +30,6 @@ struct ExplainCommand {
   SuiteRunOptions run;
 };
 
-struct Pixel {
-  int x = 0;
-  int y = 0;
-};
-
-// "X,Y" inside the target, or none.
-std::optional<Pixel> parse_pixel(const std::string& text, const Target& target) {
-  Pixel pixel;
-  char rest = '\0';
-  if (std::sscanf(text.c_str(), "%d,%d%c", &pixel.x, &pixel.y, &rest) == 2 && pixel.x >= 0 &&
-      pixel.y >= 0 && pixel.x < target.width && pixel.y < target.height)
-    return pixel;
-  return std::nullopt;
-}
-
 // Whether one case at least has the pixel; prints an error otherwise. Images of a case may have
 // their width and height exchanged, so that not all of a file's cases need have it.
 bool check_pixel(const std::string& text, const Suite& suite) {
@@ -54,10 +38,7 @@ bool check_pixel(const std::string& text, const Suite& suite) {
   };
   if (text.empty() || std::ranges::any_of(suite.cases, has_pixel)) return true;
   const Target& target = suite.cases.front().scene.target;
-  print_error(
-      fmt::format("--pixel \"{}\" is no pixel of this target; write X,Y with X from 0 to {} "
-                  "and Y from 0 (bottom) to {}",
-                  text, target.width - 1, target.height - 1));
+  print_no_pixel(text, target);
   return false;
 }
 

@@ -94,24 +94,6 @@ std::optional<Case> find_case(const CaseName& name, ExitCode& exit) {
   return std::nullopt;
 }
 
-struct Pixel {
-  int x = 0;
-  int y = 0;
-};
-
-std::optional<Pixel> parse_pixel(const std::string& text, const Target& target) {
-  Pixel pixel;
-  char rest = '\0';
-  if (std::sscanf(text.c_str(), "%d,%d%c", &pixel.x, &pixel.y, &rest) == 2 && pixel.x >= 0 &&
-      pixel.y >= 0 && pixel.x < target.width && pixel.y < target.height)
-    return pixel;
-  print_error(
-      fmt::format("--pixel \"{}\" is no pixel of this target; write X,Y with X from 0 to "
-                  "{} and Y from 0 (bottom) to {}",
-                  text, target.width - 1, target.height - 1));
-  return std::nullopt;
-}
-
 bool is_about(const Result& result, const Signature& signature, const std::string& rule,
               std::optional<Pixel> pixel) {
   if (rule.empty() && !pixel) return true;
@@ -301,7 +283,10 @@ ExitCode minimize_case(const MinimizeCommand& command, const Case& original,
   std::optional<Pixel> pixel;
   if (!command.pixel.empty()) {
     pixel = parse_pixel(command.pixel, original.scene.target);
-    if (!pixel) return ExitCode::usage;
+    if (!pixel) {
+      print_no_pixel(command.pixel, original.scene.target);
+      return ExitCode::usage;
+    }
   }
   auto made = make_renderer(
       command.renderer,

@@ -246,4 +246,20 @@ bool use_color(const std::string& choice, int descriptor) {
   return isatty(descriptor) != 0;
 }
 
+std::optional<Pixel> parse_pixel(const std::string& text, const Target& target) {
+  Pixel pixel;
+  char rest = '\0';
+  if (std::sscanf(text.c_str(), "%d,%d%c", &pixel.x, &pixel.y, &rest) == 2 && pixel.x >= 0 &&
+      pixel.y >= 0 && pixel.x < target.width && pixel.y < target.height)
+    return pixel;
+  return std::nullopt;
+}
+
+void print_no_pixel(const std::string& text, const Target& target) {
+  print_error(
+      fmt::format("--pixel \"{}\" is no pixel of this target; write X,Y with X from 0 to {} "
+                  "and Y from 0 (bottom) to {}",
+                  text, target.width - 1, target.height - 1));
+}
+
 }  // namespace edgecase

@@ -76,6 +76,18 @@ void print_error(const std::string& message);
 // Says that the selection has no case.
 void print_nothing_selected();
 
+// A pixel of a target, x to the right and y up.
+struct Pixel {
+  int x = 0;
+  int y = 0;
+};
+
+// "X,Y" inside the target, or none.
+std::optional<Pixel> parse_pixel(const std::string& text, const Target& target);
+
+// Says that --pixel is none of this target.
+void print_no_pixel(const std::string& text, const Target& target);
+
 // Reads a whole file; prints an error and returns nothing when it cannot be read.
 std::optional<std::string> read_file(const std::filesystem::path& path);
 
