@@ -51,10 +51,11 @@ function valuesSection(answer, pick) {
 function evidenceSection(answer) {
   if (!answer.evidence.length && !answer.illegal_line_snaps.length) return null;
   const rows = answer.evidence.map((e) => h("tr", {},
-    h("th", {scope: "row"}, "primitive " + e.primitive +
+    h("th", {scope: "row"}, (e.primitive < 0 ? "the whole answer" : "primitive " + e.primitive) +
       (e.pass === undefined ? "" : ", pass " + (e.pass + 1))),
     h("td", {}, e.causes.length ? e.causes.map((c) => h("div", {}, causeChips(c)))
-      : h("i.faint", {}, "no catalogued alternative reproduces it")),
+      : h("i.faint", {}, e.primitive < 0 ? "legal as it stands; its rows in the opposite order, nothing disagrees"
+        : "no catalogued alternative reproduces it")),
     h("td.mono", {}, e.illegal_line_snaps.join(", ")), h("td", {}, e.broken_clause)));
   return h("section.card", {}, h("h2", {}, "Evidence"),
     h("p.faint", {}, "Alternatives that reproduce what the renderer drew, smallest sets first."),

@@ -12,6 +12,7 @@
 #include "diff/coverage/legality.h"
 #include "diff/drawing_compare.h"
 #include "diff/samples/pass_compare.h"
+#include "diff/upside_down.h"
 #include "raster/facing.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
@@ -33,14 +34,38 @@ std::size_t same_pixels(const std::vector<std::uint8_t>& a, const std::vector<st
   return count;
 }
 
+Result compare_whole(const Drawing& drawing, std::string refuted) {
+  return drawing.scene.supersampling.empty() ? compare_drawing(drawing, std::move(refuted))
+                                             : compare_passes(drawing, std::move(refuted));
+}
+
+// Notes in the result whether the answer is upside down, or is evidence that those of its renderer
+// are not.
+void read_upside_down(const Drawing& drawing, Result& result) {
+  const auto holds_upside_down = [&] {
+    if (!is_covered_upside_down(drawing.exact, drawing.rendered)) return false;
+    if (result.disagreements.empty()) return true;
+    const Rendering turned = turned_over(drawing.rendered);
+    // What is refuted already is not tried again.
+    std::string all_refuted(alternative_names().size(), '1');
+    return compare_whole({drawing.scene, drawing.policy, drawing.exact, turned, drawing.facts},
+                         std::move(all_refuted))
+        .disagreements.empty();
+  };
+  if (!holds_upside_down())
+    result.refuted.back() = '1';
+  else if (!result.disagreements.empty())
+    note_upside_down(result);
+}
+
 }  // namespace
 
 Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
                const Rendering& rendered, const RendererFacts& facts) {
   const Drawing drawing{scene, policy, exact, rendered, facts};
   std::string none_refuted(alternative_names().size(), '0');
-  Result result = scene.supersampling.empty() ? compare_drawing(drawing, std::move(none_refuted))
-                                              : compare_passes(drawing, std::move(none_refuted));
+  Result result = compare_whole(drawing, std::move(none_refuted));
+  read_upside_down(drawing, result);
   std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
   result.pixel_counts.same = same_pixels(exact.pixels, rendered.pixels);

@@ -18,7 +18,9 @@
 #include "diff/coverage/cause.h"
 #include "diff/coverage/legality.h"
 #include "diff/pixel_verdicts.h"
+#include "diff/upside_down.h"
 #include "rules/coverage/snap.h"
+#include "rules/coverage/window_origin.h"
 
 namespace edgecase {
 namespace {
@@ -185,6 +187,7 @@ RunReading read_run(std::span<Result* const> results) {
 void judge(std::span<Result* const> results, Latitude latitude, const RunReading& reading) {
   const Counts& counts = reading.alternatives;
   for (Result* result : results) {
+    tell_upright(*result);
     if (!result->failure)
       for (const Result::Evidence& evidence : result->evidence) {
         const bool legal = is_legal(*result, evidence, reading.line_snap);
@@ -192,6 +195,8 @@ void judge(std::span<Result* const> results, Latitude latitude, const RunReading
                         *result);
       }
     name_switch(counts, *result);
+    if (is_noted_upside_down(*result) && count_of(counts, kWindowOrigin) > 0)
+      tell_upside_down(*result);
     result->verdict = verdict_of(*result, latitude);
     count_pixels(*result, latitude);
     result->fingerprint = fingerprint_of(*result);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,16 @@ struct Disagreement {
   std::string situation;  // where it lies on the primitive, in words (diff/coverage/situation.h)
   int ruling = 0;         // number of the ruling by which `legal` was decided
   bool policy_agrees = false;  // the policy draws it too: held against the specification alone
-  std::vector<double> exact;   // hits (missing, extra, duplicate) or components (value)
+  // Set where the whole answer is told to be upside down (rule window.origin): what is told of this
+  // sample without that.
+  struct Told {
+    std::string rule;
+    int ruling = 0;
+    bool legal = false;
+    std::string cause;
+  };
+  std::optional<Told> upright;
+  std::vector<double> exact;  // hits (missing, extra, duplicate) or components (value)
   std::vector<double> rendered;
   std::string explanation;  // a sentence with numbers
   Figure figure;            // what to draw over this pixel, beside the case's figure

@@ -24,6 +24,9 @@
 // A result's "pixel_counts", absent where it is not run, are {"agree", "convention", "permitted",
 // "violation", "same"} (model/result.h).
 //
+// A disagreement's "upright", absent but in answers that are told to be upside down, is {"rule",
+// "ruling", "legal", "cause"} as they are without that (Disagreement::upright).
+//
 // A result's "ramp", absent where it is empty, is a list of [x, y, exact, low, high, rendered]:
 // levels of detail along a row of pixels (Result::ramp).
 //

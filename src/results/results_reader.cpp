@@ -90,6 +90,11 @@ Disagreement to_disagreement(const Json& json) {
   d.situation = json.value("situation", "");
   d.policy_agrees = json.value("policy_agrees", false);
   d.ruling = json.at("ruling");
+  if (json.contains("upright")) {
+    const Json& upright = json.at("upright");
+    d.upright = Disagreement::Told{upright.at("rule"), upright.at("ruling"), upright.at("legal"),
+                                   upright.at("cause")};
+  }
   d.exact = to_list<double>(json.at("exact"), to_number);
   d.rendered = to_list<double>(json.at("rendered"), to_number);
   d.explanation = json.at("explanation");

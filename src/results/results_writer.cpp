@@ -50,6 +50,11 @@ Json disagreement_json(const Disagreement& d) {
   if (!d.situation.empty()) object["situation"] = d.situation;
   if (d.policy_agrees) object["policy_agrees"] = true;
   object["ruling"] = d.ruling;
+  if (d.upright)
+    object["upright"] = {{"rule", d.upright->rule},
+                         {"ruling", d.upright->ruling},
+                         {"legal", d.upright->legal},
+                         {"cause", d.upright->cause}};
   object["exact"] = numbers(d.exact);
   object["rendered"] = numbers(d.rendered);
   object["explanation"] = d.explanation;

@@ -15,6 +15,7 @@
 #include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
+#include "rules/coverage/window_origin.h"
 #include "rules/output/blending.h"
 #include "rules/output/depth_test.h"
 #include "rules/output/polygon_offset.h"
@@ -57,6 +58,7 @@ const char* name_of(Openness openness) {
 // The table of contents. An explicit list: nothing registers itself.
 std::span<const Rule> all_rules() {
   static const std::vector<Rule> rules = {
+      window_origin_rule(),
       fragment_once_rule(),
       point_ownership_rule(),
       point_offset_rule(),

@@ -52,6 +52,11 @@ void expect_disagreement(const Disagreement& a, const Disagreement& b) {
                      a.ruling, a.explanation),
             std::tie(b.x, b.y, b.sample, b.primitive, b.kind, b.rule, b.legal, b.cause, b.situation,
                      b.ruling, b.explanation));
+  ASSERT_EQ(a.upright.has_value(), b.upright.has_value());
+  if (a.upright) {
+    EXPECT_EQ(std::tie(a.upright->rule, a.upright->ruling, a.upright->legal, a.upright->cause),
+              std::tie(b.upright->rule, b.upright->ruling, b.upright->legal, b.upright->cause));
+  }
   expect_numbers(a.exact, b.exact);
   expect_numbers(a.rendered, b.rendered);
   expect_figure(a.figure, b.figure);

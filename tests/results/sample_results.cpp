@@ -41,6 +41,7 @@ Disagreement disagreement() {
   d.cause = "triangle.fill-rule=left-bottom + triangle.snap=8-half-up";
   d.situation = kHostile;
   d.ruling = 9;
+  d.upright = Disagreement::Told{"triangle.fill-rule", 4, true, "a=b"};
   d.exact = {0.1, 1.0 / 3, -0.0, 5e-324};
   d.rendered = {kNaN, kInfinity, -kInfinity, 1.7976931348623157e308};
   d.explanation = kHostile;

@@ -78,7 +78,7 @@ FAULTS = {
         "violation", FILL, "triangle.fill-rule=closed"),
     "y points down": Fault(
         "faulty_rasterizer", "mirrored", ["points", "lines/directions", "triangles/single"], 40,
-        "violation", {"point.ownership", "triangle.fill-rule", *LINE}, ""),
+        "violation", {"window.origin"}, "window.origin", {"window.origin"}),
 }
 
 

@@ -8,6 +8,7 @@
 #include "diff/coverage/legality.h"
 #include "rules/all_rules.h"
 #include "rules/coverage/point_ownership.h"
+#include "rules/coverage/window_origin.h"
 
 namespace edgecase {
 namespace {
@@ -248,6 +249,7 @@ std::span<const std::string> alternative_names() {
           "sample.positions", "sample.enable", "sample.mask", "clip.volume", "polygon.facing"})
       for (const Alternative& alternative : find_rule(id)->alternatives)
         list.push_back(fmt::format("{}={}", id, alternative.name));
+    list.push_back(kWindowOrigin);
     return list;
   }();
   return names;

@@ -42,7 +42,8 @@ std::vector<Change> changes_between(const ScenePrimitive& primitive, const Targe
 // The alternative of a coverage rule that a choice holds; empty for other rules.
 std::string choice_of(const CoverageChoice& choice, std::string_view rule);
 
-// Every single alternative of the coverage rules as a cause, in one fixed order.
+// Every single alternative of the coverage rules as a cause, in one fixed order, and last
+// "window.origin", which is no alternative of a primitive (see diff/upside_down.h).
 std::span<const std::string> alternative_names();
 
 }  // namespace edgecase
