@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "reference/programs.h"
+#include "reference/read_back.h"
 
 namespace edgecase {
 
@@ -111,6 +112,7 @@ void Capture::grow(std::uint32_t count) {
 }
 
 void Capture::begin() {
+  lost_ = false;
   const std::uint32_t zero = 0;
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kCaptureBinding, buffer_.name());
   gl_.BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(zero), &zero);
@@ -120,7 +122,7 @@ std::uint32_t Capture::count() {
   std::uint32_t result = 0;
   gl_.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   gl_.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer_.name());
-  gl_.GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(result), &result);
+  if (!read_storage(gl_, 0, sizeof(result), &result)) lost_ = true;
   return result;
 }
 
@@ -139,9 +141,8 @@ std::size_t Capture::record_size() const {
 template <class AnyRecord>
 std::vector<AnyRecord> Capture::read_records(std::uint32_t count) {
   std::vector<AnyRecord> records(count);
-  if (count > 0)
-    gl_.GetBufferSubData(GL_SHADER_STORAGE_BUFFER, kHeaderSize,
-                         static_cast<GLsizeiptr>(count * sizeof(AnyRecord)), records.data());
+  if (count > 0 && !read_storage(gl_, kHeaderSize, count * sizeof(AnyRecord), records.data()))
+    lost_ = true;
   std::sort(records.begin(), records.end(), comes_before<AnyRecord>);
   return records;
 }

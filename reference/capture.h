@@ -43,6 +43,9 @@ class Capture {
   // The captured fragments, sorted, of a rendering that knows its number of samples; all `count` of
   // them must have had room. Of a detailed capture, every fragment has all details of its record.
   void read(std::uint32_t count, Rendering& rendering);
+  // Was something since `begin` not to be read? Then neither the count nor the fragments are what
+  // was captured.
+  bool lost() const { return lost_; }
 
  private:
   std::size_t record_size() const;
@@ -56,6 +59,7 @@ class Capture {
   GlBuffer buffer_;
   std::uint32_t limit_ = 0;
   std::uint32_t capacity_ = 0;
+  bool lost_ = false;
 };
 
 }  // namespace edgecase

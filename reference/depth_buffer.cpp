@@ -6,9 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/gl_api.h"
+
 namespace edgecase {
 
 namespace {
+
+// The integer of 32 bits that stands for a depth of 1.
+constexpr double kLargest32 = 4294967295.0;
 
 int bits_of(DepthFormat format) {
   switch (format) {
@@ -39,6 +44,18 @@ std::string doubt_of_claims(const GladGLContext& gl, GLenum attachment, DepthFor
   return "";
 }
 
+// The depth of the lowest left pixel as it is stored. OpenGL ES reads floats of floats alone.
+double read_depth(const GladGLContext& gl, bool is_float) {
+  if (is_es(gl) && !is_float) {
+    GLuint expanded = 0;
+    gl.ReadPixels(0, 0, 1, 1, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, &expanded);
+    return expanded / kLargest32;
+  }
+  float read = 0;
+  gl.ReadPixels(0, 0, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &read);
+  return static_cast<double>(read);
+}
+
 // Between the integers 1 and 2, where float32 numbers lie closely.
 std::string doubt_of_contents(const GladGLContext& gl, DepthFormat format) {
   const bool is_float = format == DepthFormat::depth32f;
@@ -47,11 +64,10 @@ std::string doubt_of_contents(const GladGLContext& gl, DepthFormat format) {
   gl.Disable(GL_SCISSOR_TEST);
   gl.DepthMask(GL_TRUE);
   gl.ClearBufferfv(GL_DEPTH, 0, &cleared);
-  float read = 0;
-  gl.ReadPixels(0, 0, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &read);
-  const double steps = static_cast<double>(read) * largest;
+  const double read = read_depth(gl, is_float);
+  const double steps = read * largest;
   const bool is_integer = std::abs(steps - std::round(steps)) < 0.125;
-  if (is_float ? read == cleared : is_integer) return "";
+  if (is_float ? read == static_cast<double>(cleared) : is_integer) return "";
   return fmt::format("its depth buffer, cleared to {}, holds {}", cleared, read);
 }
 
@@ -94,7 +110,6 @@ std::vector<double> read_depths(const GladGLContext& gl, DepthFormat format, int
   }
   // Fewer bits are expanded to 32, by repeating them or by a multiplication. Either way the stored
   // integer is the nearest one.
-  constexpr double kLargest32 = 4294967295.0;
   const double largest = largest_depth(format);
   std::vector<GLuint> expanded(area);
   gl.ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, expanded.data());

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "reference/draw_state.h"
 
+#include "reference/gl_api.h"
+#include "reference/programs.h"
+
 namespace edgecase {
 
 namespace {
@@ -22,6 +25,20 @@ void set_depth(const GladGLContext& gl, bool has_depth) {
     gl.Enable(GL_DEPTH_TEST);
   else
     gl.Disable(GL_DEPTH_TEST);
+}
+
+// State that OpenGL ES does not have: there it is always as it is set here, but for the size of
+// points, which a shader writes, and the vertex that provokes, which is the last one.
+void set_desktop_state(const GladGLContext& gl, const Draw& draw) {
+  constexpr GLenum kSwitchedOff[] = {
+      GL_LINE_SMOOTH,         GL_POLYGON_SMOOTH,    GL_POLYGON_OFFSET_POINT,
+      GL_POLYGON_OFFSET_LINE, GL_COLOR_LOGIC_OP,    GL_FRAMEBUFFER_SRGB,
+      GL_DEPTH_CLAMP,         GL_PRIMITIVE_RESTART, GL_PROGRAM_POINT_SIZE};
+  for (GLenum off : kSwitchedOff) gl.Disable(off);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  gl.PointSize(static_cast<float>(draw.point_size.to_double()));
+  gl.ProvokingVertex(draw.provoking_vertex == ProvokingVertex::first ? GL_FIRST_VERTEX_CONVENTION
+                                                                     : GL_LAST_VERTEX_CONVENTION);
 }
 
 }  // namespace
@@ -49,42 +66,32 @@ GLenum mode_of(Primitive primitive) {
 void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw) {
   // GL_RASTERIZER_DISCARD is missing: nothing here turns it on, and a driver without transform
   // feedback raises an error (zink over SwiftShader).
-  constexpr GLenum kSwitchedOff[] = {GL_CULL_FACE,
-                                     GL_STENCIL_TEST,
-                                     GL_DITHER,
-                                     GL_LINE_SMOOTH,
-                                     GL_POLYGON_SMOOTH,
-                                     GL_POLYGON_OFFSET_POINT,
-                                     GL_POLYGON_OFFSET_LINE,
-                                     GL_POLYGON_OFFSET_FILL,
-                                     GL_COLOR_LOGIC_OP,
-                                     GL_FRAMEBUFFER_SRGB,
-                                     GL_DEPTH_CLAMP,
-                                     GL_PRIMITIVE_RESTART,
-                                     GL_PROGRAM_POINT_SIZE,
-                                     GL_SAMPLE_ALPHA_TO_COVERAGE,
-                                     GL_SAMPLE_COVERAGE,
+  constexpr GLenum kSwitchedOff[] = {GL_CULL_FACE,       GL_STENCIL_TEST,
+                                     GL_DITHER,          GL_POLYGON_OFFSET_FILL,
+                                     GL_SAMPLE_COVERAGE, GL_SAMPLE_ALPHA_TO_COVERAGE,
                                      GL_SAMPLE_MASK};
   for (GLenum off : kSwitchedOff) gl.Disable(off);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  gl.PointSize(static_cast<float>(draw.point_size.to_double()));
+  if (is_es(gl))
+    gl.Uniform1f(kPointSizeUniform, static_cast<float>(draw.point_size.to_double()));
+  else
+    set_desktop_state(gl, draw);
   gl.LineWidth(static_cast<float>(draw.line_width.to_double()));
-  gl.DepthRange(0, 1);
+  set_depth_range(gl, 0, 1);
   gl.Viewport(scene.viewport.x, scene.viewport.y, scene.viewport.width, scene.viewport.height);
   set_depth(gl, scene.target.depth != DepthFormat::none);
   set_scissor(gl, draw);
-  gl.ProvokingVertex(draw.provoking_vertex == ProvokingVertex::first ? GL_FIRST_VERTEX_CONVENTION
-                                                                     : GL_LAST_VERTEX_CONVENTION);
 }
 
 void set_multisampling(const GladGLContext& gl, const Multisampling& multisampling, int samples) {
   const std::uint32_t all = (std::uint32_t{1} << samples) - 1;
   const auto enable = [&](GLenum name, bool on) { on ? gl.Enable(name) : gl.Disable(name); };
-  enable(GL_MULTISAMPLE, multisampling.enabled);
+  // OpenGL ES always rasterizes sample by sample.
+  if (!is_es(gl)) enable(GL_MULTISAMPLE, multisampling.enabled);
   enable(GL_SAMPLE_ALPHA_TO_COVERAGE, multisampling.alpha_to_coverage);
   enable(GL_SAMPLE_MASK, (multisampling.mask & all) != all);
   gl.SampleMaski(0, multisampling.mask);
+  if (gl.MinSampleShading == nullptr) return;
   enable(GL_SAMPLE_SHADING, multisampling.min_sample_shading.has_value());
   gl.MinSampleShading(multisampling.min_sample_shading.value_or(0));
 }

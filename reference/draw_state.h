@@ -12,7 +12,8 @@ namespace edgecase {
 GLenum mode_of(Primitive primitive);
 
 // The whole state of a draw that has no fragment operations, but for blending and uniforms, which
-// belong to the pass. What else scenes have is in reference/fragment_state.h.
+// belong to the pass. What else scenes have is in reference/fragment_state.h. The program that
+// draws must be the one in use: of OpenGL ES, the size of points is a uniform.
 void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw);
 
 // How a draw to a target of this many samples uses them. Set after set_state, and set back to the

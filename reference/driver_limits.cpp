@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/draw_state.h"
+#include "reference/gl_api.h"
+
 namespace edgecase {
 
 namespace {
@@ -65,16 +68,16 @@ std::string size_limit(const Draw& draw, const Target& target, const DriverLimit
 
 std::string operations_limit(const Draw& draw, const DriverLimits& limits) {
   if (draw.polygon_offset && draw.polygon_offset->clamp != 0 && !limits.clamps_polygon_offset)
-    return "polygon offsets cannot be clamped on this driver: it lacks "
-           "GL_ARB_polygon_offset_clamp";
+    return fmt::format("polygon offsets cannot be clamped on this driver: it lacks {}",
+                       limits.es ? "GL_EXT_polygon_offset_clamp" : "GL_ARB_polygon_offset_clamp");
   const auto& blending = draw.operations.blending;
   const auto saturates = [](const BlendTerm& term) {
     return term.destination == BlendFactor::src_alpha_saturate;
   };
   if (blending && !limits.saturates_destinations &&
       (saturates(blending->color) || saturates(blending->alpha)))
-    return "src_alpha_saturate is no destination's factor on this driver: it lacks "
-           "GL_ARB_blend_func_extended";
+    return fmt::format("src_alpha_saturate is no destination's factor on this driver: it lacks {}",
+                       limits.es ? "GL_EXT_blend_func_extended" : "GL_ARB_blend_func_extended");
   return "";
 }
 
@@ -94,6 +97,26 @@ std::string draw_limit(const Draw& draw, const Target& target, const DriverLimit
   return "";
 }
 
+bool takes_saturated_destinations(const GladGLContext& gl) {
+  gl.BlendFunc(GL_ONE, GL_SRC_ALPHA_SATURATE);
+  const bool takes = take_error(gl) == GL_NO_ERROR;
+  gl.BlendFunc(GL_ONE, GL_ZERO);
+  return takes;
+}
+
+// What is asked for otherwise, or is otherwise, in OpenGL ES.
+void state_es_limits(const GladGLContext& gl, DriverLimits& limits) {
+  limits.es = es_features(gl);
+  limits.provoking[static_cast<std::size_t>(ProvokingVertex::first)] = false;
+  // Version 3.1 has one range for all lines.
+  limits.sampled_line_widths = limits.line_widths;
+  if (gl.ES_VERSION_3_2)
+    gl.GetFloatv(GL_MULTISAMPLE_LINE_WIDTH_RANGE, limits.sampled_line_widths.data());
+  gl.GetFloatv(GL_ALIASED_POINT_SIZE_RANGE, limits.point_sizes.data());
+  limits.clamps_polygon_offset = gl.EXT_polygon_offset_clamp != 0;
+  limits.saturates_destinations = takes_saturated_destinations(gl);
+}
+
 }  // namespace
 
 DriverLimits stated_limits(const GladGLContext& gl) {
@@ -101,6 +124,10 @@ DriverLimits stated_limits(const GladGLContext& gl) {
   gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, limits.viewport.data());
   gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limits.size);
   gl.GetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, limits.line_widths.data());
+  if (is_es(gl)) {
+    state_es_limits(gl, limits);
+    return limits;
+  }
   gl.GetFloatv(GL_SMOOTH_LINE_WIDTH_RANGE, limits.sampled_line_widths.data());
   gl.GetFloatv(GL_POINT_SIZE_RANGE, limits.point_sizes.data());
   limits.clamps_polygon_offset =
@@ -117,6 +144,8 @@ DriverLimits stated_limits(const GladGLContext& gl) {
 
 std::string limit_exceeded_by(const Scene& scene, const DriverLimits& limits) {
   if (std::string problem = target_limit(scene, limits); !problem.empty()) return problem;
+  if (limits.es)
+    if (std::string problem = beyond_es(scene, *limits.es); !problem.empty()) return problem;
   for (const Draw& draw : scene.draws)
     if (std::string problem = draw_limit(draw, scene.target, limits); !problem.empty())
       return problem;

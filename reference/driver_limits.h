@@ -7,10 +7,12 @@
 #include <glad/gl.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/scene.h"
+#include "reference/es_limits.h"
 
 namespace edgecase {
 
@@ -26,6 +28,7 @@ struct DriverLimits {
   bool places_samples = false;                     // where a case asks for them
   bool clamps_polygon_offset = false;
   bool saturates_destinations = false;  // src_alpha_saturate may be the destination's factor
+  std::optional<EsFeatures> es;         // of a context of OpenGL ES; none: it is one of OpenGL
 };
 
 // What the context says of itself; what is found by trying is left as it is.

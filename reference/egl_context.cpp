@@ -1,55 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "reference/egl_context.h"
 
-// Keeps the X11 headers out; there is no window.
-#define EGL_NO_X11
-#define MESA_EGL_NO_X11_HEADERS
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "reference/shared_library.h"
+#include "reference/egl_library.h"
 
 namespace edgecase {
 
 namespace {
-
-struct EglFunctions {
-  decltype(eglGetProcAddress)* get_proc_address = nullptr;
-  decltype(eglQueryString)* query_string = nullptr;
-  decltype(eglInitialize)* initialize = nullptr;
-  decltype(eglTerminate)* terminate = nullptr;
-  decltype(eglBindAPI)* bind_api = nullptr;
-  decltype(eglChooseConfig)* choose_config = nullptr;
-  decltype(eglGetConfigAttrib)* get_config_attribute = nullptr;
-  decltype(eglCreateContext)* create_context = nullptr;
-  decltype(eglCreatePbufferSurface)* create_pbuffer = nullptr;
-  decltype(eglDestroySurface)* destroy_surface = nullptr;
-  decltype(eglMakeCurrent)* make_current = nullptr;
-  decltype(eglGetError)* get_error = nullptr;
-
-  bool load(const SharedLibrary& library) {
-    return library.load("eglGetProcAddress", get_proc_address) &&
-           library.load("eglQueryString", query_string) &&
-           library.load("eglInitialize", initialize) && library.load("eglTerminate", terminate) &&
-           library.load("eglBindAPI", bind_api) && library.load("eglChooseConfig", choose_config) &&
-           library.load("eglGetConfigAttrib", get_config_attribute) &&
-           library.load("eglCreateContext", create_context) &&
-           library.load("eglCreatePbufferSurface", create_pbuffer) &&
-           library.load("eglDestroySurface", destroy_surface) &&
-           library.load("eglMakeCurrent", make_current) && library.load("eglGetError", get_error);
-  }
-
-  template <class Function>
-  Function extension(const char* name) const {
-    return reinterpret_cast<Function>(get_proc_address(name));
-  }
-};
 
 // Pbuffers kept at a time; a suite uses a handful of sizes.
 constexpr std::size_t kMostPbuffers = 16;
@@ -57,8 +21,8 @@ constexpr std::size_t kMostPbuffers = 16;
 // The display owns its contexts and surfaces: terminating it frees them.
 class EglContext final : public GlContext {
  public:
-  EglContext(const EglFunctions& egl, EGLDisplay display, std::string description)
-      : egl_(egl), display_(display), description_(std::move(description)) {}
+  EglContext(const EglFunctions& egl, EGLDisplay display, GlApi api, std::string description)
+      : egl_(egl), display_(display), api_(api), description_(std::move(description)) {}
   ~EglContext() override {
     egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     egl_.terminate(display_);
@@ -71,6 +35,7 @@ class EglContext final : public GlContext {
     config_ = config;
   }
 
+  GlApi api() const override { return api_; }
   bool make_current() override { return bind(EGL_NO_SURFACE); }
   std::string bind_window(int width, int height) override {
     const EGLSurface surface = find_pbuffer(width, height);
@@ -106,6 +71,7 @@ class EglContext final : public GlContext {
 
   EglFunctions egl_;
   EGLDisplay display_;
+  GlApi api_;
   EGLContext context_ = EGL_NO_CONTEXT;
   EGLConfig config_ = nullptr;
   EGLSurface current_ = EGL_NO_SURFACE;
@@ -115,11 +81,11 @@ class EglContext final : public GlContext {
 
 // A configuration with exactly 8 bits per channel, one sample and pbuffers; null when there is
 // none. EGL lists deeper formats first, so the list is searched.
-EGLConfig find_config(const EglFunctions& egl, EGLDisplay display) {
+EGLConfig find_config(const EglFunctions& egl, EGLDisplay display, GlApi api) {
   const EGLint wanted[] = {EGL_SURFACE_TYPE,
                            EGL_PBUFFER_BIT,
                            EGL_RENDERABLE_TYPE,
-                           EGL_OPENGL_BIT,
+                           api == GlApi::opengl ? EGL_OPENGL_BIT : EGL_OPENGL_ES3_BIT,
                            EGL_RED_SIZE,
                            8,
                            EGL_GREEN_SIZE,
@@ -147,14 +113,24 @@ EGLConfig find_config(const EglFunctions& egl, EGLDisplay display) {
   return found == configs.end() ? nullptr : *found;
 }
 
-EGLContext create_core_context(const EglFunctions& egl, EGLDisplay display, EGLConfig config) {
-  constexpr EGLint kVersions[][2] = {{4, 6}, {4, 5}, {4, 3}, {3, 3}};
-  for (const auto& [major, minor] : kVersions) {
+// The newest version that the display offers; fragments are captured from OpenGL 4.3 and OpenGL ES
+// 3.1 on.
+EGLContext create_context(const EglFunctions& egl, EGLDisplay display, EGLConfig config,
+                          GlApi api) {
+  struct Version {
+    EGLint major;
+    EGLint minor;
+  };
+  constexpr Version kCore[] = {{4, 6}, {4, 5}, {4, 3}, {3, 3}};
+  constexpr Version kEs[] = {{3, 2}, {3, 1}};
+  const bool is_core = api == GlApi::opengl;
+  for (const auto& [major, minor] : is_core ? std::span<const Version>(kCore) : kEs) {
+    // Profiles are OpenGL's alone: the list ends before they come.
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                  major,
                                  EGL_CONTEXT_MINOR_VERSION,
                                  minor,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 is_core ? EGL_CONTEXT_OPENGL_PROFILE_MASK : EGL_NONE,
                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                  EGL_NONE};
     const EGLContext context = egl.create_context(display, config, EGL_NO_CONTEXT, attributes);
@@ -163,30 +139,27 @@ EGLContext create_core_context(const EglFunctions& egl, EGLDisplay display, EGLC
   return EGL_NO_CONTEXT;
 }
 
-ContextResult make_context(const EglFunctions& egl, EGLDisplay display, std::string description) {
-  if (display == EGL_NO_DISPLAY)
-    return ContextError{fmt::format("{} offers no display", description)};
+ContextResult make_context(const EglFunctions& egl, EGLDisplay display, GlApi api,
+                           const std::string& place) {
+  const bool is_core = api == GlApi::opengl;
+  const std::string description = is_core ? place : place + ", OpenGL ES";
+  if (display == EGL_NO_DISPLAY) return ContextError{fmt::format("{} offers no display", place)};
   if (egl.initialize(display, nullptr, nullptr) != EGL_TRUE)
     return ContextError{
-        fmt::format("{} cannot be initialised: EGL error {:#06x}", description, egl.get_error())};
-  auto result = std::make_unique<EglContext>(egl, display, description);
-  if (egl.bind_api(EGL_OPENGL_API) != EGL_TRUE)
-    return ContextError{description + " offers no desktop OpenGL"};
-  const EGLConfig config = find_config(egl, display);
+        fmt::format("{} cannot be initialised: EGL error {:#06x}", place, egl.get_error())};
+  auto result = std::make_unique<EglContext>(egl, display, api, description);
+  const std::string wanted = is_core ? "desktop OpenGL" : "OpenGL ES";
+  if (egl.bind_api(is_core ? EGL_OPENGL_API : EGL_OPENGL_ES_API) != EGL_TRUE)
+    return ContextError{place + " offers no " + wanted};
+  const EGLConfig config = find_config(egl, display, api);
   if (config == nullptr)
-    return ContextError{description + " has no configuration for desktop OpenGL with RGBA8"};
-  const EGLContext context = create_core_context(egl, display, config);
+    return ContextError{place + " has no configuration for " + wanted + " with RGBA8"};
+  const EGLContext context = create_context(egl, display, config, api);
   if (context == EGL_NO_CONTEXT)
-    return ContextError{description + " offers no OpenGL core context of version 3.3 or later"};
+    return ContextError{place + (is_core ? " offers no OpenGL core context of version 3.3 or later"
+                                         : " offers no OpenGL ES context of version 3.1 or later")};
   result->set_context(context, config);
   return result;
-}
-
-// Opens libEGL and, for a platform, a display of it. The message says what is missing.
-std::string load_egl(EglFunctions& egl) {
-  const SharedLibrary library({"libEGL.so.1", "libEGL.so"});
-  if (!library.is_open()) return "EGL cannot be opened: " + library.error();
-  return egl.load(library) ? "" : "libEGL.so.1 lacks functions of EGL 1.4";
 }
 
 EGLDisplay platform_display(const EglFunctions& egl, EGLenum platform, void* native) {
@@ -197,28 +170,32 @@ EGLDisplay platform_display(const EglFunctions& egl, EGLenum platform, void* nat
 
 }  // namespace
 
-ContextResult make_egl_surfaceless_context() {
+ContextResult make_egl_surfaceless_context(GlApi api) {
   EglFunctions egl;
-  if (std::string error = load_egl(egl); !error.empty()) return ContextError{error};
+  if (std::string error = egl.load(); !error.empty()) return ContextError{error};
   const EGLDisplay display =
       platform_display(egl, EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
-  return make_context(egl, display, "EGL surfaceless");
+  return make_context(egl, display, api, "EGL surfaceless");
 }
 
-ContextResult make_egl_device_context(int index) {
+ContextResult make_egl_device_context(GlApi api, int index) {
   EglFunctions egl;
-  if (std::string error = load_egl(egl); !error.empty()) return ContextError{error};
-  const auto query_devices = egl.extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
-  EGLint count = 0;
-  if (query_devices == nullptr || query_devices(0, nullptr, &count) != EGL_TRUE)
-    return ContextError{"this EGL cannot list its devices"};
-  if (index >= count)
-    return ContextError{fmt::format("there is no EGL device {}: EGL lists {}", index, count)};
-  std::vector<EGLDeviceEXT> devices(static_cast<std::size_t>(count));
-  query_devices(count, devices.data(), &count);
-  const EGLDisplay display =
-      platform_display(egl, EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(index)]);
-  return make_context(egl, display, fmt::format("EGL device {}", index));
+  if (std::string error = egl.load(); !error.empty()) return ContextError{error};
+  std::vector<EGLDeviceEXT> devices;
+  if (std::string error = list_devices(egl, devices); !error.empty()) return ContextError{error};
+  const auto place = static_cast<std::size_t>(index);
+  if (place >= devices.size())
+    return ContextError{
+        fmt::format("there is no EGL device {}: EGL lists {}", index, devices.size())};
+  const EGLDisplay display = platform_display(egl, EGL_PLATFORM_DEVICE_EXT, devices[place]);
+  return make_context(egl, display, api, fmt::format("EGL device {}", index));
+}
+
+int count_egl_devices() {
+  EglFunctions egl;
+  std::vector<EGLDeviceEXT> devices;
+  if (!egl.load().empty() || !list_devices(egl, devices).empty()) return 0;
+  return static_cast<int>(devices.size());
 }
 
 }  // namespace edgecase

@@ -12,9 +12,12 @@
 
 namespace edgecase {
 
-ContextResult make_egl_surfaceless_context();
+ContextResult make_egl_surfaceless_context(GlApi api);
 
 // index: from 0, in the order of eglQueryDevicesEXT.
-ContextResult make_egl_device_context(int index);
+ContextResult make_egl_device_context(GlApi api, int index);
+
+// How many devices EGL lists; 0 where there is no EGL, or one that cannot list them.
+int count_egl_devices();
 
 }  // namespace edgecase

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "reference/gl_api.h"
+
 namespace edgecase {
 
 namespace {
@@ -179,8 +181,7 @@ void set_fragment_state(const GladGLContext& gl, const Scene& scene, const Draw&
                         PassKind kind) {
   set_culling(gl, draw);
   set_polygon_offset(gl, draw.polygon_offset);
-  gl.DepthRange(static_cast<double>(scene.depth_range.near),
-                static_cast<double>(scene.depth_range.far));
+  set_depth_range(gl, scene.depth_range.near, scene.depth_range.far);
   const bool captures = kind == PassKind::capture;
   const FragmentOperations& operations = draw.operations;
   set_depth_test(gl, captures ? DepthTest{CompareFunction::always, false} : operations.depth,
@@ -200,7 +201,7 @@ void reset_fragment_state(const GladGLContext& gl) {
   gl.FrontFace(GL_CCW);
   gl.CullFace(GL_BACK);
   gl.PolygonOffset(0, 0);
-  gl.DepthRange(0, 1);
+  set_depth_range(gl, 0, 1);
   gl.DepthMask(GL_TRUE);
   set_stencil_face(gl, GL_FRONT_AND_BACK, StencilFace());
   gl.BlendEquation(GL_FUNC_ADD);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// GlContext: a current OpenGL core context without a window, however it was made.
+// GlContext: a current context of OpenGL core or of OpenGL ES without a window, however it was
+// made.
 //
 // One process holds one context for its whole life: Mesa reads the choice of its driver once per
 // process, and a driver that crashes must take nothing else with it.
@@ -18,9 +19,14 @@ namespace edgecase {
 
 using GlFunction = void (*)();
 
+// What a context offers. They differ in functions, in shaders, and in what can be asked for:
+// reference/gl_api.h.
+enum class GlApi { opengl, opengl_es };
+
 class GlContext {
  public:
   virtual ~GlContext() = default;
+  virtual GlApi api() const = 0;
   // Makes the context current on this thread; false when the system refuses.
   virtual bool make_current() = 0;
   // Keeps the context current, and makes a window-system framebuffer of this size, in pixels, its
@@ -29,7 +35,7 @@ class GlContext {
   virtual std::string bind_window(int width, int height) = 0;
   // The GL function of this name, or null. The context must be current.
   virtual GlFunction get_proc(const char* name) const = 0;
-  // How the context was made: "OSMesa", "EGL surfaceless", "EGL device 0".
+  // How the context was made: "OSMesa", "EGL surfaceless", "EGL device 0, OpenGL ES".
   virtual std::string description() const = 0;
 };
 
@@ -41,7 +47,8 @@ struct ContextError {
 using ContextResult = std::variant<std::unique_ptr<GlContext>, ContextError>;
 
 // Opens the context that a worker's command line names: "osmesa", "egl-surfaceless" or
-// "egl-device:N" (N from 0), and makes it current.
+// "egl-device:N" (N from 0), or of OpenGL ES "egl-es-surfaceless" or "egl-es-device:N", and makes
+// it current.
 ContextResult open_context(const std::string& name);
 
 }  // namespace edgecase

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "reference/draw_state.h"
+#include "reference/gl_api.h"
 #include "reference/stencil_buffer.h"
 
 namespace edgecase {
@@ -23,8 +24,9 @@ GlTexture make_image(const GladGLContext& gl, GLenum format, const Target& targe
   gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, image.name());
   // Placed samples are no fixed ones.
   const GLboolean fixed = target.sample_positions.empty() ? GL_TRUE : GL_FALSE;
-  gl.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, target.samples, format, target.width,
-                           target.height, fixed);
+  // OpenGL ES has images of a fixed size alone.
+  (is_es(gl) ? gl.TexStorage2DMultisample : gl.TexImage2DMultisample)(
+      GL_TEXTURE_2D_MULTISAMPLE, target.samples, format, target.width, target.height, fixed);
   gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
   gl.ActiveTexture(GL_TEXTURE0);
   return image;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <charconv>
+#include <string_view>
 
 #include "reference/egl_context.h"
 #include "reference/gl_context.h"
@@ -9,20 +10,32 @@ namespace edgecase {
 
 namespace {
 
-constexpr std::string_view kDevicePrefix = "egl-device:";
+struct DevicePrefix {
+  std::string_view text;
+  GlApi api;
+};
+constexpr DevicePrefix kDevicePrefixes[] = {{"egl-device:", GlApi::opengl},
+                                            {"egl-es-device:", GlApi::opengl_es}};
+
+// The number after the prefix; -1: there is none.
+int device_of(std::string_view name, std::string_view prefix) {
+  if (!name.starts_with(prefix)) return -1;
+  int index = -1;
+  const char* end = name.data() + name.size();
+  const auto [stop, error] = std::from_chars(name.data() + prefix.size(), end, index);
+  return error == std::errc() && stop == end ? index : -1;
+}
 
 ContextResult make_context(const std::string& name) {
   if (name == "osmesa") return make_osmesa_context();
-  if (name == "egl-surfaceless") return make_egl_surfaceless_context();
-  int index = -1;
-  const char* end = name.data() + name.size();
-  if (name.starts_with(kDevicePrefix)) {
-    const auto [stop, error] = std::from_chars(name.data() + kDevicePrefix.size(), end, index);
-    if (error != std::errc() || stop != end) index = -1;
-  }
-  if (index >= 0) return make_egl_device_context(index);
+  if (name == "egl-surfaceless") return make_egl_surfaceless_context(GlApi::opengl);
+  if (name == "egl-es-surfaceless") return make_egl_surfaceless_context(GlApi::opengl_es);
+  for (const auto& [prefix, api] : kDevicePrefixes)
+    if (const int index = device_of(name, prefix); index >= 0)
+      return make_egl_device_context(api, index);
   return ContextError{"there is no context '" + name +
-                      "'; known are osmesa, egl-surfaceless and egl-device:N"};
+                      "'; known are osmesa, egl-surfaceless, egl-device:N, egl-es-surfaceless and "
+                      "egl-es-device:N"};
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ class OsmesaContext final : public GlContext {
   OsmesaContext(const OsmesaContext&) = delete;
   OsmesaContext& operator=(const OsmesaContext&) = delete;
 
+  GlApi api() const override { return GlApi::opengl; }
   bool make_current() override { return bind(kFirstSize, kFirstSize); }
   std::string bind_window(int width, int height) override {
     if (width == width_ && height == height_) return "";

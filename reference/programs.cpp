@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "reference/shader_heads.h"
 #include "reference/shaders.h"
 
 namespace edgecase {
@@ -10,12 +11,6 @@ namespace edgecase {
 namespace {
 
 using namespace shaders;
-
-// Fine and coarse derivatives are part of GLSL 4.50, and an extension before.
-constexpr const char* kFineVersions[] = {
-    "#version 450 core\n#define FINE_AND_COARSE\n",
-    "#version 430 core\n#extension GL_ARB_derivative_control : require\n"
-    "#define FINE_AND_COARSE\n"};
 
 const char* lookup_of(LookupKind kind) {
   switch (kind) {
@@ -79,25 +74,26 @@ GlProgram link_sources(const GladGLContext& gl, const std::string& vertex_source
 // `at`: where both shaders have interpolated attributes evaluated.
 GlProgram link(const GladGLContext& gl, const std::string& at, const std::string& version,
                const std::string& fragment, std::string& log) {
-  return link_sources(gl, kVersion + at + kVertexShader, version + at + fragment, log);
+  return link_sources(gl, head_of_vertices(gl) + at + kVertexShader, version + at + fragment, log);
 }
 
 // The programs of a form; `head` is what its shaders begin with after the version.
 Programs link_form(const GladGLContext& gl, const std::string& at, const std::string& head,
                    std::string& log) {
   Programs programs;
-  programs.color = link(gl, at, kVersion, head + kColorShader, log);
-  programs.capture = link(gl, at, kVersion, head + kCaptureShader, log);
+  const std::string version = head_of_fragments(gl);
+  programs.color = link(gl, at, version, head + kColorShader, log);
+  programs.capture = link(gl, at, version, head + kCaptureShader, log);
   if (!log.empty()) return programs;
   // Details have fine and coarse derivatives where the driver takes them, by trying.
   const std::string details = kDetails + head + kCaptureShader;
-  for (const char* version : kFineVersions) {
+  for (const std::string& fine : fine_heads_of_fragments(gl)) {
     std::string refusal;
-    programs.details = link(gl, at, version, details, refusal);
+    programs.details = link(gl, at, fine, details, refusal);
     programs.fine_and_coarse = refusal.empty();
     if (programs.fine_and_coarse) return programs;
   }
-  programs.details = link(gl, at, kVersion, details, log);
+  programs.details = link(gl, at, version, details, log);
   return programs;
 }
 
@@ -122,7 +118,7 @@ std::string refusal(const std::string& log) {
 std::variant<Programs, ProgramError> make_programs(const GladGLContext& gl) {
   std::string log;
   Programs programs = link_form(gl, kAtCenter, "", log);
-  programs.count = link(gl, kAtCenter, kVersion, kCountShader, log);
+  programs.count = link(gl, kAtCenter, head_of_fragments(gl), kCountShader, log);
   if (!log.empty()) return ProgramError{refusal(log)};
   return programs;
 }
@@ -132,7 +128,7 @@ std::variant<Programs, ProgramError> make_sampled_programs(const GladGLContext& 
   const std::string at = head_of(location);
   std::string log;
   Programs programs = link_form(gl, at, kSamples, log);
-  programs.count = link(gl, at, kVersion, kSampledCountShader, log);
+  programs.count = link(gl, at, head_of_fragments(gl), kSampledCountShader, log);
   if (!log.empty()) return ProgramError{refusal(log)};
   return programs;
 }
@@ -140,8 +136,8 @@ std::variant<Programs, ProgramError> make_sampled_programs(const GladGLContext& 
 bool can_query_level_of_detail(const GladGLContext& gl) {
   std::string log;
   const std::string main = "void main() { gl_FragDepth = queried(gl_FragCoord).y; }\n";
-  compile(gl, GL_FRAGMENT_SHADER, kVersion + lookup_head({2, LookupKind::implicit}, true) + main,
-          log);
+  compile(gl, GL_FRAGMENT_SHADER,
+          head_of_fragments(gl) + lookup_head({2, LookupKind::implicit}, true) + main, log);
   return log.empty();
 }
 
@@ -157,7 +153,8 @@ std::variant<GlProgram, ProgramError> make_program(const GladGLContext& gl,
                                                    const std::string& vertex,
                                                    const std::string& fragment) {
   std::string log;
-  GlProgram program = link_sources(gl, kVersion + vertex, kVersion + fragment, log);
+  GlProgram program =
+      link_sources(gl, head_of_vertices(gl) + vertex, head_of_fragments(gl) + fragment, log);
   if (!log.empty()) return ProgramError{refusal(log)};
   return program;
 }

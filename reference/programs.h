@@ -41,6 +41,7 @@ constexpr GLint kCapacityUniform = 1;       // uint: records that the capture's 
 constexpr GLint kStepUniform = 2;           // float: what the count program writes
 constexpr GLint kLookupValueUniform = 3;    // float: of lookups by bias and by level of detail
 constexpr GLint kGradientsUniform = 4;      // vec4: ds/dx, dt/dx, ds/dy, dt/dy
+constexpr GLint kPointSizeUniform = 5;      // float, of the vertex shader, of OpenGL ES alone
 
 constexpr GLint kFlatColor = 0;
 constexpr GLint kSmoothColor = 1;
@@ -72,8 +73,8 @@ struct ProgramError {
   std::string message;
 };
 
-// Compiles the four of scenes without textures. The context must have GL 4.3 or later and be
-// current.
+// Compiles the four of scenes without textures. The context must have GL 4.3 or GL ES 3.1, or
+// later, and be current.
 std::variant<Programs, ProgramError> make_programs(const GladGLContext& gl);
 
 // Compiles the four of multisampled scenes. Their records tell which samples a fragment covers, and
@@ -90,7 +91,8 @@ bool can_query_level_of_detail(const GladGLContext& gl);
 std::variant<Programs, ProgramError> make_texture_programs(const GladGLContext& gl, LookupForm form,
                                                            bool query);
 
-// Compiles one program of any two shaders, given without a version: they are of GLSL 4.30.
+// Compiles one program of any two shaders, given without a version: they are of GLSL 4.30, or of
+// GLSL ES 3.10.
 std::variant<GlProgram, ProgramError> make_program(const GladGLContext& gl,
                                                    const std::string& vertex,
                                                    const std::string& fragment);

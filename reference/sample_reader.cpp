@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "reference/depth_buffer.h"
+#include "reference/read_back.h"
 #include "reference/sample_pass.h"
 #include "reference/shaders.h"
 #include "reference/stencil_buffer.h"
@@ -123,8 +124,8 @@ std::vector<float> SampleReader::fetched_floats(const MultisampleTarget& target,
   for (int first = 0; first < target.samples; first += target.planes) {
     fetch(target, image, target.float_planes, first);
     const int count = std::min(target.planes, target.samples - first);
-    gl_->ReadPixels(0, 0, target.width, count * target.height, GL_RED, GL_FLOAT,
-                    floats.data() + area_of(target) * static_cast<std::size_t>(first));
+    read_red(*gl_, Channels::floats, target.width, count * target.height,
+             floats.data() + area_of(target) * static_cast<std::size_t>(first));
   }
   return floats;
 }

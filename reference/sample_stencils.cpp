@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "reference/depth_buffer.h"
+#include "reference/read_back.h"
 #include "reference/sample_pass.h"
 #include "reference/shaders.h"
 #include "reference/stencil_buffer.h"
@@ -83,8 +84,8 @@ std::vector<std::uint8_t> SampleStencils::read(const MultisampleTarget& target) 
   for (int first = 0; first < target.samples; first += target.planes) {
     fetch(target, first);
     const int count = std::min(target.planes, target.samples - first);
-    gl_->ReadPixels(0, 0, target.width, count * target.height, GL_RED, GL_FLOAT,
-                    floats.data() + area_of(target) * static_cast<std::size_t>(first));
+    read_red(*gl_, Channels::floats, target.width, count * target.height,
+             floats.data() + area_of(target) * static_cast<std::size_t>(first));
   }
   const auto is_stencil = [](float value) { return value >= 0 && value <= 255; };
   if (!std::all_of(floats.begin(), floats.end(), is_stencil)) return {};

@@ -10,7 +10,9 @@
 #include "reference/depth_buffer.h"
 #include "reference/draw_state.h"
 #include "reference/fragment_state.h"
+#include "reference/gl_api.h"
 #include "reference/provoking_probe.h"
+#include "reference/read_back.h"
 #include "reference/rendering_doubt.h"
 #include "reference/stencil_buffer.h"
 #include "reference/vertex_data.h"
@@ -78,22 +80,18 @@ SceneRenderer::Objects::Objects(const GladGLContext& gl, GlContext& context, Pro
 }
 
 SceneRenderer::SceneRenderer(GlContext& context) {
-  const auto load = [](void* user, const char* name) {
-    return static_cast<const GlContext*>(user)->get_proc(name);
-  };
-  const int version = gladLoadGLContextUserPtr(&gl_, load, &context);
-  if (version == 0) {
+  if (!load_functions(gl_, context)) {
     problem_ = "the context offers no OpenGL functions";
     return;
   }
   describe(context);
   GLint storage_blocks = 0;
-  if (gl_.VERSION_4_3) gl_.GetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &storage_blocks);
+  if (has_storage_blocks(gl_))
+    gl_.GetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &storage_blocks);
   if (storage_blocks == 0) {
     problem_ = fmt::format(
-        "capturing fragments needs shader storage blocks (OpenGL 4.3), and "
-        "this context is {} without them",
-        info_.version);
+        "capturing fragments needs shader storage blocks ({}), and this context is {} without them",
+        is_es(gl_) ? "OpenGL ES 3.1" : "OpenGL 4.3", info_.version);
     return;
   }
   auto programs = make_programs(gl_);
@@ -247,7 +245,8 @@ std::vector<float> SceneRenderer::read_sums(const Surfaces& surfaces, const Rend
   if (surfaces.multisampled != nullptr)
     return objects_->targets.samples().counts(*surfaces.multisampled);
   std::vector<float> sums(area_of(rendering));
-  gl_.ReadPixels(0, 0, rendering.width, rendering.height, GL_RED, GL_FLOAT, sums.data());
+  const Channels channels = surfaces.count == 0 ? Channels::bytes : Channels::floats;
+  read_red(gl_, channels, rendering.width, rendering.height, sums.data());
   return sums;
 }
 
@@ -276,10 +275,9 @@ std::optional<std::string> SceneRenderer::capture_fragments(const Scene& scene,
     capture.begin();
     draw_all(scene, {detailed ? &Programs::details : &Programs::capture, looks_up, &capture});
     const std::uint32_t count = capture.count();
-    if (count <= capture.capacity()) {
-      capture.read(count, rendering);
-      return std::nullopt;
-    }
+    if (count <= capture.capacity()) capture.read(count, rendering);
+    if (capture.lost()) return "the captured fragments cannot be read";
+    if (count <= capture.capacity()) return std::nullopt;
     if (count > capture.limit())
       return fmt::format("the scene has {} fragments, and there is room to capture {}", count,
                          capture.limit());

@@ -6,10 +6,9 @@
 
 namespace edgecase::shaders {
 
-// Heads of the shaders: the version, where interpolated attributes are evaluated, what is switched
-// on, and for textured scenes how colours are looked up. One function serves pixels and capture, so
-// that both have the same colours.
-constexpr const char* kVersion = "#version 430 core\n";
+// Heads of the shaders: where interpolated attributes are evaluated, what is switched on, and for
+// textured scenes how colours are looked up. One function serves pixels and capture, so that both
+// have the same colours. The version before them is for reference/shader_heads.h to tell.
 constexpr const char* kDetails = "#define DETAILS\n";
 constexpr const char* kSamples = "#define SAMPLES\n";
 constexpr const char* kAtCenter = "#define AT\n";
@@ -52,10 +51,16 @@ layout(location = 1) in vec4 color;
 layout(location = 2) in int primitive;
 flat out vec4 flat_color;
 smooth AT out vec4 smooth_color;
-noperspective AT out vec4 noperspective_color;
+NOPERSPECTIVE AT out vec4 noperspective_color;
 flat out int primitive_index;
+#ifdef POINT_SIZE
+layout(location = 5) uniform float point_size;
+#endif
 void main() {
   gl_Position = position;
+#ifdef POINT_SIZE
+  gl_PointSize = point_size;
+#endif
   flat_color = color;
   smooth_color = color;
   noperspective_color = color;
@@ -66,7 +71,7 @@ void main() {
 constexpr const char* kColorShader = R"(
 flat in vec4 flat_color;
 smooth AT in vec4 smooth_color;
-noperspective AT in vec4 noperspective_color;
+NOPERSPECTIVE AT in vec4 noperspective_color;
 layout(location = 0) uniform int interpolation;
 layout(location = 0) out vec4 target;
 void main() {
@@ -92,7 +97,7 @@ void main() {
 constexpr const char* kSampledCountShader = R"(
 flat in vec4 flat_color;
 smooth AT in vec4 smooth_color;
-noperspective AT in vec4 noperspective_color;
+NOPERSPECTIVE AT in vec4 noperspective_color;
 layout(location = 0) uniform int interpolation;
 layout(location = 2) uniform float hit_step;
 layout(location = 0) out vec4 target;
@@ -110,7 +115,7 @@ void main() {
 constexpr const char* kCaptureShader = R"(
 flat in vec4 flat_color;
 smooth AT in vec4 smooth_color;
-noperspective AT in vec4 noperspective_color;
+NOPERSPECTIVE AT in vec4 noperspective_color;
 flat in int primitive_index;
 layout(location = 0) uniform int interpolation;
 layout(location = 1) uniform uint capacity;

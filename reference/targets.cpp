@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reference/depth_buffer.h"
+#include "reference/gl_api.h"
 #include "reference/stencil_buffer.h"
 
 namespace edgecase {
@@ -118,13 +119,7 @@ std::variant<Surfaces, std::string> Targets::find_window(const Target& target) {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
   if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     return std::string("the window-system framebuffer is not complete");
-  // A context that began without a window draws to no buffer of it.
-  GLboolean doubled = GL_FALSE;
-  gl_.GetBooleanv(GL_DOUBLEBUFFER, &doubled);
-  const GLenum buffer = doubled == GL_TRUE ? GL_BACK : GL_FRONT;
-  gl_.DrawBuffer(buffer);
-  gl_.ReadBuffer(buffer);
-  if (!is_rgba8(gl_, doubled == GL_TRUE ? GL_BACK_LEFT : GL_FRONT_LEFT))
+  if (!is_rgba8(gl_, select_window_buffer(gl_)))
     return std::string("the window-system framebuffer is not RGBA8");
   if (target.depth != DepthFormat::none) {
     const std::string doubt = doubt_of_depth_buffer(gl_, GL_DEPTH, target.depth);

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "reference/gl_api.h"
+
 namespace edgecase {
 
 namespace {
@@ -124,24 +126,44 @@ void upload(const GladGLContext& gl, const Texture& texture) {
   }
 }
 
-// One level of the bound texture. Codes of sRGB come as they are stored (GL 4.6 core, 8.11.4).
-TextureLevel read_level(const GladGLContext& gl, const Texture& texture, GLint number, int width,
-                        int height) {
+// OpenGL ES reads framebuffers alone; every format of ours can be drawn to. A draw may be under
+// way, so the framebuffer that is bound stays so.
+void read_attached(const GladGLContext& gl, GLuint name, GLint level, int width, int height,
+                   GLenum type, void* data) {
+  const GlFramebuffer framebuffer = make_framebuffer(gl);
+  GLint bound = 0;
+  gl.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.name());
+  gl.FramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name, level);
+  gl.ReadPixels(0, 0, width, height, GL_RGBA, type, data);
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
+}
+
+// One level of the bound texture, which has this name. Codes of sRGB come as they are stored
+// (GL 4.6 core, 8.11.4).
+TextureLevel read_level(const GladGLContext& gl, const Texture& texture, GLuint name, GLint number,
+                        int width, int height) {
   TextureLevel level{width, height, {}};
   level.texels.resize(level.index(0, height));
   const GLenum target = target_of(texture);
+  const auto read = [&](GLenum type, void* data) {
+    if (is_es(gl))
+      read_attached(gl, name, number, width, height, type, data);
+    else
+      gl.GetTexImage(target, number, GL_RGBA, type, data);
+  };
   if (texture.format == TextureFormat::rgba32f) {
-    gl.GetTexImage(target, number, GL_RGBA, GL_FLOAT, level.texels.data());
+    read(GL_FLOAT, level.texels.data());
     return level;
   }
   std::vector<std::uint8_t> codes(level.texels.size());
-  gl.GetTexImage(target, number, GL_RGBA, GL_UNSIGNED_BYTE, codes.data());
+  read(GL_UNSIGNED_BYTE, codes.data());
   std::copy(codes.begin(), codes.end(), level.texels.begin());
   return level;
 }
 
 // Every level that the bound texture has, up to the first without a size.
-std::vector<TextureLevel> read_chain(const GladGLContext& gl, const Texture& texture,
+std::vector<TextureLevel> read_chain(const GladGLContext& gl, const Texture& texture, GLuint name,
                                      int max_level) {
   std::vector<TextureLevel> chain;
   const GLenum target = target_of(texture);
@@ -150,7 +172,7 @@ std::vector<TextureLevel> read_chain(const GladGLContext& gl, const Texture& tex
     gl.GetTexLevelParameteriv(target, number, GL_TEXTURE_WIDTH, &width);
     gl.GetTexLevelParameteriv(target, number, GL_TEXTURE_HEIGHT, &height);
     if (width <= 0 || height <= 0) break;
-    chain.push_back(read_level(gl, texture, number, width, height));
+    chain.push_back(read_level(gl, texture, name, number, width, height));
   }
   return chain;
 }
@@ -172,7 +194,7 @@ Textures::Image Textures::make(const std::shared_ptr<const Texture>& texture) co
   upload(gl_, *texture);
   if (!texture->generated) return image;
   gl_.GenerateMipmap(target);
-  image.chain = read_chain(gl_, *texture, max_level_);
+  image.chain = read_chain(gl_, *texture, image.object.name(), max_level_);
   return image;
 }
 
@@ -200,10 +222,14 @@ GlSampler Textures::make(const Sampler& sampler) const {
   gl_.SamplerParameteri(name, GL_TEXTURE_WRAP_T, wrap_of(sampler.wrap[1]));
   gl_.SamplerParameteri(name, GL_TEXTURE_MAG_FILTER, filter_of(sampler.magnify));
   gl_.SamplerParameteri(name, GL_TEXTURE_MIN_FILTER, filter_of(sampler.minify, sampler.mipmap));
-  gl_.SamplerParameterf(name, GL_TEXTURE_LOD_BIAS, sampler.lod_bias);
+  if (!is_es(gl_)) gl_.SamplerParameterf(name, GL_TEXTURE_LOD_BIAS, sampler.lod_bias);
   gl_.SamplerParameterf(name, GL_TEXTURE_MIN_LOD, sampler.min_lod);
   gl_.SamplerParameterf(name, GL_TEXTURE_MAX_LOD, sampler.max_lod);
-  gl_.SamplerParameterfv(name, GL_TEXTURE_BORDER_COLOR, sampler.border.data());
+  // A driver without borders is asked for none.
+  const bool has_border = std::find(sampler.wrap.begin(), sampler.wrap.end(),
+                                    Wrap::clamp_to_border) != sampler.wrap.end();
+  if (!is_es(gl_) || has_border)
+    gl_.SamplerParameterfv(name, GL_TEXTURE_BORDER_COLOR, sampler.border.data());
   if (max_anisotropy_ > 1)
     gl_.SamplerParameterf(name, GL_TEXTURE_MAX_ANISOTROPY, sampler.max_anisotropy);
   return object;

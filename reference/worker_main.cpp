@@ -2,7 +2,11 @@
 //
 // edgecase-gl: the worker program of the OpenGL renderers.
 //
-//   edgecase-gl osmesa|egl-surfaceless|egl-device:N [--expect-driver NAME]
+//   edgecase-gl CONTEXT [--expect-driver NAME]
+//   edgecase-gl --devices
+//
+// CONTEXT is osmesa, egl-surfaceless or egl-device:N, or of OpenGL ES egl-es-surfaceless or
+// egl-es-device:N. With --devices it prints how many devices EGL lists, and ends.
 //
 // It speaks the protocol of reference/PROTOCOL.md: one scene per line on standard input, one answer
 // per line on standard output, until its input ends. Which driver draws is decided by environment
@@ -17,6 +21,7 @@
 #include <string>
 
 #include "reference/driver_proof.h"
+#include "reference/egl_context.h"
 #include "reference/gl_context.h"
 #include "reference/scene_renderer.h"
 #include "wire/answer_line.h"
@@ -78,12 +83,19 @@ int serve(SceneRenderer& renderer, const RendererInfo& info, std::FILE* output) 
   return 0;
 }
 
+int print_devices() {
+  std::FILE* output = take_standard_output();
+  if (output == nullptr) return complain(kUsageError, "there is no standard output");
+  return write_line(output, std::to_string(count_egl_devices())) ? 0 : kUsageError;
+}
+
 int run(int argc, char** argv) {
   const bool expects = argc == 4 && std::string(argv[2]) == "--expect-driver";
   if (argc != 2 && !expects)
     return complain(kUsageError,
-                    "usage: edgecase-gl osmesa|egl-surfaceless|egl-device:N "
-                    "[--expect-driver NAME]");
+                    "usage: edgecase-gl osmesa|egl-surfaceless|egl-device:N|egl-es-surfaceless|"
+                    "egl-es-device:N [--expect-driver NAME], or edgecase-gl --devices");
+  if (std::string(argv[1]) == "--devices") return print_devices();
   const std::string driver = expects ? argv[3] : "";
   if (std::string missing = missing_for_driver(driver); !missing.empty())
     return complain(kUnavailable, missing);

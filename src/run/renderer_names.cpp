@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "run/recording_renderer.h"
 
@@ -17,28 +20,40 @@ namespace {
 using Environment = std::map<std::string, std::string>;
 
 constexpr std::string_view kExecPrefix = "exec:";
-constexpr std::string_view kDevicePrefix = "egl:device";
+constexpr std::string_view kOsmesaPrefix = "osmesa:";
+constexpr std::string_view kEglPrefix = "egl:";
+constexpr std::string_view kEsPrefix = "egl-es:";
+constexpr std::string_view kDevice = "device";
+
+// How a worker comes by its context.
+enum class FrontEnd { osmesa, egl, egl_es };
 
 // Variables that would turn one Mesa driver into another behind our back.
 const std::vector<std::string> kDriverVariables = {
     "GALLIUM_DRIVER",           "LIBGL_ALWAYS_SOFTWARE",      "MESA_LOADER_DRIVER_OVERRIDE",
-    "MESA_GL_VERSION_OVERRIDE", "MESA_GLSL_VERSION_OVERRIDE", "MESA_EXTENSION_OVERRIDE"};
+    "MESA_GL_VERSION_OVERRIDE", "MESA_GLSL_VERSION_OVERRIDE", "MESA_GLES_VERSION_OVERRIDE",
+    "MESA_EXTENSION_OVERRIDE"};
 
-Environment mesa_environment(const std::string& driver, bool egl) {
+const char* surfaceless(FrontEnd front_end) {
+  return front_end == FrontEnd::egl_es ? "egl-es-surfaceless" : "egl-surfaceless";
+}
+
+Environment mesa_environment(const std::string& driver, FrontEnd front_end) {
   // Without threads llvmpipe draws small scenes several times faster, and always in order.
   Environment result{{"GALLIUM_DRIVER", driver}, {"LP_NUM_THREADS", "0"}};
-  if (egl) result.emplace("LIBGL_ALWAYS_SOFTWARE", "1");
-  if (driver == "softpipe") {
-    // It has shader storage blocks, but claims OpenGL 3.3, which has none.
+  if (front_end != FrontEnd::osmesa) result.emplace("LIBGL_ALWAYS_SOFTWARE", "1");
+  if (driver == "softpipe" && front_end != FrontEnd::egl_es) {
+    // It has shader storage blocks, but claims OpenGL 3.3, which has none. OpenGL ES 3.1 it claims.
     result.emplace("MESA_GL_VERSION_OVERRIDE", "4.5");
     result.emplace("MESA_GLSL_VERSION_OVERRIDE", "450");
   }
   return result;
 }
 
-Command mesa_command(const std::string& worker, bool egl, const std::string& driver) {
-  return {{worker, egl ? "egl-surfaceless" : "osmesa", "--expect-driver", driver},
-          mesa_environment(driver, egl),
+Command mesa_command(const std::string& worker, FrontEnd front_end, const std::string& driver) {
+  return {{worker, front_end == FrontEnd::osmesa ? "osmesa" : surfaceless(front_end),
+           "--expect-driver", driver},
+          mesa_environment(driver, front_end),
           kDriverVariables};
 }
 
@@ -61,10 +76,10 @@ std::string lavapipe_description() {
   return std::string(kVulkanDrivers) + "/lvp_icd.json";
 }
 
-// OpenGL by zink, upon the Vulkan driver of this description.
-Command zink_command(const std::string& worker, const std::string& driver,
-                     const std::string& description) {
-  Command command{{worker, "egl-surfaceless", "--expect-driver", driver},
+// OpenGL by zink, upon lavapipe or SwiftShader.
+Command zink_command(const std::string& worker, FrontEnd front_end, const std::string& driver) {
+  const std::string description = driver == "zink" ? lavapipe_description() : kSwiftShader;
+  Command command{{worker, surfaceless(front_end), "--expect-driver", driver},
                   {{"MESA_LOADER_DRIVER_OVERRIDE", "zink"},
                    // Without it Mesa looks for a graphics card, and finds none.
                    {"LIBGL_ALWAYS_SOFTWARE", "1"},
@@ -85,8 +100,9 @@ Command zink_command(const std::string& worker, const std::string& driver,
 }
 
 // A device shows what the system offers: the environment is the user's.
-Command device_command(const std::string& worker, const std::string& number) {
-  return {{worker, "egl-device:" + number}, {{"LP_NUM_THREADS", "0"}}, {}};
+Command device_command(const std::string& worker, FrontEnd front_end, const std::string& number) {
+  const char* context = front_end == FrontEnd::egl_es ? "egl-es-device:" : "egl-device:";
+  return {{worker, context + number}, {{"LP_NUM_THREADS", "0"}}, {}};
 }
 
 // The words of a command line; nothing when a quote is not closed.
@@ -137,6 +153,26 @@ bool is_number(std::string_view text) {
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+// The worker of a driver, by what comes after the colon; none: there is no such driver.
+std::optional<Command> driver_command(const std::string& worker, FrontEnd front_end,
+                                      const std::string& driver) {
+  if (driver == "llvmpipe" || driver == "softpipe") return mesa_command(worker, front_end, driver);
+  if (front_end == FrontEnd::osmesa) return std::nullopt;
+  // SwiftShader keeps floats in depth24, which what OpenGL ES reads of it does not show.
+  if (driver == "zink" || (driver == "zink-swiftshader" && front_end == FrontEnd::egl))
+    return zink_command(worker, front_end, driver);
+  if (driver.starts_with(kDevice) && is_number(driver.substr(kDevice.size())))
+    return device_command(worker, front_end, driver.substr(kDevice.size()));
+  return std::nullopt;
+}
+
+struct Prefix {
+  std::string_view text;
+  FrontEnd front_end;
+};
+constexpr Prefix kPrefixes[] = {
+    {kOsmesaPrefix, FrontEnd::osmesa}, {kEglPrefix, FrontEnd::egl}, {kEsPrefix, FrontEnd::egl_es}};
+
 }  // namespace
 
 const std::vector<std::string>& opengl_renderer_names() {
@@ -146,9 +182,16 @@ const std::vector<std::string>& opengl_renderer_names() {
   return names;
 }
 
+const std::vector<std::string>& opengl_es_renderer_names() {
+  static const std::vector<std::string> names = {"egl-es:llvmpipe", "egl-es:softpipe",
+                                                 "egl-es:zink", "egl-es:device0"};
+  return names;
+}
+
 std::string known_renderer_names() {
   return "exact, osmesa:llvmpipe, osmesa:softpipe, egl:llvmpipe, egl:softpipe, egl:zink, "
-         "egl:zink-swiftshader, egl:deviceN, exec:PROGRAM, recording:FILE";
+         "egl:zink-swiftshader, egl:deviceN, egl-es:llvmpipe, egl-es:softpipe, egl-es:zink, "
+         "egl-es:deviceN, exec:PROGRAM, recording:FILE";
 }
 
 std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& name,
@@ -162,27 +205,28 @@ std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& name
   const std::string worker = (std::filesystem::path(program_directory) / "edgecase-gl").string();
   ProcessSpec spec;
   spec.name = name;
-  if (name.starts_with(kDevicePrefix) && is_number(name.substr(kDevicePrefix.size()))) {
-    spec.command = device_command(worker, name.substr(kDevicePrefix.size()));
+  for (const auto& [prefix, front_end] : kPrefixes) {
+    if (!name.starts_with(prefix)) continue;
+    auto command = driver_command(worker, front_end, name.substr(prefix.size()));
+    if (!command) continue;
+    spec.command = std::move(*command);
     return spec;
-  }
-  if (name == "egl:zink") {
-    spec.command = zink_command(worker, "zink", lavapipe_description());
-    return spec;
-  }
-  if (name == "egl:zink-swiftshader") {
-    spec.command = zink_command(worker, "zink-swiftshader", kSwiftShader);
-    return spec;
-  }
-  for (const char* driver : {"llvmpipe", "softpipe"}) {
-    for (bool egl : {false, true}) {
-      if (name != fmt::format("{}:{}", egl ? "egl" : "osmesa", driver)) continue;
-      spec.command = mesa_command(worker, egl, driver);
-      return spec;
-    }
   }
   return UnknownRenderer{
       fmt::format("there is no renderer '{}'; known are {}", name, known_renderer_names())};
+}
+
+int listed_egl_devices(const std::string& program_directory) {
+  constexpr std::chrono::seconds kPatience{30};
+  const std::string worker = (std::filesystem::path(program_directory) / "edgecase-gl").string();
+  auto started = ChildProcess::start({{worker, "--devices"}, {}, {}});
+  auto* child = std::get_if<std::unique_ptr<ChildProcess>>(&started);
+  if (child == nullptr) return 0;
+  std::string answer;
+  const auto status =
+      (*child)->exchange("", answer, 16, ChildProcess::Clock::now() + kPatience, nullptr);
+  if (status != ChildProcess::Status::answered || !is_number(answer)) return 0;
+  return std::stoi(answer);
 }
 
 std::string executable_directory() {

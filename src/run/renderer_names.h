@@ -5,6 +5,8 @@
 //   osmesa:llvmpipe osmesa:softpipe egl:llvmpipe egl:softpipe egl:zink egl:zink-swiftshader
 //   egl:deviceN exec:PROGRAM
 //
+// and of OpenGL ES egl-es:llvmpipe egl-es:softpipe egl-es:zink egl-es:deviceN.
+//
 // The OpenGL ones are all the same program, edgecase-gl; what differs is its argument and the
 // environment it is started in, since Mesa chooses its driver by environment variables that it
 // reads once per process.
@@ -18,8 +20,9 @@
 
 namespace edgecase {
 
-// The OpenGL renderers that `edgecase backends` looks at when none is named.
+// The renderers of OpenGL core, and those of OpenGL ES; of devices, the first.
 const std::vector<std::string>& opengl_renderer_names();
+const std::vector<std::string>& opengl_es_renderer_names();
 
 // Names for messages: all that the command line knows, patterns included.
 std::string known_renderer_names();
@@ -37,6 +40,10 @@ struct UnknownRenderer {
 // the working folder needs no "./"), or is looked up in PATH.
 std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& name,
                                                          const std::string& program_directory);
+
+// How many devices EGL lists, as the worker program finds it: egl:device0 and so on. 0 where there
+// is no EGL that lists them. Asked of another process: a driver that crashes takes nothing with it.
+int listed_egl_devices(const std::string& program_directory);
 
 // The folder of the running executable, from /proc/self/exe; "." where that cannot be read.
 std::string executable_directory();

@@ -44,6 +44,26 @@ TEST(RendererNames, MesaDriversComeFromTheWorkerProgram) {
   for (const std::string& name : opengl_renderer_names()) command_of(name);
 }
 
+TEST(RendererNames, OpenGlEsIsAnotherContextOfTheSameDriver) {
+  const Command softpipe = command_of("egl-es:softpipe");
+  EXPECT_THAT(softpipe.argv, ElementsAre("/opt/bin/edgecase-gl", "egl-es-surfaceless",
+                                         "--expect-driver", "softpipe"));
+  EXPECT_EQ(softpipe.environment.at("GALLIUM_DRIVER"), "softpipe");
+  EXPECT_EQ(softpipe.environment.at("LIBGL_ALWAYS_SOFTWARE"), "1");
+  // It claims OpenGL ES 3.1 by itself.
+  EXPECT_EQ(softpipe.environment.count("MESA_GL_VERSION_OVERRIDE"), 0u);
+  EXPECT_THAT(softpipe.unset, IsSupersetOf({"MESA_GLES_VERSION_OVERRIDE"}));
+  EXPECT_EQ(command_of("egl-es:zink").argv[1], "egl-es-surfaceless");
+  EXPECT_THAT(command_of("egl-es:device3").argv,
+              ElementsAre("/opt/bin/edgecase-gl", "egl-es-device:3"));
+  for (const std::string& name : opengl_es_renderer_names()) command_of(name);
+  EXPECT_THAT(message_of("egl-es:zink-swiftshader"), HasSubstr("there is no renderer"));
+}
+
+TEST(RendererNames, WithoutAWorkerNoDevicesAreListed) {
+  EXPECT_EQ(listed_egl_devices("/no/such/folder"), 0);
+}
+
 TEST(RendererNames, ARecordingHasNoProgram) {
   EXPECT_THAT(message_of("recording:some.rec"),
               AllOf(HasSubstr("'recording:some.rec'"), HasSubstr("no program behind it")));
@@ -85,8 +105,9 @@ TEST(RendererNames, ExecTakesTheFileOfThatName) {
 }
 
 TEST(RendererNames, RefusalsNameWhatIsKnown) {
-  for (const char* name : {"", "osmesa", "osmesa:zink", "egl:", "egl:device", "egl:device-1",
-                           "egl:device1x", "egl:device9999", "Osmesa:llvmpipe"})
+  for (const char* name :
+       {"", "osmesa", "osmesa:zink", "egl:", "egl:device", "egl:device-1", "egl:device1x",
+        "egl:device9999", "egl-es:", "egl-es:device", "osmesa:device0", "Osmesa:llvmpipe"})
     EXPECT_THAT(message_of(name), HasSubstr("known are exact, osmesa:llvmpipe")) << name;
   EXPECT_THAT(message_of("recording:x"), HasSubstr("there is no program behind it"));
   EXPECT_THAT(message_of("exec:"), HasSubstr("names no program"));

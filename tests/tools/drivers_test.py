@@ -152,8 +152,14 @@ class Drivers(CommandTest):
         for renderer in MESA:
             self.assertIn(renderer.split(":")[1], rows[renderer])
             self.assertIn("yes + hits", rows[renderer])
-        for renderer in ("egl:zink", "egl:zink-swiftshader", "egl:device0"):
+        for renderer in ("egl:zink", "egl:zink-swiftshader", "egl:device0", "egl-es:llvmpipe",
+                         "egl-es:softpipe", "egl-es:zink"):
             self.assertIn(renderer, rows)
+        listed = int(subprocess.run([WORKER, "--devices"], capture_output=True, text=True,
+                                    timeout=PATIENCE, check=True).stdout)
+        for front_end in ("egl", "egl-es"):
+            devices = [name for name in rows if name.startswith(f"{front_end}:device")]
+            self.assertEqual(devices, [f"{front_end}:device{i}" for i in range(max(1, listed))])
         self.assertIn("zink (llvmpipe", rows["egl:zink"])
         self.assertIn("yes + hits", rows["egl:zink"])
         self.assertEqual(table[0].split()[0], "renderer")

@@ -153,9 +153,22 @@ ExitCode print_probes(std::vector<ProcessSpec>& specs, const Examinations& exami
   return enough ? ExitCode::as_expected : ExitCode::renderer;
 }
 
+// All drivers by name, of OpenGL and of OpenGL ES, and every device that EGL lists; the first one
+// even where it lists none, for the reason.
+std::vector<std::string> default_names() {
+  std::vector<std::string> names = opengl_renderer_names();
+  const auto& es = opengl_es_renderer_names();
+  names.insert(names.end(), es.begin(), es.end());
+  const int devices = listed_egl_devices(executable_directory());
+  for (int device = 1; device < devices; ++device)
+    for (const char* front_end : {"egl", "egl-es"})
+      names.push_back(fmt::format("{}:device{}", front_end, device));
+  return names;
+}
+
 ExitCode run_backends(const BackendsCommand& command) {
   std::vector<ProcessSpec> specs;
-  for (const std::string& name : command.names.empty() ? opengl_renderer_names() : command.names) {
+  for (const std::string& name : command.names.empty() ? default_names() : command.names) {
     auto found = find_renderer(name, executable_directory());
     if (const auto* unknown = std::get_if<UnknownRenderer>(&found)) {
       fmt::print(stderr, "edgecase: {}\n", unknown->message);
@@ -187,7 +200,9 @@ void add_backends_command(CLI::App& app, ExitCode& exit) {
       "Probe renderers by rendering, print what each really offers, and check that programs keep "
       "the protocol of exec:");
   auto options = std::make_shared<BackendsCommand>();
-  command->add_option("renderers", options->names, "Renderers (default: the OpenGL ones)");
+  command->add_option(
+      "renderers", options->names,
+      "Renderers (default: the OpenGL and OpenGL ES ones, with every device of EGL)");
   command->add_option("--json", options->json,
                       "Write the checks of programs as JSON; - for standard output");
   command->add_option("--timeout", options->timeout, "Seconds for each answer to a check")

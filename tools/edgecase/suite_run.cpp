@@ -77,8 +77,8 @@ void SuiteRunOptions::add_to(CLI::App& command) {
   add_repeatable(
       command, "--against", renderers,
       "Renderer to compare with exact, repeatable: osmesa:llvmpipe, osmesa:softpipe, "
-      "egl:llvmpipe, egl:softpipe, egl:zink, egl:zink-swiftshader, egl:deviceN, exec:PROGRAM, "
-      "recording:FILE, exact");
+      "egl:llvmpipe, egl:softpipe, egl:zink, egl:zink-swiftshader, egl:deviceN, egl-es:llvmpipe, "
+      "egl-es:softpipe, egl-es:zink, egl-es:deviceN, exec:PROGRAM, recording:FILE, exact");
   command.add_option("--jobs", jobs, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 256));
   command.add_option("--timeout", timeout, "Seconds per case")->check(CLI::Range(0.01, 3600.0));
