@@ -47,9 +47,9 @@ std::string choose_line_reading(std::span<Result* const> results) {
 
 using Counts = std::map<std::string, std::ptrdiff_t>;
 
-// RunReading::alternatives. A primitive of several passes counts once.
-Counts count_alternatives(std::span<Result* const> results) {
-  Counts counts;
+// RunReading::alternatives and RunReading::refuted. A primitive of several passes counts once.
+void read_alternatives(std::span<Result* const> results, RunReading& reading) {
+  Counts& counts = reading.alternatives;
   for (const Result* result : results) {
     std::set<std::pair<int, std::string>> helpful;
     for (const Result::Evidence& evidence : result->evidence)
@@ -57,9 +57,11 @@ Counts count_alternatives(std::span<Result* const> results) {
         for (const std::string& part : parts_of(cause)) helpful.emplace(evidence.primitive, part);
     for (const auto& [primitive, part] : helpful) ++counts[part];
     for (std::size_t i = 0; i < result->refuted.size(); ++i)
-      if (result->refuted[i] == '1') --counts[alternative_names()[i]];
+      if (result->refuted[i] == '1') {
+        --counts[alternative_names()[i]];
+        reading.refuted.insert(alternative_names()[i]);
+      }
   }
-  return counts;
 }
 
 // Of an alternative that a run does not know, nothing speaks for or against it.
@@ -89,22 +91,50 @@ bool is_followed(const std::vector<std::string>& parts, const Counts& counts) {
                      [&](const std::string& part) { return count_of(counts, part) > 0; });
 }
 
+// How many primitives of the run the alternatives of a cause help to explain, on average.
+double support_of(const std::vector<std::string>& parts, const Counts& counts) {
+  std::ptrdiff_t sum = 0;
+  for (const std::string& part : parts) sum += count_of(counts, part);
+  return static_cast<double>(sum) / static_cast<double>(parts.size());
+}
+
+// Does some case of the run that agrees refute one of these?
+bool is_refuted(const std::vector<std::string>& parts, const RunReading& reading) {
+  return std::ranges::any_of(
+      parts, [&](const std::string& part) { return reading.refuted.contains(part); });
+}
+
+// The most support that a fault has among the candidates, none of whose alternatives any case of
+// the run refutes. A renderer that has such a fault draws by chance, now and then, what an open
+// choice draws; elsewhere in the run that choice is refuted.
+double most_support_of_a_fault(const Result::Evidence& evidence, const RunReading& reading) {
+  double most = 0;
+  for (const std::string& cause : evidence.causes) {
+    const std::vector<std::string> parts = parts_of(cause);
+    if (is_open_choice(cause) || is_refuted(parts, reading)) continue;
+    most = std::max(most, support_of(parts, reading.alternatives));
+  }
+  return most;
+}
+
 // The candidate whose alternatives explain most of the run, on average; the first in catalogue
 // order of those that tie. Of what is legal, one that the specification leaves open comes before
 // one that it does not; if it is not among the smallest, it must be what the renderer does
-// elsewhere. What is illegal, a hole in a shared edge say, speaks for neither.
-std::string choose_cause(const Result::Evidence& evidence, bool legal, const Counts& counts) {
+// elsewhere, and if the run refutes it, no fault that the run does not refute may explain more.
+// What is illegal, a hole in a shared edge say, speaks for neither.
+std::string choose_cause(const Result::Evidence& evidence, bool legal, const RunReading& reading) {
+  const Counts& counts = reading.alternatives;
   std::string best;
   std::pair most{false, -std::numeric_limits<double>::infinity()};
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const std::string& cause : evidence.causes) least = std::min(least, parts_of(cause).size());
+  const double fault = most_support_of_a_fault(evidence, reading);
   for (const std::string& cause : evidence.causes) {
     const std::vector<std::string> parts = parts_of(cause);
-    std::ptrdiff_t sum = 0;
-    for (const std::string& part : parts) sum += count_of(counts, part);
+    const double support = support_of(parts, counts);
     const bool likely = parts.size() == least || is_followed(parts, counts);
-    const std::pair score{legal && likely && is_open_choice(cause),
-                          static_cast<double>(sum) / static_cast<double>(parts.size())};
+    const bool outdone = fault > 0 && support < fault && is_refuted(parts, reading);
+    const std::pair score{legal && likely && !outdone && is_open_choice(cause), support};
     if (score <= most) continue;
     most = score;
     best = cause;
@@ -181,7 +211,10 @@ std::string fingerprint_of(const Result& result) {
 }  // namespace
 
 RunReading read_run(std::span<Result* const> results) {
-  return {choose_line_reading(results), count_alternatives(results)};
+  RunReading reading;
+  reading.line_snap = choose_line_reading(results);
+  read_alternatives(results, reading);
+  return reading;
 }
 
 void judge(std::span<Result* const> results, Latitude latitude, const RunReading& reading) {
@@ -191,7 +224,7 @@ void judge(std::span<Result* const> results, Latitude latitude, const RunReading
     if (!result->failure)
       for (const Result::Evidence& evidence : result->evidence) {
         const bool legal = is_legal(*result, evidence, reading.line_snap);
-        judge_primitive(evidence, reading.line_snap, choose_cause(evidence, legal, counts),
+        judge_primitive(evidence, reading.line_snap, choose_cause(evidence, legal, reading),
                         *result);
       }
     name_switch(counts, *result);

@@ -7,8 +7,9 @@
 // causes that reproduce a primitive equally well, the one whose alternatives explain most
 // primitives of the run, and are refuted by fewest cases, is the likeliest: it is what the renderer
 // does everywhere. Where what was drawn is legal, one that the specification leaves open comes
-// before one that it does not. Judging is a function of the results alone, so judging merged shards
-// gives what judging the whole run gives.
+// before one that it does not, unless the run refutes it and no case refutes a fault that explains
+// more. Judging is a function of the results alone, so judging merged shards gives what judging the
+// whole run gives.
 //
 // Both make a RunReading. Whoever has a run may read it once, and then judge any result, one of the
 // run or a new one, as the run as a whole reads it.
@@ -16,6 +17,7 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 
@@ -30,6 +32,7 @@ struct RunReading {
   // "rule=alternative" -> how many primitives of the run it helps to reproduce, alone or with
   // another, less the cases that refute it. One that is not there counts 0.
   std::map<std::string, std::ptrdiff_t> alternatives;
+  std::set<std::string> refuted;  // those that some case refutes
 };
 
 // The reading of all results of one renderer on one surface, which compare() made; those without a

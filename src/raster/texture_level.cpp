@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "rules/values/rational_interpolation.h"
+
 namespace edgecase {
 namespace {
 
@@ -96,6 +98,19 @@ Rational squared_scale_factor(const RationalFootprint& f, ScaleFactor method) {
       return squared_length(f.dy);
   }
   return 0;
+}
+
+bool has_no_extent(const std::array<Interpolant, 2>& coordinates, const QuadPixel& at,
+                   int dimensions, const TextureChoice& choice) {
+  RationalFootprint footprint{{}, {}, dimensions};
+  for (std::size_t c = 0; c < static_cast<std::size_t>(dimensions); ++c) {
+    const auto x = derivative_rational(coordinates[c], at, Axis::x, choice.derivatives);
+    const auto y = derivative_rational(coordinates[c], at, Axis::y, choice.derivatives);
+    if (!x || !y) return false;
+    footprint.dx[c] = *x;
+    footprint.dy[c] = *y;
+  }
+  return squared_scale_factor(footprint, choice.scale_factor) == 0;
 }
 
 bool is_anisotropic(const Sampler& sampler, const TextureChoice& choice) {

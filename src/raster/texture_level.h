@@ -14,6 +14,7 @@
 #include "exact/rational.h"
 #include "rules/textures/level_of_detail.h"
 #include "rules/textures/texture_choice.h"
+#include "rules/values/derivative.h"
 
 namespace edgecase {
 
@@ -42,6 +43,10 @@ Rational squared_scale_factor(const RationalFootprint& footprint, const ProbeRow
                               const Sampler& sampler, const TextureChoice& choice);
 // The same of a method, as scale_factor().
 Rational squared_scale_factor(const RationalFootprint& footprint, ScaleFactor method);
+
+// Is the scale factor of a pixel's own derivatives of s and t 0, to the last digit?
+bool has_no_extent(const std::array<Interpolant, 2>& coordinates, const QuadPixel& at,
+                   int dimensions, const TextureChoice& choice);
 
 // Does the interval touch a number where another level, or another weight of it, begins?
 bool is_level_open(Interval lambda_prime, LevelWeight weight);

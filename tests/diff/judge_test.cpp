@@ -12,21 +12,12 @@
 #include "diff/compare.h"
 #include "diff/coverage/alternatives.h"
 #include "raster/rasterizer.h"
+#include "tests/diff/judged_results.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/raster/random_scenes.h"
 
 namespace edgecase {
 namespace {
-
-std::vector<Result*> pointers(std::deque<Result>& results) {
-  std::vector<Result*> list;
-  for (Result& result : results) list.push_back(&result);
-  return list;
-}
-
-std::string judge_all(std::deque<Result>& results, Latitude latitude = Latitude::opengl) {
-  return judge(pointers(results), latitude);
-}
 
 // All catalogued snaps but these.
 std::vector<std::string> all_but(const std::vector<std::string>& snaps) {
@@ -47,19 +38,6 @@ Result line_result(std::vector<std::string> snaps, std::vector<std::string> caus
   result.disagreements = {d};
   result.illegal_line_snaps = all_but(snaps);
   result.evidence = {{0, std::move(causes), all_but(snaps), ""}};
-  return result;
-}
-
-Result triangle_result(std::vector<std::string> causes, int x = 0) {
-  Result result;
-  Disagreement d;
-  d.x = x;
-  d.primitive = 0;
-  d.rule = "triangle.fill-rule";
-  d.ruling = 4;
-  d.legal = true;
-  result.disagreements = {d};
-  result.evidence = {{0, std::move(causes), {}, ""}};
   return result;
 }
 
@@ -88,82 +66,6 @@ TEST(Judge, CasesThatDidNotRunHaveNoVote) {
                                 not_run({FailureKind::crashed, "gone"})};
   results[1].illegal_line_snaps = all_but({"none"});
   EXPECT_EQ(judge_all(results), "8-truncate");
-}
-
-TEST(Judge, TheCauseThatExplainsMostOfTheRunWins) {
-  const std::string a = "triangle.fill-rule=left-bottom", b = "triangle.fill-rule=bottom-left";
-  std::deque<Result> results = {triangle_result({a, b}), triangle_result({b}),
-                                triangle_result({a, b})};
-  judge_all(results);
-  for (const Result& result : results) {
-    EXPECT_EQ(result.disagreements[0].cause, b);
-    EXPECT_EQ(result.verdict, Verdict::convention);
-  }
-  std::deque<Result> tied = {triangle_result({a, b}), triangle_result({a, b})};
-  judge_all(tied);
-  EXPECT_EQ(tied[0].disagreements[0].cause, a) << "of several that tie, the first of the catalogue";
-}
-
-// An agreeing case that an alternative would have drawn otherwise speaks against it.
-TEST(Judge, WhatAgreeingCasesRefuteIsNotTheCause) {
-  const std::string a = "triangle.snap=8-half-even", b = "triangle.snap=4-half-even";
-  Result agreeing;
-  agreeing.refuted.assign(alternative_names().size(), '0');
-  const auto names = alternative_names();
-  agreeing
-      .refuted[static_cast<std::size_t>(std::find(names.begin(), names.end(), a) - names.begin())] =
-      '1';
-  std::deque<Result> results = {triangle_result({a, b}), triangle_result({a, b}), agreeing};
-  judge_all(results);
-  EXPECT_EQ(results[0].disagreements[0].cause, b);
-  EXPECT_EQ(results[2].verdict, Verdict::agree);
-}
-
-TEST(Judge, AnOpenChoiceComesBeforeAnIllegalOne) {
-  const std::string illegal = "triangle.fill-rule=closed", open = "triangle.fill-rule=left-bottom";
-  std::deque<Result> results = {triangle_result({illegal, open}), triangle_result({illegal}),
-                                triangle_result({illegal})};
-  judge_all(results);
-  EXPECT_EQ(results[0].disagreements[0].cause, open);
-  EXPECT_EQ(results[1].disagreements[0].cause, illegal);
-}
-
-TEST(Judge, ALargerOpenChoiceMustBeWhatTheRunSpeaksFor) {
-  const std::string illegal = "triangle.fill-rule=closed";
-  const std::string order = "triangle.fill-rule=left-bottom";
-  const std::string open = order + " + triangle.snap=8-half-even";
-  std::deque<Result> results = {triangle_result({illegal, open})};
-  judge_all(results);
-  EXPECT_EQ(results[0].disagreements[0].cause, open);
-  Result agreeing;
-  agreeing.refuted.assign(alternative_names().size(), '0');
-  const auto names = alternative_names();
-  agreeing.refuted[static_cast<std::size_t>(std::find(names.begin(), names.end(), order) -
-                                            names.begin())] = '1';
-  results = {triangle_result({illegal, open}), agreeing};
-  judge_all(results);
-  EXPECT_EQ(results[0].disagreements[0].cause, illegal);
-}
-
-// No conforming choice makes a hole in a shared edge: what explains more of the run is the cause.
-TEST(Judge, WhatIsIllegalSpeaksForNoOpenChoice) {
-  const std::string illegal = "triangle.fill-rule=closed", open = "triangle.fill-rule=left-bottom";
-  std::deque<Result> results = {triangle_result({open, illegal}), triangle_result({illegal})};
-  results[0].disagreements[0].legal = false;
-  results[0].disagreements[0].rule = "triangle.shared-edge";
-  judge_all(results);
-  EXPECT_EQ(results[0].disagreements[0].cause, illegal);
-  // A fault of another kind, or of another primitive, is no evidence here.
-  for (const bool value : {true, false}) {
-    std::deque<Result> others = {triangle_result({open, illegal}), triangle_result({illegal})};
-    Disagreement fault;
-    fault.primitive = value ? 0 : 1;
-    fault.kind = value ? DisagreementKind::value : DisagreementKind::extra;
-    fault.rule = value ? "attribute.flat" : "triangle.fill-rule";
-    others[0].disagreements.push_back(fault);
-    judge_all(others);
-    EXPECT_EQ(others[0].disagreements[0].cause, open);
-  }
 }
 
 TEST(Judge, OnlyOpenChoicesAreConvention) {

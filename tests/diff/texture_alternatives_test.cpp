@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <limits>
 #include <map>
 
 #include "diff/coverage/cause.h"
@@ -103,6 +104,29 @@ TEST(TextureAlternatives, AreNamedInFloat32) {
     causes.erase("");  // what lies within what the exact way may err, or is permitted by chance
     EXPECT_EQ(causes, Causes{choice}) << name << "\n" << describe_textures(result);
   }
+}
+
+// Where nothing changes along x the level is the logarithm of 0, and colours are of the base level.
+TEST(TextureAlternatives, ALevelOfDerivativesThatAreZeroIsNamed) {
+  Sampler sampler;
+  sampler.minify = sampler.magnify = Filter::linear;
+  sampler.mipmap = MipFilter::linear;
+  Scene scene = flat_scene(3.3, TextureFormat::rgba32f, sampler);
+  for (Vertex& vertex : scene.draws[0].vertices) vertex.texture_coordinates[0] = 0.3125f;
+  const std::string choice = "texture.scale-factor=x-only";
+  Rendering rendered = rasterize(scene, policy_of({choice}));
+  for (const FragmentDetail& detail : rendered.details)
+    EXPECT_EQ(detail.level_of_detail[1], -std::numeric_limits<double>::infinity());
+  const Result result = judge_textures(scene, in_float32(scene, rendered));
+  EXPECT_EQ(result.verdict, Verdict::violation);
+  EXPECT_EQ(causes_of(result), Causes{choice}) << describe_textures(result);
+  for (const Disagreement& d : result.disagreements) EXPECT_EQ(d.rule, "texture.scale-factor");
+  // Whoever tells that level and takes another is told of the filter, too.
+  for (Fragment& fragment : rendered.fragments) fragment.color[0] += 1;
+  bool is_told = false;
+  for (const Disagreement& d : judge_textures(scene, in_float32(scene, rendered)).disagreements)
+    is_told = is_told || (d.rule == "texture.filter" && d.cause.empty());
+  EXPECT_TRUE(is_told);
 }
 
 TEST(TextureAlternatives, WhoAnswersExactAgreesWithoutASingleAggregate) {

@@ -28,9 +28,6 @@ class Fault(typing.NamedTuple):
 
 
 LINE = {"line.diamond-exit", "line.joint"}
-# Where nothing changes along x, the logarithm of what is left of the derivative says nothing: colours
-# are then beyond what is permitted, without a cause.
-LEVEL = {"texture.scale-factor", "texture.filter"}
 FILL = {"triangle.fill-rule", "triangle.shared-edge"}
 PERSPECTIVE = {"attribute.smooth", "derivative.plain", "derivative.fine", "derivative.coarse"}
 FAULTS = {
@@ -66,7 +63,7 @@ FAULTS = {
         "texture_mutant", "x-only", ["textures/level-of-detail/longer-side.json",
                                      "textures/level-of-detail/odd-images.json",
                                      "textures/level-of-detail/within-a-quad.json"], 4, "violation",
-        LEVEL, "texture.scale-factor=x-only"),
+        {"texture.scale-factor"}, "texture.scale-factor=x-only", {"texture.scale-factor=x-only"}),
     "premultiplied colours are taken for straight ones": Fault(
         "output_mutant", "straight-alpha", ["output/blending"], 60, "violation",
         {"blend.equation"}, "blend.equation=over-as-straight"),
@@ -75,7 +72,7 @@ FAULTS = {
         "depth.test=ties-fail"),
     "shared edges are drawn twice": Fault(
         "faulty_rasterizer", "shared-twice", ["triangles/shared-edges", "triangles/fans"], 20,
-        "violation", FILL, "triangle.fill-rule=closed"),
+        "violation", FILL, "triangle.fill-rule=closed", {"triangle.fill-rule=closed"}),
     "y points down": Fault(
         "faulty_rasterizer", "mirrored", ["points", "lines/directions", "triangles/single"], 40,
         "violation", {"window.origin"}, "window.origin", {"window.origin"}),

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raster/texture_level.h"
 #include "rules/textures/directed.h"
 
 namespace edgecase {
@@ -212,7 +213,11 @@ bool TextureLookups::is_definite(const Fragment& fragment, const TextureChoice& 
   const Gradients gradients = is_query ? gradients_of(fragment, choice.derivatives)
                                        : lookup_gradients(fragment, choice.derivatives);
   const Interval scale = scale_factor(footprint_of(fragment, gradients), choice.scale_factor);
-  return scale.low > 0 || scale.high <= 0;
+  if (scale.low > 0 || scale.high <= 0) return true;
+  const QuadPixel at =
+      quad_of({fragment.x, fragment.y}, context_.choices.values, context_.scene.target);
+  const auto& color = context_.values_of(fragment).chosen.color;
+  return has_no_extent({color[0], color[1]}, at, texture_of(fragment).dimensions, choice);
 }
 
 Interval TextureLookups::permitted_lambda(const Fragment& fragment, Reach reach) {
@@ -241,6 +246,8 @@ std::optional<Interval> TextureLookups::told_lambda(const Fragment& fragment) co
   const FragmentDetail* detail = detail_of(fragment);
   if (detail == nullptr || !detail->has_level_of_detail) return std::nullopt;
   const double told = detail->level_of_detail[1];
+  // The logarithm of 0 is a level, too: the least that there is.
+  if (std::isinf(told) && told < 0) return Interval(told);
   if (!std::isfinite(told)) return std::nullopt;
   return edgecase::widened(told, kClause);
 }

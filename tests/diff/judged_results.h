@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// Results made up for tests of judging, which asks nothing of a scene.
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "diff/coverage/alternatives.h"
+#include "diff/judge.h"
+
+namespace edgecase {
+
+inline std::vector<Result*> pointers(std::deque<Result>& results) {
+  std::vector<Result*> list;
+  for (Result& result : results) list.push_back(&result);
+  return list;
+}
+
+inline std::string judge_all(std::deque<Result>& results, Latitude latitude = Latitude::opengl) {
+  return judge(pointers(results), latitude);
+}
+
+// A case with one triangle that differs and is legal.
+inline Result triangle_result(std::vector<std::string> causes, int x = 0) {
+  Result result;
+  Disagreement d;
+  d.x = x;
+  d.primitive = 0;
+  d.rule = "triangle.fill-rule";
+  d.ruling = 4;
+  d.legal = true;
+  result.disagreements = {d};
+  result.evidence = {{0, std::move(causes), {}, ""}};
+  return result;
+}
+
+// A case that agrees, and that one alternative would have drawn otherwise.
+inline Result agreeing_but_for(const std::string& refuted) {
+  const auto names = alternative_names();
+  Result result;
+  result.refuted.assign(names.size(), '0');
+  result.refuted[static_cast<std::size_t>(std::find(names.begin(), names.end(), refuted) -
+                                          names.begin())] = '1';
+  return result;
+}
+
+}  // namespace edgecase
