@@ -6,6 +6,7 @@
 
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/line_areas.h"
+#include "rules/coverage/line_tested_ends.h"
 #include "rules/coverage/line_walks.h"
 #include "rules/coverage/triangle_scan.h"
 
@@ -39,10 +40,15 @@ constexpr Entry kEntries[] = {
      "the centres in a rectangle of width 1 along the segment, as in Vulkan's strict lines"},
     {LineAlgorithm::parallelogram, "parallelogram",
      "the centres in a parallelogram whose ends run along the minor axis"},
+    {LineAlgorithm::parallelogram_ends_tested, "parallelogram-ends-tested",
+     "the same, its corners on a grid of 1/256 pixel, an end moved to the border of its pixel "
+     "where a "
+     "diamond-exit test of the end wants it"},
 };
 
 constexpr WideLine kWideLines[] = {WideLine::replicate, WideLine::rectangle,
-                                   WideLine::parallelogram, WideLine::shifted_triangles};
+                                   WideLine::parallelogram, WideLine::parallelogram_ends_tested,
+                                   WideLine::shifted_triangles};
 
 // The parallelogram of a wide line as two triangles, moved half a pixel back along the major axis
 // and an eighth down (right, if y-major); here 45 degrees counts as y-major.
@@ -91,6 +97,8 @@ std::vector<PixelPosition> thin_pixels(const Segment& segment, const PixelBounds
       return line_area_pixels(segment, one, LineArea::rectangle, bounds, ties);
     case LineAlgorithm::parallelogram:
       return line_area_pixels(segment, one, LineArea::parallelogram, bounds, ties);
+    case LineAlgorithm::parallelogram_ends_tested:
+      return tested_ends_pixels(segment, 1, bounds, ties);
   }
   return {};
 }
@@ -131,6 +139,8 @@ const char* name_of(WideLine wide) {
       return "rectangle";
     case WideLine::parallelogram:
       return "parallelogram";
+    case WideLine::parallelogram_ends_tested:
+      return "parallelogram-ends-tested";
     case WideLine::shifted_triangles:
       return "shifted-triangles";
   }
@@ -189,6 +199,8 @@ std::vector<PixelPosition> line_pixels(const Segment& segment, Fixed width,
       return line_area_pixels(segment, width, LineArea::rectangle, bounds, ties);
     case WideLine::parallelogram:
       return line_area_pixels(segment, width, LineArea::parallelogram, bounds, ties);
+    case WideLine::parallelogram_ends_tested:
+      return tested_ends_pixels(segment, rounded, bounds, ties);
     case WideLine::shifted_triangles:
       return shifted_triangle_pixels(segment, width, bounds);
   }
@@ -228,6 +240,9 @@ Rule line_width_rule() {
        "the centres in a rectangle as wide as the line; OpenGL has it under multisampling only"},
       {"parallelogram", Openness::illegal,
        "the centres in a parallelogram whose ends run along the minor axis"},
+      {"parallelogram-ends-tested", Openness::illegal,
+       "the same of the rounded width, its corners on a grid of 1/256 pixel, an end moved to the "
+       "border of its pixel where a diamond-exit test of the segment's end wants it"},
       {"shifted-triangles", Openness::illegal,
        "two triangles of such a parallelogram, scan-converted, half a pixel back along the major "
        "axis and 1/8 pixel down (right, if y-major)"}};

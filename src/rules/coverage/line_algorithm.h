@@ -33,6 +33,7 @@ enum class LineAlgorithm {
   midpoint,
   rectangle,
   parallelogram,
+  parallelogram_ends_tested,
 };
 
 std::span<const LineAlgorithm> all_line_algorithms();
@@ -48,6 +49,7 @@ enum class WideLine {
   replicate,
   rectangle,
   parallelogram,
+  parallelogram_ends_tested,
   // Two triangles, half a pixel back along the major axis and 1/8 pixel down (right, if y-major),
   // scan-converted: what Mesa makes of wide lines for drivers that have none of their own.
   shifted_triangles,
