@@ -169,9 +169,11 @@ Pixels clipped_pixels_of(const ScenePrimitive& primitive,
 }
 
 // The same, sorted, of a target that is seen as the choice sees it.
-Pixels viewed_pixels(const ScenePrimitive& primitive, const Target& target,
-                     const CoverageChoice& choice, View view) {
+Pixels viewed_pixels(const ScenePrimitive& primitive, const Target& target, CoverageChoice choice,
+                     View view) {
   const bool turned = choice.rows == RowOrder::top_down;
+  if (primitive.kind == PrimitiveKind::line && choice.rows != choice.polygon_rows)
+    choice.ties = turned_over(choice.ties);
   auto p = primitive.positions;
   Viewport viewport = primitive.viewport;
   if (turned) {

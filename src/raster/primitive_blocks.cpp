@@ -3,19 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "raster/vertex_attributes.h"
 #include "raster/facing.h"
 #include "raster/rasterizer.h"
+#include "raster/vertex_attributes.h"
 
 namespace edgecase {
 namespace {
-
-// The tie rule of a target that is seen upside down, as it is seen upright.
-TieRule turned_over(TieRule ties) {
-  ties.first_y = -ties.first_y;
-  ties.second_y = -ties.second_y;
-  return ties;
-}
 
 // Why a primitive has no edges to walk by; empty where it has.
 std::string absence_of(const ScenePrimitive& primitive, const Target& target,

@@ -40,6 +40,8 @@ CoverageChoice resolve_primitive(const Policy& policy, Surface surface, Primitiv
       chosen_or_standard(policy, surface, point ? "point.ownership" : "triangle.fill-rule"));
   result.line = resolve_line(policy, surface);
   parse_name(chosen_or_standard(policy, surface, row_order_rule_of(kind)), result.rows);
+  parse_name(chosen_or_standard(policy, surface, row_order_rule_of(PrimitiveKind::triangle)),
+             result.polygon_rows);
   parse_name(chosen_or_standard(policy, surface, "point.offset"), result.point_offset);
   parse_name(chosen_or_standard(policy, surface, "triangle.algorithm"), result.triangle_algorithm);
   parse_name(chosen_or_standard(policy, surface, "polygon.facing"), result.facing);

@@ -41,6 +41,8 @@ namespace edgecase {
 struct CoverageChoice {
   Snap snap;
   RowOrder rows = RowOrder::bottom_up;  // snapping, ties and all else see the target so
+  // Lines that are drawn as areas have the ties of polygons, which see the target so.
+  RowOrder polygon_rows = RowOrder::bottom_up;
   TieRule ties;     // of a point's square, a triangle's edges, a line drawn as an area
   LineChoice line;  // of lines alone
   PointOffset point_offset = PointOffset::none;                              // of points alone

@@ -48,6 +48,13 @@ struct TieRule {
   }
 };
 
+// The rule of a target that is seen upside down, as it is seen upright; it keeps its name.
+constexpr TieRule turned_over(TieRule ties) {
+  ties.first_y = -ties.first_y;
+  ties.second_y = -ties.second_y;
+  return ties;
+}
+
 // The eight perturbed rules, then open and closed.
 std::span<const TieRule> all_tie_rules();
 
