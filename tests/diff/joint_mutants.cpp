@@ -102,9 +102,14 @@ void draw_vertex_of_turn(const Scene& scene, Fragments& f) {
 const std::vector<std::string> kStraight = {
     "strip x-major",        "strip y-major",        "strip leftward", "strip downward",
     "joined lines x-major", "joined lines y-major", "joined draws"};
+const std::vector<std::string> kUpward = {"strip y-major", "joined lines y-major"};
+const std::vector<std::string> kNotUpward = {"strip x-major", "strip leftward", "strip downward",
+                                             "joined lines x-major", "joined draws"};
 const std::vector<std::string> kMiddles = {"strip with an empty middle",
                                            "lines with an empty middle"};
 // Exact itself draws a pixel of the first twice.
+const std::vector<std::string> kTurnsBack = {"strip that turns back"};
+const std::vector<std::string> kTurnsUpward = {"strip that turns upward"};
 const std::vector<std::string> kTurns = {"strip that turns back", "strip that turns upward"};
 // Exact itself draws the first pixel twice.
 const std::vector<std::string> kFromOnePoint = {"lines from one point"};
@@ -116,11 +121,12 @@ constexpr const char* kHalfOpenWalk = "line.algorithm=walk-half-open-direction";
 
 std::vector<Mutant> joint_mutants() {
   const auto violation = [](const char* name, auto change, const char* cause = "",
-                            const char* cause_of_middles = "") {
+                            const char* cause_of_middles = "", const char* cause_upward = "") {
     std::vector<std::string> scenes = kStraight;
     scenes.insert(scenes.end(), kMiddles.begin(), kMiddles.end());
     Mutant mutant{name, scenes, changed(change), Verdict::violation, "line.joint", cause};
     for (const std::string& scene : kMiddles) mutant.cause_in[scene] = cause_of_middles;
+    for (const std::string& scene : kUpward) mutant.cause_in[scene] = cause_upward;
     return mutant;
   };
   const auto allowed = [](Verdict verdict, const char* name, std::vector<std::string> scenes,
@@ -128,17 +134,20 @@ std::vector<Mutant> joint_mutants() {
     return Mutant{name, std::move(scenes), changed(change), verdict, "line.diamond-exit", cause};
   };
   const std::string one_later = std::string(kWholeWalk) + " | ";
+  const std::string one_later_upward = std::string(kWholeWalk) + " | " + kTestedEnds;
   const std::string one_later_past_a_middle = std::string(kWholeWalk) + " | " + kHalfOpenWalk;
   constexpr auto kPermitted = Verdict::permitted;
   constexpr auto kConvention = Verdict::convention;
   return {
-      violation("last pixel drawn at a joint", draw_last, kWholeWalk, kWholeWalk),
+      violation("last pixel drawn at a joint", draw_last, kWholeWalk, kWholeWalk, kWholeWalk),
       violation("one pixel before the joint drawn again", draw_one_back),
-      violation("first missing at a joint", leave_first_out, "", kHalfOpenWalk),
+      violation("first missing at a joint", leave_first_out, "", kHalfOpenWalk, kTestedEnds),
       violation("last missing at a joint", leave_last_out),
       violation("the sides of a joint moved apart", move_apart),
-      allowed(kPermitted, "a joint handed over one later", kStraight, hand_over_one_later,
+      allowed(kPermitted, "a joint handed over one later", kNotUpward, hand_over_one_later,
               one_later),
+      allowed(kConvention, "a joint handed over one later, going up", kUpward, hand_over_one_later,
+              one_later_upward),
       allowed(kConvention, "a joint handed over one later, past a middle", kMiddles,
               hand_over_one_later, one_later_past_a_middle),
       allowed(kPermitted, "a joint handed over one earlier", kStraight, hand_over_one_earlier),
@@ -149,7 +158,9 @@ std::vector<Mutant> joint_mutants() {
       allowed(kPermitted, "two pixels in the column of a joint, beyond a middle", kMiddles,
               share_a_column),
       allowed(kConvention, "last pixel drawn at a turn", kTurns, draw_vertex_of_turn, kWholeWalk),
-      allowed(kPermitted, "first missing at a turn", kTurns, leave_first_out),
+      allowed(kPermitted, "first missing at a turn", kTurnsBack, leave_first_out),
+      allowed(kConvention, "first missing at a turn upward", kTurnsUpward, leave_first_out,
+              kTestedEnds),
       allowed(kPermitted, "first missing of two lines from one point", kFromOnePoint,
               leave_first_out),
   };

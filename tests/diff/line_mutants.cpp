@@ -10,6 +10,9 @@ namespace {
 
 const std::vector<std::string> kLines = {"line x-major", "line y-major", "line 45 degrees",
                                          "line short",   "two lines",    "line smooth"};
+const std::vector<std::string> kUpward = {"line y-major"};
+const std::vector<std::string> kNotUpward = {"line x-major", "line 45 degrees", "line short",
+                                             "two lines", "line smooth"};
 const std::vector<std::string> kLong = {"line x-major", "line y-major", "line 45 degrees"};
 // Moved as a whole, joints stay whole.
 const std::vector<std::string> kMoved = {"line x-major",
@@ -151,7 +154,8 @@ std::vector<Mutant> line_mutants() {
       permitted("moved by 1 in y", kMoved, shifted(0, 1)),
       permitted("moved by 1 in x and y", kMoved, shifted(1, 1)),
       convention("last pixel drawn", kLines, changed(draw_end_vertex), kWholeWalk),
-      permitted("first fragment missing", kLines, changed(erase_first)),
+      permitted("first fragment missing", kNotUpward, changed(erase_first)),
+      convention("first fragment missing, going up", kUpward, changed(erase_first), kTestedEnds),
       permitted("last fragment missing", kLines, changed(erase_last)),
       permitted("the only fragment missing", std::vector<std::string>{"line of one fragment"},
                 nothing),

@@ -27,6 +27,11 @@ namespace edgecase {
 // The rule of coverage of a primitive that differs, whatever its kind.
 inline constexpr const char* kCoverage = "coverage";
 
+// Lines that run upward and right from a centre leave that out where they are parallelograms of
+// which the ends are tested, in a window seen upside down.
+inline constexpr const char* kTestedEnds =
+    "line.algorithm=parallelogram-ends-tested + line.row-order=top-down";
+
 struct Mutant {
   std::string name;
   std::vector<std::string> scenes;  // names; empty: all of named_scenes()

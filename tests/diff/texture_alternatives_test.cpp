@@ -119,8 +119,11 @@ TEST(TextureAlternatives, ALevelOfDerivativesThatAreZeroIsNamed) {
     EXPECT_EQ(detail.level_of_detail[1], -std::numeric_limits<double>::infinity());
   const Result result = judge_textures(scene, in_float32(scene, rendered));
   EXPECT_EQ(result.verdict, Verdict::violation);
-  EXPECT_EQ(causes_of(result), Causes{choice}) << describe_textures(result);
-  for (const Disagreement& d : result.disagreements) EXPECT_EQ(d.rule, "texture.scale-factor");
+  EXPECT_EQ(result.disagreements.size(), rendered.fragments.size()) << describe_textures(result);
+  for (const Disagreement& d : result.disagreements) {
+    EXPECT_EQ(d.rule, "texture.scale-factor");
+    EXPECT_EQ(d.cause, choice);
+  }
   // Whoever tells that level and takes another is told of the filter, too.
   for (Fragment& fragment : rendered.fragments) fragment.color[0] += 1;
   bool is_told = false;

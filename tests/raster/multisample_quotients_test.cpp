@@ -103,7 +103,7 @@ TEST_P(MultisampledQuotients, TurnedOverTargetsTurnSamplesOver) {
     const SamplePositions positions = random.positions(4);
     for (const auto& [tie, other] : turned) {
       CoverageChoice upside_down;
-      upside_down.rows = RowOrder::top_down;
+      upside_down.rows = upside_down.polygon_rows = RowOrder::top_down;
       upside_down.ties = *find_tie_rule(tie);
       CoverageChoice upright;
       upright.ties = *find_tie_rule(other);
