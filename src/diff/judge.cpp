@@ -190,12 +190,14 @@ Verdict verdict_of(const Result& result, Latitude latitude) {
 
 // FNV-1a, 64 bits, of rule, kind and set of pixels or samples. Values inside the permitted interval
 // count by rule only, and beside a violation not at all: which of them are off by an ULP may change
-// with the processor. Without a rendering, the kind of failure stands in its place.
+// with the processor. Whether the whole answer is upside down is left to the run: rules are those
+// that the case alone tells. Without a rendering, the kind of failure stands in its place.
 std::string fingerprint_of(const Result& result) {
   if (result.failure) return name_of(result.failure->kind);
   std::set<std::string> lines;
   for (const Disagreement& d : result.disagreements)
-    lines.insert(fmt::format("{} {} {} {}{}\n", d.rule, name_of(d.kind), d.x, d.y,
+    lines.insert(fmt::format("{} {} {} {}{}\n", d.upright ? d.upright->rule : d.rule,
+                             name_of(d.kind), d.x, d.y,
                              d.sample > 0 ? fmt::format(" {}", d.sample) : ""));
   for (const ValueAggregate& values : result.values)
     if (result.verdict != Verdict::violation)

@@ -214,8 +214,12 @@ std::vector<RuleAlternatives> alternatives_beside(const ScenePrimitive& primitiv
 
 std::vector<Change> changes_between(const ScenePrimitive& primitive, const Target& target,
                                     const CoverageChoice& from, const CoverageChoice& to) {
+  auto rules = alternatives_beside(primitive, target, from);
+  if (primitive.kind == PrimitiveKind::line && !is_multisampled(*primitive.state, target) &&
+      fills_area(to.line, primitive.state->line_width))
+    rules.push_back(ties_beside(PrimitiveKind::triangle, from.ties));
   std::vector<Change> changes;
-  for (const RuleAlternatives& rule : alternatives_beside(primitive, target, from))
+  for (const RuleAlternatives& rule : rules)
     for (const Change& change : rule)
       if (holds(to, change)) changes.push_back(change);
   return changes;

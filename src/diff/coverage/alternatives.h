@@ -35,7 +35,8 @@ std::vector<RuleAlternatives> alternatives_beside(const ScenePrimitive& primitiv
                                                   const CoverageChoice& chosen);
 
 // What leads from one choice to another: a change for each rule in which they differ, of those that
-// have a say in the primitive's coverage.
+// have a say in the primitive's coverage; the ties of polygons too, where the other draws lines as
+// areas. No cause is searched for among those: with ties to choose, areas draw nearly anything.
 std::vector<Change> changes_between(const ScenePrimitive& primitive, const Target& target,
                                     const CoverageChoice& from, const CoverageChoice& to);
 

@@ -59,9 +59,9 @@ class Search {
 
   std::vector<Changes> operator()() const {
     auto found = beside({});
-    if (has_answer(found)) return preferred(std::move(found));
     if (found.empty()) return preferred(beside_profile());
-    if (!profile_.empty() && reproduces(profile_))
+    // What the renderer does elsewhere says more than what draws the same by chance.
+    if (!knows_own(found) && !profile_.empty() && reproduces(profile_))
       if (Changes own = needed(profile_); is_open(own)) found.push_back(std::move(own));
     return preferred(std::move(found));
   }
@@ -143,10 +143,14 @@ class Search {
     });
   }
 
+  bool knows_own(const std::vector<Changes>& found) const {
+    return std::any_of(found.begin(), found.end(),
+                       [&](const Changes& changes) { return in_profile(changes); });
+  }
+
   std::vector<Changes> preferred(std::vector<Changes> found) const {
-    const auto own = [&](const Changes& changes) { return in_profile(changes); };
-    if (std::any_of(found.begin(), found.end(), own))
-      std::erase_if(found, [&](const Changes& changes) { return !own(changes); });
+    if (knows_own(found))
+      std::erase_if(found, [&](const Changes& changes) { return !in_profile(changes); });
     return found;
   }
 

@@ -214,6 +214,8 @@ bool TextureLookups::is_definite(const Fragment& fragment, const TextureChoice& 
                                        : lookup_gradients(fragment, choice.derivatives);
   const Interval scale = scale_factor(footprint_of(fragment, gradients), choice.scale_factor);
   if (scale.low > 0 || scale.high <= 0) return true;
+  // No other level than its own is the logarithm of 0.
+  if (const auto told = told_lambda(fragment); !told || std::isfinite(told->low)) return false;
   const QuadPixel at =
       quad_of({fragment.x, fragment.y}, context_.choices.values, context_.scene.target);
   const auto& color = context_.values_of(fragment).chosen.color;

@@ -43,7 +43,7 @@ class TextureLookups {
   bool may_round(const Fragment& fragment) const;
   // Does a choice lead to a level at all? Not where the derivatives that it takes nearly cancel:
   // then the scale factor may be anything down to zero, and would explain every level. Where they
-  // are exactly zero the level is the logarithm of 0, or of what rounding leaves.
+  // are exactly zero it explains the logarithm of 0, and no other.
   bool is_definite(const Fragment& fragment, const TextureChoice& choice, bool is_query);
 
   // By what the specification permits: anything, or quicker and short of that, with vertices where

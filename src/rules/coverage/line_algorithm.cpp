@@ -207,6 +207,14 @@ std::vector<PixelPosition> line_pixels(const Segment& segment, Fixed width,
   return {};
 }
 
+bool fills_area(const LineChoice& choice, Fixed width) {
+  const bool is_replicated = width == Fixed::from_integer(1) || choice.wide == WideLine::replicate;
+  if (!is_replicated) return choice.wide != WideLine::shifted_triangles;
+  return choice.algorithm == LineAlgorithm::rectangle ||
+         choice.algorithm == LineAlgorithm::parallelogram ||
+         choice.algorithm == LineAlgorithm::parallelogram_ends_tested;
+}
+
 std::span<const WideLine> all_wide_lines() {
   return kWideLines;
 }

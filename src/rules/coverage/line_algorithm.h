@@ -65,6 +65,10 @@ struct LineChoice {
   WideLine wide = WideLine::replicate;
 };
 
+// Is a line of that width an area of its own, with borders that belong to one side or the other?
+// Then ties decide as those of polygons do.
+bool fills_area(const LineChoice& choice, Fixed width);
+
 Rule line_algorithm_rule();
 Rule line_width_rule();
 
