@@ -254,7 +254,7 @@ class Truths:
 
     def __init__(self, path):
         lines = pathlib.Path(path).read_bytes().splitlines()
-        self.lines = {json.loads(re.match(rb'{"id":("(?:[^"\\\\]|\\\\.)*")', line)[1]): line
+        self.lines = {json.loads(re.match(rb'{"id":("(?:[^"\\]|\\.)*")', line)[1]): line
                       for line in lines}
 
     def get(self, name):
