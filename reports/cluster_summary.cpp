@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <ostream>
 #include <span>
-#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "reports/explain_command.h"
 #include "reports/text.h"
 #include "results/clusters.h"
 
@@ -30,14 +31,8 @@ std::string counts_of(const Cluster& cluster) {
 
 std::string command_for(const Cluster& cluster, const std::string& renderer,
                         const std::string& policy) {
-  std::string command = "edgecase explain " + shell_word(cluster.smallest_file);
-  // One case of several that the file stands for.
-  if (cluster.smallest_case.find(':') != std::string::npos)
-    command += " --filter " + shell_word(cluster.smallest_case);
-  command +=
-      fmt::format(" --against {} --pixel {},{}", shell_word(renderer), cluster.x, cluster.y);
-  if (policy != "opengl") command += " --policy " + shell_word(policy);
-  return one_line(command);
+  return words_of(ExplainCommand{cluster.smallest_file, cluster.smallest_case, renderer, policy,
+                                 std::pair(cluster.x, cluster.y)});
 }
 
 void write_more(std::size_t count, std::ostream& out) {
@@ -67,17 +62,6 @@ void write_heading(const std::string& text, const std::string& renderer, const P
 }
 
 }  // namespace
-
-std::string shell_word(const std::string& text) {
-  const auto is_plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           std::string_view("_@%+=:,./-").find(c) != std::string_view::npos;
-  };
-  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 void write_clusters(const Results& results, const Painter& paint, std::ostream& out) {
   for (std::size_t r = 0; r < results.renderers.size(); ++r) {

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <iosfwd>
-#include <string>
 
 #include "reports/painter.h"
 #include "results/results.h"
@@ -16,8 +15,5 @@ namespace edgecase {
 // the order) and at most 5 causes, and how many more of each there are. Text from files and
 // renderers stands on one line, its control characters visible.
 void write_clusters(const Results& results, const Painter& paint, std::ostream& out);
-
-// A word as a POSIX shell takes it literally.
-std::string shell_word(const std::string& text);
 
 }  // namespace edgecase

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <string>
 
+#include "reports/markdown.h"
 #include "reports/text.h"
 
 namespace edgecase {
@@ -40,31 +41,18 @@ const char* words_of(ChangeKind change) {
   return "?";
 }
 
-// Text as code that ends neither itself nor a cell of a table.
-std::string code(const std::string& text) {
-  std::string shown;
-  for (const char c : one_line(text)) {
-    if (c == '`')
-      shown += '\'';
-    else if (c == '|')
-      shown += "\\|";
-    else
-      shown += c;
-  }
-  return shown.empty() ? "-" : "`" + shown + "`";
-}
-
 std::string words_of(const std::optional<Judgement>& answer) {
   if (!answer) return "-";
   const std::string verdict = name_of(answer->verdict);
-  return answer->fingerprint.empty() ? verdict : verdict + " " + code(answer->fingerprint);
+  return answer->fingerprint.empty() ? verdict : verdict + " " + markdown_code(answer->fingerprint);
 }
 
 void write_facts(const std::vector<FactChange>& facts, std::ostream& out) {
   if (facts.empty()) return;
   out << "\n| differs | old | new |\n|---|---|---|\n";
   for (const FactChange& fact : facts)
-    fmt::print(out, "| {} | {} | {} |\n", one_line(fact.what), code(fact.before), code(fact.after));
+    fmt::print(out, "| {} | {} | {} |\n", one_line(fact.what), markdown_cell(fact.before),
+               markdown_cell(fact.after));
 }
 
 void write_more(std::size_t all, const char* what, std::ostream& out) {
@@ -78,8 +66,9 @@ void write_clusters(const RendererComparison& renderer, ChangeKind change, std::
     if (count == 0)
       out << "\n| rule | cause | cases | differences | first case |\n|---|---|---|---|---|\n";
     if (++count > kMostListed) continue;
-    fmt::print(out, "| {} | {} | {} | {} | {} |\n", code(cluster.rule), code(cluster.cause),
-               cluster.cases, cluster.disagreements, code(cluster.first_case));
+    fmt::print(out, "| {} | {} | {} | {} | {} |\n", markdown_cell(cluster.rule),
+               markdown_cell(cluster.cause), cluster.cases, cluster.disagreements,
+               markdown_cell(cluster.first_case));
   }
   write_more(count, "rules and causes", out);
 }
@@ -89,7 +78,8 @@ void write_cases(const RendererComparison& renderer, ChangeKind change, std::ost
   out << '\n';
   for (const CaseChange& one : renderer.cases) {
     if (one.change != change || ++count > kMostListed) continue;
-    fmt::print(out, "- {}: {} -> {}\n", code(one.id), words_of(one.before), words_of(one.after));
+    fmt::print(out, "- {}: {} -> {}\n", markdown_code(one.id), words_of(one.before),
+               words_of(one.after));
   }
   write_more(count, "cases", out);
 }
@@ -97,8 +87,8 @@ void write_cases(const RendererComparison& renderer, ChangeKind change, std::ost
 void write_renderer(const RendererComparison& renderer, std::ostream& out) {
   fmt::print(out, "\n## {}\n",
              renderer.before == renderer.after
-                 ? code(renderer.before)
-                 : code(renderer.before) + " -> " + code(renderer.after));
+                 ? markdown_code(renderer.before)
+                 : markdown_code(renderer.before) + " -> " + markdown_code(renderer.after));
   write_facts(renderer.facts, out);
   fmt::print(out, "\n{} of {} cases are as they were.\n", renderer.same,
              renderer.same + renderer.cases.size());
@@ -118,9 +108,9 @@ void write_comparison(const Comparison& comparison, std::ostream& out) {
   write_facts(comparison.facts, out);
   for (const RendererComparison& renderer : comparison.renderers) write_renderer(renderer, out);
   for (const std::string& name : comparison.only_before)
-    fmt::print(out, "\nOnly the old results have {}.\n", code(name));
+    fmt::print(out, "\nOnly the old results have {}.\n", markdown_code(name));
   for (const std::string& name : comparison.only_after)
-    fmt::print(out, "\nOnly the new results have {}.\n", code(name));
+    fmt::print(out, "\nOnly the new results have {}.\n", markdown_code(name));
 }
 
 }  // namespace edgecase

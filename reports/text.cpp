@@ -104,6 +104,13 @@ std::string one_line(std::string_view text) {
   return make_visible(text, false);
 }
 
+std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  std::size_t end = most;
+  while (end > 0 && (byte_at(text, end) & 0xC0) == 0x80) --end;  // inside a character
+  return fmt::format("{} \xE2\x80\xA6 ({} bytes more)", text.substr(0, end), text.size() - end);
+}
+
 std::size_t count_differences(const Result& result) {
   std::size_t count = result.disagreements.size();
   for (const ValueAggregate& values : result.values) count += values.differing.size();

@@ -19,6 +19,10 @@ std::string xml_text(std::string_view text);
 // direction of text U+FFFD, so that what stands beside the text keeps its place.
 std::string one_line(std::string_view text);
 
+// The text, or of a longer one its first characters, at most `most` bytes of them, and how many
+// bytes are left out: "begins so … (9000 bytes more)".
+std::string shortened(std::string_view text, std::size_t most);
+
 // Disagreements, and values that differ inside what is permitted.
 std::size_t count_differences(const Result& result);
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "reports/cluster_summary.h"
+#include "reports/explain_command.h"
 #include "tests/reports/sample.h"
 
 namespace edgecase {

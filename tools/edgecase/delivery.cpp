@@ -14,7 +14,7 @@ namespace edgecase {
 
 ExitCode deliver_results(const Results& results, const ReportFiles& files,
                          const std::string& color) {
-  const bool to_stdout = files.json == "-" || files.junit == "-" || files.html == "-";
+  const bool to_stdout = files.use_standard_output();
   write_summary(results, use_color(color, to_stdout ? STDERR_FILENO : STDOUT_FILENO),
                 to_stdout ? std::cerr : std::cout);
   const ExitCode exit = exit_code_of(results);

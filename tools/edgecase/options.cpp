@@ -229,11 +229,16 @@ std::optional<std::string> read_file(const std::filesystem::path& path) {
 }
 
 bool write_file(const std::filesystem::path& path, const std::string& text) {
+  return write_file(path, [&text](std::ostream& out) { out << text; });
+}
+
+bool write_file(const std::filesystem::path& path,
+                const std::function<void(std::ostream&)>& write) {
   std::error_code error;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
   errno = 0;
   std::ofstream out(path, std::ios::binary);
-  out << text;
+  if (out) write(out);
   out.close();
   if (out) return true;
   print_error(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
+#include <iosfwd>
 #include <map>
 #include <optional>
 #include <string>
@@ -93,6 +95,9 @@ std::optional<std::string> read_file(const std::filesystem::path& path);
 
 // Writes a file, its folder made if need be; false, with the error printed, when it cannot be.
 bool write_file(const std::filesystem::path& path, const std::string& text);
+
+// The same for what is too long to be held as one text: `write` writes into the file.
+bool write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
 // Should output to `descriptor` be coloured? `choice`: auto, always or never.
 bool use_color(const std::string& choice, int descriptor);

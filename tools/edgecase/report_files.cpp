@@ -3,19 +3,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <map>
-#include <sstream>
 #include <utility>
 #include <variant>
 
 #include "model/digest.h"
+#include "reports/annotations.h"
+#include "reports/ctrf.h"
+#include "reports/disagreements_csv.h"
 #include "reports/html.h"
 #include "reports/junit.h"
+#include "reports/summary_markdown.h"
 #include "results/results_json.h"
 #include "rules/all_rules.h"
 #include "tools/edgecase/options.h"
+#include "tools/edgecase/triptych_files.h"
 
 namespace edgecase {
 namespace {
@@ -31,11 +38,19 @@ ReportTexts report_texts() {
 
 bool write_one(const std::string& path, const std::function<void(std::ostream&)>& write) {
   if (path.empty()) return true;
-  std::ostringstream text;
-  write(text);
-  if (path != "-") return write_file(path, text.str());
-  fmt::print("{}", text.str());
+  if (path != "-") return write_file(path, write);
+  write(std::cout);
   return true;
+}
+
+// On GitHub, annotations are for files of the repository, wherever in it the command runs. Without
+// what GitHub sets, the path as it was given.
+std::string path_in_repository(const std::string& file) {
+  const char* const workspace = std::getenv("GITHUB_WORKSPACE");
+  if (workspace == nullptr || *workspace == '\0') return file;
+  const std::filesystem::path path = std::filesystem::absolute(file).lexically_normal();
+  const std::filesystem::path inside = path.lexically_relative(workspace);
+  return inside.empty() || *inside.begin() == ".." ? file : inside.string();
 }
 
 }  // namespace
@@ -69,21 +84,49 @@ void ReportFiles::add_to(CLI::App& command, const std::string& json_names) {
   command.add_option(json_names, json, "File for the results as JSON, - for standard output");
   command.add_option("--junit", junit, "File for JUnit XML");
   command.add_option("--html", html, "File for the HTML report");
+  command.add_option("--ctrf", ctrf, "File for CTRF JSON, the Common Test Report Format");
+  command.add_option("--markdown", markdown,
+                     "File for a summary in Markdown, at most 1 MB: $GITHUB_STEP_SUMMARY");
+  command.add_option("--annotations", annotations,
+                     "File for GitHub annotations of the ten heaviest case files; - where a "
+                     "workflow's step shall make them");
+  command.add_option("--csv", csv,
+                     "File for every disagreement as a row of comma-separated values");
+  command.add_option("--triptychs", triptychs,
+                     "Folder for PNG files, RENDERER/CASE.png: exact, difference and rendered of "
+                     "each case that differs");
+}
+
+bool ReportFiles::is_none_given() const {
+  return json.empty() && junit.empty() && html.empty() && ctrf.empty() && markdown.empty() &&
+         annotations.empty() && csv.empty() && triptychs.empty();
+}
+
+bool ReportFiles::use_standard_output() const {
+  const auto paths = {&json, &junit, &html, &ctrf, &markdown, &annotations, &csv};
+  return std::any_of(paths.begin(), paths.end(),
+                     [](const std::string* path) { return *path == "-"; });
 }
 
 std::string ReportFiles::html_path() const {
-  return json.empty() && junit.empty() && html.empty() ? "out/report.html" : html;
+  return is_none_given() ? "out/report.html" : html;
 }
 
 bool ReportFiles::write(const Results& results) const {
-  const bool all = json.empty() && junit.empty() && html.empty();
-  const bool wrote_json =
-      write_one(all ? kDefaultJson : json, [&](std::ostream& out) { write_results(results, out); });
-  const bool wrote_junit = write_one(all ? "out/junit.xml" : junit,
-                                     [&](std::ostream& out) { write_junit(results, out); });
-  const bool wrote_html =
-      write_one(html_path(), [&](std::ostream& out) { write_html(results, report_texts(), out); });
-  return wrote_json && wrote_junit && wrote_html;
+  const bool none = is_none_given();
+  bool wrote = true;
+  const auto add = [&wrote](const std::string& path,
+                            const std::function<void(std::ostream&)>& write) {
+    wrote = write_one(path, write) && wrote;
+  };
+  add(none ? kDefaultJson : json, [&](std::ostream& out) { write_results(results, out); });
+  add(none ? "out/junit.xml" : junit, [&](std::ostream& out) { write_junit(results, out); });
+  add(html_path(), [&](std::ostream& out) { write_html(results, report_texts(), out); });
+  add(ctrf, [&](std::ostream& out) { write_ctrf(results, out); });
+  add(markdown, [&](std::ostream& out) { write_markdown_summary(results, out); });
+  add(annotations, [&](std::ostream& out) { write_annotations(results, path_in_repository, out); });
+  add(csv, [&](std::ostream& out) { write_disagreements_csv(results, out); });
+  return (triptychs.empty() || write_triptychs(results, triptychs)) && wrote;
 }
 
 }  // namespace edgecase

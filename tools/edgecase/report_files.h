@@ -18,20 +18,31 @@ std::optional<Results> load_results(const std::string& path);
 // that was changed since the run is left out, and said to be.
 void load_sources(Results& results);
 
-// --json, --junit and --html; where none is given, results.json, junit.xml and report.html in out/.
+// --json, --junit, --html and the others; where none is given, results.json, junit.xml and
+// report.html in out/.
 struct ReportFiles {
   static constexpr const char* kDefaultJson = "out/results.json";
   std::string json;
   std::string junit;
   std::string html;
+  std::string ctrf;
+  std::string markdown;
+  std::string annotations;
+  std::string csv;
+  std::string triptychs;  // a folder
 
   // `json_names`: how the option for the results file is called.
   void add_to(CLI::App& command, const std::string& json_names = "--json");
   // Writes what was asked for, "-" meaning standard output. False when something cannot be written;
   // the error is printed and the other files are written all the same.
   bool write(const Results& results) const;
+  // Is anything written to standard output?
+  bool use_standard_output() const;
   // The HTML file that write() makes, or empty.
   std::string html_path() const;
+
+ private:
+  bool is_none_given() const;
 };
 
 }  // namespace edgecase

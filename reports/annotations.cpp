@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "reports/annotations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "reports/test_outcomes.h"
+#include "reports/text.h"
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kMostAnnotations = 10;
+constexpr std::size_t kMostOfTitle = 200;
+constexpr std::size_t kMostOfMessage = 1200;
+
+// What fails in one file.
+struct Group {
+  std::string file;  // empty: the run, or a case that the suite has no more
+  int line = 0;
+  int severity = -1;       // of the heaviest test, which is the one that is told
+  std::size_t weight = 0;  // its disagreements
+  std::size_t disagreements = 0;
+  std::size_t tests = 0;
+  std::string title;
+  std::string message;
+};
+
+// A test that is no renderer's answer says that something else is wrong: that comes first.
+int severity_of(const TestOutcome& outcome) {
+  if (outcome.result == nullptr) return outcome.status == TestStatus::error ? 6 : 5;
+  switch (outcome.result->verdict) {
+    case Verdict::violation:
+      return 4;
+    case Verdict::not_run:
+      return 3;
+    case Verdict::permitted:
+      return 2;
+    case Verdict::convention:
+      return 1;
+    case Verdict::agree:
+      break;
+  }
+  return 0;
+}
+
+void add(const TestOutcome& outcome, Group& group) {
+  const int severity = severity_of(outcome);
+  const std::size_t weight = outcome.result == nullptr ? 0 : count_differences(*outcome.result);
+  group.disagreements += weight;
+  ++group.tests;
+  if (std::tuple(severity, weight) <= std::tuple(group.severity, group.weight) && group.tests > 1)
+    return;
+  group.file = outcome.file;
+  group.line = outcome.line;
+  group.severity = severity;
+  group.weight = weight;
+  group.title = outcome.name + ", " + outcome.suite.front();
+  group.message = outcome.message + "\n" + outcome.details;
+}
+
+std::vector<Group> groups_of(const Results& results) {
+  std::map<std::string, Group> groups;
+  visit_outcomes(results, [&groups](const TestOutcome& outcome) {
+    if (outcome.status < TestStatus::failed) return;
+    // What has no file stands for itself; no path holds a zero byte.
+    const std::string key = outcome.file.empty()
+                                ? std::string(1, '\0') + outcome.suite.front() + outcome.name
+                                : outcome.file;
+    add(outcome, groups[key]);
+  });
+  std::vector<Group> sorted;
+  for (auto& [key, group] : groups) sorted.push_back(std::move(group));
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Group& a, const Group& b) {
+    const auto order = [](const Group& g) {
+      return std::tuple(g.severity, g.disagreements, g.tests);
+    };
+    return order(a) > order(b);
+  });
+  return sorted;
+}
+
+// As GitHub takes a message: what would end the line is written as %0A, and "%" as %25.
+std::string escaped_data(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '%')
+      escaped += "%25";
+    else if (c == '\r')
+      escaped += "%0D";
+    else if (c == '\n')
+      escaped += "%0A";
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
+// As it takes a property: what would end that, too.
+std::string escaped_property(std::string_view text) {
+  std::string escaped;
+  for (const char c : escaped_data(text)) {
+    if (c == ':')
+      escaped += "%3A";
+    else if (c == ',')
+      escaped += "%2C";
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
+std::string place_of(const Group& group, const PathInRepository& path_of) {
+  if (group.file.empty()) return "";
+  return fmt::format("file={},line={},", escaped_property(xml_text(path_of(group.file))),
+                     std::max(1, group.line));
+}
+
+std::string command_of(const Group& group, const PathInRepository& path_of) {
+  std::string message = shortened(group.message, kMostOfMessage);
+  while (message.ends_with('\n')) message.pop_back();
+  if (group.tests == 2) message += "\nOne more test of this file fails.";
+  if (group.tests > 2)
+    message += fmt::format("\n{} more tests of this file fail.", group.tests - 1);
+  return fmt::format("::error {}title={}::{}", place_of(group, path_of),
+                     escaped_property(shortened(group.title, kMostOfTitle)), escaped_data(message));
+}
+
+}  // namespace
+
+void write_annotations(const Results& results, const PathInRepository& path_of, std::ostream& out) {
+  const std::vector<Group> groups = groups_of(results);
+  const std::size_t listed = std::min(kMostAnnotations, groups.size());
+  for (std::size_t i = 0; i < listed; ++i) out << command_of(groups[i], path_of) << '\n';
+  if (listed < groups.size())
+    out << fmt::format("::notice title=edgecase::{} more like these; the report has them all\n",
+                       groups.size() - listed);
+}
+
+}  // namespace edgecase

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "reports/disagreements_csv.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "reports/text.h"
+
+namespace edgecase {
+namespace {
+
+// A text as one field: quoted where it holds what would end it.
+std::string field(const std::string& raw) {
+  const std::string text = xml_text(raw);
+  if (text.find_first_of(",\"\n\t") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string numbers(const std::vector<double>& values) {
+  return fmt::format("{}", fmt::join(values, " "));
+}
+
+// The columns up to the verdict's standing, which all rows of a result share.
+std::string begin_row(const std::string& id, const std::string& renderer, const Result& result) {
+  return fmt::format("{},{},{},{}", id, renderer, name_of(result.verdict),
+                     name_of(result.standing));
+}
+
+std::string row(const Disagreement& d) {
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", d.x, d.y, d.sample, d.primitive,
+                     name_of(d.kind), field(d.rule), d.legal, d.ruling, field(d.cause),
+                     field(d.situation), numbers(d.exact), numbers(d.rendered),
+                     field(d.explanation));
+}
+
+}  // namespace
+
+void write_disagreements_csv(const Results& results, std::ostream& out) {
+  out << "case,renderer,verdict,standing,x,y,sample,primitive,kind,rule,legal,ruling,cause,"
+         "situation,exact,rendered,explanation,file\r\n";
+  std::vector<std::string> names;
+  for (const RendererInfo& info : results.renderers) names.push_back(field(info.name));
+  for (const CaseResults& one : results.cases) {
+    const std::string id = field(one.id);
+    const std::string file = field(one.file);
+    for (std::size_t r = 0; r < one.results.size() && r < names.size(); ++r) {
+      const std::string begin = begin_row(id, names[r], one.results[r]);
+      for (const Disagreement& d : one.results[r].disagreements)
+        out << begin << ',' << row(d) << ',' << file << "\r\n";
+    }
+  }
+}
+
+}  // namespace edgecase

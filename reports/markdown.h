@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// Texts from files and renderers inside Markdown (CommonMark, with GitHub's tables).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace edgecase {
+
+// The text as a span of code on one line, backticks included, so that nothing in it is markup; "-"
+// where it is empty. What is beyond `most` bytes is left out, and said to be.
+std::string markdown_code(std::string_view text, std::size_t most = 400);
+
+// The same for a cell of a table, which a bar would end.
+std::string markdown_cell(std::string_view text, std::size_t most = 400);
+
+}  // namespace edgecase

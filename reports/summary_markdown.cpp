@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "reports/summary_markdown.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reports/explain_command.h"
+#include "reports/markdown.h"
+#include "reports/text.h"
+#include "results/clusters.h"
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kMostUnexpected = 50;
+constexpr std::size_t kMostListed = 20;
+constexpr std::size_t kMostClusters = 10;
+constexpr Verdict kWorstFirst[] = {Verdict::violation, Verdict::permitted, Verdict::convention,
+                                   Verdict::agree, Verdict::not_run};
+
+// A page that takes whole lines for as long as there is room.
+class Page {
+ public:
+  void add(const std::string& lines) {
+    if (is_full_ || text_.size() + lines.size() + kLast.size() > kMostOfSummary)
+      is_full_ = true;
+    else
+      text_ += lines;
+  }
+
+  std::string text() const { return is_full_ ? text_ + std::string(kLast) : text_; }
+
+ private:
+  static constexpr std::string_view kLast = "\n\nThe rest does not fit here; the report has it.\n";
+  std::string text_;
+  bool is_full_ = false;
+};
+
+// A heading, the head of a table or none, and at most `most` of the lines.
+void add_list(const std::string& heading, const std::string& head,
+              const std::vector<std::string>& lines, std::size_t most, Page& page) {
+  if (lines.empty()) return;
+  page.add(fmt::format("\n## {}: {}\n\n{}", heading, lines.size(), head));
+  for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) page.add(lines[i] + "\n");
+  if (lines.size() > most) page.add(fmt::format("\nand {} more\n", lines.size() - most));
+}
+
+std::size_t count_unexpected(const Results& results, std::size_t renderer) {
+  const auto stands_out = [renderer](const CaseResults& one) {
+    return renderer < one.results.size() && one.results[renderer].standing != Standing::expected;
+  };
+  return static_cast<std::size_t>(
+      std::count_if(results.cases.begin(), results.cases.end(), stands_out));
+}
+
+void add_table(const Results& results, Page& page) {
+  std::string head = "\n| renderer |";
+  std::string rule = "|---|";
+  for (const Verdict verdict : kWorstFirst) {
+    head += fmt::format(" {} |", name_of(verdict));
+    rule += "---:|";
+  }
+  page.add(head + " unexpected |\n" + rule + "---:|\n");
+  for (std::size_t r = 0; r < results.renderers.size(); ++r) {
+    auto counts = count_verdicts(results, r);
+    std::string row = fmt::format("| {} |", markdown_cell(results.renderers[r].name));
+    for (const Verdict verdict : kWorstFirst) row += fmt::format(" {} |", counts[verdict]);
+    const std::size_t unexpected = count_unexpected(results, r);
+    const std::string mark = unexpected > 0 ? "**" : "";
+    page.add(fmt::format("{} {}{}{} |\n", row, mark, unexpected, mark));
+  }
+}
+
+// The worst verdict first, and cases in their order.
+std::vector<std::string> unexpected_rows(const Results& results) {
+  std::vector<std::pair<int, std::string>> rows;
+  for (const CaseResults& one : results.cases)
+    for (std::size_t r = 0; r < one.results.size() && r < results.renderers.size(); ++r) {
+      const Result& result = one.results[r];
+      if (result.standing == Standing::expected) continue;
+      const std::string explanation = first_explanation(result, one.samples.samples);
+      rows.emplace_back(static_cast<int>(std::find(std::begin(kWorstFirst), std::end(kWorstFirst),
+                                                   result.verdict) -
+                                         std::begin(kWorstFirst)),
+                        fmt::format("| {} | {} | {} | {} |", markdown_cell(one.id),
+                                    markdown_cell(results.renderers[r].name), headline(result),
+                                    markdown_cell(explanation)));
+    }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> lines;
+  for (auto& [rank, line] : rows) lines.push_back(std::move(line));
+  return lines;
+}
+
+void add_unexpected(const Results& results, Page& page) {
+  add_list("Unexpected", "| case | renderer | verdict | why |\n|---|---|---|---|\n",
+           unexpected_rows(results), kMostUnexpected, page);
+}
+
+void add_faults(const Results& results, Page& page) {
+  std::vector<std::string> files;
+  for (const Diagnostic& diagnostic : results.diagnostics)
+    files.push_back("- " + markdown_code(to_string(diagnostic)));
+  std::vector<std::string> drawn;
+  for (const CaseResults& one : results.cases)
+    for (const std::string& failure : one.expect_failures)
+      drawn.push_back(fmt::format("- {}: {}", markdown_code(one.id), markdown_code(failure)));
+  std::vector<std::string> missing;
+  for (const MissingCase& gone : results.missing)
+    missing.push_back(fmt::format("- {}, {}: {} was expected", markdown_code(gone.id),
+                                  markdown_code(gone.renderer), name_of(gone.expected.verdict)));
+  add_list("Case files that cannot be loaded", "", files, kMostListed, page);
+  add_list("Hand-drawn expectations that the exact side does not meet", "", drawn, kMostListed,
+           page);
+  add_list("Expectations of cases that the suite has no more", "", missing, kMostListed, page);
+}
+
+std::string cluster_row(const Cluster& cluster, const std::string& renderer,
+                        const std::string& policy) {
+  const ExplainCommand command{cluster.smallest_file, cluster.smallest_case, renderer, policy,
+                               std::pair(cluster.x, cluster.y)};
+  return fmt::format("| {} | {} | {}{} | {} | {} |\n", cluster.legal ? "yes" : "**no**",
+                     markdown_cell(title_of(cluster)), cluster.disagreements,
+                     cluster.attribute.empty() ? "" : " values", cluster.cases,
+                     markdown_cell(words_of(command)));
+}
+
+// Folded: what is known and expected is among it.
+void add_clusters(const Results& results, std::size_t renderer, Page& page) {
+  const std::vector<Cluster> clusters = clusters_of(results, renderer);
+  if (clusters.empty()) return;
+  const std::string& name = results.renderers[renderer].name;
+  std::string text = fmt::format(
+      "\n## What differs with {}\n\n<details><summary>{} cause{} or situation{}</summary>\n\n"
+      "| allowed | what | differences | cases | explained by |\n|---|---|---:|---:|---|\n",
+      markdown_code(name), clusters.size(), clusters.size() == 1 ? "" : "s",
+      clusters.size() == 1 ? "" : "s");
+  const std::size_t listed = std::min(kMostClusters, clusters.size());
+  for (std::size_t i = 0; i < listed; ++i) text += cluster_row(clusters[i], name, results.policy);
+  if (listed < clusters.size()) text += fmt::format("\nand {} more\n", clusters.size() - listed);
+  page.add(text + "\n</details>\n");
+}
+
+}  // namespace
+
+void write_markdown_summary(const Results& results, std::ostream& out) {
+  Page page;
+  page.add(fmt::format("# {}\n\n{} cases, policy {}\n", one_line(shortened(results.tool, 100)),
+                       results.cases.size(), markdown_code(results.policy)));
+  if (results.interrupted) page.add("\n**" + words_of_interruption(results) + "**\n");
+  add_table(results, page);
+  add_unexpected(results, page);
+  add_faults(results, page);
+  for (std::size_t r = 0; r < results.renderers.size(); ++r) add_clusters(results, r, page);
+  out << page.text();
+}
+
+}  // namespace edgecase

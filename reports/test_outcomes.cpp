@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "reports/test_outcomes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+#include <string>
+
+#include "reports/explain_command.h"
+#include "reports/text.h"
+
+namespace edgecase {
+namespace {
+
+// Details list this many disagreements; the results file has all of them.
+constexpr std::size_t kMostListed = 20;
+// Of a disagreement's line. Sentences of ours are shorter; what a renderer says may be anything.
+constexpr std::size_t kMostOfLine = 1000;
+
+constexpr std::size_t kMostBytes = 24'000'000;  // of XML, of all tests
+constexpr std::size_t kMarkup = 160;            // at most, around the texts of one test
+
+// Bytes that the text takes in an attribute or element of XML.
+std::size_t size_in_xml(std::string_view text) {
+  std::size_t size = text.size();
+  for (const char c : text) {
+    if (c == '&' || c == '"') size += 5;
+    if (c == '<' || c == '>') size += 3;
+  }
+  return size;
+}
+
+std::string line_of(const std::string& text) {
+  return xml_text(shortened(text, kMostOfLine)) + "\n";
+}
+
+// What stands below the disagreements.
+std::string ending_of(const CaseResults& one, const Result& result, const Results& results,
+                      const std::string& renderer) {
+  std::string text;
+  for (const ValueAggregate& values : result.values)
+    if (!values.differing.empty()) text += line_of(describe(values));
+  if (!result.expectation.empty()) text += line_of("expectation: " + result.expectation);
+  ExplainCommand command{one.file, one.id, renderer, results.policy, {}};
+  if (!result.disagreements.empty())
+    command.pixel = {result.disagreements.front().x, result.disagreements.front().y};
+  return text + line_of("explained by: " + words_of(command));
+}
+
+// The title, the reason why there is no answer, disagreements for as long as there is room, and
+// what stands below them; nothing where there is room for nothing. `most`: bytes of XML.
+std::string details_of(const CaseResults& one, const Result& result, const std::string& ending,
+                       std::size_t most) {
+  std::string text = one.title.empty() ? "" : line_of(one.title);
+  if (result.failure) text += line_of(result.failure->reason);
+  std::size_t size = size_in_xml(text) + size_in_xml(ending) + 40;  // "and … more"
+  if (size > most) return "";
+  std::size_t listed = 0;
+  for (; listed < std::min(kMostListed, result.disagreements.size()); ++listed) {
+    const std::string line = line_of(describe(result.disagreements[listed], one.samples.samples));
+    size += size_in_xml(line);
+    if (size > most) break;
+    text += line;
+  }
+  if (listed < result.disagreements.size())
+    text += fmt::format("and {} more, see results\n", result.disagreements.size() - listed);
+  return text + ending;
+}
+
+// "lines/diamond/tip" -> "lines", "diamond".
+void append_folders(const std::string& id, std::vector<std::string>& suite) {
+  std::size_t begin = 0;
+  for (std::size_t end = id.find('/'); end != std::string::npos; end = id.find('/', begin)) {
+    if (end > begin) suite.push_back(one_line(id.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+}
+
+// The line that "FILE:LINE: …" names, or 0.
+int line_named(const std::string& text, const std::string& file) {
+  if (!text.starts_with(file + ":")) return 0;
+  int line = 0;
+  std::from_chars(text.data() + file.size() + 1, text.data() + text.size(), line);
+  return line;
+}
+
+class Visit {
+ public:
+  // `most`: bytes of XML for the details of one test.
+  Visit(const Results& results, std::size_t most, const TestSink& sink)
+      : results_(results), most_(most), sink_(sink) {}
+
+  void all() {
+    for (std::size_t r = 0; r < results_.renderers.size(); ++r) visit_renderer(r);
+    visit_diagnostics();
+    visit_expect_failures();
+    visit_missing();
+    if (results_.interrupted) visit_interruption();
+  }
+
+ private:
+  // A name that was had before gets a number.
+  static std::string unique(const std::string& name, std::set<std::string>& names) {
+    std::string result = name;
+    for (int n = 2; !names.insert(result).second; ++n) result = fmt::format("{} ({})", name, n);
+    return result;
+  }
+
+  void begin(const std::string& suite) {
+    suite_ = unique(one_line(suite), suites_);
+    names_.clear();
+  }
+
+  TestOutcome test(const std::string& name) {
+    TestOutcome outcome;
+    outcome.suite = {suite_};
+    outcome.name = unique(one_line(name), names_);
+    return outcome;
+  }
+
+  TestOutcome test_of(const CaseResults& one) {
+    TestOutcome outcome = test(one.id);
+    append_folders(one.id, outcome.suite);
+    outcome.file = one.file;
+    return outcome;
+  }
+
+  void visit_renderer(std::size_t index) {
+    const std::string& name = results_.renderers[index].name;
+    begin(name);
+    for (const CaseResults& one : results_.cases) {
+      if (index >= one.results.size()) continue;
+      const Result& result = one.results[index];
+      TestOutcome outcome = test_of(one);
+      outcome.one = &one;
+      outcome.result = &result;
+      describe_result(name, outcome);
+      sink_(outcome);
+    }
+  }
+
+  void describe_result(const std::string& renderer, TestOutcome& outcome) const {
+    const Result& result = *outcome.result;
+    const bool is_expected = result.standing == Standing::expected;
+    const bool was_run = result.verdict != Verdict::not_run;
+    if (is_expected && was_run) return;
+    outcome.message = one_line(headline(result));
+    if (is_expected) {
+      const std::string reason = result.failure ? result.failure->reason : "no reason given";
+      outcome.status = TestStatus::skipped;
+      outcome.message += ": " + one_line(shortened(reason, kMostOfLine));
+      return;
+    }
+    outcome.status = was_run ? TestStatus::failed : TestStatus::error;
+    const CaseResults& one = *outcome.one;
+    outcome.details = details_of(one, result, ending_of(one, result, results_, renderer), most_);
+  }
+
+  // One error per file, with all that is wrong with it.
+  void visit_diagnostics() {
+    std::vector<TestOutcome> files;
+    std::map<std::string, std::size_t> indices;
+    begin("case files");
+    for (const Diagnostic& diagnostic : results_.diagnostics) {
+      const auto [found, is_new] = indices.try_emplace(diagnostic.file, files.size());
+      if (is_new) {
+        files.push_back(test(diagnostic.file));
+        files.back().status = TestStatus::error;
+        files.back().message = "the case file cannot be loaded";
+        files.back().file = diagnostic.file;
+        files.back().line = diagnostic.line;
+      }
+      files[found->second].details += line_of(to_string(diagnostic));
+    }
+    for (const TestOutcome& file : files) sink_(file);
+  }
+
+  void visit_expect_failures() {
+    begin("hand-drawn expectations");
+    for (const CaseResults& one : results_.cases)
+      for (const std::string& failure : one.expect_failures) {
+        TestOutcome outcome = test_of(one);
+        outcome.status = TestStatus::failed;
+        outcome.message = "the exact rendering is not what the case's author drew";
+        outcome.details = line_of(failure);
+        outcome.line = line_named(failure, one.file);
+        sink_(outcome);
+      }
+  }
+
+  void visit_missing() {
+    begin("expectations");
+    for (const MissingCase& missing : results_.missing) {
+      const std::string renderer = one_line(missing.renderer);
+      TestOutcome outcome = test(missing.id);
+      outcome.suite.push_back(renderer);
+      outcome.status = TestStatus::failed;
+      outcome.message = fmt::format("missing: {} is expected of {}, and the suite has no such case",
+                                    name_of(missing.expected.verdict), renderer);
+      outcome.details =
+          line_of("`edgecase bless --apply` removes the expectation: " + missing.reason);
+      sink_(outcome);
+    }
+  }
+
+  // A run that was stopped must not look like a small one that passed.
+  void visit_interruption() {
+    begin("run");
+    TestOutcome outcome = test("complete");
+    outcome.status = TestStatus::error;
+    outcome.message = words_of_interruption(results_);
+    sink_(outcome);
+  }
+
+  const Results& results_;
+  std::size_t most_;
+  const TestSink& sink_;
+  std::string suite_;
+  std::set<std::string> suites_;
+  std::set<std::string> names_;  // of the suite
+};
+
+// What each test may say so that all together stay below kMostBytes.
+std::size_t share_of_details(const Results& results) {
+  std::size_t tests = 0;
+  std::size_t size = 0;
+  const TestSink measure = [&](const TestOutcome& outcome) {
+    for (const std::string& suite : outcome.suite) size += size_in_xml(suite) + 1;
+    size += kMarkup + size_in_xml(outcome.name) + size_in_xml(outcome.message) +
+            size_in_xml(outcome.details);
+    if (outcome.result != nullptr && outcome.status >= TestStatus::failed) ++tests;
+  };
+  Visit(results, 0, measure).all();
+  return size < kMostBytes && tests > 0 ? (kMostBytes - size) / tests : 0;
+}
+
+}  // namespace
+
+void visit_outcomes(const Results& results, const TestSink& sink) {
+  Visit(results, share_of_details(results), sink).all();
+}
+
+}  // namespace edgecase
