@@ -76,8 +76,10 @@ class GitHub(Example):
         self.assertEqual(shard["strategy"]["matrix"]["shard"], list(range(1, SHARDS + 1)))
         for index in shard["strategy"]["matrix"]["shard"]:
             self.shell(self.lines_of(shard), RENDERER=renderer, SHARD=str(index))
-        self.shell(self.lines_of(workflow["jobs"]["report"]))
+        summary = self.folder / "summary.md"
+        self.shell(self.lines_of(workflow["jobs"]["report"]), GITHUB_STEP_SUMMARY=str(summary))
         self.check_joined(self.checkout / "out", whole)
+        self.assertIn(f"| `{renderer}` |", summary.read_text(encoding="utf-8"))
 
 
 class Slurm(Example):
