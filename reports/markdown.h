@@ -10,9 +10,9 @@ namespace edgecase {
 
 // The text as a span of code on one line, backticks included, so that nothing in it is markup; "-"
 // where it is empty. What is beyond `most` bytes is left out, and said to be.
-std::string markdown_code(std::string_view text, std::size_t most = 400);
+std::string markdown_code(std::string_view text, std::size_t most = 600);
 
 // The same for a cell of a table, which a bar would end.
-std::string markdown_cell(std::string_view text, std::size_t most = 400);
+std::string markdown_cell(std::string_view text, std::size_t most = 600);
 
 }  // namespace edgecase

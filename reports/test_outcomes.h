@@ -36,9 +36,9 @@ struct TestOutcome {
 using TestSink = std::function<void(const TestOutcome&)>;
 
 // Every test of the run, in an order that depends on the results alone. Suites, names and messages
-// are one_line(), details xml_text(). Details list at most 20 disagreements, and so few that all
-// tests together stay below 24 MB of XML, which a run of 80,000 tests does not exceed: CI systems
-// refuse files beyond 30 MB.
+// are one_line(), details xml_text(). Details list at most 20 disagreements, and so few, or
+// nothing, that all tests together stay below 24 MB of XML, unless their names and messages alone
+// take that much: CI systems refuse files beyond 30 MB.
 void visit_outcomes(const Results& results, const TestSink& sink);
 
 }  // namespace edgecase

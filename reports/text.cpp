@@ -108,7 +108,7 @@ std::string shortened(std::string_view text, std::size_t most) {
   if (text.size() <= most) return std::string(text);
   std::size_t end = most;
   while (end > 0 && (byte_at(text, end) & 0xC0) == 0x80) --end;  // inside a character
-  return fmt::format("{} \xE2\x80\xA6 ({} bytes more)", text.substr(0, end), text.size() - end);
+  return fmt::format("{}\xE2\x80\xA6 ({} bytes more)", text.substr(0, end), text.size() - end);
 }
 
 std::size_t count_differences(const Result& result) {

@@ -20,7 +20,7 @@ std::string xml_text(std::string_view text);
 std::string one_line(std::string_view text);
 
 // The text, or of a longer one its first characters, at most `most` bytes of them, and how many
-// bytes are left out: "begins so … (9000 bytes more)".
+// bytes are left out: "begins so… (9000 bytes more)".
 std::string shortened(std::string_view text, std::size_t most);
 
 // Disagreements, and values that differ inside what is permitted.

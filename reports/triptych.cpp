@@ -12,7 +12,7 @@ namespace {
 
 using Color = std::array<int, 3>;
 
-constexpr int kSide = 512;     // of an enlarged picture, about
+constexpr int kSide = 320;     // of an enlarged picture, about
 constexpr int kGap = 8;        // between two, enlarged
 constexpr int kHaloBelow = 4;  // enlargement
 constexpr int kHalo = 2;       // pixels round one that differs
@@ -41,7 +41,7 @@ constexpr Color mixed(const Color& color, const Color& under, int share) {
 
 int scale_of(int width, int height) {
   const int side = std::max(width, height);
-  return std::clamp(kSide / side, side <= 1024 ? 2 : 1, 32);
+  return std::clamp(kSide / side, side <= 1024 ? 2 : 1, 16);
 }
 
 class Painting {

@@ -20,7 +20,7 @@ struct Triptych {
   int width = 0;  // pixels, of the three and what parts them
   int height = 0;
   std::vector<std::uint8_t> rgba;  // row by row from the bottom, opaque
-  // By which to enlarge it, 1 to 32: a picture then has some 512 pixels along its longer side, and
+  // By which to enlarge it, 1 to 16: a picture then has some 320 pixels along its longer side, and
   // its pixels at least 2 where it has no more than 1,024.
   int scale = 1;
 };

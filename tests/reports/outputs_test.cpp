@@ -189,7 +189,7 @@ TEST(Annotations, TheHeaviestTenAndHowManyMore) {
   EXPECT_THAT(text, StartsWith("::error file=cases/09.json,"));
   EXPECT_LT(text.find("cases/13.json"), text.find("cases/12.json"));
   EXPECT_THAT(text, Not(HasSubstr("file=cases/03.json")));
-  EXPECT_THAT(text, HasSubstr("\n::notice title=edgecase::4 more like these"));
+  EXPECT_THAT(text, HasSubstr("\n::notice title=edgecase::4 more are not shown here"));
 }
 
 TEST(Annotations, OneForAllCasesOfAFile) {
@@ -242,8 +242,8 @@ TEST(Markdown, IsNeverTooLong) {
 
 TEST(Text, IsShortenedBetweenCharacters) {
   EXPECT_EQ(shortened("abc", 3), "abc");
-  EXPECT_EQ(shortened("abcd", 3), "abc \xE2\x80\xA6 (1 bytes more)");
-  EXPECT_EQ(shortened("a\xC3\xA4z", 2), "a \xE2\x80\xA6 (3 bytes more)");
+  EXPECT_EQ(shortened("abcd", 3), "abc\xE2\x80\xA6 (1 bytes more)");
+  EXPECT_EQ(shortened("a\xC3\xA4z", 2), "a\xE2\x80\xA6 (3 bytes more)");
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST(Triptych, ShowsExactDifferenceAndRenderedWithYUp) {
   const auto triptych = triptych_of(one, one.results[0]);
   ASSERT_TRUE(triptych);
   EXPECT_EQ(triptych->height, 3);
-  EXPECT_EQ(triptych->scale, 32);
+  EXPECT_EQ(triptych->scale, 16);
   EXPECT_EQ(triptych->width, 3 * 4 + 2);
   EXPECT_EQ(triptych->rgba.size(), static_cast<std::size_t>(4 * triptych->width * 3));
   EXPECT_EQ(at(*triptych, 1, 0), (Color{255, 255, 255}));

@@ -61,6 +61,8 @@ class Outputs(CommandTest):
         self.names = ["plain", HOSTILE.replace(":", "")]
         for name in self.names:
             self.write(f"cases/{name}.json", triangle_case(title=f"Triangle {HOSTILE[:40]}"))
+        self.write("cases/swept.json", triangle_case(sweep={
+            "dx": {"add_to": ["/draws/0/vertices/0/x"], "values": [0, 0.5]}}))
         self.renderer = self.odd_renderer("mirror", "", "cases")
         self.options = [word for kind, suffix in KINDS.items()
                         for word in (f"--{kind}", f"run.{suffix}" if kind != "ctrf" else "ctrf.json")]
@@ -115,7 +117,12 @@ class Outputs(CommandTest):
         names = [name for name in self.options if not name.startswith("--")]
         made = {name: self.text(name) for name in names}
         pictures = {path: path.read_bytes() for path in self.folder.glob("pictures/**/*.png")}
-        self.assertEqual(len(pictures), len(self.names))
+        self.assertEqual(len(pictures), len(self.names) + 2)
+        # What artifacts of GitHub and file systems take.
+        for path in pictures:
+            self.assertRegex(path.name, r'^[^\x00-\x1f\x7f-\U0010ffff"*/:<>?\\|]{1,255}$')
+        self.assertEqual({path.name for path in pictures if path.name.startswith("swept")},
+                         {"swept@dx=0.png", "swept@dx=0.5.png"})
         for path in [self.folder / name for name in names] + list(pictures):
             path.unlink()
         run = self.command("report", "results.json", *self.options, "--triptychs", "pictures")
@@ -139,7 +146,7 @@ class Outputs(CommandTest):
                       {row["case"] for row in rows})
         files = {properties["file"]: properties["title"]
                  for _, properties, _ in commands(self.text("run.txt"))}
-        self.assertEqual(len(files), len(self.names))
+        self.assertEqual(len(files), 2, "one for all cases of a file")
         self.assertIn(visible(f"{name[:-1]}.json", keep_breaks=True), files)
         self.assertTrue(files[visible(f"{name[:-1]}.json", keep_breaks=True)].startswith(
             visible(name)[:100]))

@@ -19,9 +19,13 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostOfName = 200;  // bytes; file systems take 255
 
+// Stands for a colon, which Windows and the artifacts of GitHub do not take.
+constexpr char kColon = '@';
+
 // One part of a path, of letters, digits and a few signs; others become "-".
 std::string plain(std::string_view part) {
   std::string name(part.substr(0, kMostOfName));
+  std::replace(name.begin(), name.end(), ':', kColon);
   std::replace_if(
       name.begin(), name.end(),
       [](char c) {
@@ -37,7 +41,7 @@ std::string plain(std::string_view part) {
 std::string folder_of(const std::string& renderer, std::set<std::string>& taken) {
   std::string base = plain(renderer);
   std::replace_if(
-      base.begin(), base.end(), [](char c) { return c == ':' || c == ' '; }, '-');
+      base.begin(), base.end(), [](char c) { return c == kColon || c == ' '; }, '-');
   std::string name = base;
   for (int n = 2; !taken.insert(name).second; ++n) name = fmt::format("{}-{}", base, n);
   return name;
@@ -62,7 +66,10 @@ fs::path triptych_path(const std::string& id) {
     path /= plain(rest.substr(0, slash));
     if (!is_last) rest.remove_prefix(slash + 1);
   }
-  if (path.string() != id) path += "-" + digest_of_text(id);
+  std::string plain_id = id;
+  std::replace(plain_id.begin(), plain_id.end(), ':', kColon);
+  const bool is_told = path.string() == plain_id && id.find(kColon) == std::string::npos;
+  if (!is_told) path += "-" + digest_of_text(id);
   return path += ".png";
 }
 

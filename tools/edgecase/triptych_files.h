@@ -10,8 +10,8 @@
 
 namespace edgecase {
 
-// Where the triptych of an id lies in its renderer's folder: the id and ".png". What no file can be
-// called, or what would lead out of the folder, is replaced by "-" and a digest of the id, so that
+// Where the triptych of an id lies in its renderer's folder: the id with "@" for ":", and ".png".
+// What no file can be called, or what would lead out of the folder, is replaced by "-" and a digest of the id, so that
 // two ids never share a file.
 std::filesystem::path triptych_path(const std::string& id);
 
