@@ -140,7 +140,7 @@ void write_annotations(const Results& results, const PathInRepository& path_of, 
   const std::size_t listed = std::min(kMostAnnotations, groups.size());
   for (std::size_t i = 0; i < listed; ++i) out << command_of(groups[i], path_of) << '\n';
   if (listed < groups.size())
-    out << fmt::format("::notice title=edgecase::{} more are not shown here; the report has them all\n",
+    out << fmt::format("::notice title=edgecase::{} more are not shown; the report has them all\n",
                        groups.size() - listed);
 }
 

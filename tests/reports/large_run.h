@@ -9,8 +9,8 @@
 
 namespace edgecase::sample {
 
-// `cases` cases of one renderer, each with `disagreements` disagreements whose sentences are as long
-// as those of the suite (300 characters) and hold what markup has to escape.
+// `cases` cases of one renderer, each with `disagreements` disagreements whose sentences are as
+// long as those of the suite (300 characters) and hold what markup has to escape.
 Results large_run(std::size_t cases, int disagreements);
 
 }  // namespace edgecase::sample

@@ -131,7 +131,7 @@ class Outputs(CommandTest):
         self.assertEqual({path: path.read_bytes() for path in pictures}, pictures)
 
     def test_hostile_names(self):
-        for name in ("../../x", HOSTILE, LONG):
+        for name in ("../../x", HOSTILE, LONG, "a/" * 3000):
             with self.subTest(name[:40]):
                 self.check_hostile(self.renamed(name))
 

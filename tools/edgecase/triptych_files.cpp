@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostOfName = 200;  // bytes; file systems take 255
+constexpr std::size_t kMostOfName = 200;   // bytes; file systems take 255
+constexpr std::size_t kMostOfPath = 1000;  // bytes; Linux takes 4095
 
 // Stands for a colon, which Windows and the artifacts of GitHub do not take.
 constexpr char kColon = '@';
@@ -66,6 +67,7 @@ fs::path triptych_path(const std::string& id) {
     path /= plain(rest.substr(0, slash));
     if (!is_last) rest.remove_prefix(slash + 1);
   }
+  if (path.native().size() > kMostOfPath) path = "-";
   std::string plain_id = id;
   std::replace(plain_id.begin(), plain_id.end(), ':', kColon);
   const bool is_told = path.string() == plain_id && id.find(kColon) == std::string::npos;
