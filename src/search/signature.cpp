@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "search/signature.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "results/clusters.h"
@@ -13,13 +14,23 @@ Signature signature_of(const Cluster& cluster) {
   signature.cause = cluster.cause;
   signature.surface = cluster.surface;
   signature.legal = cluster.legal;
-  // A cause joins rules and kinds: that a scene shows one of them alone is no part of it.
   if (!cluster.cause.empty()) return signature;
   signature.rule = cluster.rule;
   signature.kind = cluster.kind;
   signature.situation = cluster.situation;
   signature.attribute = cluster.attribute;
   return signature;
+}
+
+// What a cause breaks: each rule and kind once, in the order of the disagreements.
+void add_broken(const Result& result, const std::string& cause, Surface surface,
+                std::vector<Signature>& signatures) {
+  for (const Disagreement& d : result.disagreements) {
+    if (d.legal || d.cause != cause) continue;
+    Signature signature = signature_of(d, surface);
+    if (std::find(signatures.begin(), signatures.end(), signature) == signatures.end())
+      signatures.push_back(std::move(signature));
+  }
 }
 
 bool is_find(FailureKind kind) {
@@ -47,7 +58,12 @@ std::vector<Signature> signatures_of(const Result& result, Surface surface) {
   one.results.front().disagreements = result.disagreements;
   one.results.front().values = result.values;
   std::vector<Signature> signatures;
-  for (const Cluster& cluster : clusters_of(run, 0)) signatures.push_back(signature_of(cluster));
+  for (const Cluster& cluster : clusters_of(run, 0)) {
+    if (cluster.cause.empty() || cluster.legal)
+      signatures.push_back(signature_of(cluster));
+    else
+      add_broken(result, cluster.cause, surface, signatures);
+  }
   return signatures;
 }
 
@@ -62,10 +78,12 @@ Signature signature_of(const Disagreement& disagreement, Surface surface) {
   signature.cause = disagreement.cause;
   signature.surface = name_of(surface);
   signature.legal = disagreement.legal;
-  if (!disagreement.cause.empty()) return signature;
+  // A cause that is allowed joins rules and kinds: that a scene shows one of them alone is no part
+  // of it.
+  if (!disagreement.cause.empty() && disagreement.legal) return signature;
   signature.rule = disagreement.rule;
   signature.kind = name_of(disagreement.kind);
-  signature.situation = disagreement.situation;
+  if (disagreement.cause.empty()) signature.situation = disagreement.situation;
   return signature;
 }
 
@@ -104,6 +122,8 @@ std::string title_of(const Signature& signature) {
   cluster.situation = signature.situation;
   cluster.attribute = signature.attribute;
   std::string title = title_of(cluster);
+  if (!signature.cause.empty() && !signature.rule.empty())
+    title = signature.rule + " " + signature.kind + " by " + title;
   if (signature.attribute.empty()) title += signature.legal ? ", allowed" : ", not allowed";
   return title + ", " + signature.surface;
 }

@@ -3,8 +3,10 @@
 // Signature: what a find is about, so that two scenes can be said to show the same.
 //
 // It is what clusters are told apart by (results/clusters.h), for one scene: the cause where there
-// is one, and otherwise rule, kind and situation; surface and legality always. A renderer that
-// fails where it should answer is a find too, told by how it fails.
+// is one, and otherwise rule, kind and situation; surface and legality always. Where a cause breaks
+// a rule, rule and kind count beside it: lines that leave a gap where they meet and lines that draw
+// a pixel twice there are two finds, though one algorithm does both. A renderer that fails where it
+// should answer is a find too, told by how it fails.
 #pragma once
 
 #include <compare>
@@ -19,8 +21,8 @@ namespace edgecase {
 
 struct Signature {
   std::string cause;      // "rule=alternative", several joined by " + "; empty: none found
-  std::string rule;       // id; empty where there is a cause
-  std::string kind;       // "missing"; empty where there is a cause
+  std::string rule;       // id; empty where there is a cause that the specification allows
+  std::string kind;       // "missing"; empty where there is a cause that the specification allows
   std::string surface;    // "fbo", "window"
   bool legal = false;     // the specification allows it
   std::string situation;  // in words; empty where there is a cause, and for values

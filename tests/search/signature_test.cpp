@@ -18,16 +18,35 @@ Disagreement extra(const std::string& cause, bool legal, const std::string& situ
   return d;
 }
 
-TEST(Signature, OfWhatHasACauseIsTheCause) {
+TEST(Signature, OfWhatHasACauseThatIsAllowedIsTheCause) {
   Result result;
-  result.disagreements = {extra("line.algorithm=bresenham", false)};
+  result.disagreements = {extra("line.algorithm=bresenham", true)};
   const auto signatures = signatures_of(result, Surface::window);
   ASSERT_EQ(signatures.size(), 1u);
   EXPECT_EQ(signatures[0].cause, "line.algorithm=bresenham");
   EXPECT_EQ(signatures[0].rule, "");
   EXPECT_EQ(signatures[0].kind, "");
   EXPECT_EQ(signatures[0].situation, "");
-  EXPECT_EQ(title_of(signatures[0]), "line.algorithm=bresenham, not allowed, window");
+  EXPECT_EQ(title_of(signatures[0]), "line.algorithm=bresenham, allowed, window");
+  EXPECT_EQ(signature_of(result.disagreements[0], Surface::window), signatures[0]);
+}
+
+TEST(Signature, OfACauseThatBreaksRulesIsEachOfThemBesideIt) {
+  Result result;
+  Disagreement missing = extra("line.algorithm=bresenham", false);
+  missing.kind = DisagreementKind::missing;
+  result.disagreements = {extra("line.algorithm=bresenham", false), missing, missing};
+  const auto signatures = signatures_of(result, Surface::fbo);
+  ASSERT_EQ(signatures.size(), 2u);
+  EXPECT_EQ(title_of(signatures[0]),
+            "line.diamond-exit extra by line.algorithm=bresenham, not allowed, fbo");
+  EXPECT_EQ(title_of(signatures[1]),
+            "line.diamond-exit missing by line.algorithm=bresenham, not allowed, fbo");
+  EXPECT_EQ(signatures[0].situation, "");
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(signature_of(result.disagreements[i], Surface::fbo), signatures[i == 0 ? 0 : 1]);
+  EXPECT_EQ(disagreements_of(result, signatures[0]).size(), 1u);
+  EXPECT_EQ(disagreements_of(result, signatures[1]).size(), 2u);
 }
 
 TEST(Signature, OfWhatHasNoneIsRuleKindAndSituation) {

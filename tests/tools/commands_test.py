@@ -78,8 +78,10 @@ class Texts(CommandTest):
 
     def test_commands_for_the_smallest_cases_of_clusters_work(self):
         """The summary's commands, run as they are printed, tell of the pixel that they name."""
-        summary = self.command("run", f"{SUITE}/lines/strips", "--against",
-                               self.odd_renderer("mirror"), "--json", "results.json",
+        # Upside down here and there: nothing in the catalogue does so.
+        odd = self.odd_renderer("mirror-of", "lines/strips/octagon-loop:dx=0.5:dy=0.5")
+        summary = self.command("run", f"{SUITE}/lines/strips", "--against", odd, "--json",
+                               "results.json",
                                expect=UNEXPECTED).stdout
         commands = [line.partition(": edgecase ")[2] for line in summary.splitlines()
                     if ": edgecase explain " in line]
