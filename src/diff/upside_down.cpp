@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "diff/upside_down.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -15,9 +17,12 @@
 namespace edgecase {
 namespace {
 
-constexpr const char* kSentence =
-    " Ruling 43: with its rows in the opposite order, nothing of the whole answer disagrees.";
-static_assert(kRulingOnOrigin == 43);
+const std::string& sentence() {
+  static const std::string text = fmt::format(
+      " Ruling {}: with its rows in the opposite order, nothing of the whole answer disagrees.",
+      kRulingOnOrigin);
+  return text;
+}
 
 // Reverses the rows of each plane; `row` is how many numbers one holds.
 template <class Number>
@@ -108,7 +113,7 @@ void tell_upside_down(Result& result) {
     d.rule = d.cause = kWindowOrigin;
     d.ruling = kRulingOnOrigin;
     d.legal = false;
-    d.explanation += kSentence;
+    d.explanation += sentence();
   }
 }
 
@@ -120,8 +125,8 @@ void tell_upright(Result& result) {
     d.legal = d.upright->legal;
     d.cause = d.upright->cause;
     d.upright.reset();
-    const std::size_t sentence = std::char_traits<char>::length(kSentence);
-    if (d.explanation.ends_with(kSentence)) d.explanation.resize(d.explanation.size() - sentence);
+    if (d.explanation.ends_with(sentence()))
+      d.explanation.resize(d.explanation.size() - sentence().size());
   }
 }
 
