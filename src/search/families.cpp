@@ -10,6 +10,7 @@
 #include <set>
 
 #include "casefile/blend_presets.h"
+#include "generate/grid_lines.h"
 #include "generate/random_compounds.h"
 #include "generate/random_output.h"
 #include "generate/random_scenes.h"
@@ -134,6 +135,12 @@ std::span<const Family> all_families() {
        true,
        true,
        line_scene},
+      {"grid-lines",
+       "every line between multiples of 1/16 within 16x16 pixels, 32 in a scene",
+       {"line.diamond-exit", "line.algorithm", "line.snap", "line.row-order"},
+       true,
+       true,
+       grid_line_scene},
       {"joints",
        "segments that follow each other, as strips, loops and separate lines",
        {"line.joint", "line.diamond-exit", "line.width"},
@@ -170,6 +177,12 @@ std::span<const Family> all_families() {
        false,
        false,
        sample_scene},
+      {"grid-lines-of-4-samples",
+       "the lines of grid-lines, on targets of 4 samples",
+       {"line.multisampled"},
+       false,
+       false,
+       multisampled_grid_line_scene},
       {"lod",
        "textures whose levels of detail lie at ties, at the crossover and on ramps",
        {"texture.nearest-level", "texture.crossover", "texture.scale-factor", "texture.log2",

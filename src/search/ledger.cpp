@@ -7,6 +7,9 @@
 #include <tuple>
 #include <utility>
 
+#include "search/grid_search.h"
+#include "search/scene_size.h"
+
 namespace edgecase {
 namespace {
 
@@ -30,9 +33,14 @@ Result stripped(const Result& result) {
   return kept;
 }
 
+bool is_readable(const Scene& scene) {
+  return fraction_bits_of(scene) <= kReadableBits;
+}
+
+// Is one the better to start from? Coordinates that people read do not get finer again.
 bool is_smaller(const Scene& a, const Scene& b) {
   const auto size = [](const Scene& scene) {
-    return std::tuple(primitives_of(scene).size(),
+    return std::tuple(!is_readable(scene), primitives_of(scene).size(),
                       std::int64_t{scene.target.width} * scene.target.height);
   };
   return size(a) < size(b);
@@ -95,15 +103,17 @@ std::vector<Candidate> Ledger::take_candidates() {
   std::map<FindKey, std::size_t> places;
   for (Pending& pending : pending_) {
     judge_under_reading(pending.sourced.scene, pending.result);
+    const bool readable = is_readable(pending.sourced.scene);
     for (const Shown& what : shown(pending)) {
       const bool is_new = seen_[what.key]++ == 0;
-      if (is_new && !is_known(what.key)) {
+      const auto place = places.find(what.key);
+      if (place == places.end()) {
+        const bool is_better = readable && !readable_.contains(what.key);
+        if ((!is_new && !is_better) || is_known(what.key)) continue;
         places[what.key] = candidates.size();
         candidates.push_back({what.key, what.verdict, pending.sourced, pending.result});
         continue;
       }
-      const auto place = places.find(what.key);
-      if (place == places.end()) continue;
       Candidate& candidate = candidates[place->second];
       if (!is_smaller(pending.sourced.scene, candidate.sourced.scene)) continue;
       candidate.sourced = pending.sourced;
@@ -111,14 +121,20 @@ std::vector<Candidate> Ledger::take_candidates() {
     }
   }
   pending_.clear();
+  for (const Candidate& candidate : candidates)
+    if (is_readable(candidate.sourced.scene)) readable_.insert(candidate.key);
   return candidates;
 }
 
 bool Ledger::add_find(Find find) {
   judge_again(find);
   if (find.verdict < least_ || is_known(find.key)) return false;
+  if (is_readable(find.scene)) readable_.insert(find.key);
   const auto same = std::ranges::find(finds_, find.key, &Find::key);
-  if (same != finds_.end()) return false;
+  if (same != finds_.end()) {
+    if (is_readable(find.scene) && !is_readable(same->scene)) *same = std::move(find);
+    return false;
+  }
   // What a minimised scene shows need not be looked for again.
   ++seen_[find.key];
   finds_.push_back(std::move(find));
@@ -144,8 +160,12 @@ void Ledger::merge_finds() {
   std::vector<Find> kept;
   for (Find& find : finds_) {
     judge_again(find);
-    if (is_known(find.key) || std::ranges::find(kept, find.key, &Find::key) != kept.end()) continue;
-    kept.push_back(std::move(find));
+    if (is_known(find.key)) continue;
+    const auto same = std::ranges::find(kept, find.key, &Find::key);
+    if (same == kept.end())
+      kept.push_back(std::move(find));
+    else if (is_readable(find.scene) && !is_readable(same->scene))
+      *same = std::move(find);
   }
   finds_ = std::move(kept);
 }

@@ -43,10 +43,12 @@ class Ledger {
   void add(SourcedScene sourced, Result result);
 
   // Judges what was added since, and takes what was not there before: of each the smallest scene,
-  // in the order in which they were added. Each comes once.
+  // in the order in which they were added. Each comes once, and once more where a scene with
+  // coordinates of kReadableBits (search/grid_search.h) shows it that had none before.
   std::vector<Candidate> take_candidates();
 
-  // Is it new? Then it is kept. `find.result` must be judged under the reading.
+  // Is it new? Then it is kept; it takes the place of one that is the same and cannot be read as
+  // easily. `find.result` must be judged under the reading.
   bool add_find(Find find);
 
   // How scenes on each surface are read now.
@@ -81,6 +83,7 @@ class Ledger {
   std::map<Surface, Run> runs_;
   std::map<Surface, RunReading> readings_;
   std::map<FindKey, std::size_t> seen_;  // scenes that showed it
+  std::set<FindKey> readable_;           // of which a scene of kReadableBits was taken, or kept
   std::vector<Pending> known_;
   std::set<FindKey> known_keys_;
   std::set<FindKey> keys_of_known_;  // of `known_`, under the reading

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "generate/grid_lines.h"
+
+#include <numeric>
+#include <vector>
+
+#include "generate/scene_parts.h"
+
+namespace edgecase {
+namespace {
+
+// A step through `count` numbers that visits all of them: about the golden section of it, so that
+// any few that follow each other lie far apart.
+std::uint64_t stride_of(std::uint64_t count) {
+  std::uint64_t stride = count / 1000 * 618 + count % 1000 * 618 / 1000;
+  while (std::gcd(stride, count) != 1) ++stride;
+  return stride;
+}
+
+}  // namespace
+
+// All pairs of places, without those of which neither lies in the first pixel.
+std::uint64_t GridLines::pairs() const {
+  const auto places = static_cast<std::uint64_t>(size_) * static_cast<std::uint64_t>(steps_) - 1;
+  const std::uint64_t beyond = places - static_cast<std::uint64_t>(steps_);
+  return places * places - beyond * beyond;
+}
+
+// First those whose first place lies in the first pixel, then those whose second alone does.
+std::array<Fixed, 2> GridLines::pair(std::uint64_t number) const {
+  const auto steps = static_cast<std::uint64_t>(steps_);
+  const auto places = static_cast<std::uint64_t>(size_) * steps - 1;
+  const auto at = [&](std::uint64_t place) {
+    return Fixed::from_raw(static_cast<std::int64_t>(place + 1) * Fixed::kOne / steps_);
+  };
+  if (number < steps * places) return {at(number / places), at(number % places)};
+  number -= steps * places;
+  return {at(steps + number / steps), at(number % steps)};
+}
+
+std::array<Point, 2> GridLines::line(std::uint64_t number) const {
+  const std::array<Fixed, 2> x = pair(number / pairs());
+  const std::array<Fixed, 2> y = pair(number % pairs());
+  return {Point{x[0], y[0]}, Point{x[1], y[1]}};
+}
+
+std::uint64_t GridLines::strewn(std::uint64_t seed, std::uint64_t index) const {
+  const std::uint64_t all = count();
+  return (index % all * stride_of(all) + seed % all) % all;
+}
+
+Scene grid_line_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
+  std::vector<Point> ends;
+  for (std::uint64_t i = 0; i < kGridLinesOfScene; ++i)
+    for (const Point end :
+         kReadableLines.line(kReadableLines.strewn(seed, index * kGridLinesOfScene + i)))
+      ends.push_back(end);
+  return scene_of(surface, 16, Primitive::lines, ends);
+}
+
+Scene multisampled_grid_line_scene(std::uint64_t seed, Surface, std::uint64_t index) {
+  Scene scene = grid_line_scene(seed, Surface::fbo, index);
+  scene.target.samples = 4;
+  return scene;
+}
+
+std::uint64_t grid_line_scenes() {
+  return (kReadableLines.count() + kGridLinesOfScene - 1) / kGridLinesOfScene;
+}
+
+}  // namespace edgecase
