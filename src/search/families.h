@@ -25,6 +25,7 @@ struct Family {
   bool coverage_only;
   bool has_windows;  // else its scenes are of framebuffer objects, whatever surface is given
   Scene (*scene)(std::uint64_t seed, Surface surface, std::uint64_t index);
+  std::uint64_t scenes = 0;  // how many there are, on each surface; 0: there is no end of them
 };
 
 std::span<const Family> all_families();

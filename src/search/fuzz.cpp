@@ -46,7 +46,9 @@ class Search {
   Search(const std::vector<FuzzRenderer>& renderers, const FuzzOptions& options)
       : renderers_(renderers),
         options_(options),
-        source_(options.seed, options.families, options.surfaces, options.corpus),
+        source_(options.exhaustive ? SceneSource(options.seed, options.families, options.surfaces)
+                                   : SceneSource(options.seed, options.families, options.surfaces,
+                                                 options.corpus)),
         start_(Clock::now()) {
     for (const FuzzRenderer& renderer : renderers_) {
       screens_.emplace_back(renderer.policy, renderer.profile);

@@ -54,6 +54,7 @@ struct FuzzOptions {
   std::vector<const Family*> families;
   std::vector<Surface> surfaces = {Surface::fbo, Surface::window};
   std::vector<CorpusScene> corpus;
+  bool exhaustive = false;  // every scene of families that have an end; nothing is mutated
   KnownFinds known;
   Verdict least = Verdict::convention;  // of finds; failures always count
   // Whichever comes first; none: not at all.

@@ -31,6 +31,12 @@ SceneSource::SceneSource(std::uint64_t seed, std::vector<const Family*> families
     families_.push_back({family, std::vector<std::uint64_t>(surfaces_.size(), 0)});
 }
 
+SceneSource::SceneSource(std::uint64_t seed, std::vector<const Family*> families,
+                         std::vector<Surface> surfaces)
+    : SceneSource(seed, std::move(families), std::move(surfaces), {}) {
+  mutates_ = false;
+}
+
 std::vector<Batch> SceneSource::next_round(std::size_t most) {
   std::vector<Batch> batches;
   const std::size_t s = round_++ % surfaces_.size();
@@ -39,12 +45,16 @@ std::vector<Batch> SceneSource::next_round(std::size_t most) {
     // A family without windows has its scenes in every round all the same.
     const std::size_t place = progress.family->has_windows ? s : 0;
     const Surface surface = progress.family->has_windows ? surfaces_[s] : Surface::fbo;
-    if (count() == 0) break;
-    batches.push_back({progress.family, surface, progress.asked[place], count()});
+    const std::uint64_t first = progress.asked[place];
+    std::size_t scenes = count();
+    if (progress.family->scenes != 0)
+      scenes = std::min<std::uint64_t>(scenes, progress.family->scenes - first);
+    if (scenes == 0) continue;
+    batches.push_back({progress.family, surface, first, scenes});
     progress.asked[place] += batches.back().count;
     most -= batches.back().count;
   }
-  if (!corpus_.empty() && count() > 0) {
+  if (mutates_ && !corpus_.empty() && count() > 0) {
     batches.push_back({nullptr, Surface::fbo, mutated_, count()});
     mutated_ += batches.back().count;
   }
@@ -66,7 +76,7 @@ std::optional<SourcedScene> SceneSource::scene(const Batch& batch, std::size_t p
 }
 
 void SceneSource::add_to_corpus(CorpusScene scene) {
-  corpus_.push_back(std::move(scene));
+  if (mutates_) corpus_.push_back(std::move(scene));
 }
 
 void SceneSource::retire(const Family& family) {

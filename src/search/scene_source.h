@@ -5,7 +5,7 @@
 // Families take turns, a batch each; then comes a batch of scenes that are mutated from the corpus:
 // from scenes that were given, and from finds of the search itself, as they join it. Surfaces
 // alternate from round to round. Which scenes come depends on the seed and on what joined the
-// corpus before the round, and on nothing else.
+// corpus before the round, and on nothing else. Families that have an end come no more after it.
 #pragma once
 
 #include <cstddef>
@@ -57,6 +57,9 @@ class SceneSource {
   // Surfaces: at least one. Without families all scenes are mutated.
   SceneSource(std::uint64_t seed, std::vector<const Family*> families,
               std::vector<Surface> surfaces, std::vector<CorpusScene> corpus);
+  // The scenes of families and no others: nothing is mutated, whatever joins the corpus.
+  SceneSource(std::uint64_t seed, std::vector<const Family*> families,
+              std::vector<Surface> surfaces);
 
   // The next batch of each family, and one of mutated scenes where there is a corpus: `most` scenes
   // together at most. Empty when nothing is left to ask.
@@ -81,6 +84,7 @@ class SceneSource {
   std::vector<Progress> families_;
   std::vector<Surface> surfaces_;
   std::vector<CorpusScene> corpus_;
+  bool mutates_ = true;
   std::uint64_t mutated_ = 0;
   std::size_t round_ = 0;
 };

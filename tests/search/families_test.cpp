@@ -113,7 +113,8 @@ TEST(Families, AreSelectedByNameRuleAndGlob) {
   EXPECT_EQ(selected({}).size(), all_families().size());
   EXPECT_THAT(selected({"shared-edges", "lines"}), ElementsAre("lines", "shared-edges"));
   EXPECT_THAT(selected({"line.joint"}), ElementsAre("joints"));
-  EXPECT_THAT(selected({"line.*"}), ElementsAre("lines", "joints", "snapping", "samples"));
+  EXPECT_THAT(selected({"line.*"}), ElementsAre("lines", "grid-lines", "joints", "snapping",
+                                                "samples", "grid-lines-of-4-samples"));
   EXPECT_THAT(selected({"texture.*", "clip*"}), ElementsAre("lod", "clipping"));
 }
 
@@ -150,6 +151,22 @@ TEST(SceneSources, TakeFamiliesInTurnAndAlternateSurfaces) {
   const auto mutant = source.scene(third[1], 0);
   ASSERT_TRUE(mutant);
   EXPECT_EQ(words_of(mutant->origin, 1), "mutated from a find, seed 1, index 0");
+}
+
+TEST(SceneSources, EndWhereFamiliesDo) {
+  Family few = *find_family("lines");
+  few.scenes = 300;
+  SceneSource source(1, {&few}, {Surface::fbo, Surface::window});
+  source.add_to_corpus({"a find", few.scene(1, Surface::fbo, 3)});  // nothing is mutated
+  for (const auto& [first, count] : {std::pair{0u, 256u}, {256u, 44u}})
+    for (const Surface surface : {Surface::fbo, Surface::window}) {
+      const std::vector<Batch> round = source.next_round(1'000);
+      ASSERT_EQ(round.size(), 1u);
+      EXPECT_EQ(round[0].surface, surface);
+      EXPECT_EQ(round[0].first, first);
+      EXPECT_EQ(round[0].count, count);
+    }
+  EXPECT_TRUE(source.next_round(1'000).empty());
 }
 
 TEST(Mutations, ChangeScenesIntoOthersThatReachOpenGlExactly) {

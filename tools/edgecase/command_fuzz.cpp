@@ -38,6 +38,7 @@ struct FuzzCommand {
   std::optional<double> seconds;
   std::optional<std::size_t> count;
   std::optional<std::size_t> finds;
+  bool exhaustive = false;
   std::size_t max_asks = FuzzOptions().minimize.max_asks;
   std::string save;
   std::string json;
@@ -112,6 +113,18 @@ bool add_known(const std::string& path, KnownFinds& known) {
   return true;
 }
 
+// Of the families those that have an end; prints that there are none.
+bool keep_those_with_an_end(std::vector<const Family*>& families) {
+  std::erase_if(families, [](const Family* family) { return family->scenes == 0; });
+  if (!families.empty()) return true;
+  std::vector<std::string> names;
+  for (const Family& family : all_families())
+    if (family.scenes != 0) names.emplace_back(family.name);
+  print_error(fmt::format("--exhaustive: none of the families that --rules names has an end; {} do",
+                          fmt::join(names, " and ")));
+  return false;
+}
+
 // All but progress and stop; prints what is wrong and returns nothing.
 std::optional<FuzzOptions> options_of(const FuzzCommand& command) {
   FuzzOptions options;
@@ -122,6 +135,8 @@ std::optional<FuzzOptions> options_of(const FuzzCommand& command) {
     return std::nullopt;
   }
   options.families = std::get<std::vector<const Family*>>(std::move(families));
+  options.exhaustive = command.exhaustive;
+  if (options.exhaustive && !keep_those_with_an_end(options.families)) return std::nullopt;
   if (!command.surfaces.empty()) options.surfaces.clear();
   for (const std::string& name : command.surfaces) {
     Surface surface = Surface::fbo;
@@ -283,10 +298,15 @@ void add_fuzz_command(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(0.1, 1e8));
   command->add_option("--count", options->count, "Stop after so many scenes")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}));
+  command->add_flag(
+      "--exhaustive", options->exhaustive,
+      "Ask every scene of families that have an end, such as grid-lines, and no other; "
+      "then stop");
   command->add_option("--finds", options->finds, "Stop after so many finds")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
   add_repeatable(*command, "--corpus", options->corpus,
                  "Case file or folder whose scenes are mutated, too; repeatable");
+  command->get_option("--exhaustive")->excludes(command->get_option("--corpus"));
   add_repeatable(*command, "--known", options->known,
                  "Finds that are known: the JSON of an earlier search, a case file or a folder; "
                  "repeatable. They are counted only");
