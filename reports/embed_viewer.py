@@ -4,10 +4,11 @@
 Usage: embed_viewer.py OUTPUT.cpp NAME,NAME... TEMPLATE.html STYLE.css... SCRIPT.js...
 
 The template names {{policy}}, {{style}}, {{script}} where there are scripts, and the places where
-text is put in when a page is written: {{title}}, {{data}}. What stands between those becomes one
-string each, of the names given. The policy allows the page nothing but the one style and the one
-script that stand in it, each by its SHA-256 hash: a text that found its way into the markup could
-not run, load or send anything.
+text is put in when a page is written: {{title}}, {{data}}, {{blocks}}. What stands between those
+becomes one string each, of the names given. The policy allows the page nothing but the one style
+and the one script that stand in it, each by its SHA-256 hash: a text that found its way into the
+markup could not run, load or send anything. A page with blocks has the place {{loads}} after the
+script's hash, for what lets that script load more of them.
 """
 import base64
 import hashlib
@@ -30,13 +31,14 @@ def build_page(template, style, script):
     texts = {"{{style}}": style}
     if script:
         policy += f"; script-src {hash_of(script)}"
+        if "{{blocks}}" in template:
+            policy += "{{loads}}"
         texts["{{script}}"] = script
-    parts = re.split(r"{{(?:title|data)}}", template)
     for place, text in {"{{policy}}": policy, **texts}.items():
-        if sum(part.count(place) for part in parts) != 1:
+        if template.count(place) != 1:
             sys.exit(f"embed_viewer.py: the template must hold {place} exactly once")
-        parts = [part.replace(place, text) for part in parts]
-    return parts
+        template = template.replace(place, text)
+    return re.split(r"{{(?:title|loads|data|blocks)}}", template)
 
 
 def array(name, text):

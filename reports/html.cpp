@@ -1,15 +1,76 @@
 // SPDX-License-Identifier: MIT
 #include "reports/html.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
 #include <ostream>
+#include <utility>
 
 #include "reports/page.h"
 #include "reports/report_data.h"
 
 namespace edgecase {
+namespace {
+
+// Scripts that the page's own script adds may run, and no others.
+constexpr const char* kMayLoad = " 'strict-dynamic'";
+
+// How many of the blocks, from the first one, come to `most` bytes or less.
+std::size_t count_within(const std::vector<std::string>& blocks, std::size_t from,
+                         std::size_t most) {
+  std::size_t bytes = 0;
+  std::size_t count = 0;
+  while (from + count < blocks.size() && (bytes += blocks[from + count].size()) <= most) ++count;
+  return count;
+}
+
+std::string chunk_text(const ReportData& data, std::size_t first, std::size_t count) {
+  std::string text = fmt::format("edgecaseBlocks(\"{}\",{},[\n", data.key, first);
+  for (std::size_t i = 0; i < count; ++i) text += fmt::format("\"{}\",\n", data.blocks[first + i]);
+  return text + "]);\n";
+}
+
+// The names of chunks and their first blocks, as a member of the index.
+std::string chunk_list(const std::vector<std::pair<std::string, std::size_t>>& chunks) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& [name, first] : chunks) list.push_back({{"name", name}, {"first", first}});
+  return "\"chunks\":" + list.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::vector<HtmlFile> html_files(const Results& results, const ReportTexts& texts,
+                                 const std::string& name, std::size_t max_inlined) {
+  const ReportData data = report_data(results, texts);
+  const std::string stem = name.substr(0, name.rfind(".html"));
+  std::vector<HtmlFile> files(1);
+  std::vector<std::pair<std::string, std::size_t>> chunks;
+  const std::size_t inlined = count_within(data.blocks, 0, max_inlined);
+  for (std::size_t first = inlined; first < data.blocks.size();) {
+    const std::size_t count = std::max(std::size_t{1}, count_within(data.blocks, first, kChunk));
+    chunks.emplace_back(fmt::format("{}.{}.js", stem, chunks.size() + 1), first);
+    files.push_back({chunks.back().first, chunk_text(data, first, count)});
+    first += count;
+  }
+  std::string page{kPageBeforeLoads};
+  if (!chunks.empty()) page += kMayLoad;
+  page += kPageBeforeData;
+  page += '{' + chunk_list(chunks) + ',' + data.index.substr(1);
+  page += kPageBeforeBlocks;
+  for (std::size_t i = 0; i < inlined; ++i)
+    page +=
+        fmt::format("<script type=\"text/plain\" id=\"block-{}\">{}</script>\n", i, data.blocks[i]);
+  page += kPageAfterBlocks;
+  files.front() = {name, std::move(page)};
+  return files;
+}
 
 void write_html(const Results& results, const ReportTexts& texts, std::ostream& out) {
-  out << kPageBeforeData << report_data(results, texts) << kPageAfterData;
+  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+  out << html_files(results, texts, "report.html", kAll).front().text;
 }
 
 }  // namespace edgecase

@@ -4,14 +4,21 @@
 //
 // The page's style and scripts live in reports/viewer as plain files; embed_viewer.py joins them
 // into the library at build time, with a Content-Security-Policy that lets exactly these run. What
-// a run found is one block of JSON data in the page (report_data.h says what it holds); the viewer
-// shows every text of it as text, never as markup.
+// a run found stands in the page as data (report_data.h says how); the viewer shows every text of
+// it as text, never as markup. What would make the page larger than kMaxInlined goes into scripts
+// beside it, which the viewer loads, from disk too, when a case of theirs is opened; only then the
+// policy allows the viewer to load anything.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <iosfwd>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "results/comparison.h"
 #include "results/results.h"
 
 namespace edgecase {
@@ -22,6 +29,7 @@ struct RuleText {
   std::string title;
   std::string spec;      // section of the specification
   std::string latitude;  // what the specification leaves open
+  std::string standard;  // the alternative of policy `opengl`, or empty
 };
 
 // One numbered ruling, in a sentence or two.
@@ -30,13 +38,35 @@ struct RulingText {
   std::string text;
 };
 
+// What renderers are measured to follow: name -> "" or a surface -> rule -> alternative.
+using ReportProfiles =
+    std::map<std::string, std::map<std::string, std::map<std::string, std::string>>>;
+
+// What a report says beyond the results.
 struct ReportTexts {
   std::vector<RuleText> rules;
   std::vector<RulingText> rulings;
+  // Does the specification leave open all of a cause? Unset: nothing is.
+  std::function<bool(const std::string& cause)> is_open_choice;
+  ReportProfiles profiles;
+  std::optional<Comparison> since;  // from earlier results to these
 };
 
-// Writes the page in UTF-8; the same results give the same bytes. The caller checks the stream's
-// state afterwards.
+// Bytes of base64 that a page may hold; what is beyond goes into files of about kChunk.
+constexpr std::size_t kMaxInlined = 6'000'000;
+constexpr std::size_t kChunk = 1'000'000;
+
+struct HtmlFile {
+  std::string name;  // without folders
+  std::string text;
+};
+
+// The page, called `name` ("report.html"), and the scripts that belong beside it ("report.1.js").
+// UTF-8; the same results give the same bytes.
+std::vector<HtmlFile> html_files(const Results& results, const ReportTexts& texts,
+                                 const std::string& name, std::size_t max_inlined = kMaxInlined);
+
+// The page alone, whatever its size. The caller checks the stream's state afterwards.
 void write_html(const Results& results, const ReportTexts& texts, std::ostream& out);
 
 }  // namespace edgecase

@@ -8,9 +8,12 @@
 
 namespace edgecase {
 
-// The data, JSON without '<', goes between the two.
+// Between these go what the policy allows beyond the page's own, the index as JSON without '<', and
+// the elements that hold the blocks.
+extern const std::string_view kPageBeforeLoads;
 extern const std::string_view kPageBeforeData;
-extern const std::string_view kPageAfterData;
+extern const std::string_view kPageBeforeBlocks;
+extern const std::string_view kPageAfterBlocks;
 
 // Texts as the content of elements go between these: the title, then the body.
 extern const std::string_view kGalleryBeforeTitle;

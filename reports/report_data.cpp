@@ -1,256 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "reports/report_data.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <cstddef>
 #include <nlohmann/json.hpp>
-#include <string>
+#include <numeric>
+#include <tuple>
 
-#include "reports/pixels.h"
-#include "reports/ramp.h"
-#include "reports/sample_data.h"
-#include "reports/text.h"
-#include "results/clusters.h"
+#include "model/digest.h"
+#include "reports/case_details.h"
+#include "reports/report_index.h"
+#include "results/base64.h"
+#include "results/deflate.h"
 
 namespace edgecase {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) {
-  if (std::isnan(value)) return "NaN";
-  if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
-  // A whole number without its ".0" is shorter, and JavaScript has but one kind of number.
-  if (value == std::floor(value) && std::abs(value) < 1e15 && !std::signbit(value))
-    return static_cast<std::int64_t>(value);
-  return value;
-}
+// Bytes of a block before it is deflated: what is inflated to open one case.
+constexpr std::size_t kBlock = 256 * 1024;
 
-Json numbers(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (double value : values) list.push_back(number(value));
-  return list;
-}
-
-Json figure_json(const Figure& figure) {
-  Json marks = Json::array();
-  for (const Mark& mark : figure.marks) {
-    Json points = Json::array();
-    for (const auto& [x, y] : mark.points) {
-      points.push_back(number(x));
-      points.push_back(number(y));
-    }
-    marks.push_back(Json::array({name_of(mark.role), mark.closed ? 1 : 0, mark.label, points}));
-  }
-  return marks;
-}
-
-// Fields that say nothing are left out: the report holds thousands of these.
-Json disagreement_json(const Disagreement& d, int samples) {
-  Json json = {{"x", d.x}, {"y", d.y}, {"kind", name_of(d.kind)}, {"rule", d.rule}};
-  if (names_sample(d, samples)) json["sample"] = d.sample;
-  if (d.primitive >= 0) json["primitive"] = d.primitive;
-  json["legal"] = d.legal;
-  if (!d.cause.empty()) json["cause"] = d.cause;
-  if (!d.situation.empty()) json["situation"] = d.situation;
-  if (d.ruling != 0) json["ruling"] = d.ruling;
-  json["exact"] = numbers(d.exact);
-  json["rendered"] = numbers(d.rendered);
-  json["explanation"] = d.explanation;
-  if (!d.figure.marks.empty()) json["figure"] = figure_json(d.figure);
-  return json;
-}
-
-Json values_json(const ValueAggregate& v) {
-  Json places = Json::array();
-  const std::size_t listed = std::min(v.differing.size(), kMaxDisagreementsPerAnswer);
-  for (std::size_t i = 0; i < listed; ++i) {
-    places.push_back(v.differing[i].x);
-    places.push_back(v.differing[i].y);
-  }
-  Json histogram = Json::array();
-  for (const auto& [exponent, count] : v.ulp_histogram)
-    histogram.push_back(Json::array({exponent, count}));
-  return {{"attribute", v.attribute},
-          {"rule", v.rule},
-          {"ruling", v.ruling},
-          {"cause", v.cause},
-          {"compared", v.compared},
-          {"differing", v.differing.size()},
-          {"places", places},
-          {"worst",
-           {{"x", v.worst.x},
-            {"y", v.worst.y},
-            {"primitive", v.worst.primitive},
-            {"component", v.worst_component},
-            {"exact", number(v.worst_exact)},
-            {"rendered", number(v.worst_rendered)},
-            {"ulp", number(v.worst_ulp)}}},
-          {"components", v.components},
-          {"mean_ulp", number(v.mean_ulp)},
-          {"relative", number(v.worst_relative)},
-          {"histogram", histogram}};
-}
-
-// Numbers are float32 to the bit, in as few digits as tell them apart.
-Json level(double value) {
-  if (!std::isfinite(static_cast<float>(value))) return number(static_cast<float>(value));
-  const std::string digits = fmt::format("{}", static_cast<float>(value));
-  double shortest = 0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), shortest);
-  return number(shortest);
-}
-
-Json ramp_json(const Result& result) {
-  Json points = Json::array();
-  for (const Result::LevelPoint& p : result.ramp)
-    points.push_back(
-        Json::array({p.x, p.y, level(p.exact), level(p.low), level(p.high), level(p.rendered)}));
-  const RampSummary summary = summarize_ramp(result.ramp);
-  Json json = {
-      {"points", points}, {"words", words_of(summary)}, {"outside", Json(summary.outside)}};
-  if (summary.farthest) json["farthest"] = *summary.farthest;
-  if (!summary.outside.empty()) json["causes"] = open_causes_of_levels(result);
-  return json;
-}
-
-// The images of an answer, each as it differs from what it was held against: rendered from exact,
-// and exact, where its samples lie elsewhere, from the case's.
-void add_images(Json& json, const CaseResults& one, const Result& result) {
-  const bool own = !result.exact_pixels.empty();
-  const Bytes& exact = own ? result.exact_pixels : one.pixels;
-  const bool same_size = result.pixels.size() == exact.size();
-  if (same_size && result.pixels != exact)
-    json["difference"] = to_base64(pack_pixels(difference_of(exact, result.pixels)));
-  if (!same_size || result.pixels.empty()) json["blank"] = true;
-  if (result.samples.samples > 1)
-    json["samples"] = sample_difference(result.samples, own ? result.exact_samples : one.samples);
-  if (own)
-    json["exact"] = {{"difference", to_base64(pack_pixels(difference_of(one.pixels, exact)))},
-                     {"samples", sample_difference(result.exact_samples, one.samples)}};
-}
-
-// What a renderer answered, without who it was.
-Json answer_json(const CaseResults& one, const Result& result) {
-  Json json;
-  json["fingerprint"] = result.fingerprint;
-  add_images(json, one, result);
-  Json list = Json::array();
-  const std::size_t listed = std::min(result.disagreements.size(), kMaxDisagreementsPerAnswer);
-  for (std::size_t i = 0; i < listed; ++i)
-    list.push_back(disagreement_json(result.disagreements[i], one.samples.samples));
-  json["disagreements"] = std::move(list);
-  if (listed < result.disagreements.size()) json["omitted"] = result.disagreements.size() - listed;
-  Json values = Json::array();
-  for (const ValueAggregate& v : result.values) values.push_back(values_json(v));
-  json["values"] = std::move(values);
-  Json evidence = Json::array();
-  for (const Result::Evidence& e : result.evidence) {
-    evidence.push_back({{"primitive", e.primitive},
-                        {"causes", e.causes},
-                        {"illegal_line_snaps", e.illegal_line_snaps},
-                        {"broken_clause", e.broken_clause}});
-    if (e.pass >= 0) evidence.back()["pass"] = e.pass;
-  }
-  json["evidence"] = std::move(evidence);
-  json["illegal_line_snaps"] = result.illegal_line_snaps;
-  if (!result.ramp.empty()) json["ramp"] = ramp_json(result);
-  return json;
-}
-
-Json pixel_counts_json(const PixelCounts& counts) {
-  return {{"agree", counts.agree},
-          {"convention", counts.convention},
-          {"permitted", counts.permitted},
-          {"violation", counts.violation},
-          {"same", counts.same}};
-}
-
-Json outcome_json(const Judgement& answer) {
-  return {{"verdict", name_of(answer.verdict)}, {"fingerprint", answer.fingerprint}};
-}
-
-Json result_json(const KnownResult& result, std::size_t answer) {
-  Json json = {{"verdict", name_of(result.verdict)},
-               {"standing", name_of(result.standing)},
-               {"expectation", result.expectation},
-               {"answer", answer}};
-  if (result.expected) json["expected"] = outcome_json(*result.expected);
-  if (result.again) json["again"] = outcome_json(*result.again);
-  if (!result.failure) json["pixel_counts"] = pixel_counts_json(result.pixel_counts);
-  if (result.failure)
-    json["failure"] = {{"kind", name_of(result.failure->kind)}, {"reason", result.failure->reason}};
-  return json;
-}
-
-void add_results(Json& json, const CaseResults& one) {
-  Json answers = Json::array();
-  Json results = Json::array();
-  for (const KnownResult& result : one.results) {
-    Json answer = answer_json(one, result);
-    const auto found = std::find(answers.begin(), answers.end(), answer);
-    const auto index = static_cast<std::size_t>(found - answers.begin());
-    if (found == answers.end()) answers.push_back(std::move(answer));
-    results.push_back(result_json(result, index));
-  }
-  json["answers"] = std::move(answers);
-  json["results"] = std::move(results);
-}
-
-Json case_json(const CaseResults& one) {
-  Json json = {{"id", one.id},       {"title", one.title},   {"why", one.why},
-               {"rules", one.rules}, {"spec", one.spec},     {"origin", one.origin},
-               {"tags", one.tags},   {"file", one.file},     {"surface", one.surface},
-               {"width", one.width}, {"height", one.height}, {"fragments", one.fragments}};
-  json["pixels"] = to_base64(pack_pixels(one.pixels));
-  if (one.samples.samples > 1) json["samples"] = sample_data(one.samples);
-  json["figure"] = figure_json(one.figure);
-  json["expect_failures"] = one.expect_failures;
-  add_results(json, one);
-  return json;
-}
-
-Json cluster_json(const Cluster& cluster) {
-  return {{"cause", cluster.cause},
-          {"rule", cluster.rule},
-          {"kind", cluster.kind},
-          {"situation", cluster.situation},
-          {"attribute", cluster.attribute},
-          {"surface", cluster.surface},
-          {"legal", cluster.legal},
-          {"disagreements", cluster.disagreements},
-          {"cases", cluster.cases},
-          {"smallest", cluster.smallest_case},
-          {"x", cluster.x},
-          {"y", cluster.y},
-          {"primitive", cluster.primitive}};
-}
-
-Json renderer_json(const Results& results, std::size_t index) {
-  const RendererInfo& info = results.renderers[index];
-  Json clusters = Json::array();
-  for (const Cluster& cluster : clusters_of(results, index))
-    clusters.push_back(cluster_json(cluster));
-  return {{"name", info.name},
-          {"vendor", info.vendor},
-          {"version", info.version},
-          {"device", info.device},
-          {"traits", info.traits},
-          {"subpixel_bits", info.subpixel_bits},
-          {"clusters", std::move(clusters)}};
-}
-
-Json texts_json(const ReportTexts& texts) {
-  Json json = {{"rules", Json::array()}, {"rulings", Json::array()}};
-  for (const RuleText& rule : texts.rules)
-    json["rules"].push_back(
-        {{"id", rule.id}, {"title", rule.title}, {"spec", rule.spec}, {"latitude", rule.latitude}});
-  for (const RulingText& ruling : texts.rulings)
-    json["rulings"].push_back({{"number", ruling.number}, {"text", ruling.text}});
-  return json;
+// Names and messages may hold bytes that are no UTF-8; they are replaced, never fatal.
+std::string dump(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 // `<` cannot occur in JSON outside strings, so that escaping it everywhere changes no value.
@@ -266,39 +39,85 @@ std::string escape_markup(const std::string& json) {
   return out;
 }
 
+// Collects lines into blocks.
+class Blocks {
+ public:
+  // Returns the line's number.
+  long add(const std::string& line) {
+    if (!text_.empty() && text_.size() + line.size() > kBlock) close();
+    if (text_.empty()) first_lines_.push_back(lines_);
+    text_ += line;
+    text_ += '\n';
+    return lines_++;
+  }
+  // What was collected; nothing can be added afterwards.
+  std::vector<std::string> take() {
+    if (!text_.empty()) close();
+    return std::move(blocks_);
+  }
+  const std::vector<long>& first_lines() const { return first_lines_; }
+
+ private:
+  void close() {
+    blocks_.push_back(to_base64(deflated(text_)));
+    text_.clear();
+  }
+
+  std::string text_;
+  long lines_ = 0;
+  std::vector<long> first_lines_;
+  std::vector<std::string> blocks_;
+};
+
+// Those with details: unexpected ones first, then the worst, then in their order.
+std::vector<std::size_t> worth_a_look(const Results& results) {
+  std::vector<std::size_t> order(results.cases.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::erase_if(order, [&](std::size_t i) { return !has_details(results.cases[i]); });
+  const auto worth = [&](std::size_t i) {
+    bool unexpected = false;
+    Verdict worst = Verdict::agree;
+    for (const KnownResult& result : results.cases[i].results) {
+      unexpected = unexpected || result.standing != Standing::expected;
+      if (result.verdict != Verdict::not_run) worst = std::max(worst, result.verdict);
+    }
+    return std::pair(unexpected, worst);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return worth(a) > worth(b); });
+  return order;
+}
+
 }  // namespace
 
-std::string report_data(const Results& results, const ReportTexts& texts) {
-  Json json = {{"tool", results.tool},
-               {"policy", results.policy},
-               {"interrupted", results.interrupted},
-               {"left_out", results.left_out},
-               {"renderers", Json::array()}};
-  for (std::size_t i = 0; i < results.renderers.size(); ++i)
-    json["renderers"].push_back(renderer_json(results, i));
-  json.update(texts_json(texts));
-  json["diagnostics"] = Json::array();
-  for (const Diagnostic& d : results.diagnostics)
-    json["diagnostics"].push_back({{"file", d.file},
-                                   {"line", d.line},
-                                   {"pointer", d.pointer},
-                                   {"message", d.message},
-                                   {"remedy", d.remedy}});
-  json["missing"] = Json::array();
-  for (const MissingCase& missing : results.missing)
-    json["missing"].push_back({{"renderer", missing.renderer},
-                               {"case", missing.id},
-                               {"verdict", name_of(missing.expected.verdict)},
-                               {"fingerprint", missing.expected.fingerprint},
-                               {"reason", missing.reason}});
-  json["cases"] = Json::array();
-  json["sources"] = Json::object();
-  for (const CaseResults& one : results.cases) {
-    json["cases"].push_back(case_json(one));
-    // The cases of a sweep share their file.
-    json["sources"][one.file] = one.source;
+ReportData report_data(const Results& results, const ReportTexts& texts) {
+  const CaseHeads heads = heads_of(results);
+  DetailLines lines;
+  lines.of_case.assign(results.cases.size(), -1);
+  lines.of_head.assign(heads.first_case.size(), -1);
+  Blocks blocks;
+  const auto add_source = [&](std::size_t i) {
+    long& line = lines.of_head[heads.of_case[i]];
+    if (line < 0 && !results.cases[i].source.empty())
+      line = blocks.add(dump(results.cases[i].source));
+  };
+  for (const std::size_t i : worth_a_look(results)) {
+    add_source(i);
+    lines.of_case[i] = blocks.add(dump(case_details(results.cases[i])));
   }
-  return escape_markup(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  for (std::size_t i = 0; i < results.cases.size(); ++i) add_source(i);
+
+  ReportData data;
+  data.blocks = blocks.take();
+  Json index = report_index(results, texts, heads, lines);
+  index["blocks"] = blocks.first_lines();
+  Digest digest;
+  digest.add(dump(index));
+  for (const std::string& block : data.blocks) digest.add(block);
+  data.key = digest.text();
+  index["key"] = data.key;
+  data.index = escape_markup(dump(index));
+  return data;
 }
 
 }  // namespace edgecase

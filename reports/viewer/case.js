@@ -26,51 +26,66 @@ const CaseView = {
 
   show(one, state) {
     const result = CaseView.resultFor(one, state.on || state.renderer);
-    if (one === CaseView.one && result === CaseView.result) return CaseView.choose(state.at, false);
+    if (one === CaseView.one && result === CaseView.result) return CaseView.place(state);
     CaseView.close();
     CaseView.one = one;
     CaseView.result = result;
     replace(byId("app"), caseHead(one, state), result ? CaseView.build(one, result)
       : h("main.case", {}, caseWords(one), h("p.card", {}, "No renderer was run on this case.")));
-    if (result) {
-      CaseView.pictures.resize();
-      CaseView.choose(state.at, false);
-    }
+    if (!result) return;
+    CaseView.pictures?.resize();
+    CaseView.place(state);
+    CaseView.pictures?.zoomTo(Number(state.zoom));
+  },
+
+  // As a link says: a disagreement, or a pixel.
+  place(state) {
+    const [x, y] = state.px.split(",").map(Number);
+    const inside = Number.isInteger(x) && Number.isInteger(y) && x >= 0 && y >= 0 &&
+      x < CaseView.one.width && y < CaseView.one.height;
+    if (inside && state.px && !state.at) CaseView.pick(x, y);
+    else CaseView.choose(state.at, false);
+  },
+
+  note(changes) {
+    Route.note({case: CaseView.one.id, on: CaseView.result.renderer, ...changes});
   },
 
   build(one, result) {
     const {answer} = result;
     CaseView.parts = {
       finding: h("div.finding", {"aria-live": "polite"}), commands: h("div", {}),
-      stepper: h("span.steps", {}),
+      stepper: h("span.steps", {}), review: h("div", {}),
     };
-    CaseView.pictures = new Pictures(one, result, CaseView.pick);
+    CaseView.pictures = one.pixels
+      ? new Pictures(one, result, CaseView.pick, (zoom) => CaseView.note({zoom})) : null;
+    CaseView.showReview();
     CaseView.ramps = new Ramps(one, result, CaseView.pickOf);
     CaseView.list = new DisagreementList(answer, (index) => CaseView.choose(index, true));
     return h("main.case", {}, caseWords(one), rendererTabs(one, result),
       h("section.card.answer", {role: "tabpanel", "aria-label": result.renderer},
         h("div", {}, resultLine(result, CaseView.parts.stepper),
-          pixelLine(result.pixel_counts), CaseView.parts.finding),
+          pixelLine(result.pixel_counts), CaseView.parts.finding, CaseView.parts.review),
         samplePlan(one, result)),
-      CaseView.pictures.element, CaseView.ramps.element, CaseView.list.element,
+      CaseView.pictures ? CaseView.pictures.element : h("p.card.faint", {}, one.line === undefined
+        ? "Every renderer agrees, as expected: this report has no pictures of such cases. The " +
+          "command below draws them again." : "There are no pictures."), CaseView.ramps.element, CaseView.list.element,
       valuesSection(answer, CaseView.pick), evidenceSection(answer),
       h("section.card", {}, h("h2", {}, "Reproduce"), CaseView.parts.commands),
       h("section.card", {}, verticesOf(one.figure), h("details", {},
         h("summary", {}, "Case file ", h("code.faint", {}, one.file)),
-        h("pre", {tabindex: "0"}, prettySource(Report.sources[one.file] || "")))));
+        h("pre", {tabindex: "0"}, prettySource(one.source)))));
   },
 
   // Chooses a disagreement by its number; `at` of the route is 1 for the first.
   choose(at, write) {
     const all = CaseView.result.answer.disagreements;
     const index = write ? at : Math.min(Math.max(Number(at) - 1 || 0, 0), all.length - 1);
-    if (write) history.replaceState(null, "", Route.href({
-      case: CaseView.one.id, on: CaseView.result.renderer, at: index + 1,
-    }));
+    if (write) CaseView.note({at: index + 1, px: ""});
     CaseView.index = index;
     CaseView.tell(all[index] || null, all[index] || worstPlace(CaseView.result.answer));
     CaseView.list.show(index);
-    CaseView.pictures.select(all[index] || null, all[index] ? null : CaseView.pixel);
+    CaseView.pictures?.select(all[index] || null, all[index] ? null : CaseView.pixel);
   },
 
   // A pixel was clicked: its (next) disagreement, or the pixel alone.
@@ -83,15 +98,21 @@ const CaseView = {
     }
     CaseView.index = -1;
     CaseView.tell(null, {x, y});
+    CaseView.note({at: "", px: x + "," + y});
     CaseView.list.show(-1);
-    CaseView.pictures.select(null, {x, y});
+    CaseView.pictures?.select(null, {x, y});
   },
 
   // A pixel of another renderer's answer: its disagreement is shown with that renderer.
   pickOf(result, x, y) {
     const index = result.answer.disagreements.findIndex((d) => d.x === x && d.y === y);
     if (result.answer === CaseView.result.answer || index < 0) return CaseView.pick(x, y);
-    Route.go({case: CaseView.one.id, on: result.renderer, at: index + 1});
+    Route.go({case: CaseView.one.id, on: result.renderer, at: index + 1, px: ""});
+  },
+
+  showReview() {
+    replace(CaseView.parts.review,
+      reviewForm(CaseView.one, CaseView.result, CaseView.showReview));
   },
 
   step(by) {
@@ -145,7 +166,7 @@ function rendererTabs(one, chosen) {
   return h("div.tabs", {role: "tablist", "aria-label": "Renderers"}, one.results.map((result) =>
     h("a", {
       role: "tab", "aria-selected": result === chosen ? "true" : "false",
-      href: Route.href({case: one.id, on: result.renderer, at: ""}),
+      href: Route.href({case: one.id, on: result.renderer, at: "", px: ""}),
       title: result.verdict + ", " + result.standing,
     }, verdictIcon(result.verdict), result.renderer,
     h("span.unseen", {}, " " + result.verdict),
@@ -158,11 +179,11 @@ function caseHead(one, state) {
   const link = (step, text, label) => {
     const next = cases[at + step];
     return next && at >= 0 ? h("a.button", {
-      href: Route.href({case: next.id, at: ""}), "aria-label": label, title: label,
+      href: Route.href({case: next.id, at: "", px: ""}), "aria-label": label, title: label,
     }, text) : h("span.button.off", {"aria-hidden": "true"}, text);
   };
   return h("nav.bar", {"aria-label": "Cases"},
-    h("a.button", {href: Route.href({case: "", on: "", at: ""}), title: "All cases (Esc)"},
+    h("a.button", {href: Route.href(NO_PLACE), title: "All cases (Esc)"},
       "\u2190 All cases"),
     h("span.mono.path", {}, one.id),
     h("span.group", {}, link(-1, "\u2039", "Previous case (k)"),

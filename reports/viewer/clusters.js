@@ -10,12 +10,8 @@ const openClusters = new Set();
 // The place of a cluster's first pixel in its smallest case.
 function smallestLink(cluster, renderer) {
   const one = CasesById.get(cluster.smallest);
-  const result = one && one.results.find((r) => r.renderer === renderer);
-  const at = result ? result.answer.disagreements.findIndex((d) =>
-    d.x === cluster.x && d.y === cluster.y && (d.cause || "") === cluster.cause &&
-    (cluster.kind === "" || d.kind === cluster.kind)) : -1;
   return h("a.mono", {
-    href: Route.href({case: cluster.smallest, on: renderer, at: at < 0 ? "" : at + 1}),
+    href: Route.href({case: cluster.smallest, on: renderer, at: cluster.at || ""}),
     title: one ? one.title : cluster.smallest,
   }, cluster.smallest);
 }
@@ -55,8 +51,8 @@ function clusterTable(kind, clusters, renderer) {
   };
   paint();
   return [h("div.scroll", {}, h("table.clusters", {},
-    h("thead", {}, h("tr", {}, ["", kind, "surface", "differences", "cases", "smallest case"]
-      .map((text) => h("th", {scope: "col"}, text)))), body)), more];
+    h("thead", {}, h("tr", {}, h("td", {}), [kind, "surface", "differences", "cases",
+      "smallest case"].map((text) => h("th", {scope: "col"}, text)))), body)), more];
 }
 
 function rendererClusters(info) {
@@ -76,7 +72,7 @@ function rendererClusters(info) {
 }
 
 function clustersSection() {
-  const differing = Report.renderers.filter((info) => info.clusters.length);
+  const differing = Data.renderers.filter((info) => info.clusters.length);
   if (!differing.length) return null;
   return h("section.first", {}, h("h2", {}, "Unexplained first"),
     h("p.faint", {}, "Differences that share a cause, or a rule, a kind and a situation, are one " +

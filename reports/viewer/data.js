@@ -1,33 +1,69 @@
 // SPDX-License-Identifier: MIT
-// The report's data, read once and indexed; images are unpacked when a case is shown.
+// The report's index, read once (reports/report_index.h says what it holds), and images, unpacked
+// when a case is shown.
 
-const Report = JSON.parse(byId("data").textContent);
-const Rules = new Map(Report.rules.map((rule) => [rule.id, rule]));
-const Rulings = new Map(Report.rulings.map((ruling) => [ruling.number, ruling]));
+const Data = JSON.parse(byId("data").textContent);
+const Rules = new Map(Data.rules.map((rule) => [rule.id, rule]));
+const Rulings = new Map(Data.rulings.map((ruling) => [ruling.number, ruling]));
 const CasesById = new Map();
 const isSurprise = (result) => result.standing !== "expected";
 
-function worstOf(results) {
-  const ranks = results.map((r) => VERDICTS[r.verdict].rank);
-  return ranks.length ? Math.max(...ranks) : 0;
+// What was found, by rule: the worst verdict.
+function findingsOf(numbers) {
+  const found = new Map();
+  for (let i = 0; i < numbers.length; i += 2) found.set(Data.names[numbers[i]], numbers[i + 1]);
+  return found;
 }
 
-function indexCase(one, index) {
-  one.index = index;
-  one.results.forEach((result, r) => {
-    result.answer = one.answers[result.answer];
-    result.renderer = Report.renderers[r] ? Report.renderers[r].name : "?";
-  });
-  const found = one.answers.flatMap((answer) =>
-    [...answer.disagreements, ...answer.values.filter((v) => v.differing)].map((d) => d.rule));
-  one.allRules = new Set(one.rules.concat(found));
-  one.surprises = one.results.filter(isSurprise).length;
-  one.worst = worstOf(one.results);
-  one.search = [one.id, one.title, one.why, one.spec, one.file, ...one.tags, ...one.allRules]
-    .join("\n").toLowerCase();
-  CasesById.set(one.id, one);
+const Heads = Data.heads.map((head) => ({
+  ...head, rules: head.rules.map((number) => Data.names[number]),
+}));
+const Outcomes = Data.outcomes.map(([verdict, standing, found]) =>
+  ({verdict, standing, found: findingsOf(found)}));
+
+// One line of the list; what else there is of a case comes with its details (details.js).
+class Case {
+  constructor([head, rest, fragments, outcomes, line, hasRamp], index) {
+    const {stem, source, ...words} = Heads[head];
+    this.id = stem + rest;
+    this.title = words.title;
+    this.why = words.why;
+    this.rules = words.rules;
+    this.spec = words.spec;
+    this.origin = words.origin;
+    this.tags = words.tags;
+    this.file = words.file;
+    this.surface = words.surface;
+    this.width = words.width;
+    this.height = words.height;
+    this.index = index;
+    this.fragments = fragments;
+    this.line = line;            // of its details, or undefined
+    this.sourceLine = source;    // of its file's text, or undefined
+    this.hasRamp = hasRamp === 1;
+    this.results = outcomes.map((number, r) =>
+      ({...Outcomes[number], renderer: Data.renderers[r].name}));
+    this.surprises = this.results.filter(isSurprise).length;
+    this.worst = this.results.reduce((worst, r) => Math.max(worst, VERDICTS[r.verdict].rank), 0);
+    this.words = null;
+  }
+
+  // Those that it is about, and those by which something was found.
+  hasRule(id) {
+    return this.rules.includes(id) || this.results.some((result) => result.found.has(id));
+  }
+
+  // What is searched in.
+  get search() {
+    this.words ??= [this.id, this.title, this.why, this.spec, this.file, ...this.tags,
+      ...this.rules, ...this.results.flatMap((result) => [...result.found.keys()])]
+      .join("\n").toLowerCase();
+    return this.words;
+  }
 }
-Report.cases.forEach(indexCase);
+
+const Cases = Data.cases.map((row, index) => new Case(row, index));
+for (const one of Cases) CasesById.set(one.id, one);
 
 function bytesOf(base64) {
   const text = atob(base64);

@@ -19,9 +19,10 @@ function findingOf(d) {
       d.primitive !== undefined && h("span", {}, primitiveText(d)), ruleChip(d.rule), legality(d),
       d.ruling && h("span", {}, "by ", rulingChip(d.ruling)),
       h("span", {}, "cause ", d.cause ? causeChips(d.cause) : h("i", {}, "none found")),
-      h("span.faint.mono", {}, exact + ", " + rendered)),
+      d.kind !== "value" && h("span.faint.mono", {}, exact + ", " + rendered)),
     d.situation && h("p.faint", {}, d.situation),
     h("p.sentence", {dir: "auto"}, d.explanation),
+    d.kind === "value" && numbersTable(d),
   ];
 }
 
@@ -37,10 +38,10 @@ function stepper(index, count, choose) {
       onclick: () => choose(at(1))}, "\u203a"));
 }
 
-function disagreementRow(d, index, chosen, choose) {
+function disagreementRow(d, index, count, chosen, choose) {
   return h("div.item", {
     role: "option", tabindex: "0", "aria-selected": index === chosen ? "true" : "false",
-    "data-item": index, onclick: () => choose(index),
+    "data-item": index, "aria-posinset": index + 1, "aria-setsize": count, onclick: () => choose(index),
     onkeydown: (event) => {
       if (event.key !== "Enter" && event.key !== " ") return;
       event.preventDefault();
@@ -87,7 +88,7 @@ class DisagreementList {
     const from = this.page * PAGE;
     const rows = this.list.slice(from, from + PAGE);
     replace(this.body, rows.map((d, i) =>
-      disagreementRow(d, from + i, this.chosen, this.choose)));
+      disagreementRow(d, from + i, this.list.length, this.chosen, this.choose)));
     const pages = Math.ceil(this.list.length / PAGE);
     if (pages < 2) return;
     const turn = (step) => {

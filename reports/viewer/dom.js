@@ -50,6 +50,11 @@ function replace(parent, ...children) {
   return append(parent, children);
 }
 
+// What may be wider than the page, reachable by the keyboard to be scrolled.
+const scrolled = (label, ...children) =>
+  h("div.scroll", {tabindex: "0", role: "region", "aria-label": label}, children);
+
+/** @returns {any} of whatever kind it is */
 const byId = (id) => document.getElementById(id);
 
 // Tells screen readers, without moving anything.

@@ -94,7 +94,7 @@ function shellWord(text) {
 
 function commandsFor(one, result, pixel) {
   const against = ["--against", result.renderer];
-  const policy = Report.policy === "opengl" ? [] : ["--policy", Report.policy];
+  const policy = Data.policy === "opengl" ? [] : ["--policy", Data.policy];
   const filter = one.id.includes(":") ? ["--filter", one.id] : [];
   const lines = [["edgecase", "run", one.file, ...filter, ...against, ...policy]];
   if (pixel)

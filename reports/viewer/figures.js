@@ -148,6 +148,24 @@ function drawMarker(plot, x, y, kind, style) {
   drawShape(plot, left + scale / 2, top + scale / 2, size, kind, 1.75);
 }
 
+const HALO_SIZE = 9;   // CSS pixels of a halo's radius
+const HALO_APART = 14;  // and how far apart they are at least
+
+// Rings round disputed pixels that are too small to be seen: one where several lie together.
+function drawHalos(plot, disagreements) {
+  const taken = new Set();
+  const apart = HALO_APART * plot.ratio;
+  for (const d of disagreements) {
+    const x = plot.x(d.x + 0.5);
+    const y = plot.y(d.y + 0.5);
+    const cell = Math.floor(x / apart) + "," + Math.floor(y / apart);
+    if (taken.has(cell)) continue;
+    taken.add(cell);
+    strokeRimmed(plot, discPath(x, y, HALO_SIZE * plot.ratio),
+      {color: plot.theme["k-" + d.kind], width: 1.75});
+  }
+}
+
 function drawGrid(plot, columns, rows) {
   const {context, scale} = plot;
   if (scale < 6 * plot.ratio) return;

@@ -3,28 +3,47 @@
 
 const SURPRISE = "not-expected";
 
+// A result's verdict or, where a rule is chosen, the worst that was found by that rule.
+function verdictBy(one, result, rule) {
+  if (!rule || result.verdict === "not-run") return result.verdict;
+  return result.found.get(rule) || "agree";
+}
+
 // Results that the filters speak of: those of one renderer, or all.
 function matches(one, state) {
   const words = state.q.toLowerCase().split(/\s+/).filter(Boolean);
   if (!words.every((word) => one.search.includes(word))) return false;
-  if (state.rule && !one.allRules.has(state.rule)) return false;
+  if (state.rule && !one.hasRule(state.rule)) return false;
   return one.results.some((result) => {
     if (state.renderer && result.renderer !== state.renderer) return false;
-    if (state.verdict && result.verdict !== state.verdict) return false;
-    if (state.standing === SURPRISE) return isSurprise(result);
-    return !state.standing || result.standing === state.standing;
+    if (state.verdict && verdictBy(one, result, state.rule) !== state.verdict) return false;
+    if (state.standing === SURPRISE && !isSurprise(result)) return false;
+    if (state.review && !isReviewed(one, result, state.review)) return false;
+    return !state.standing || state.standing === SURPRISE || result.standing === state.standing;
   }) || (one.results.length === 0 && !state.renderer && !state.verdict && !state.standing);
+}
+
+// `wanted`: "undecided" (and unexpected), "decided", or what was decided.
+function isReviewed(one, result, wanted) {
+  const decision = Review.of(one, result);
+  if (wanted === "undecided") return !decision && isSurprise(result);
+  return decision !== undefined && (wanted === "decided" || decision.decision === wanted);
 }
 
 let lastFilter = null;
 let lastCases = [];
+
+// What is filtered by decisions has to be filtered anew when one is made.
+function forgetFilter() {
+  lastFilter = null;
+}
 
 // Unexpected ones first, then the worst verdicts, then by id (the order of the data).
 function filteredCases(state) {
   const key = FILTER_KEYS.map((k) => state[k]).join("\u0000");
   if (key === lastFilter) return lastCases;
   lastFilter = key;
-  lastCases = Report.cases.filter((one) => matches(one, state)).sort((a, b) =>
+  lastCases = Cases.filter((one) => matches(one, state)).sort((a, b) =>
     Math.sign(b.surprises) - Math.sign(a.surprises) || b.worst - a.worst || a.index - b.index);
   return lastCases;
 }
@@ -45,14 +64,13 @@ function choice(key, label, options, state) {
 }
 
 function ruleOptions() {
-  const ids = new Set(Report.cases.flatMap((one) => [...one.allRules]));
-  return [...ids].sort().map((id) => [id, id]);
+  return [...Data.names].sort().map((id) => [id, id]);
 }
 
 function filterBar(state) {
   const standings = [[SURPRISE, "not as expected"],
     ...Object.entries(STANDINGS).map(([id, words]) => [id, words.label])];
-  const names = [...new Set(Report.renderers.map((r) => r.name))];
+  const names = [...new Set(Data.renderers.map((r) => r.name))];
   return h("div.filters", {role: "search"},
     h("input", {
       id: "search", type: "search", value: state.q, placeholder: "Search cases  ( / )",
@@ -61,6 +79,8 @@ function filterBar(state) {
     }),
     choice("verdict", "verdict", WORST_FIRST.map((v) => [v, v]), state),
     choice("standing", "standing", standings, state),
+    choice("review", "review", [["undecided", "to decide on"], ["decided", "decided"],
+      ["accept", "accepted"], ["reject", "rejected"]], state),
     choice("rule", "rule", ruleOptions(), state),
     choice("renderer", "renderer", names.map((n) => [n, n]), state),
     h("span.count", {}, listCount(state)),
@@ -70,6 +90,6 @@ function filterBar(state) {
 
 function listCount(state) {
   const shown = filteredCases(state).length;
-  const all = plural(Report.cases.length, "case", "cases");
-  return shown === Report.cases.length ? all : shown.toLocaleString("en") + " of " + all;
+  const all = plural(Cases.length, "case", "cases");
+  return shown === Cases.length ? all : shown.toLocaleString("en") + " of " + all;
 }

@@ -5,7 +5,8 @@ const KEYS = [
   ["j  \u2193", "next case"], ["k  \u2191", "previous case"], ["Enter", "open the case"],
   ["n", "next disagreement"], ["p", "previous disagreement"],
   ["[  ]", "previous, next renderer"], ["+  -", "larger, smaller"], ["0", "whole image"],
-  ["z", "close to the chosen pixel"], ["s", "pixels as samples, or resolved"], ["\u2190  \u2192", "along a plot of levels"],
+  ["z", "close to the chosen pixel"], ["w", "slider between exact and rendered"],
+  ["b", "blink between exact and rendered"], ["a  x", "accept, reject the answer"], ["s", "pixels as samples, or resolved"], ["\u2190  \u2192", "along a plot of levels"],
   ["Esc", "back to the list"], ["/", "search"], ["?", "these keys"],
 ];
 
@@ -20,13 +21,13 @@ function showHelp() {
 function stepCase(by) {
   const cases = filteredCases(Route.read());
   const next = cases[cases.indexOf(CaseView.one) + by];
-  if (next) Route.shift({case: next.id, at: ""});
+  if (next) Route.shift({case: next.id, at: "", px: ""});
 }
 
 function stepRenderer(by) {
   const all = CaseView.one.results;
   const next = all[(all.indexOf(CaseView.result) + by + all.length) % all.length];
-  if (next) Route.shift({on: next.renderer, at: ""});
+  if (next) Route.shift({on: next.renderer, at: "", px: ""});
 }
 
 const CASE_KEYS = {
@@ -37,6 +38,8 @@ const CASE_KEYS = {
   "+": () => CaseView.pictures?.zoom(1.25), "=": () => CaseView.pictures?.zoom(1.25),
   "-": () => CaseView.pictures?.zoom(0.8), 0: () => CaseView.pictures?.fit(),
   z: () => CaseView.pictures?.close(), s: () => CaseView.pictures?.toggle("samples"),
+  w: () => CaseView.pictures?.compare("slider"), b: () => CaseView.pictures?.compare("blink"),
+  a: () => byId("accept")?.click(), x: () => byId("reject")?.click(),
   Escape: () => Route.leaveCase(),
 };
 const LIST_KEYS = {
@@ -52,8 +55,13 @@ function focusSearch() {
 
 addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey || byId("help").open) return;
-  const target = event.target;
+  const target = /** @type {HTMLInputElement} */ (event.target);
   if (target.closest("select, textarea, pre")) return;
+  if (target.id === "reason") {
+    if (event.key === "Escape") target.blur();
+    return;
+  }
+  if (target.type === "range" && event.key.startsWith("Arrow")) return;
   if (target.id === "search") {
     if (event.key === "Escape") target.blur();
     if (event.key !== "ArrowDown") return;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The list of cases. Only rows near the visible part exist, so that thousands scroll smoothly.
+// The list of cases. Only rows near the visible part exist, of few elements each, so that thousands
+// scroll smoothly.
 
 const ROW_HEIGHT = 58;
+const SPARE_ROWS = 2;  // beyond the visible part, on either side
 
 const CaseList = {
   cases: [],
@@ -14,12 +16,12 @@ const CaseList = {
     CaseList.first = CaseList.last = -1;
     CaseList.cursor = Math.min(CaseList.cursor, CaseList.cases.length - 1);
     const list = byId("list");
-    list.style.setProperty("--columns", String(Report.renderers.length));
+    list.style.setProperty("--columns", String(Data.renderers.length));
     if (!CaseList.cases.length) {
       replace(list, h("p.empty", {}, "No case matches these filters."));
       return;
     }
-    const body = h("div.rows", {role: "list", "aria-label": "Cases"});
+    const body = h("nav.rows", {"aria-label": "Cases"});
     body.style.height = CaseList.cases.length * ROW_HEIGHT + "px";
     replace(list, listHead(), body);
     CaseList.paint();
@@ -30,17 +32,23 @@ const CaseList = {
     const body = document.querySelector("#list .rows");
     if (!body) return;
     const top = -body.getBoundingClientRect().top;
-    const first = Math.max(0, Math.floor(top / ROW_HEIGHT) - 8);
+    const first = Math.max(0, Math.floor(top / ROW_HEIGHT) - SPARE_ROWS);
     const last = Math.min(CaseList.cases.length,
-      Math.ceil((top + innerHeight) / ROW_HEIGHT) + 8);
+      Math.ceil((top + innerHeight) / ROW_HEIGHT) + SPARE_ROWS);
     if (first === CaseList.first && last === CaseList.last) return;
     CaseList.first = first;
     CaseList.last = last;
-    const focused = body.contains(document.activeElement) ? document.activeElement.dataset.row : "";
+    const active = /** @type {HTMLElement} */ (document.activeElement);
+    const focused = body.contains(active) ? active.dataset.row : "";
     const rows = [];
     for (let i = first; i < last; ++i) rows.push(caseRow(CaseList.cases[i], i));
     replace(body, rows);
-    if (focused) body.querySelector('[data-row="' + focused + '"]')?.focus({preventScroll: true});
+    if (focused) CaseList.focus(focused);
+  },
+
+  focus(index) {
+    const row = /** @type {HTMLElement} */ (document.querySelector('[data-row="' + index + '"]'));
+    row?.focus({preventScroll: true});
   },
 
   // Moves the keyboard's row by `step` and brings it into sight.
@@ -59,33 +67,34 @@ const CaseList = {
     if (top < head) scrollBy(0, top - head);
     else if (top + ROW_HEIGHT > innerHeight) scrollBy(0, top + ROW_HEIGHT - innerHeight + 8);
     CaseList.paint();
-    body.querySelector('[data-row="' + index + '"]')?.focus({preventScroll: true});
+    CaseList.focus(index);
   },
 };
 
 function listHead() {
   return h("div.list-head", {"aria-hidden": "true"}, h("span", {}, "Case"), h("span", {}, "Rules"),
-    Report.renderers.map((info) => h("span", {title: info.name}, info.name)));
+    Data.renderers.map((info) => h("span", {title: info.name}, info.name)));
 }
 
-function resultCell(result) {
-  if (!result) return h("span.cell", {}, "\u2013");
-  return h("span.cell", {}, verdictBadge(result.verdict),
-    isSurprise(result) && h("small.alarm", {}, STANDINGS[result.standing].label));
+function resultCell(one, result) {
+  const decision = Review.of(one, result);
+  return h("span.cell", {class: "v-" + result.verdict}, result.verdict,
+    decision ? h("small", {class: decision.decision}, REVIEWED[decision.decision].label) :
+      isSurprise(result) && h("small.alarm", {}, STANDINGS[result.standing].label));
 }
 
 function caseRow(one, index) {
   const row = h("a.row", {
-    href: Route.href({case: one.id, on: "", at: ""}), "data-row": index,
+    href: Route.href({...NO_PLACE, case: one.id}), "data-row": index,
     class: one.surprises ? "surprise" : "",
     onclick: () => { CaseList.cursor = index; },
     onfocus: () => { CaseList.cursor = index; },
   },
   h("span.words", {}, h("b", {dir: "auto"}, one.title || one.id), h("small.mono", {}, one.id)),
-  h("span.rules", {}, one.rules.map((id) => h("span.chip", {}, id))),
-  one.results.map(resultCell));
+  h("span.rules.mono", {}, one.rules.join(" ")),
+  one.results.map((result) => resultCell(one, result)));
   row.style.top = index * ROW_HEIGHT + "px";
-  return h("div", {role: "listitem"}, row);
+  return row;
 }
 
 for (const event of ["scroll", "resize"])

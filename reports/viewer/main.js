@@ -1,14 +1,32 @@
 // SPDX-License-Identifier: MIT
 // Shows what the URL's fragment names.
 
-function showCase(one, state) {
+async function showCase(one, state) {
   const fresh = CaseView.one !== one;
   document.title = visible(one.title || one.id) + " \u00b7 Edgecase";
+  if (!one.loaded) {
+    try {
+      await loadDetails(one);
+    } catch (fault) {
+      return showFault(one, fault);
+    }
+    if (Route.read().case !== one.id) return;  // somewhere else by now
+    state = Route.read();
+  }
   CaseView.show(one, state);
   if (!fresh) return;
   CaseList.cursor = filteredCases(state).indexOf(one);
   scrollTo(0, 0);
   document.querySelector("h1").focus({preventScroll: true});
+}
+
+// The case's pictures cannot be had; its line in the list can.
+function showFault(one, fault) {
+  CaseView.close();
+  replace(byId("app"), h("main.case", {}, caseWords({...one, expect_failures: []}),
+    h("p.card.alarm-box", {}, "The details of this case cannot be read: " + fault.message + ". " +
+      "The scripts beside this page belong to it; copy them together, or write the report again."),
+    h("p", {}, h("a.button", {href: Route.href(NO_PLACE)}, "\u2190 All cases"))));
 }
 
 function showOverview(state) {

@@ -2,19 +2,19 @@
 // The first page: what ran, how it stands, what could not be judged, and the way into the list.
 
 function headlineOf() {
-  const results = Report.cases.flatMap((one) => one.results);
+  const results = Cases.flatMap((one) => one.results);
   const surprises = results.filter(isSurprise).length;
-  const broken = new Set(Report.diagnostics.map((d) => d.file)).size;
-  const drawn = Report.cases.reduce((sum, one) => sum + one.expect_failures.length, 0);
+  const broken = new Set(Data.diagnostics.map((d) => d.file)).size;
+  const drawn = Data.untrue.reduce((sum, [, texts]) => sum + texts.length, 0);
   const parts = [];
   if (surprises) parts.push(plural(surprises, "result is", "results are") + " not as expected");
   if (broken) parts.push(plural(broken, "case file", "case files") + " cannot be loaded");
   if (drawn) parts.push(plural(drawn, "hand-drawn truth is", "hand-drawn truths are") + " not met");
-  if (Report.missing.length)
-    parts.push(plural(Report.missing.length, "expectation has", "expectations have") + " no case");
-  if (Report.interrupted)
-    parts.push("the run was interrupted" + (Report.left_out
-      ? "; " + plural(Report.left_out, "case is", "cases are") + " missing" : ""));
+  if (Data.missing.length)
+    parts.push(plural(Data.missing.length, "expectation has", "expectations have") + " no case");
+  if (Data.interrupted)
+    parts.push("the run was interrupted" + (Data.left_out
+      ? "; " + plural(Data.left_out, "case is", "cases are") + " missing" : ""));
   if (!parts.length)
     return h("p.headline.good", {}, icon(VERDICTS.agree.path),
       results.length ? "Every result is as expected." : "Nothing was run.");
@@ -25,13 +25,13 @@ function pageHead() {
   return h("header.head", {},
     h("h1", {}, "Edgecase report"),
     h("p.facts", {},
-      h("span", {}, Report.tool), h("span", {}, "policy ", h("b", {}, Report.policy)),
-      h("span", {}, plural(Report.cases.length, "case", "cases")),
-      h("span", {}, plural(Report.renderers.length, "renderer", "renderers"))),
+      h("span", {}, Data.tool), h("span", {}, "policy ", h("b", {}, Data.policy)),
+      h("span", {}, plural(Cases.length, "case", "cases")),
+      h("span", {}, plural(Data.renderers.length, "renderer", "renderers"))),
     h("button.quiet.help", {onclick: showHelp, "aria-label": "Keys"}, "Keys ", h("kbd", {}, "?")));
 }
 
-const resultsOf = (r) => Report.cases.map((one) => one.results[r]).filter(Boolean);
+const resultsOf = (r) => Cases.map((one) => one.results[r]).filter(Boolean);
 
 function proportions(r) {
   const results = resultsOf(r);
@@ -68,7 +68,7 @@ function summaryCell(count, filter, className) {
 
 function summaryRow(head, className, test, filter) {
   return h("tr", {class: className}, h("th", {scope: "row"}, head),
-    Report.renderers.map((info, r) => summaryCell(
+    Data.renderers.map((info, r) => summaryCell(
       resultsOf(r).filter(test).length, {...filter, renderer: info.name}, className)));
 }
 
@@ -76,9 +76,9 @@ function summaryTable() {
   const rows = WORST_FIRST.map((verdict) => summaryRow(
     h("span.verdict", {title: VERDICTS[verdict].means}, verdictIcon(verdict), verdict),
     "n-" + verdict, (result) => result.verdict === verdict, {verdict}));
-  const surprising = Report.cases.some((one) => one.surprises);
+  const surprising = Cases.some((one) => one.surprises);
   return h("div.scroll", {}, h("table.summary", {},
-    h("thead", {}, h("tr", {}, h("td", {}), Report.renderers.map(rendererHead))),
+    h("thead", {}, h("tr", {}, h("td", {}), Data.renderers.map(rendererHead))),
     h("tbody", {},
       summaryRow(
         h("span.verdict", {class: surprising ? "alarm" : ""}, icon(BANG), "not as expected"),
@@ -93,22 +93,43 @@ function diagnosticItem(d) {
 }
 
 function problems() {
-  const drawn = Report.cases.flatMap((one) => one.expect_failures.map((text) => h("li", {},
-    h("a", {href: Route.href({case: one.id})}, one.title || one.id),
+  const drawn = Data.untrue.flatMap(([number, texts]) => texts.map((text) => h("li", {},
+    h("a", {href: Route.href({case: Cases[number].id})}, Cases[number].title || Cases[number].id),
     h("div.lines", {}, text))));
   const box = (title, items) => items.length > 0 && h("details.problem", {open: items.length < 4},
     h("summary", {}, icon(BANG), title + " (" + items.length + ")"), h("ul", {}, items));
   return h("div.problems", {},
-    box("Case files that cannot be loaded", Report.diagnostics.map(diagnosticItem)),
+    box("Case files that cannot be loaded", Data.diagnostics.map(diagnosticItem)),
     box("Hand-drawn truths that the exact side does not meet", drawn),
     box("Expectations of cases that the suite has no more; edgecase bless --apply removes them",
-      Report.missing.map((m) => h("li", {}, h("code", {}, m.case), " " + m.renderer,
+      Data.missing.map((m) => h("li", {}, h("code", {}, m.case), " " + m.renderer,
         h("div", {}, m.verdict + ": " + m.reason)))));
+}
+
+// Which sections were opened or closed; kept while the page lives.
+const opened = new Map();
+
+// A section that is made when it is opened.
+function fold(title, open, make) {
+  const body = h("div", {});
+  const section = h("details.first.fold", {open: opened.get(title) ?? open},
+    h("summary", {}, h("h2", {}, title)), body);
+  const fill = () => {
+    if (section.open && !body.hasChildNodes()) replace(body, make());
+  };
+  section.addEventListener("toggle", () => {
+    opened.set(title, section.open);
+    fill();
+  });
+  fill();
+  return section;
 }
 
 function overview(state) {
   return h("main.overview", {}, pageHead(), headlineOf(), summaryTable(), problems(),
-    scenesSection(), clustersSection(),
+    reviewSection(), changesSection(), scenesSection(), clustersSection(),
+    fold("Rules by renderer", true, matrixTable), fold("Plots", false, plots),
+    hasProfiles() && fold("Profiles of the renderers", false, profileTable),
     h("div", {id: "bar"}, filterBar(state)), h("div", {id: "list"}));
 }
 
@@ -124,6 +145,6 @@ function refreshOverview(state) {
   } else {
     replace(byId("bar"), bar);
   }
-  document.querySelector(".summary").parentNode.replaceWith(summaryTable());
+  document.querySelector(".summary").parentElement.replaceWith(summaryTable());
   CaseList.show(state);
 }

@@ -3,24 +3,14 @@
 // pointer and one selection; and, where pixels are small, a close-up of the chosen one with the
 // figure of its rule.
 
-// What is drawn over the pixels; kept from case to case.
-const CLOSE_UP = 2.7;           // pixels across the close-up
-const RESOLVED_ALPHA = 0.3;     // of resolved pixels under their samples
-const CLOSE_UP_BELOW = 64;      // CSS pixels per pixel: above, the pictures are close enough
-const CROWD = 400;              // outlines and vertices, beyond which they would hide the picture
-const CROWD_FROM = 16;          // CSS pixels per pixel from which even so many are drawn
-
-const Layers = {samples: true, grid: true, shapes: true, rule: true, markers: true};
-const LAYER_NAMES = {
-  samples: "Samples", grid: "Grid", shapes: "Primitives", rule: "Rule figure", markers: "Markers",
-};
-
 class Pictures {
-  // onpick(x, y): a pixel was clicked.
-  constructor(one, result, onpick) {
+  // onpick(x, y): a pixel was clicked; onzoom(zoom): it looks closer, "" at the whole image.
+  constructor(one, result, onpick, onzoom) {
     this.one = one;
     this.result = result;
     this.onpick = onpick;
+    this.onzoom = onzoom;
+    this.overlay = new Overlay(() => this.draw());
     this.view = new View(one.width, one.height);
     this.exact = exactPixels(one, result.answer);
     this.rendered = renderedPixels(one, result.answer, this.exact);
@@ -46,6 +36,12 @@ class Pictures {
 
   destroy() {
     removeEventListener("resize", this.onresize);
+    this.overlay.stop();
+  }
+
+  // "slider" or "blink", where there are two pictures.
+  compare(mode) {
+    if (this.rendered) this.overlay.choose(mode);
   }
 
   pane(title) {
@@ -53,7 +49,8 @@ class Pictures {
       role: "img", "aria-label": title + ", " + this.one.width + " by " + this.one.height,
     });
     const pane = {title, canvas, image: null};
-    pane.element = h("figure", {}, h("figcaption", {}, title), canvas);
+    pane.caption = h("figcaption", {}, title);
+    pane.element = h("figure", {}, pane.caption, canvas);
     this.listen(pane);
     return pane;
   }
@@ -89,7 +86,7 @@ class Pictures {
         button("+", "Larger (+, or Ctrl and wheel)", () => this.zoom(1.25)),
         button("Fit", "Whole image (0)", () => this.fit()),
         button("Pixel", "Close to the chosen pixel (z)", () => this.close())),
-      h("span.group", {}, toggles), this.legend());
+      this.rendered && this.overlay.element, h("span.group", {}, toggles), this.legend());
   }
 
   // Shows a layer, or hides it.
@@ -187,8 +184,13 @@ class Pictures {
     const {width, height} = this.one;
     const places = this.samplePlaces(pane, plot);
     context.globalAlpha = places ? RESOLVED_ALPHA : 1;
-    context.drawImage(pane.image, plot.x(0), plot.y(height), width * plot.scale,
-      height * plot.scale);
+    if (pane === this.panes[2]) {
+      this.overlay.draw(plot, this.panes[0].image, pane.image, width, height);
+      replace(pane.caption, this.overlay.title(pane.title));
+    } else {
+      context.drawImage(pane.image, plot.x(0), plot.y(height), width * plot.scale,
+        height * plot.scale);
+    }
     context.globalAlpha = 1;
     if (Layers.grid) drawGrid(plot, width, height);
     if (Layers.shapes && (this.one.figure.length <= CROWD || plot.scale >= CROWD_FROM))
@@ -231,6 +233,7 @@ class Pictures {
   // Among samples, frames are thin, and the kind's shape stands at the sample that differs.
   drawMarkers(plot, sampled) {
     const chosen = this.selected;
+    if (plot.scale < 5 * plot.ratio) drawHalos(plot, this.result.answer.disagreements);
     const atSample = (d) => sampled && d.sample !== undefined;
     for (const d of this.result.answer.disagreements)
       if (d !== chosen) drawMarker(plot, d.x, d.y, d.kind, {bare: atSample(d), thin: sampled});
@@ -279,10 +282,22 @@ class Pictures {
     const kept = scale / this.view.scale;
     this.view.look(place.x + (x - place.x) * kept, place.y + (y - place.y) * kept);
     this.draw();
+    this.onzoom(String(Number((this.view.scale / ratioNow()).toFixed(3))));
   }
 
   fit() {
     this.view.fitted = true;
+    this.draw();
+    this.onzoom("");
+  }
+
+  // As a link says: so many screen pixels per pixel, about the chosen pixel.
+  zoomTo(scale) {
+    if (!(scale > 0)) return;
+    this.view.scale = Math.min(scale * ratioNow(), MAX_SCALE);
+    if (this.view.scale > 1) this.view.scale = Math.round(this.view.scale);
+    const place = this.pixel || {x: this.one.width / 2 - 0.5, y: this.one.height / 2 - 0.5};
+    this.view.look(place.x + 0.5, place.y + 0.5);
     this.draw();
   }
 
@@ -293,6 +308,7 @@ class Pictures {
     this.view.scale = Math.min(MAX_SCALE, Math.floor(Math.min(width, height) / 4));
     this.view.look(place.x + 0.5, place.y + 0.5);
     this.draw();
+    this.onzoom(String(this.view.scale / ratioNow()));
   }
 
   placeOf(pane, event) {
@@ -370,7 +386,8 @@ class Pictures {
     if (!pixel) return void replace(this.readout, "Point at a pixel to read it.");
     const exact = this.colorOf(this.exact, pixel);
     const rendered = this.colorOf(this.rendered, pixel);
-    const text = (name, color) => h("span", {}, name + " " + (color ? color.join(" ") : "none"));
+    const text = (name, color) => h("span", {}, name + " " +
+      (color ? color.join(" ") + " " + bytesHex(color) : "none"));
     if (this.table) replace(this.table, sampleTable(this.exactSamples, this.renderedSamples, pixel,
       {exact, rendered}));
     replace(this.readout,

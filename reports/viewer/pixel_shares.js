@@ -3,7 +3,6 @@
 // scenes together on the first page.
 
 const PIXEL_VERDICTS = ["agree", "convention", "permitted", "violation"];
-const SCENES = "scenes/";  // ids of cases that draw whole scenes
 
 const pixelsOf = (counts) => PIXEL_VERDICTS.reduce((sum, verdict) => sum + counts[verdict], 0);
 
@@ -29,25 +28,16 @@ function pixelLine(counts) {
     "same colour: " + shareText(counts.same, all)));
 }
 
-function totalCounts(results) {
-  const total = {same: 0};
-  for (const key of [...PIXEL_VERDICTS, "same"])
-    total[key] = results.reduce((sum, result) => sum + result.pixel_counts[key], 0);
-  return total;
-}
-
 // Pixels of all scenes that a renderer drew, by the worst that was found at each.
 function scenesSection() {
-  const scenes = Report.cases.filter((one) => one.id.startsWith(SCENES));
-  if (!scenes.length) return null;
-  const rows = Report.renderers.map((info, r) => {
-    const drawn = scenes.map((one) => one.results[r]).filter((result) => result.pixel_counts);
-    const counts = totalCounts(drawn);
+  if (!Data.renderers.some((info) => info.scenes.drawn)) return null;
+  const rows = Data.renderers.map((info) => {
+    const counts = info.scenes;
     const all = pixelsOf(counts);
     const cell = (key) => h("td.count", {title: counts[key].toLocaleString("en") + " pixels"},
       shareText(counts[key], all));
     return h("tr", {}, h("th", {scope: "row"}, info.name),
-      h("td.count", {}, drawn.length.toLocaleString("en")), h("td.count", {}, all.toLocaleString("en")),
+      h("td.count", {}, counts.drawn.toLocaleString("en")), h("td.count", {}, all.toLocaleString("en")),
       PIXEL_VERDICTS.map(cell), cell("same"));
   });
   return h("section.first", {}, h("h2", {}, "Whole scenes, pixel by pixel"),

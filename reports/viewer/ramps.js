@@ -89,7 +89,7 @@ class Ramps {
   plot(ramp, chosen) {
     const results = this.one.results.filter((r) => r.answer === ramp.answer);
     const result = results.includes(chosen) ? chosen : results[0];
-    const first = Report.renderers.findIndex((r) => r.name === results[0].renderer);
+    const first = Data.renderers.findIndex((r) => r.name === results[0].renderer);
     const names = results.map((r) => r.renderer).join(", ");
     const words = h("p.sentence", {}, h("span", {}, ramp.answer.ramp.words),
       this.openCauses(ramp.answer.ramp), this.placeLinks(ramp, result));

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The place in the report lives in the URL's fragment, so that a filtered list, a case or one
 // disputed pixel can be linked, and the browser's Back works.
-// q, verdict, standing, rule, renderer: filters; case, on (renderer), at (disagreement): a case.
+// q, verdict, standing, rule, renderer, review: filters; case, on (renderer), at (disagreement), px
+// (pixel, "x,y"), zoom (screen pixels per pixel): a case.
 
-const FILTER_KEYS = ["q", "verdict", "standing", "rule", "renderer"];
-const PLACE_KEYS = ["case", "on", "at"];
+const FILTER_KEYS = ["q", "verdict", "standing", "rule", "renderer", "review"];
+const PLACE_KEYS = ["case", "on", "at", "px", "zoom"];
+const NO_PLACE = {case: "", on: "", at: "", px: "", zoom: ""};
 
 const Route = {
   read() {
@@ -27,15 +29,19 @@ const Route = {
     if (href === (location.hash || "#")) return;
     location.hash = href;
   },
+  // Where the case's view is now; nothing is shown anew.
+  note(changes) {
+    history.replaceState(null, "", Route.href(changes));
+  },
   // The same place, further on: replaces the entry in the history.
   shift(changes) {
     history.replaceState(null, "", Route.href(changes));
     showRoute();
   },
   openCase(id, changes) {
-    Route.go({case: id, on: Route.read().on, at: "", ...changes});
+    Route.go({...NO_PLACE, case: id, on: Route.read().on, ...changes});
   },
   leaveCase() {
-    Route.go({case: "", on: "", at: ""});
+    Route.go(NO_PLACE);
   },
 };

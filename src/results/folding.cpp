@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "results/folding.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -10,6 +8,7 @@
 #include <tuple>
 
 #include "results/base64.h"
+#include "results/deflate.h"
 
 namespace edgecase {
 namespace {
@@ -18,36 +17,6 @@ using Json = nlohmann::ordered_json;
 using Place = ValueAggregate::Place;
 
 constexpr std::string_view kMark = "zlib:";
-
-std::vector<std::uint8_t> deflated(const std::string& text) {
-  uLongf size = compressBound(static_cast<uLong>(text.size()));
-  std::vector<std::uint8_t> bytes(size);
-  if (compress(bytes.data(), &size, reinterpret_cast<const Bytef*>(text.data()),
-               static_cast<uLong>(text.size())) != Z_OK)
-    throw std::runtime_error("a long value cannot be deflated");
-  bytes.resize(size);
-  return bytes;
-}
-
-// The stream ends in a checksum, so that damage is noticed.
-std::string inflated(const std::vector<std::uint8_t>& bytes) {
-  z_stream stream{};
-  if (inflateInit(&stream) != Z_OK) throw std::runtime_error("there is no memory to inflate");
-  stream.next_in = const_cast<Bytef*>(bytes.data());
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  std::string text;
-  std::vector<char> buffer(1 << 16);
-  int status = Z_OK;
-  while (status == Z_OK) {
-    stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
-    stream.avail_out = static_cast<uInt>(buffer.size());
-    status = inflate(&stream, Z_NO_FLUSH);
-    text.append(buffer.data(), buffer.size() - stream.avail_out);
-  }
-  inflateEnd(&stream);
-  if (status != Z_STREAM_END) throw std::runtime_error("a deflated value is damaged");
-  return text;
-}
 
 auto in_reading_order(const Place& p) {
   return std::tie(p.y, p.x, p.primitive);

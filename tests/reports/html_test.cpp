@@ -14,6 +14,7 @@
 #include "reports/report_data.h"
 #include "results/clusters.h"
 #include "tests/reports/sample.h"
+#include "tests/reports/shown.h"
 
 namespace edgecase {
 namespace {
@@ -40,20 +41,60 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
+// The lines of the blocks that a report holds.
+std::vector<std::string> lines_of(const std::vector<std::string>& blocks) {
+  std::vector<std::string> lines;
+  for (const std::string& block : blocks) {
+    std::istringstream text(inflated(from_base64(block)));
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+  }
+  return lines;
+}
+
+// What is no UTF-8 is replaced.
+std::string as_valid_text(const std::string& text) {
+  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+std::string id_of(const json& index, const json& row) {
+  return index["heads"][row[0].get<std::size_t>()]["stem"].get<std::string>() +
+         row[1].get<std::string>();
+}
+
 TEST(Html, DataParsesBackAndIsWhatWasGiven) {
   const Results results = sample::results();
-  const json data = json::parse(data_of(page_of(results)));
-  EXPECT_EQ(data, json::parse(report_data(results, sample::texts())));
-  ASSERT_EQ(data["cases"].size(), results.cases.size());
+  const ReportData data = report_data(results, sample::texts());
+  const json index = json::parse(data.index);
+  const std::vector<std::string> lines = lines_of(data.blocks);
+  EXPECT_EQ(index["key"], data.key);
+  ASSERT_EQ(index["cases"].size(), results.cases.size());
   for (std::size_t i = 0; i < results.cases.size(); ++i) {
     const CaseResults& one = results.cases[i];
-    const json& shown = data["cases"][i];
-    EXPECT_EQ(shown["width"], one.width);
+    const json& row = index["cases"][i];
+    EXPECT_EQ(id_of(index, row), as_valid_text(one.id));
+    for (std::size_t r = 0; r < one.results.size(); ++r) {
+      const json& outcome = index["outcomes"][row[3][r].get<std::size_t>()];
+      EXPECT_EQ(outcome[0], name_of(one.results[r].verdict));
+      EXPECT_EQ(outcome[1], name_of(one.results[r].standing));
+    }
+    ASSERT_EQ(row.size() > 4, has_details(one)) << one.id;
+    if (row.size() > 4) {
+      EXPECT_EQ(json::parse(lines.at(row[4].get<std::size_t>())), sample::details_of(one));
+    }
+    const json& head = index["heads"][row[0].get<std::size_t>()];
+    EXPECT_EQ(head["width"], one.width);
+    if (!one.source.empty()) {
+      EXPECT_TRUE(json::parse(lines.at(head["source"].get<std::size_t>())).is_string());
+    }
+  }
+}
+
+TEST(Html, DetailsHoldEveryDisagreement) {
+  for (const CaseResults& one : sample::results().cases) {
+    const json shown = sample::details_of(one);
     EXPECT_EQ(shown["figure"].size(), one.figure.marks.size());
     ASSERT_EQ(shown["results"].size(), one.results.size());
     for (std::size_t r = 0; r < one.results.size(); ++r) {
-      EXPECT_EQ(shown["results"][r]["verdict"], name_of(one.results[r].verdict));
-      EXPECT_EQ(shown["results"][r]["standing"], name_of(one.results[r].standing));
       const json& answer = shown["answers"][shown["results"][r]["answer"].get<std::size_t>()];
       ASSERT_EQ(answer["disagreements"].size(), one.results[r].disagreements.size());
       for (std::size_t d = 0; d < one.results[r].disagreements.size(); ++d)
@@ -62,9 +103,94 @@ TEST(Html, DataParsesBackAndIsWhatWasGiven) {
   }
 }
 
+TEST(Html, FindingsAreToldByRuleAsTheWorstOfEach) {
+  Results results;
+  results.renderers.resize(1);
+  results.cases.resize(1);
+  CaseResults& one = results.cases[0];
+  one.id = "lines/a:dx=1";
+  one.results.resize(1);
+  Result& result = one.results[0];
+  const auto add = [&](const char* rule, bool legal, const char* cause) {
+    Disagreement d = sample::disagreement(0, 0, DisagreementKind::extra, legal);
+    d.rule = rule;
+    d.cause = cause;
+    result.disagreements.push_back(d);
+  };
+  add("a", true, "a=open");
+  add("b", true, "a=open");
+  add("b", true, "a=closed");
+  add("c", true, "");
+  add("c", false, "a=open");
+  ReportTexts texts;
+  texts.is_open_choice = [](const std::string& cause) { return cause == "a=open"; };
+  const json index = sample::index_of(results, texts);
+  EXPECT_EQ(index["outcomes"][0][2], json({0, "convention", 1, "permitted", 2, "violation"}));
+  EXPECT_EQ(index["names"], json({"a", "b", "c"}));
+  results.latitude = Latitude::none;
+  EXPECT_EQ(sample::index_of(results, texts)["outcomes"][0][2],
+            json({0, "violation", 1, "violation", 2, "violation"}));
+}
+
+TEST(Html, CasesInWhichAllAgreesAreALineOfTheList) {
+  Results results;
+  results.renderers.resize(2);
+  results.cases.resize(1);
+  CaseResults& one = results.cases[0];
+  one.pixels.assign(64, 255);
+  one.results.resize(2);
+  for (KnownResult& result : one.results) result.verdict = Verdict::agree;
+  EXPECT_TRUE(report_data(results, {}).blocks.empty());
+  one.results[1].standing = Standing::unexpected_agreement;
+  EXPECT_EQ(report_data(results, {}).blocks.size(), 1u);
+  one.results[1].standing = Standing::expected;
+  one.expect_failures = {"drawn otherwise"};
+  EXPECT_EQ(report_data(results, {}).blocks.size(), 1u);
+}
+
+// Noise, so that it cannot be deflated.
+Results large_results() {
+  Results results;
+  results.renderers.resize(1);
+  std::uint32_t state = 1;
+  for (int i = 0; i < 40; ++i) {
+    CaseResults& one = results.cases.emplace_back();
+    one.id = "noise/" + std::to_string(100 + i);
+    one.width = one.height = 128;
+    for (int byte = 0; byte < 4 * 128 * 128; ++byte)
+      one.pixels.push_back(static_cast<std::uint8_t>((state = state * 1664525 + 1013904223) >> 24));
+    one.results.resize(1);
+    one.results[0].verdict = i == 39 ? Verdict::violation : Verdict::permitted;
+  }
+  return results;
+}
+
+TEST(Html, WhatIsTooLargeStandsBesideThePageTheWorstWithinIt) {
+  const Results results = large_results();
+  const auto files = html_files(results, {}, "all.html", 1'000'000);
+  ASSERT_GT(files.size(), 2u);
+  EXPECT_EQ(files[0].name, "all.html");
+  EXPECT_LT(files[0].text.size(), 1'400'000u);
+  const json index = json::parse(data_of(files[0].text));
+  ASSERT_EQ(index["chunks"].size(), files.size() - 1);
+  EXPECT_EQ(index["cases"][39][4], 0) << "the violation is the first line";
+  std::size_t blocks = count(files[0].text, "id=\"block-");
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    EXPECT_EQ(files[i].name, "all." + std::to_string(i) + ".js");
+    EXPECT_EQ(index["chunks"][i - 1], json({{"name", files[i].name}, {"first", blocks}}));
+    EXPECT_EQ(files[i].text.rfind("edgecaseBlocks(\"" + index["key"].get<std::string>() + "\",", 0),
+              0u);
+    EXPECT_LT(files[i].text.size(), 2'000'000u);
+    blocks += count(files[i].text, "\",\n");
+  }
+  EXPECT_EQ(blocks, index["blocks"].size());
+  EXPECT_NE(files[0].text.find("'strict-dynamic'"), std::string::npos);
+  EXPECT_EQ(page_of(results).find("strict-dynamic"), std::string::npos);
+}
+
 TEST(Html, RenderersHoldTheirClusters) {
   const Results results = sample::results();
-  const json data = json::parse(report_data(results, {}));
+  const json data = sample::index_of(results);
   std::size_t all = 0;
   for (std::size_t r = 0; r < results.renderers.size(); ++r) {
     const std::vector<Cluster> clusters = clusters_of(results, r);
@@ -82,10 +208,10 @@ TEST(Html, RenderersHoldTheirClusters) {
 }
 
 TEST(Html, ValuesHaveTheirMeanAndTheirShareOfTheRange) {
-  const json data = json::parse(report_data(sample::results(), {}));
   int seen = 0;
-  for (const json& one : data["cases"])
-    for (const json& answer : one["answers"])
+  for (const CaseResults& one : sample::results().cases) {
+    const json shown = sample::details_of(one);
+    for (const json& answer : shown["answers"])
       for (const json& values : answer["values"]) {
         ++seen;
         EXPECT_EQ(values["components"], 4 * values["compared"].get<std::uint64_t>());
@@ -93,19 +219,20 @@ TEST(Html, ValuesHaveTheirMeanAndTheirShareOfTheRange) {
         EXPECT_EQ(values["relative"], 0x1p-20);
         EXPECT_EQ(values["worst"]["ulp"], 5.5);
       }
+  }
   EXPECT_GT(seen, 0);
 }
 
 TEST(Html, NoTextLeavesTheDataElement) {
   const std::string page = page_of(sample::results());
   EXPECT_EQ(data_of(page).find('<'), std::string::npos);
-  EXPECT_EQ(count(page, "<script"), 2u);
-  EXPECT_EQ(count(page, "</script"), 2u);
   const json data = json::parse(data_of(page));
-  const auto hostile = [](const json& one) {
-    return one["title"].get<std::string>().rfind("</script><script>", 0) == 0;
+  EXPECT_EQ(count(page, "<script"), 2 + data["blocks"].size());
+  EXPECT_EQ(count(page, "</script"), 2 + data["blocks"].size());
+  const auto hostile = [](const json& head) {
+    return head["title"].get<std::string>().rfind("</script><script>", 0) == 0;
   };
-  EXPECT_TRUE(std::any_of(data["cases"].begin(), data["cases"].end(), hostile));
+  EXPECT_TRUE(std::any_of(data["heads"].begin(), data["heads"].end(), hostile));
 }
 
 TEST(Html, LoadsNothing) {
@@ -122,9 +249,10 @@ TEST(Html, LoadsNothing) {
 }
 
 TEST(Html, RenderersThatAnswerAlikeShareOneAnswer) {
-  const json data = json::parse(report_data(sample::results(), {}));
-  for (const json& one : data["cases"]) {
-    if (one["id"] != "lines/octant-00") continue;
+  const Results results = sample::results();
+  for (const CaseResults& given : results.cases) {
+    if (given.id != "lines/octant-00") continue;
+    const json one = sample::details_of(given);
     EXPECT_EQ(one["answers"].size(), 2u);
     EXPECT_EQ(one["results"][2]["answer"], 0);
   }
@@ -138,7 +266,7 @@ TEST(Html, AnImageOfAnotherSizeIsNeverShownAsEqual) {
   results.cases[0].results.resize(1);
   for (std::size_t bytes : {std::size_t{0}, std::size_t{12}, std::size_t{20}}) {
     results.cases[0].results[0].pixels.assign(bytes, 255);
-    EXPECT_EQ(json::parse(report_data(results, {}))["cases"][0]["answers"][0]["blank"], true);
+    EXPECT_EQ(sample::details_of(results.cases[0])["answers"][0]["blank"], true);
   }
 }
 
@@ -149,7 +277,7 @@ TEST(Html, LeftOutDisagreementsAreCounted) {
   results.cases[0].results.resize(1);
   results.cases[0].results[0].disagreements.assign(
       kMaxDisagreementsPerAnswer + 7, sample::disagreement(0, 0, DisagreementKind::extra, false));
-  const json answer = json::parse(report_data(results, {}))["cases"][0]["answers"][0];
+  const json answer = sample::details_of(results.cases[0])["answers"][0];
   EXPECT_EQ(answer["disagreements"].size(), kMaxDisagreementsPerAnswer);
   EXPECT_EQ(answer["omitted"], 7);
 }

@@ -6,8 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "reports/report_data.h"
 #include "tests/reports/sample.h"
+#include "tests/reports/shown.h"
 
 namespace edgecase {
 namespace {
@@ -128,7 +128,7 @@ json answer_for(const Ramp& ramp) {
   results.cases.resize(1);
   results.cases[0].results.resize(1);
   results.cases[0].results[0].ramp = ramp;
-  return json::parse(report_data(results, {}))["cases"][0]["answers"][0];
+  return sample::details_of(results.cases[0])["answers"][0];
 }
 
 TEST(Ramp, TheReportHoldsItAsFloats) {
@@ -177,7 +177,7 @@ TEST(Ramp, AnswersDifferByTheirLevels) {
     Results results;
     results.renderers.resize(one.results.size());
     results.cases = {one};
-    const json shown = json::parse(report_data(results, {}))["cases"][0];
+    const json shown = sample::details_of(results.cases[0]);
     for (std::size_t i = 0; i < one.results.size(); ++i) {
       const json& answer = shown["answers"][shown["results"][i]["answer"].get<std::size_t>()];
       ASSERT_EQ(answer.contains("ramp"), !one.results[i].ramp.empty());

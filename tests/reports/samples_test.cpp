@@ -9,11 +9,11 @@
 
 #include "reports/junit.h"
 #include "reports/pixels.h"
-#include "reports/report_data.h"
 #include "reports/sample_data.h"
 #include "reports/summary.h"
 #include "reports/text.h"
 #include "tests/reports/sample.h"
+#include "tests/reports/shown.h"
 
 namespace edgecase {
 namespace {
@@ -30,7 +30,7 @@ Results only(CaseResults one) {
 }
 
 json shown_case() {
-  return json::parse(report_data(only(sample::multisampled_case()), {}))["cases"][0];
+  return sample::details_of(sample::multisampled_case());
 }
 
 json answer_of(const json& one, std::size_t renderer) {
@@ -89,11 +89,11 @@ TEST(ReportSamples, CasesTellTheirSamplesAndPositions) {
   EXPECT_EQ(one["samples"]["positions"],
             json({0.375, 0.125, 0.875, 0.375, 0.125, 0.625, 0.625, 0.875}));
   EXPECT_EQ(one["samples"], json(sample_data(sample::multisampled_case().samples)));
-  const json all = json::parse(report_data(sample::results(), {}));
-  for (const json& other : all["cases"]) {
-    EXPECT_EQ(other.contains("samples"), other["id"] == "samples/diagonal");
+  for (const CaseResults& given : sample::results().cases) {
+    const json other = sample::details_of(given);
+    EXPECT_EQ(other.contains("samples"), given.id == "samples/diagonal");
     for (const json& answer : other["answers"])
-      EXPECT_EQ(answer.contains("samples"), other["id"] == "samples/diagonal");
+      EXPECT_EQ(answer.contains("samples"), given.id == "samples/diagonal");
   }
 }
 
@@ -127,7 +127,7 @@ TEST(ReportSamples, WithoutMultisamplingNoSampleIsNamed) {
   EXPECT_EQ(place_of(d, 4), "pixel (3, 4), sample 0");
   CaseResults one = sample::multisampled_case();
   one.samples = {};
-  const json data = json::parse(report_data(only(one), {}))["cases"][0];
+  const json data = sample::details_of(one);
   for (const json& listed : answer_of(data, 1)["disagreements"])
     EXPECT_FALSE(listed.contains("sample"));
 }

@@ -16,25 +16,15 @@
 #include "reports/annotations.h"
 #include "reports/ctrf.h"
 #include "reports/disagreements_csv.h"
-#include "reports/html.h"
 #include "reports/junit.h"
 #include "reports/summary_markdown.h"
 #include "results/results_json.h"
-#include "rules/all_rules.h"
+#include "tools/edgecase/html_report.h"
 #include "tools/edgecase/options.h"
 #include "tools/edgecase/triptych_files.h"
 
 namespace edgecase {
 namespace {
-
-ReportTexts report_texts() {
-  ReportTexts texts;
-  for (const Rule& rule : all_rules()) {
-    texts.rules.push_back({rule.id, rule.title, rule.spec, rule.latitude});
-    for (const Ruling& ruling : rule.rulings) texts.rulings.push_back({ruling.number, ruling.text});
-  }
-  return texts;
-}
 
 bool write_one(const std::string& path, const std::function<void(std::ostream&)>& write) {
   if (path.empty()) return true;
@@ -121,11 +111,11 @@ bool ReportFiles::write(const Results& results) const {
   };
   add(none ? kDefaultJson : json, [&](std::ostream& out) { write_results(results, out); });
   add(none ? "out/junit.xml" : junit, [&](std::ostream& out) { write_junit(results, out); });
-  add(html_path(), [&](std::ostream& out) { write_html(results, report_texts(), out); });
   add(ctrf, [&](std::ostream& out) { write_ctrf(results, out); });
   add(markdown, [&](std::ostream& out) { write_markdown_summary(results, out); });
   add(annotations, [&](std::ostream& out) { write_annotations(results, path_in_repository, out); });
   add(csv, [&](std::ostream& out) { write_disagreements_csv(results, out); });
+  if (!html_path().empty()) wrote = write_html_report(results, since, html_path()) && wrote;
   return (triptychs.empty() || write_triptychs(results, triptychs)) && wrote;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "results/comparison.h"
 #include "results/results.h"
 
 namespace edgecase {
@@ -30,6 +31,7 @@ struct ReportFiles {
   std::string annotations;
   std::string csv;
   std::string triptychs;  // a folder
+  std::optional<Comparison> since;  // what the HTML report tells to have changed
 
   // `json_names`: how the option for the results file is called.
   void add_to(CLI::App& command, const std::string& json_names = "--json");

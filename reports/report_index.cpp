@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#include "reports/report_index.h"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "results/clusters.h"
+
+namespace edgecase {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kScenes = "scenes/";  // ids of cases that draw whole scenes
+
+// The part of an id that the cases of a file share.
+std::string_view stem_of(const std::string& id) {
+  return std::string_view(id).substr(0, id.find(':'));
+}
+
+// Numbers texts in the order in which they come.
+class Names {
+ public:
+  std::size_t number(const std::string& name) {
+    const auto [found, is_new] = numbers_.try_emplace(name, list_.size());
+    if (is_new) list_.push_back(name);
+    return found->second;
+  }
+  const Json& list() const { return list_; }
+
+ private:
+  std::map<std::string, std::size_t> numbers_;
+  Json list_ = Json::array();
+};
+
+// Rule -> the worst that was found by it in one answer.
+using Findings = std::map<std::string, Verdict>;
+
+class FindingsOf {
+ public:
+  FindingsOf(Latitude latitude, const ReportTexts& texts) : latitude_(latitude), texts_(&texts) {}
+
+  Findings operator()(const Result& result) const {
+    Findings found;
+    for (const Disagreement& d : result.disagreements)
+      add(found, d.rule, d.legal ? verdict_of(d.cause) : Verdict::violation);
+    for (const ValueAggregate& values : result.values)
+      if (!values.differing.empty()) add(found, values.rule, verdict_of(values.cause));
+    return found;
+  }
+
+ private:
+  static void add(Findings& found, const std::string& rule, Verdict verdict) {
+    Verdict& worst = found[rule];
+    worst = std::max(worst, verdict);
+  }
+
+  // Of what is legal by itself.
+  Verdict verdict_of(const std::string& cause) const {
+    if (latitude_ == Latitude::none) return Verdict::violation;
+    const bool is_open = !cause.empty() && texts_->is_open_choice && texts_->is_open_choice(cause);
+    return is_open ? Verdict::convention : Verdict::permitted;
+  }
+
+  Latitude latitude_;
+  const ReportTexts* texts_;
+};
+
+Json head_json(const CaseResults& one, Names& rules, long line) {
+  Json json = {{"stem", stem_of(one.id)}, {"title", one.title},  {"why", one.why},
+               {"rules", Json::array()},  {"spec", one.spec},    {"origin", one.origin},
+               {"tags", one.tags},        {"file", one.file},    {"surface", one.surface},
+               {"width", one.width},      {"height", one.height}};
+  for (const std::string& rule : one.rules) json["rules"].push_back(rules.number(rule));
+  if (line >= 0) json["source"] = line;
+  return json;
+}
+
+Json outcome_json(const KnownResult& result, const Findings& findings, Names& rules) {
+  Json found = Json::array();
+  for (const auto& [rule, verdict] : findings) {
+    found.push_back(rules.number(rule));
+    found.push_back(name_of(verdict));
+  }
+  return Json::array({name_of(result.verdict), name_of(result.standing), std::move(found)});
+}
+
+// Outcomes that many cases share, each once.
+class Outcomes {
+ public:
+  std::size_t number(Json outcome) {
+    const auto [found, is_new] = numbers_.try_emplace(outcome.dump(), list_.size());
+    if (is_new) list_.push_back(std::move(outcome));
+    return found->second;
+  }
+  const Json& list() const { return list_; }
+
+ private:
+  std::map<std::string, std::size_t> numbers_;
+  Json list_ = Json::array();
+};
+
+void add_cases(Json& json, const Results& results, const ReportTexts& texts, const CaseHeads& heads,
+               const DetailLines& lines) {
+  Names rules;
+  Outcomes outcomes;
+  Json head_list = Json::array();
+  for (std::size_t h = 0; h < heads.first_case.size(); ++h)
+    head_list.push_back(head_json(results.cases[heads.first_case[h]], rules, lines.of_head[h]));
+  const FindingsOf findings_of(results.latitude, texts);
+  Json cases = Json::array();
+  Json untrue = Json::array();
+  for (std::size_t i = 0; i < results.cases.size(); ++i) {
+    const CaseResults& one = results.cases[i];
+    Json numbers = Json::array();
+    for (const KnownResult& result : one.results)
+      numbers.push_back(outcomes.number(outcome_json(result, findings_of(result), rules)));
+    Json row = {heads.of_case[i], one.id.substr(stem_of(one.id).size()), one.fragments,
+                std::move(numbers)};
+    if (lines.of_case[i] >= 0) row.push_back(lines.of_case[i]);
+    if (std::any_of(one.results.begin(), one.results.end(),
+                    [](const Result& result) { return !result.ramp.empty(); }))
+      row.push_back(1);
+    cases.push_back(std::move(row));
+    if (!one.expect_failures.empty()) untrue.push_back({i, one.expect_failures});
+  }
+  json["names"] = rules.list();
+  json["heads"] = std::move(head_list);
+  json["outcomes"] = outcomes.list();
+  json["cases"] = std::move(cases);
+  json["untrue"] = std::move(untrue);
+}
+
+// The number, counted from 1, of a cluster's first disagreement in its smallest case; 0: none.
+std::size_t place_of(const Results& results, std::size_t renderer, const Cluster& cluster) {
+  const auto one =
+      std::lower_bound(results.cases.begin(), results.cases.end(), cluster.smallest_case,
+                       [](const CaseResults& a, const std::string& id) { return a.id < id; });
+  if (one == results.cases.end() || one->id != cluster.smallest_case) return 0;
+  const auto& list = one->results[renderer].disagreements;
+  const auto found = std::find_if(list.begin(), list.end(), [&](const Disagreement& d) {
+    return d.x == cluster.x && d.y == cluster.y && d.cause == cluster.cause &&
+           (cluster.kind.empty() || cluster.kind == name_of(d.kind));
+  });
+  return found == list.end() ? 0 : static_cast<std::size_t>(found - list.begin()) + 1;
+}
+
+Json cluster_json(const Cluster& cluster, std::size_t at) {
+  Json json = {{"cause", cluster.cause},         {"rule", cluster.rule},
+               {"kind", cluster.kind},           {"situation", cluster.situation},
+               {"attribute", cluster.attribute}, {"surface", cluster.surface},
+               {"legal", cluster.legal},         {"disagreements", cluster.disagreements},
+               {"cases", cluster.cases},         {"smallest", cluster.smallest_case}};
+  if (at > 0) json["at"] = at;
+  return json;
+}
+
+// The values of one attribute over all cases.
+struct ValueSum {
+  std::uint64_t compared = 0;
+  std::uint64_t differing = 0;
+  std::map<int, std::uint64_t> histogram;
+};
+
+Json values_json(const Results& results, std::size_t renderer) {
+  std::map<std::string, ValueSum> sums;
+  for (const CaseResults& one : results.cases)
+    for (const ValueAggregate& values : one.results[renderer].values) {
+      ValueSum& sum = sums[values.attribute];
+      sum.compared += values.compared;
+      sum.differing += values.differing.size();
+      for (const auto& [exponent, count] : values.ulp_histogram) sum.histogram[exponent] += count;
+    }
+  Json list = Json::array();
+  for (const auto& [attribute, sum] : sums) {
+    Json bins = Json::array();
+    for (const auto& [exponent, count] : sum.histogram) bins.push_back({exponent, count});
+    list.push_back({{"attribute", attribute},
+                    {"compared", sum.compared},
+                    {"differing", sum.differing},
+                    {"histogram", std::move(bins)}});
+  }
+  return list;
+}
+
+Json scenes_json(const Results& results, std::size_t renderer) {
+  std::size_t drawn = 0;
+  PixelCounts all;
+  for (const CaseResults& one : results.cases) {
+    const KnownResult& result = one.results[renderer];
+    if (!one.id.starts_with(kScenes) || result.failure) continue;
+    const PixelCounts& counts = result.pixel_counts;
+    ++drawn;
+    all.agree += counts.agree;
+    all.convention += counts.convention;
+    all.permitted += counts.permitted;
+    all.violation += counts.violation;
+    all.same += counts.same;
+  }
+  return {{"drawn", drawn},
+          {"agree", all.agree},
+          {"convention", all.convention},
+          {"permitted", all.permitted},
+          {"violation", all.violation},
+          {"same", all.same}};
+}
+
+Json choices_json(const ReportTexts& texts, const std::string& renderer) {
+  Json json = Json::object();
+  const auto found = texts.profiles.find(renderer);
+  if (found == texts.profiles.end()) return json;
+  for (const auto& [place, choices] : found->second)
+    for (const auto& [rule, alternative] : choices) json[place][rule] = alternative;
+  return json;
+}
+
+Json renderer_json(const Results& results, const ReportTexts& texts, std::size_t index) {
+  const RendererInfo& info = results.renderers[index];
+  Json clusters = Json::array();
+  for (const Cluster& cluster : clusters_of(results, index))
+    clusters.push_back(cluster_json(cluster, place_of(results, index, cluster)));
+  return {{"name", info.name},
+          {"vendor", info.vendor},
+          {"version", info.version},
+          {"device", info.device},
+          {"traits", info.traits},
+          {"subpixel_bits", info.subpixel_bits},
+          {"clusters", std::move(clusters)},
+          {"values", values_json(results, index)},
+          {"scenes", scenes_json(results, index)},
+          {"profile", choices_json(texts, info.name)}};
+}
+
+void add_texts(Json& json, const ReportTexts& texts) {
+  json["rules"] = json["rulings"] = Json::array();
+  for (const RuleText& rule : texts.rules)
+    json["rules"].push_back({{"id", rule.id},
+                             {"title", rule.title},
+                             {"spec", rule.spec},
+                             {"latitude", rule.latitude},
+                             {"standard", rule.standard}});
+  for (const RulingText& ruling : texts.rulings)
+    json["rulings"].push_back({{"number", ruling.number}, {"text", ruling.text}});
+}
+
+void add_problems(Json& json, const Results& results) {
+  json["diagnostics"] = json["missing"] = Json::array();
+  for (const Diagnostic& d : results.diagnostics)
+    json["diagnostics"].push_back({{"file", d.file},
+                                   {"line", d.line},
+                                   {"pointer", d.pointer},
+                                   {"message", d.message},
+                                   {"remedy", d.remedy}});
+  for (const MissingCase& missing : results.missing)
+    json["missing"].push_back({{"renderer", missing.renderer},
+                               {"case", missing.id},
+                               {"verdict", name_of(missing.expected.verdict)},
+                               {"fingerprint", missing.expected.fingerprint},
+                               {"reason", missing.reason}});
+}
+
+}  // namespace
+
+CaseHeads heads_of(const Results& results) {
+  const auto before = [&](std::size_t a, std::size_t b) {
+    const CaseResults& one = results.cases[a];
+    const CaseResults& other = results.cases[b];
+    const auto key = [](const CaseResults& c) {
+      return std::tie(c.title, c.why, c.file, c.surface, c.width, c.height, c.rules, c.tags, c.spec,
+                      c.origin);
+    };
+    return std::pair(stem_of(one.id), key(one)) < std::pair(stem_of(other.id), key(other));
+  };
+  CaseHeads heads;
+  std::map<std::size_t, std::size_t, decltype(before)> numbers(before);
+  for (std::size_t i = 0; i < results.cases.size(); ++i) {
+    const auto [found, is_new] = numbers.try_emplace(i, heads.first_case.size());
+    if (is_new) heads.first_case.push_back(i);
+    heads.of_case.push_back(found->second);
+  }
+  return heads;
+}
+
+Json report_index(const Results& results, const ReportTexts& texts, const CaseHeads& heads,
+                  const DetailLines& lines) {
+  Json json = {{"tool", results.tool},
+               {"policy", results.policy},
+               {"interrupted", results.interrupted},
+               {"left_out", results.left_out},
+               {"renderers", Json::array()}};
+  for (std::size_t i = 0; i < results.renderers.size(); ++i)
+    json["renderers"].push_back(renderer_json(results, texts, i));
+  add_texts(json, texts);
+  add_problems(json, results);
+  add_cases(json, results, texts, heads, lines);
+  if (texts.since) json["since"] = Json::parse(comparison_json(*texts.since));
+  return json;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// What a case holds beyond its line in the list: lines of deflated blocks, which stand in the page
+// after the script, or in scripts beside it (reports/report_data.h).
+
+const BLOCKS_KEPT = 8;  // inflated
+
+const Blocks = {
+  waiting: new Map(),   // number of a block -> those who asked for it
+  arrived: new Map(),   // number -> base64, of blocks from scripts beside the page
+  inflated: new Map(),  // number -> promise of its lines; the last used last
+
+  // Of the block that holds a line.
+  numberOf(line) {
+    let number = Data.blocks.length - 1;
+    while (number > 0 && Data.blocks[number] > line) --number;
+    return number;
+  },
+
+  // The promise of a line's text.
+  async line(line) {
+    const number = Blocks.numberOf(line);
+    const lines = Blocks.inflated.get(number) || Blocks.packed(number).then(inflatedLines);
+    Blocks.inflated.delete(number);
+    Blocks.inflated.set(number, lines);
+    lines.catch(() => Blocks.inflated.delete(number));
+    if (Blocks.inflated.size > BLOCKS_KEPT)
+      Blocks.inflated.delete(Blocks.inflated.keys().next().value);
+    return (await lines)[line - Data.blocks[number]];
+  },
+
+  async packed(number) {
+    if (Blocks.arrived.has(number)) return Blocks.arrived.get(number);
+    const chunk = Data.chunks.findLast((one) => one.first <= number);
+    if (chunk) return Blocks.load(chunk.name, number);
+    if (!byId("block-" + number) && document.readyState === "loading")
+      await new Promise((then) => document.addEventListener("DOMContentLoaded", then));
+    return byId("block-" + number).textContent;
+  },
+
+  // From a script beside the page, which calls edgecaseBlocks.
+  load(name, number) {
+    return new Promise((then, fail) => {
+      const script = document.createElement("script");
+      script.src = name.split("/").map(encodeURIComponent).join("/");
+      script.onload = () => {
+        script.remove();
+        if (Blocks.arrived.has(number)) then(Blocks.arrived.get(number));
+        else fail(new Error(name + " belongs to another report"));
+      };
+      script.onerror = () => fail(new Error(name + " is not beside this page"));
+      document.head.append(script);
+    });
+  },
+};
+
+// What scripts beside the page call.
+function edgecaseBlocks(key, first, blocks) {
+  if (key !== Data.key) return;
+  blocks.forEach((block, i) => Blocks.arrived.set(first + i, block));
+}
+
+async function inflatedLines(base64) {
+  const stream = new Blob([bytesOf(base64)]).stream();
+  const text = await new Response(stream.pipeThrough(new DecompressionStream("deflate"))).text();
+  return text.split("\n");
+}
+
+const NO_ANSWER = {fingerprint: "", disagreements: [], values: [], evidence: [],
+  illegal_line_snaps: []};
+
+// Puts the details into a case and its results, once; without any where all agrees.
+async function loadDetails(one) {
+  if (one.loaded) return one;
+  const source = one.sourceLine === undefined ? "" : Blocks.line(one.sourceLine);
+  const details = one.line === undefined ? {} : JSON.parse(await Blocks.line(one.line));
+  one.source = await source && JSON.parse(await source);
+  one.pixels = details.pixels || "";
+  one.samples = details.samples;
+  one.figure = details.figure || [];
+  one.expect_failures = details.expect_failures || [];
+  one.results.forEach((result, r) => {
+    const own = details.results?.[r];
+    Object.assign(result, own || {expectation: ""});
+    result.answer = own ? details.answers[own.answer] : NO_ANSWER;
+  });
+  one.loaded = true;
+  return one;
+}

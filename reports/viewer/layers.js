@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// What is drawn over the pixels, and from which size on.
+
+const CLOSE_UP = 2.7;           // pixels across the close-up
+const RESOLVED_ALPHA = 0.3;     // of resolved pixels under their samples
+const CLOSE_UP_BELOW = 64;      // CSS pixels per pixel: above, the pictures are close enough
+const CROWD = 400;              // outlines and vertices, beyond which they would hide the picture
+const CROWD_FROM = 16;          // CSS pixels per pixel from which even so many are drawn
+
+// Kept from case to case.
+const Layers = {samples: true, grid: true, shapes: true, rule: true, markers: true};
+const LAYER_NAMES = {
+  samples: "Samples", grid: "Grid", shapes: "Primitives", rule: "Rule figure", markers: "Markers",
+};
