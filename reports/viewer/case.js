@@ -33,7 +33,7 @@ const CaseView = {
     replace(byId("app"), caseHead(one, state), result ? CaseView.build(one, result)
       : h("main.case", {}, caseWords(one), h("p.card", {}, "No renderer was run on this case.")));
     if (!result) return;
-    CaseView.pictures?.resize();
+    CaseView.pictures?.measure();
     CaseView.place(state);
     CaseView.pictures?.zoomTo(Number(state.zoom));
   },
@@ -72,9 +72,7 @@ const CaseView = {
           "command below draws them again." : "There are no pictures."), CaseView.ramps.element, CaseView.list.element,
       valuesSection(answer, CaseView.pick), evidenceSection(answer),
       h("section.card", {}, h("h2", {}, "Reproduce"), CaseView.parts.commands),
-      h("section.card", {}, verticesOf(one.figure), h("details", {},
-        h("summary", {}, "Case file ", h("code.faint", {}, one.file)),
-        h("pre", {tabindex: "0"}, prettySource(one.source)))));
+      h("section.card", {}, verticesOf(one.figure), sourceOf(one)));
   },
 
   // Chooses a disagreement by its number; `at` of the route is 1 for the first.

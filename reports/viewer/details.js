@@ -60,20 +60,26 @@ function edgecaseBlocks(key, first, blocks) {
 }
 
 async function inflatedLines(base64) {
-  const stream = new Blob([bytesOf(base64)]).stream();
-  const text = await new Response(stream.pipeThrough(new DecompressionStream("deflate"))).text();
+  const stream = new DecompressionStream("deflate");
+  const writer = stream.writable.getWriter();
+  const written = writer.write(bytesOf(base64)).then(() => writer.close());
+  const text = await new Response(stream.readable).text();
+  await written;
   return text.split("\n");
 }
 
 const NO_ANSWER = {fingerprint: "", disagreements: [], values: [], evidence: [],
   illegal_line_snaps: []};
 
+// The text of a case's file, or "".
+async function sourceText(one) {
+  return one.sourceLine === undefined ? "" : JSON.parse(await Blocks.line(one.sourceLine));
+}
+
 // Puts the details into a case and its results, once; without any where all agrees.
 async function loadDetails(one) {
   if (one.loaded) return one;
-  const source = one.sourceLine === undefined ? "" : Blocks.line(one.sourceLine);
   const details = one.line === undefined ? {} : JSON.parse(await Blocks.line(one.line));
-  one.source = await source && JSON.parse(await source);
   one.pixels = details.pixels || "";
   one.samples = details.samples;
   one.figure = details.figure || [];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Disagreements in words: the chosen one above the pictures, all of them in pages below.
 
-const PAGE = 50;
+const PAGE = 25;
 
 function legality(d) {
   return h("span.legal", {class: d.legal ? "" : "alarm"}, d.legal ? "legal" : "not legal");
@@ -56,7 +56,7 @@ function disagreementRow(d, index, count, chosen, choose) {
   h("p", {dir: "auto"}, d.explanation));
 }
 
-// The list, one page at a time; show(index) marks a row and turns to its page.
+// The list, one page at a time; show(index) marks a row and turns to its page. Empty before that.
 class DisagreementList {
   constructor(answer, choose) {
     this.list = answer.disagreements;
@@ -64,6 +64,7 @@ class DisagreementList {
     this.choose = choose;
     this.chosen = -1;
     this.page = 0;
+    this.frame = 0;
     const sampled = this.list.some((d) => d.sample !== undefined);
     this.body = h("div.items", {
       class: sampled ? "sampled" : "", role: "listbox", "aria-label": "Disagreements",
@@ -75,13 +76,14 @@ class DisagreementList {
       this.body,
       this.omitted > 0 && h("p.faint", {}, plural(this.omitted, "more is", "more are") +
         " left out of this report; the results file has all of them."));
-    this.paint();
   }
 
   show(index) {
     this.chosen = index;
     if (index >= 0) this.page = Math.floor(index / PAGE);
-    this.paint();
+    // It stands below the pictures: they come first.
+    cancelAnimationFrame(this.frame);
+    this.frame = requestAnimationFrame(() => this.paint());
   }
 
   paint() {

@@ -87,6 +87,14 @@ function prettySource(source) {
   }
 }
 
+// The case's file, laid out when someone asks for it.
+function sourceOf(one) {
+  const text = h("pre", {tabindex: "0"});
+  return h("details", {ontoggle: () => sourceText(one).then((source) =>
+    replace(text, source ? prettySource(source) : "The file was not beside the results."))},
+    h("summary", {}, "Case file ", h("code.faint", {}, one.file)), text);
+}
+
 // A word as a POSIX shell takes it literally.
 function shellWord(text) {
   return /^[\w@%+=:,.\/-]+$/.test(text) ? text : "'" + text.replaceAll("'", "'\\''") + "'";

@@ -29,7 +29,10 @@ class Pictures {
     this.panes[3].view = new View(one.width, one.height);
     this.element = h("section.pictures", {"aria-label": "Pictures"},
       this.tools(), h("div.panes", {}, this.panes.map((p) => p.element)), this.readout, this.table);
-    this.onresize = () => this.resize();
+    this.onresize = () => {
+      this.measure();
+      this.draw();
+    };
     addEventListener("resize", this.onresize);
     this.colors();
   }
@@ -48,8 +51,7 @@ class Pictures {
     const canvas = h("canvas", {
       role: "img", "aria-label": title + ", " + this.one.width + " by " + this.one.height,
     });
-    const pane = {title, canvas, image: null};
-    pane.caption = h("figcaption", {}, title);
+    const pane = {title, canvas, image: null, caption: h("figcaption", {}, title)};
     pane.element = h("figure", {}, pane.caption, canvas);
     this.listen(pane);
     return pane;
@@ -59,9 +61,8 @@ class Pictures {
   colors() {
     const {width, height} = this.one;
     this.theme = themeColors();
-    const kinds = new Map();
-    for (const d of this.result.answer.disagreements) kinds.set(d.y * width + d.x, d.kind);
-    this.kinds = kinds;
+    const kinds = new Map(this.result.answer.disagreements.map((d) =>
+      [d.y * width + d.x, d.kind]));
     const rendered = this.rendered;
     this.panes[0].image = this.exact && imageOf(this.exact, width, height);
     this.panes[1].image =
@@ -108,7 +109,7 @@ class Pictures {
 
   // Canvas sizes: as high as the image needs at the width there is, and no higher than leaves the
   // words and the list's beginning on the screen.
-  resize() {
+  measure() {
     const all = this.element.clientWidth;
     const across = (columns) => Math.floor((all - 12 * (columns - 1)) / columns);
     if (across(1) < 40) return;
@@ -143,7 +144,6 @@ class Pictures {
       canvas.width = Math.round(width * ratio);
       canvas.height = Math.round(height * ratio);
     }
-    this.draw();
   }
 
   plot(pane) {
