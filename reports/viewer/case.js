@@ -69,7 +69,8 @@ const CaseView = {
         samplePlan(one, result)),
       CaseView.pictures ? CaseView.pictures.element : h("p.card.faint", {}, one.line === undefined
         ? "Every renderer agrees, as expected: this report has no pictures of such cases. The " +
-          "command below draws them again." : "There are no pictures."), CaseView.ramps.element, CaseView.list.element,
+          "command below draws them again." : "There are no pictures."),
+      CaseView.ramps.element, CaseView.list.element,
       valuesSection(answer, CaseView.pick), evidenceSection(answer),
       h("section.card", {}, h("h2", {}, "Reproduce"), CaseView.parts.commands),
       h("section.card", {}, verticesOf(one.figure), sourceOf(one)));

@@ -4,6 +4,7 @@
 
 function ulpLabel(exponent) {
   if (exponent < 0) return "< 1";
+  if (exponent > 9) return "\u2265 2^" + exponent;
   return exponent === 0 ? "1" : "\u2265 " + 2 ** exponent;
 }
 

@@ -166,14 +166,20 @@ function drawHalos(plot, disagreements) {
   }
 }
 
-function drawGrid(plot, columns, rows) {
+// Pixels, and the squares of 2 by 2 from which derivatives are taken.
+function drawGrids(plot, columns, rows) {
+  if (Layers.grid) drawGrid(plot, columns, rows, 1, "rgba(128, 132, 140, 0.38)");
+  if (Layers.quads) drawGrid(plot, columns, rows, 2, plot.theme.muted);
+}
+
+function drawGrid(plot, columns, rows, step, color) {
   const {context, scale} = plot;
-  if (scale < 6 * plot.ratio) return;
-  context.fillStyle = "rgba(128, 132, 140, 0.38)";
+  if (scale * step < 6 * plot.ratio) return;
+  context.fillStyle = color;
   const bottom = plot.y(0);
   const height = rows * scale;
-  for (let i = 0; i <= columns; ++i) context.fillRect(plot.x(i), bottom - height, 1, height);
-  for (let j = 0; j <= rows; ++j) context.fillRect(plot.x(0), plot.y(j), columns * scale, 1);
+  for (let i = 0; i <= columns; i += step) context.fillRect(plot.x(i), bottom - height, 1, height);
+  for (let j = 0; j <= rows; j += step) context.fillRect(plot.x(0), plot.y(j), columns * scale, 1);
 }
 
 // Numbers of pixel columns (below) and rows (left, y up), at pixel centres, beside the image or, if

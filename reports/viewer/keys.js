@@ -6,7 +6,8 @@ const KEYS = [
   ["n", "next disagreement"], ["p", "previous disagreement"],
   ["[  ]", "previous, next renderer"], ["+  -", "larger, smaller"], ["0", "whole image"],
   ["z", "close to the chosen pixel"], ["w", "slider between exact and rendered"],
-  ["b", "blink between exact and rendered"], ["a  x", "accept, reject the answer"], ["s", "pixels as samples, or resolved"], ["\u2190  \u2192", "along a plot of levels"],
+  ["b", "blink between exact and rendered"], ["a  x", "accept, reject the answer"],
+  ["s", "pixels as samples, or resolved"], ["\u2190  \u2192", "along a plot of levels"],
   ["Esc", "back to the list"], ["/", "search"], ["?", "these keys"],
 ];
 

@@ -8,7 +8,8 @@ const CROWD = 400;              // outlines and vertices, beyond which they woul
 const CROWD_FROM = 16;          // CSS pixels per pixel from which even so many are drawn
 
 // Kept from case to case.
-const Layers = {samples: true, grid: true, shapes: true, rule: true, markers: true};
+const Layers = {samples: true, grid: true, quads: false, shapes: true, rule: true, markers: true};
 const LAYER_NAMES = {
-  samples: "Samples", grid: "Grid", shapes: "Primitives", rule: "Rule figure", markers: "Markers",
+  samples: "Samples", grid: "Grid", quads: "Quads", shapes: "Primitives", rule: "Rule figure",
+  markers: "Markers",
 };

@@ -192,7 +192,7 @@ class Pictures {
         height * plot.scale);
     }
     context.globalAlpha = 1;
-    if (Layers.grid) drawGrid(plot, width, height);
+    drawGrids(plot, width, height);
     if (Layers.shapes && (this.one.figure.length <= CROWD || plot.scale >= CROWD_FROM))
       drawFigure(plot, this.one.figure, false);
     if (Layers.markers) this.drawMarkers(plot, places !== null);

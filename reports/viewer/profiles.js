@@ -2,12 +2,13 @@
 // What the renderers are measured to follow, side by side: the choices in which they are not alike,
 // or not what the policy `opengl` takes.
 
-// "left-bottom; window: right-top": a choice, and where a surface has another one.
+// "left-bottom; window: right-top": a choice, and where a surface has another one. What a profile
+// does not say is the rule's standard choice.
 function choiceText(profile, rule) {
   const parts = Object.entries(profile)
     .filter(([, choices]) => choices[rule] !== undefined)
     .map(([place, choices]) => (place ? place + ": " : "") + choices[rule]);
-  return parts.join("; ");
+  return parts.join("; ") || Rules.get(rule)?.standard || "";
 }
 
 function profileRow(rule, texts) {
