@@ -33,7 +33,6 @@ const CaseView = {
     replace(byId("app"), caseHead(one, state), result ? CaseView.build(one, result)
       : h("main.case", {}, caseWords(one), h("p.card", {}, "No renderer was run on this case.")));
     if (!result) return;
-    CaseView.pictures?.measure();
     CaseView.place(state);
     CaseView.pictures?.zoomTo(Number(state.zoom));
   },
@@ -56,6 +55,7 @@ const CaseView = {
     CaseView.parts = {
       finding: h("div.finding", {"aria-live": "polite"}), commands: h("div", {}),
       stepper: h("span.steps", {}), review: h("div", {}),
+      numbers: h("div", {}),
     };
     CaseView.pictures = one.pixels
       ? new Pictures(one, result, CaseView.pick, (zoom) => CaseView.note({zoom})) : null;
@@ -70,7 +70,7 @@ const CaseView = {
       CaseView.pictures ? CaseView.pictures.element : h("p.card.faint", {}, one.line === undefined
         ? "Every renderer agrees, as expected: this report has no pictures of such cases. The " +
           "command below draws them again." : "There are no pictures."),
-      CaseView.ramps.element, CaseView.list.element,
+      CaseView.parts.numbers, CaseView.ramps.element, CaseView.list.element,
       valuesSection(answer, CaseView.pick), evidenceSection(answer),
       h("section.card", {}, h("h2", {}, "Reproduce"), CaseView.parts.commands),
       h("section.card", {}, verticesOf(one.figure), sourceOf(one)));
@@ -129,6 +129,7 @@ const CaseView = {
       disagreement ? findingOf(disagreement) : nothingFound(CaseView.one, CaseView.result, pixel));
     replace(CaseView.parts.stepper,
       stepper(CaseView.index, count, (index) => CaseView.choose(index, true)));
+    replace(CaseView.parts.numbers, disagreement?.kind === "value" && numbersTable(disagreement));
     replace(CaseView.parts.commands,
       commandsFor(CaseView.one, CaseView.result, CaseView.pixel).map(commandLine));
     CaseView.ramps.mark(CaseView.pixel);

@@ -22,7 +22,6 @@ function findingOf(d) {
       d.kind !== "value" && h("span.faint.mono", {}, exact + ", " + rendered)),
     d.situation && h("p.faint", {}, d.situation),
     h("p.sentence", {dir: "auto"}, d.explanation),
-    d.kind === "value" && numbersTable(d),
   ];
 }
 

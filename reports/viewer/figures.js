@@ -166,6 +166,17 @@ function drawHalos(plot, disagreements) {
   }
 }
 
+// The vertex of a figure within `reach` pixels of a place, or null.
+function vertexNear(figure, place, reach) {
+  for (const [role, , label, at] of figure) {
+    if (!role.endsWith("vertex")) continue;
+    for (let i = 0; i < at.length; i += 2)
+      if (Math.hypot(at[i] - place.x, at[i + 1] - place.y) < reach)
+        return {role, label, x: at[i], y: at[i + 1]};
+  }
+  return null;
+}
+
 // Pixels, and the squares of 2 by 2 from which derivatives are taken.
 function drawGrids(plot, columns, rows) {
   if (Layers.grid) drawGrid(plot, columns, rows, 1, "rgba(128, 132, 140, 0.38)");

@@ -20,6 +20,7 @@ class Pictures {
     this.selected = null;   // a disagreement
     this.pixel = null;      // the chosen pixel {x, y}
     this.hover = null;
+    this.width = 0;         // CSS pixels for all panes, once measured
     this.readout = h("div.readout.mono", {"aria-live": "off"});
     this.table = this.exactSamples && h("div.scroll.of-samples", {});
     this.scaleText = h("output.scale", {});
@@ -30,6 +31,7 @@ class Pictures {
     this.element = h("section.pictures", {"aria-label": "Pictures"},
       this.tools(), h("div.panes", {}, this.panes.map((p) => p.element)), this.readout, this.table);
     this.onresize = () => {
+      this.width = 0;
       this.measure();
       this.draw();
     };
@@ -110,7 +112,8 @@ class Pictures {
   // Canvas sizes: as high as the image needs at the width there is, and no higher than leaves the
   // words and the list's beginning on the screen.
   measure() {
-    const all = this.element.clientWidth;
+    if (this.width) return;  // the words above may change, the pictures stay as large
+    const all = this.width = this.element.clientWidth;
     const across = (columns) => Math.floor((all - 12 * (columns - 1)) / columns);
     if (across(1) < 40) return;
     if (matchMedia("(max-width: 760px)").matches) return this.setSizes(across(1), false);
@@ -260,6 +263,7 @@ class Pictures {
   select(disagreement, pixel) {
     this.selected = disagreement;
     this.pixel = pixel || (disagreement && {x: disagreement.x, y: disagreement.y});
+    this.measure();
     this.bringIn();
     this.draw();
   }
@@ -359,20 +363,9 @@ class Pictures {
 
   point(pixel, place, pane) {
     this.hover = pixel;
-    this.near = place && this.vertexNear(place, (pane.view || this.view).scale);
+    const reach = 7 * ratioNow() / (pane.view || this.view).scale;
+    this.near = place && vertexNear(this.one.figure, place, reach);
     this.draw();
-  }
-
-  // The vertex within a few screen pixels of a place.
-  vertexNear(place, scale) {
-    const reach = 7 * ratioNow() / scale;
-    for (const [role, , label, at] of this.one.figure) {
-      if (!role.endsWith("vertex")) continue;
-      for (let i = 0; i < at.length; i += 2)
-        if (Math.hypot(at[i] - place.x, at[i + 1] - place.y) < reach)
-          return {role, label, x: at[i], y: at[i + 1]};
-    }
-    return null;
   }
 
   colorOf(pixels, {x, y}) {

@@ -160,7 +160,11 @@ class Report(CommandTest):
     def test_first_screen_of_a_case(self):
         results = synthetic.make(60, 300)
         page = self.report(results)
-        self.open_case(page, results["cases"][0])
+        for at in range(1, 5):  # each kind of disagreement
+            self.assert_first_screen(page, results["cases"][0], at)
+
+    def assert_first_screen(self, page, one, at):
+        self.open_case(page, one, at=at)
         self.browser.wait("document.querySelector('.finding .sentence')")
         for part in (".answer .badge", ".finding .chip", ".finding .sentence", ".finding b.mono"):
             self.assert_on_screen(part, part)
