@@ -67,6 +67,12 @@ struct Result {
     double rendered = 0;
   };
 
+  // A fragment of one side, without its details.
+  struct ToldFragment {
+    Fragment fragment;
+    int pass = -1;  // index, where the scene is supersampled; else -1
+  };
+
   Verdict verdict = Verdict::not_run;
   std::optional<Failure> failure;  // set exactly when the verdict is not-run
   std::string fingerprint;         // of rule, kind and pixel set; empty when nothing differs
@@ -81,6 +87,9 @@ struct Result {
   // Of cases that ask for it (diff/textures/level_ramp.h): the levels of detail along a row that
   // fragments of textured draws tell.
   std::vector<LevelPoint> ramp;
+  // What either side makes where they differ (diff/disputed_fragments.h); empty where nothing does.
+  std::vector<ToldFragment> exact_fragments;
+  std::vector<ToldFragment> rendered_fragments;
   std::vector<std::uint8_t> pixels;  // RGBA8, bottom row first; empty when not run
   PixelCounts pixel_counts;
   // The same of exact, where it is another than the case's: with samples where this renderer says

@@ -61,6 +61,7 @@ struct CaseResults {
   std::string surface;
   int width = 0;
   int height = 0;
+  std::optional<Viewport> viewport;          // where it is not the target's rectangle
   std::vector<std::uint8_t> pixels;          // of the exact side, RGBA8, bottom row first
   SampleImage samples;                       // of the exact side, where it is multisampled
   std::size_t fragments = 0;                 // of the exact side

@@ -27,6 +27,14 @@
 // A disagreement's "upright", absent but in answers that are told to be upside down, is {"rule",
 // "ruling", "legal", "cause"} as they are without that (Disagreement::upright).
 //
+// A result's "exact_fragments" and "rendered_fragments", absent where they are empty, are what
+// either side makes where they differ (Result::exact_fragments): lists of [x, y, primitive,
+// coverage, depth, [red, green, blue, alpha], pass], in which depth or colour is null where it was
+// not told, and the pass is absent but of supersampled cases.
+//
+// A case's "viewport", absent where it is the target's rectangle, is [x, y, width, height]: what
+// the clip volume looks like in the window.
+//
 // A result's "ramp", absent where it is empty, is a list of [x, y, exact, low, high, rendered]:
 // levels of detail along a row of pixels (Result::ramp).
 //

@@ -137,6 +137,28 @@ Result::Evidence to_evidence(const Json& json) {
   return evidence;
 }
 
+Result::ToldFragment to_fragment(const Json& json) {
+  Result::ToldFragment told;
+  Fragment& f = told.fragment;
+  f.x = json.at(0);
+  f.y = json.at(1);
+  f.primitive = json.at(2);
+  f.coverage = json.at(3);
+  f.has_depth = !json.at(4).is_null();
+  f.has_color = !json.at(5).is_null();
+  if (f.has_depth) f.depth = to_number(json.at(4));
+  for (std::size_t i = 0; f.has_color && i < f.color.size(); ++i)
+    f.color[i] = to_number(json.at(5).at(i));
+  if (json.size() > 6) told.pass = json.at(6);
+  return told;
+}
+
+// Of one side; none where there is no such member.
+std::vector<Result::ToldFragment> to_fragments(const Json& json, const char* member) {
+  if (!json.contains(member)) return {};
+  return to_list<Result::ToldFragment>(unfolded(json.at(member)), to_fragment);
+}
+
 Result::LevelPoint to_level(const Json& json) {
   return {json.at(0),
           json.at(1),
@@ -179,6 +201,8 @@ KnownResult to_result(const Json& json, const CaseResults& exact) {
   result.evidence = to_list<Result::Evidence>(unfolded(json.at("evidence")), to_evidence);
   result.illegal_line_snaps = json.at("illegal_line_snaps").get<std::vector<std::string>>();
   result.refuted = json.at("refuted");
+  result.exact_fragments = to_fragments(json, "exact_fragments");
+  result.rendered_fragments = to_fragments(json, "rendered_fragments");
   if (json.contains("ramp")) result.ramp = to_list<Result::LevelPoint>(json.at("ramp"), to_level);
   if (json.contains("pixels"))
     result.pixels = json.at("pixels") == "exact"
@@ -197,6 +221,10 @@ KnownResult to_result(const Json& json, const CaseResults& exact) {
   return result;
 }
 
+Viewport to_viewport(const Json& json) {
+  return {json.at(0), json.at(1), json.at(2), json.at(3)};
+}
+
 CaseResults to_case(const Json& json, const std::vector<RendererInfo>& renderers) {
   CaseResults one;
   one.id = json.at("id");
@@ -211,6 +239,7 @@ CaseResults to_case(const Json& json, const std::vector<RendererInfo>& renderers
   one.surface = json.at("surface");
   one.width = json.at("width");
   one.height = json.at("height");
+  if (json.contains("viewport")) one.viewport = to_viewport(json.at("viewport"));
   one.fragments = json.at("fragments");
   one.pixels = to_pixels(json.at("pixels"), one.width, one.height);
   if (json.contains("samples"))

@@ -113,6 +113,16 @@ Json evidence_json(const Result::Evidence& evidence) {
   return object;
 }
 
+// [x, y, primitive, coverage, depth, [red, green, blue, alpha], pass].
+Json fragment_json(const Result::ToldFragment& told) {
+  const Fragment& f = told.fragment;
+  Json json = {f.x, f.y, f.primitive, f.coverage, nullptr, nullptr};
+  if (f.has_depth) json[4] = number(f.depth);
+  if (f.has_color) json[5] = list(f.color, number);
+  if (told.pass >= 0) json.push_back(told.pass);
+  return json;
+}
+
 Json level_json(const Result::LevelPoint& point) {
   return Json::array({point.x, point.y, number(point.exact), number(point.low), number(point.high),
                       number(point.rendered)});
@@ -158,6 +168,10 @@ Json result_json(const KnownResult& result, const CaseResults& exact, const Keep
   object["evidence"] = keep(list(result.evidence, evidence_json));
   object["illegal_line_snaps"] = result.illegal_line_snaps;
   object["refuted"] = result.refuted;
+  if (!result.exact_fragments.empty())
+    object["exact_fragments"] = keep(list(result.exact_fragments, fragment_json));
+  if (!result.rendered_fragments.empty())
+    object["rendered_fragments"] = keep(list(result.rendered_fragments, fragment_json));
   if (!result.ramp.empty()) object["ramp"] = list(result.ramp, level_json);
   if (!result.failure) add_picture(result.pixels, exact.pixels, keep, object);
   if (!result.exact_pixels.empty()) object["exact_pixels"] = keep(to_hex(result.exact_pixels));
@@ -172,20 +186,13 @@ Json case_json(const CaseResults& one, const std::vector<RendererInfo>& renderer
   Json results = Json::object();
   for (std::size_t i = 0; i < one.results.size(); ++i)
     results[renderers[i].name] = result_json(one.results[i], one, keep);
-  Json object = {{"id", one.id},
-                 {"title", one.title},
-                 {"why", one.why},
-                 {"rules", one.rules},
-                 {"spec", one.spec},
-                 {"origin", one.origin},
-                 {"tags", one.tags},
-                 {"file", one.file},
-                 {"file_digest", one.file_digest},
-                 {"surface", one.surface},
-                 {"width", one.width},
-                 {"height", one.height},
-                 {"fragments", one.fragments},
-                 {"pixels", keep(to_hex(one.pixels))}};
+  Json object = {{"id", one.id},           {"title", one.title}, {"why", one.why},
+                 {"rules", one.rules},     {"spec", one.spec},   {"origin", one.origin},
+                 {"tags", one.tags},       {"file", one.file},   {"file_digest", one.file_digest},
+                 {"surface", one.surface}, {"width", one.width}, {"height", one.height}};
+  if (const auto& v = one.viewport) object["viewport"] = {v->x, v->y, v->width, v->height};
+  object["fragments"] = one.fragments;
+  object["pixels"] = keep(to_hex(one.pixels));
   if (one.samples.samples > 1) object["samples"] = keep(samples_json(one.samples));
   object["figure"] = keep(figure_json(one.figure));
   object["expect_failures"] = one.expect_failures;

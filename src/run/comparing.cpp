@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "diff/disputed_fragments.h"
 #include "diff/textures/level_ramp.h"
 #include "raster/rasterizer.h"
 
@@ -45,11 +46,13 @@ Result CaseComparison::compare_with_exact(std::size_t index, const Rendering& re
   const SamplePositions& reported = rendering.sample_positions;
   if (reported.empty() || reported == usual.sample_positions) {
     Result result = compare(scene, options_.policy, usual, rendering, facts);
+    tell_fragments(usual, rendering, result);
     result.samples = sample_image(rendering);
     return result;
   }
   Rendering own = rasterize(scene, options_.policy, reported);
   Result result = compare(scene, options_.policy, own, rendering, facts);
+  tell_fragments(own, rendering, result);
   result.samples = sample_image(rendering);
   result.exact_samples = sample_image(own);
   result.exact_pixels = std::move(own.pixels);

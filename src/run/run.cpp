@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 #include <thread>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -207,6 +208,10 @@ class Run {
     result.surface = name_of(one.scene.target.surface);
     result.width = exact.width;
     result.height = exact.height;
+    const Viewport& seen = one.scene.viewport;
+    if (std::tuple(seen.x, seen.y, seen.width, seen.height) !=
+        std::tuple(0, 0, exact.width, exact.height))
+      result.viewport = seen;
     result.pixels = exact.pixels;
     result.samples = sample_image(exact);
     result.fragments = exact.fragments.size();

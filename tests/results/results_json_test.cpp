@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 #include "tests/results/sample_results.h"
 
@@ -91,6 +92,20 @@ void expect_ramp(const std::vector<Result::LevelPoint>& a,
   }
 }
 
+void expect_fragments(const std::vector<Result::ToldFragment>& a,
+                      const std::vector<Result::ToldFragment>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Fragment &f = a[i].fragment, &g = b[i].fragment;
+    EXPECT_EQ(
+        std::tie(f.x, f.y, f.primitive, f.coverage, f.has_depth, f.has_color, f.detail, a[i].pass),
+        std::tie(g.x, g.y, g.primitive, g.coverage, g.has_depth, g.has_color, g.detail, b[i].pass));
+    if (f.has_depth) expect_number(f.depth, g.depth);
+    for (std::size_t c = 0; f.has_color && c < f.color.size(); ++c)
+      expect_number(f.color[c], g.color[c]);
+  }
+}
+
 void expect_result(const KnownResult& a, const KnownResult& b) {
   EXPECT_EQ(a.refuted, b.refuted);
   EXPECT_EQ(a.pixel_counts, b.pixel_counts);
@@ -98,6 +113,8 @@ void expect_result(const KnownResult& a, const KnownResult& b) {
   EXPECT_TRUE(a.exact_samples == b.exact_samples);
   EXPECT_EQ(a.exact_pixels, b.exact_pixels);
   expect_ramp(a.ramp, b.ramp);
+  expect_fragments(a.exact_fragments, b.exact_fragments);
+  expect_fragments(a.rendered_fragments, b.rendered_fragments);
   EXPECT_EQ(a.expected, b.expected);
   EXPECT_EQ(a.again, b.again);
   EXPECT_EQ(
@@ -129,6 +146,11 @@ void expect_case(const CaseResults& a, const CaseResults& b) {
                      b.file_digest));
   EXPECT_EQ(std::tie(a.width, a.height, a.pixels, a.fragments, a.expect_failures),
             std::tie(b.width, b.height, b.pixels, b.fragments, b.expect_failures));
+  ASSERT_EQ(a.viewport.has_value(), b.viewport.has_value());
+  if (a.viewport) {
+    EXPECT_EQ(std::tie(a.viewport->x, a.viewport->y, a.viewport->width, a.viewport->height),
+              std::tie(b.viewport->x, b.viewport->y, b.viewport->width, b.viewport->height));
+  }
   EXPECT_TRUE(a.samples == b.samples);
   expect_figure(a.figure, b.figure);
   ASSERT_EQ(a.results.size(), b.results.size());
@@ -202,6 +224,23 @@ TEST(ResultsJson, ARampIsCompactAndAbsentWhereItIsEmpty) {
   for (CaseResults& one : results.cases)
     for (Result& result : one.results) result.ramp.clear();
   EXPECT_EQ(written(results).find("\"ramp\""), std::string::npos);
+}
+
+TEST(ResultsJson, FragmentsAndViewportsAreAbsentWhereThereIsNothingToTell) {
+  Results results = full_results();
+  EXPECT_NE(written(results).find(R"("exact_fragments":[[1,0,4,4294967295,)"), std::string::npos);
+  EXPECT_NE(written(results).find(R"("rendered_fragments":[[1,0,5,1,"nan",null]])"),
+            std::string::npos);
+  EXPECT_NE(written(results).find(R"("viewport":[-3,0,8,16],"fragments":17)"), std::string::npos);
+  for (CaseResults& one : results.cases) {
+    one.viewport.reset();
+    for (Result& result : one.results) {
+      result.exact_fragments.clear();
+      result.rendered_fragments.clear();
+    }
+  }
+  EXPECT_EQ(written(results).find("_fragments"), std::string::npos);
+  EXPECT_EQ(written(results).find("viewport"), std::string::npos);
 }
 
 TEST(ResultsJson, SamplesAreAbsentWhereNothingIsMultisampled) {

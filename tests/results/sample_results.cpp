@@ -69,6 +69,16 @@ ValueAggregate aggregate() {
   return values;
 }
 
+// With and without what a renderer need not tell.
+std::vector<Result::ToldFragment> fragments() {
+  std::vector<Result::ToldFragment> told(3);
+  told[0].fragment = {1, 0, 4, 0xffffffffU, 1.0 / 3, {0.1, -0.0, kInfinity, 5e-324}};
+  told[1].fragment = {1, 0, 5, 1, kNaN, {}, true, false};
+  told[2].fragment = {0, 0, 4, 3, 0, {kNaN, 1, 1, 1}, false};
+  told[2].pass = 7;
+  return told;
+}
+
 KnownResult full_result() {
   KnownResult result;
   result.verdict = Verdict::permitted;
@@ -83,6 +93,8 @@ KnownResult full_result() {
   result.ramp = {{0, 0, 0.1, -0.0, 1.0 / 3, 5e-324},
                  {1, 0, -kInfinity, -kInfinity, kInfinity, kNaN},
                  {1, 3, kNaN, kNaN, kNaN, 1.7976931348623157e308}};
+  result.exact_fragments = fragments();
+  result.rendered_fragments = {fragments()[1]};
   result.pixels = {9, 8, 7, 6, 5, 4, 3, 255};
   result.samples = samples();
   result.samples.coverage.clear();
@@ -119,6 +131,7 @@ CaseResults full_case(const std::string& id) {
   one.surface = "fbo";
   one.width = 2;
   one.height = 1;
+  one.viewport = Viewport{-3, 0, 8, 16};
   one.pixels = {0, 1, 2, 255, 16, 32, 64, 128};
   one.samples = samples();
   one.fragments = 17;
