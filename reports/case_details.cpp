@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 
 #include "reports/pixels.h"
 #include "reports/ramp.h"
@@ -132,6 +133,26 @@ void add_images(Json& json, const CaseResults& one, const Result& result) {
                      {"samples", sample_difference(result.exact_samples, one.samples)}};
 }
 
+// Those of one side, as far as disagreements are listed.
+Json fragments_json(const std::vector<Result::ToldFragment>& fragments, const Result& result) {
+  const std::size_t listed = std::min(result.disagreements.size(), kMaxDisagreementsPerAnswer);
+  const auto is_beyond = [&](const Fragment& f) {
+    if (listed == result.disagreements.size()) return false;
+    const Disagreement& last = result.disagreements[listed - 1];
+    return std::tie(f.y, f.x) > std::tie(last.y, last.x);
+  };
+  Json list = Json::array();
+  for (const auto& [f, pass] : fragments) {
+    if (is_beyond(f)) continue;
+    Json json = {f.x, f.y, f.primitive, f.coverage, nullptr, nullptr};
+    if (f.has_depth) json[4] = number(f.depth);
+    if (f.has_color) json[5] = numbers({f.color.begin(), f.color.end()});
+    if (pass >= 0) json.push_back(pass);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 // What a renderer answered, without who it was.
 Json answer_json(const CaseResults& one, const Result& result) {
   Json json;
@@ -154,6 +175,9 @@ Json answer_json(const CaseResults& one, const Result& result) {
                         {"broken_clause", e.broken_clause}});
     if (e.pass >= 0) evidence.back()["pass"] = e.pass;
   }
+  if (!result.exact_fragments.empty() || !result.rendered_fragments.empty())
+    json["fragments"] = {{"exact", fragments_json(result.exact_fragments, result)},
+                         {"rendered", fragments_json(result.rendered_fragments, result)}};
   json["evidence"] = std::move(evidence);
   json["illegal_line_snaps"] = result.illegal_line_snaps;
   if (!result.ramp.empty()) json["ramp"] = ramp_json(result);
@@ -201,6 +225,7 @@ void add_results(Json& json, const CaseResults& one) {
 nlohmann::ordered_json case_details(const CaseResults& one) {
   Json json = {{"pixels", to_base64(pack_pixels(one.pixels))}};
   if (one.samples.samples > 1) json["samples"] = sample_data(one.samples);
+  if (const auto& v = one.viewport) json["viewport"] = {v->x, v->y, v->width, v->height};
   json["figure"] = figure_json(one.figure);
   json["expect_failures"] = one.expect_failures;
   add_results(json, one);

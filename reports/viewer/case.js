@@ -8,6 +8,8 @@ const CaseView = {
   ramps: null,
   list: null,
   index: -1,   // of the chosen disagreement
+  pixel: null, // the chosen one, {x, y}
+  frame: 0,    // in which fragments are told
   parts: null,
 
   close() {
@@ -55,7 +57,7 @@ const CaseView = {
     CaseView.parts = {
       finding: h("div.finding", {"aria-live": "polite"}), commands: h("div", {}),
       stepper: h("span.steps", {}), review: h("div", {}),
-      numbers: h("div", {}),
+      numbers: h("div", {}), fragments: h("div", {}),
     };
     CaseView.pictures = one.pixels
       ? new Pictures(one, result, CaseView.pick, (zoom) => CaseView.note({zoom})) : null;
@@ -70,7 +72,7 @@ const CaseView = {
       CaseView.pictures ? CaseView.pictures.element : h("p.card.faint", {}, one.line === undefined
         ? "Every renderer agrees, as expected: this report has no pictures of such cases. The " +
           "command below draws them again." : "There are no pictures."),
-      CaseView.parts.numbers, CaseView.ramps.element, CaseView.list.element,
+      CaseView.parts.numbers, CaseView.parts.fragments, CaseView.ramps.element, CaseView.list.element,
       valuesSection(answer, CaseView.pick), evidenceSection(answer),
       h("section.card", {}, h("h2", {}, "Reproduce"), CaseView.parts.commands),
       h("section.card", {}, verticesOf(one.figure), sourceOf(one)));
@@ -129,10 +131,19 @@ const CaseView = {
       disagreement ? findingOf(disagreement) : nothingFound(CaseView.one, CaseView.result, pixel));
     replace(CaseView.parts.stepper,
       stepper(CaseView.index, count, (index) => CaseView.choose(index, true)));
-    replace(CaseView.parts.numbers, disagreement?.kind === "value" && numbersTable(disagreement));
+    replace(CaseView.parts.numbers, disagreement?.kind === "value" && numbersOf(disagreement));
     replace(CaseView.parts.commands,
       commandsFor(CaseView.one, CaseView.result, CaseView.pixel).map(commandLine));
     CaseView.ramps.mark(CaseView.pixel);
+    CaseView.tellFragments();
+  },
+
+  // They stand below the pictures: those come first.
+  tellFragments() {
+    const {parts, one, result, pixel} = CaseView;
+    cancelAnimationFrame(CaseView.frame);
+    CaseView.frame = requestAnimationFrame(() =>
+      replace(parts.fragments, fragmentsSection(one, result.answer, pixel)));
   },
 };
 

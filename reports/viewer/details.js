@@ -83,6 +83,7 @@ async function loadDetails(one) {
   one.pixels = details.pixels || "";
   one.samples = details.samples;
   one.figure = details.figure || [];
+  one.viewport = details.viewport || [0, 0, one.width, one.height];
   one.expect_failures = details.expect_failures || [];
   one.results.forEach((result, r) => {
     const own = details.results?.[r];

@@ -8,6 +8,7 @@ const STROKES = {
   region: {color: "#ffe14d", width: 1.5, fill: "rgba(255, 225, 77, 0.20)"},
   owned: {color: "#ffe14d", width: 3.5},
   edge: {color: "#ff9e3d", width: 2.25},
+  clip: {color: "#ff8ad8", width: 2},
 };
 
 function tracePath(plot, mark) {
@@ -117,6 +118,15 @@ function drawFigure(plot, figure, withLabels) {
   const rank = (mark) => order.indexOf(mark[0]);
   for (const mark of [...figure].sort((a, b) => rank(a) - rank(b))) drawMark(plot, mark);
   if (withLabels) drawLabels(plot, figure);
+}
+
+// Its sides as the window sees them: those of the viewport.
+function drawClipVolume(plot, [x, y, width, height]) {
+  const sides = new Path2D();
+  sides.rect(plot.x(x), plot.y(y + height), width * plot.scale, height * plot.scale);
+  plot.context.setLineDash([7 * plot.ratio, 5 * plot.ratio]);
+  strokeRimmed(plot, sides, STROKES.clip);
+  plot.context.setLineDash([]);
 }
 
 // The shape of a kind about a place of the plot.

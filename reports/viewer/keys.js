@@ -7,7 +7,7 @@ const KEYS = [
   ["[  ]", "previous, next renderer"], ["+  -", "larger, smaller"], ["0", "whole image"],
   ["z", "close to the chosen pixel"], ["w", "slider between exact and rendered"],
   ["b", "blink between exact and rendered"], ["a  x", "accept, reject the answer"],
-  ["s", "pixels as samples, or resolved"], ["\u2190  \u2192", "along a plot of levels"],
+  ["s", "pixels as samples, or resolved"], ["v", "the clip volume"], ["\u2190  \u2192", "along a plot of levels"],
   ["Esc", "back to the list"], ["/", "search"], ["?", "these keys"],
 ];
 
@@ -39,6 +39,7 @@ const CASE_KEYS = {
   "+": () => CaseView.pictures?.zoom(1.25), "=": () => CaseView.pictures?.zoom(1.25),
   "-": () => CaseView.pictures?.zoom(0.8), 0: () => CaseView.pictures?.fit(),
   z: () => CaseView.pictures?.close(), s: () => CaseView.pictures?.toggle("samples"),
+  v: () => CaseView.pictures?.toggle("clip"),
   w: () => CaseView.pictures?.compare("slider"), b: () => CaseView.pictures?.compare("blink"),
   a: () => byId("accept")?.click(), x: () => byId("reject")?.click(),
   Escape: () => Route.leaveCase(),

@@ -7,9 +7,18 @@ const CLOSE_UP_BELOW = 64;      // CSS pixels per pixel: above, the pictures are
 const CROWD = 400;              // outlines and vertices, beyond which they would hide the picture
 const CROWD_FROM = 16;          // CSS pixels per pixel from which even so many are drawn
 
-// Kept from case to case.
-const Layers = {samples: true, grid: true, quads: false, shapes: true, rule: true, markers: true};
-const LAYER_NAMES = {
-  samples: "Samples", grid: "Grid", quads: "Quads", shapes: "Primitives", rule: "Rule figure",
-  markers: "Markers",
+// Kept from case to case. Null: as the case has it, nobody chose.
+const Layers = {
+  samples: true, grid: true, quads: false, clip: null, shapes: true, rule: true, markers: true,
 };
+const LAYER_NAMES = {
+  samples: "Samples", grid: "Grid", quads: "Quads", clip: "Clip volume", shapes: "Primitives",
+  rule: "Rule figure", markers: "Markers",
+};
+
+// The clip volume is drawn over cases that are about it.
+const isDrawn = (id, one) => Layers[id] ?? one.rules.includes("clip.volume");
+
+// Where it is, even if its sides are out of sight.
+const clipWords = ([x, y, width, height]) =>
+  "clip volume x " + x + " to " + (x + width) + ", y " + y + " to " + (y + height);

@@ -4,12 +4,14 @@
 
 const ROW_HEIGHT = 58;
 const SPARE_ROWS = 2;  // beyond the visible part, on either side
+const PRINTED_ROWS = 200;
 
 const CaseList = {
   cases: [],
   first: -1,
   last: -1,
   cursor: -1,
+  printing: false,
 
   show(state) {
     CaseList.cases = filteredCases(state);
@@ -30,11 +32,25 @@ const CaseList = {
   // Makes the rows that can be seen now.
   paint() {
     const body = document.querySelector("#list .rows");
-    if (!body) return;
+    if (!body || CaseList.printing) return;
     const top = -body.getBoundingClientRect().top;
-    const first = Math.max(0, Math.floor(top / ROW_HEIGHT) - SPARE_ROWS);
-    const last = Math.min(CaseList.cases.length,
-      Math.ceil((top + innerHeight) / ROW_HEIGHT) + SPARE_ROWS);
+    CaseList.paintRows(body, Math.max(0, Math.floor(top / ROW_HEIGHT) - SPARE_ROWS),
+      Math.min(CaseList.cases.length, Math.ceil((top + innerHeight) / ROW_HEIGHT) + SPARE_ROWS));
+  },
+
+  // Paper shows the list from its beginning, wherever the screen is.
+  paintForPrint() {
+    const body = document.querySelector("#list .rows");
+    if (!body) return;
+    CaseList.printing = true;
+    const count = Math.min(CaseList.cases.length, PRINTED_ROWS);
+    CaseList.paintRows(body, 0, count);
+    if (count < CaseList.cases.length) body.append(h("p.empty", {}, "The first " + count + " of " +
+      plural(CaseList.cases.length, "case", "cases") + "; filters choose others."));
+    CaseList.first = -1;  // paint anew on the screen
+  },
+
+  paintRows(body, first, last) {
     if (first === CaseList.first && last === CaseList.last) return;
     CaseList.first = first;
     CaseList.last = last;
@@ -97,5 +113,10 @@ function caseRow(one, index) {
   return row;
 }
 
+addEventListener("beforeprint", () => CaseList.paintForPrint());
+addEventListener("afterprint", () => {
+  CaseList.printing = false;
+  CaseList.paint();
+});
 for (const event of ["scroll", "resize"])
   addEventListener(event, () => requestAnimationFrame(CaseList.paint), {passive: true});

@@ -36,7 +36,7 @@ function numberCells(value) {
 }
 
 // Values of a disagreement, number by number, on both sides.
-function numbersTable(d) {
+function numbersOf(d) {
   const count = Math.max(d.exact.length, d.rendered.length);
   const rows = Array.from({length: count}, (_, i) => {
     const exact = d.exact[i];
@@ -49,7 +49,8 @@ function numbersTable(d) {
     return [row("exact", exact, ""), row("rendered", rendered, steps === null ? "" :
       (steps > 0 ? "+" : "") + steps.toLocaleString("en") + " ULP")];
   });
-  return scrolled("Values in numbers", h("table.numbers.mono", {},
+  return h("section.card", {}, h("h2", {}, "Values in dispute at " + pixelText(d)),
+    scrolled("Values in numbers", h("table.numbers.mono", {},
     h("thead", {}, h("tr", {}, ["", "decimal", "hex", "float bits", "apart"].map((text) =>
-      (text ? h("th", {scope: "col"}, text) : h("td", {}))))), h("tbody", {}, rows)));
+      (text ? h("th", {scope: "col"}, text) : h("td", {}))))), h("tbody", {}, rows))));
 }

@@ -34,16 +34,9 @@ function pageHead() {
 const resultsOf = (r) => Cases.map((one) => one.results[r]).filter(Boolean);
 
 function proportions(r) {
-  const results = resultsOf(r);
-  const bar = h("div.proportions", {"aria-hidden": "true"});
-  for (const verdict of WORST_FIRST) {
-    const count = results.filter((result) => result.verdict === verdict).length;
-    if (!count) continue;
-    const part = h("i", {class: "f-" + verdict});
-    part.style.flexGrow = count;
-    bar.append(part);
-  }
-  return bar;
+  const counts = {};
+  for (const {verdict} of resultsOf(r)) counts[verdict] = (counts[verdict] || 0) + 1;
+  return verdictBar(counts);
 }
 
 function rendererHead(info, r) {

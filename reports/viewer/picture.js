@@ -78,7 +78,7 @@ class Pictures {
       h("button", {type: "button", title: label, "aria-label": label, onclick: act}, text);
     const layers = Object.keys(LAYER_NAMES).filter((id) => id !== "samples" || this.exactSamples);
     this.boxes = Object.fromEntries(layers.map((id) => [id, h("input", {
-      type: "checkbox", checked: Layers[id], onchange: () => this.toggle(id),
+      type: "checkbox", checked: isDrawn(id, this.one), onchange: () => this.toggle(id),
     })]));
     const toggles = layers.map((id) => h("label", {
       title: id === "samples" && "Pixels as their samples, where they are large enough (s)",
@@ -95,7 +95,7 @@ class Pictures {
   // Shows a layer, or hides it.
   toggle(id) {
     if (!this.boxes[id]) return;
-    Layers[id] = !Layers[id];
+    Layers[id] = !isDrawn(id, this.one);
     this.boxes[id].checked = Layers[id];
     this.draw();
   }
@@ -196,6 +196,7 @@ class Pictures {
     }
     context.globalAlpha = 1;
     drawGrids(plot, width, height);
+    if (isDrawn("clip", this.one)) drawClipVolume(plot, this.one.viewport);
     if (Layers.shapes && (this.one.figure.length <= CROWD || plot.scale >= CROWD_FROM))
       drawFigure(plot, this.one.figure, false);
     if (Layers.markers) this.drawMarkers(plot, places !== null);
@@ -387,6 +388,7 @@ class Pictures {
       h("b", {}, "(" + pixel.x + ", " + pixel.y + ")"),
       h("span", {}, "centre (" + (pixel.x + 0.5) + ", " + (pixel.y + 0.5) + ")"),
       !this.table && [text("exact", exact), text("rendered", rendered)],
+      isDrawn("clip", this.one) && h("span", {}, clipWords(this.one.viewport)),
       this.near && h("span.near", {}, [this.near.role.replace("-", " "), this.near.label, "at",
         coordinate(this.near.x) + ", " + coordinate(this.near.y)].filter(Boolean).join(" ")));
   }

@@ -55,27 +55,34 @@ function errorPlots() {
     }))));
 }
 
-// How far the levels of detail of a case's answers are from exact, small.
+// How far the levels of detail of an answer are from exact, small.
+function rampSketch(one, answer) {
+  const ramp = rampOf(answer);
+  const points = ramp.points.map(lessExact);
+  const panel = {left: 2, width: 216, columns: one.width, top: 2, height: 56,
+    ...rangeOf(points, 0.02, 2)};
+  const scale = panelScale(panel);
+  const told = points.filter((p) => Number.isFinite(p.rendered));
+  const outside = points.filter((p, i) => ramp.outside.has(ramp.points[i]));
+  return svgNode("svg", {width: 220, height: 60, "aria-hidden": "true"},
+    svgNode("rect", {class: "ground", x: 2, y: 2, width: 216, height: 56}),
+    svgNode("path", {class: "exact", d: "M2 " + scale.y(0) + "H218"}),
+    svgNode("path", {class: "dots", d: dotsPath(told, scale, 1.2)}),
+    svgNode("path", {class: "outside", d: dotsPath(outside, scale, 2.5)}));
+}
+
+// A case, with what its renderers tell in the words of its page.
 function rampCard(one) {
   const place = h("span", {}, "\u2026");
-  loadDetails(one).then(() => {
-    const answers = [...new Set(one.results.map((r) => r.answer))].filter((a) => a.ramp);
-    replace(place, answers.map((answer) => {
-      const ramp = rampOf(answer);
-      const points = ramp.points.map(lessExact);
-      const panel = {left: 2, width: 216, columns: one.width, top: 2, height: 56,
-        ...rangeOf(points, 0.02, 2)};
-      const scale = panelScale(panel);
-      const first = Data.renderers.findIndex((info, r) => one.results[r].answer === answer);
-      const outside = points.filter((p, i) => ramp.outside.has(ramp.points[i]));
-      return svgNode("svg", {class: "r-" + first % 8, width: 220, height: 60, "aria-hidden": "true"},
-        svgNode("rect", {class: "ground", x: 2, y: 2, width: 216, height: 56}),
-        svgNode("path", {class: "exact", d: "M2 " + scale.y(0) + "H218"}),
-        svgNode("path", {class: "dots", d: dotsPath(points.filter((p) => Number.isFinite(p.rendered)),
-          scale, 1.2)}),
-        svgNode("path", {class: "outside", d: dotsPath(outside, scale, 2.5)}));
-    }));
-  }, () => replace(place, "no details"));
+  const sketch = (answer) => {
+    const renderers = one.results.filter((r) => r.answer === answer).map((r) => r.renderer);
+    const first = Data.renderers.findIndex((info) => info.name === renderers[0]);
+    return h("span", {class: "r-" + first % 8}, rampSketch(one, answer),
+      h("small.faint", {}, renderers.join(", ") + ": " + answer.ramp.words));
+  };
+  loadDetails(one).then(() => replace(place,
+    [...new Set(one.results.map((r) => r.answer))].filter((a) => a.ramp).map(sketch)),
+  () => replace(place, "no details"));
   return h("a.ramp-card", {href: Route.href({case: one.id})}, h("small", {}, one.id), place);
 }
 

@@ -68,11 +68,6 @@ const Review = {
 };
 Review.read();
 
-function reviewMark(decision) {
-  const {label, path} = REVIEWED[decision.decision];
-  return h("span.reviewed", {class: decision.decision, title: decision.reason}, icon(path), label);
-}
-
 function downloadDecisions() {
   const url = URL.createObjectURL(new Blob([Review.text()], {type: "application/json"}));
   h("a", {href: url, download: "decisions.json"}).click();

@@ -52,6 +52,18 @@ def disagreement(number, place):
     }
 
 
+def fragments_of(found, side):
+    """What "exact" or "rendered" makes at the pixels of disagreements."""
+    made = []
+    for d in found:
+        value = d["kind"] == "value"
+        color = d[side] if value else [0.25, 0.5, d["primitive"] / 8, 1]
+        depth = 0.5 + d["pixel"][0] / 4096 + (value and side == "rendered") / 16777216
+        one = [*d["pixel"], d["primitive"], 1, depth, color]
+        made += [one] * (1 if value else d[side][0])
+    return made
+
+
 def picture(number, differing=()):
     """RGBA8 as digits, bottom row first."""
     pixels = bytearray(b"\x10\x10\x18\xff" * SIZE * SIZE)
@@ -81,6 +93,10 @@ def result_of(number, count, first):
         "disagreements": found, "values": [], "evidence": [], "illegal_line_snaps": [],
         "refuted": "", "pixels": picture(number, places) if found else "exact",
     }
+    for side in ("exact", "rendered"):
+        made = fragments_of(found, side)
+        if made:
+            result[side + "_fragments"] = made
     return result
 
 

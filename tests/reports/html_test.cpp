@@ -282,6 +282,34 @@ TEST(Html, LeftOutDisagreementsAreCounted) {
   EXPECT_EQ(answer["omitted"], 7);
 }
 
+// In the form of the results file, and no farther than disagreements are listed.
+TEST(Html, FragmentsStandAtThePixelsThatAreListed) {
+  CaseResults one;
+  one.results.resize(1);
+  Result& result = one.results[0];
+  result.exact_fragments.resize(2);
+  result.exact_fragments[0].fragment = {3, 0, 4, 5, 0.5, {0, 0.25, 1, 1}};
+  result.exact_fragments[1].fragment = {0, 1, 4, 1, 0, {}, false, false};
+  result.exact_fragments[1].pass = 2;
+  json fragments = sample::details_of(one)["answers"][0]["fragments"];
+  EXPECT_EQ(fragments["exact"], json::parse("[[3,0,4,5,0.5,[0,0.25,1,1]],[0,1,4,1,null,null,2]]"));
+  EXPECT_EQ(fragments["rendered"], json::array());
+  result.disagreements.assign(kMaxDisagreementsPerAnswer + 1,
+                              sample::disagreement(3, 0, DisagreementKind::missing, false));
+  result.disagreements.back().y = 1;
+  fragments = sample::details_of(one)["answers"][0]["fragments"];
+  EXPECT_EQ(fragments["exact"].size(), 1u) << "the other's disagreement is left out, too";
+  result.exact_fragments.clear();
+  EXPECT_FALSE(sample::details_of(one)["answers"][0].contains("fragments"));
+}
+
+TEST(Html, ACaseTellsAViewportOfItsOwn) {
+  CaseResults one;
+  EXPECT_FALSE(sample::details_of(one).contains("viewport"));
+  one.viewport = Viewport{-2, 0, 16, 8};
+  EXPECT_EQ(sample::details_of(one)["viewport"], json::parse("[-2,0,16,8]"));
+}
+
 TEST(Html, SameResultsSameBytes) {
   EXPECT_EQ(page_of(sample::results()), page_of(sample::results()));
 }
