@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Bytes of a block before it is deflated: what is inflated to open one case.
-constexpr std::size_t kBlock = 64 * 1024;
+constexpr std::size_t kBlock = 32 * 1024;
 
 // Names and messages may hold bytes that are no UTF-8; they are replaced, never fatal.
 std::string dump(const Json& json) {

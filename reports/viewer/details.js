@@ -28,6 +28,12 @@ const Blocks = {
     return (await lines)[line - Data.blocks[number]];
   },
 
+  // Reads what a line is in, where it is in the page itself.
+  readAhead(line) {
+    const number = Blocks.numberOf(line);
+    if (Data.chunks.every((chunk) => chunk.first > number)) Blocks.line(line).catch(() => {});
+  },
+
   async packed(number) {
     if (Blocks.arrived.has(number)) return Blocks.arrived.get(number);
     const chunk = Data.chunks.findLast((one) => one.first <= number);

@@ -18,6 +18,15 @@ async function showCase(one, state) {
   CaseList.cursor = filteredCases(state).indexOf(one);
   scrollTo(0, 0);
   document.querySelector("h1").focus({preventScroll: true});
+  requestIdleCallback(() => readNeighbours(one, state));
+}
+
+// Cases before and after it open at once.
+function readNeighbours(one, state) {
+  const cases = filteredCases(state);
+  const at = cases.indexOf(one);
+  for (const other of [cases[at - 1], cases[at + 1]])
+    if (other?.line !== undefined) Blocks.readAhead(other.line);
 }
 
 // The case's pictures cannot be had; its line in the list can.

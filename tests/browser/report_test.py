@@ -5,60 +5,18 @@ comes back as expectations. How long it takes is not a matter of these tests: to
 import json
 import pathlib
 import re
-import struct
-import sys
-import tempfile
 import unittest
 from urllib.parse import quote
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tools"))
-
-from browser import Browser  # noqa: E402
-from support import CommandTest  # noqa: E402
-import synthetic_results as synthetic  # noqa: E402
+from report_pages import ReportTest
+import synthetic_results as synthetic
 
 HOSTILE = ("</script><script>document.title='owned'</script><img src=x onerror=\"document.title="
            "'owned'\"> \"quoted\" 'single' \u202eturned\u202c \u200f<!-- " + "long " * 2000)
 ROWS = "document.querySelectorAll('#list *').length"
 
 
-class Report(CommandTest):
-    @classmethod
-    def setUpClass(cls):
-        cls.downloads = tempfile.TemporaryDirectory(prefix="edgecase-downloads-")
-        cls.browser = Browser(cls.downloads.name)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-        cls.downloads.cleanup()
-
-    def setUp(self):
-        super().setUp()
-        self.browser.requests()
-        self.browser.complaints()
-
-    def report(self, results, *options):
-        """The page that `edgecase report` writes of results."""
-        path = self.write("results.json", json.dumps(results))
-        page = self.folder / "report.html"
-        self.command("report", path, "--html", page, *options)
-        return page
-
-    def assert_quiet(self, page):
-        """Nothing but the page and what lies beside it was asked for, and nothing was refused."""
-        beside = page.parent.as_uri()
-        asked = self.browser.requests()
-        self.assertIn(page.as_uri(), [url.split("#")[0] for url in asked])
-        self.assertEqual([url for url in asked if not url.startswith((beside, "about:", "blob:"))],
-                         [])
-        self.assertEqual(self.browser.complaints(), [])
-
-    def open_case(self, page, one, **place):
-        more = "".join(f"&{key}={quote(str(value), safe='')}" for key, value in place.items())
-        self.browser.open(page, "#case=" + quote(one["id"], safe="") + more)
-        self.browser.wait("document.querySelector('main.case h1')")
-
+class Report(ReportTest):
     def test_two_thousand_cases(self):
         results = synthetic.make(2000, 30_000)
         page = self.report(results)
@@ -288,55 +246,6 @@ class Report(CommandTest):
         self.assertEqual([entry["case"], entry["verdict"], entry["fingerprint"], entry["reason"]],
                          [seen[0], seen[2], seen[3], "Known"])
         exported.unlink()
-
-    def test_fragments_of_both_sides_in_numbers(self):
-        one = synthetic.case_of(0, [4, 0, 0], 0)
-        found = one["results"][synthetic.RENDERERS[0]]["disagreements"]
-        page = self.report(synthetic.results_with([one]))
-        for at, d in enumerate(found, 1):
-            self.open_case(page, one, at=at)
-            self.browser.wait("document.querySelector('.of-pair')")
-            self.assertIn(f"({d['pixel'][0]}, {d['pixel'][1]})", self.browser.ask(
-                "document.querySelector('.of-pair').closest('section').textContent"))
-            pairs = self.browser.ask(
-                "[...document.querySelectorAll('.of-pair')].map((cell) => cell.textContent.trim())")
-            kind = "" if d["kind"] == "value" else d["kind"]
-            self.assertEqual(pairs[-1], f"primitive {d['primitive']} {kind}".strip())
-            self.assertEqual(len(pairs), 2 if kind == "duplicate" else 1)
-            if not kind:
-                self.assert_steps(d)
-        free = next([x, y] for y in range(16) for x in range(16)
-                    if [x, y] not in [d["pixel"] for d in found])
-        self.browser.ask("CaseView.pick(...arguments)", *free)
-        self.browser.wait("!document.querySelector('.of-pair')")
-        self.assertIn("nothing is disputed here", self.browser.ask(
-            "CaseView.parts.fragments.textContent"))
-
-    def assert_steps(self, d):
-        """Both depths, with their bits, and how far apart they are."""
-        rows = self.browser.ask(
-            "[...document.querySelectorAll('.of-pair')].at(-1).closest('tbody').innerText")
-        depth = next(row for row in rows.splitlines() if row.startswith("depth")).split("\t")
-        bits = struct.unpack(">I", struct.pack(">f", 0.5 + d["pixel"][0] / 4096))[0]
-        self.assertEqual([depth[2], depth[5], depth[-1]],
-                         [f"0x{bits:08X}", f"0x{bits + 1:08X}", "+1 ULP"])
-        self.assertEqual(depth[3].replace(" ", ""), f"{bits:032b}")
-
-    def test_the_clip_volume_is_drawn_over_cases_about_it(self):
-        cases = [synthetic.case_of(number, [1, 0, 0], 0, rules=[rule], viewport=[-2, 0, 20, 16])
-                 for number, rule in ((0, "line.diamond-exit"), (1, "clip.volume"))]
-        page = self.report(synthetic.results_with(cases))
-        drawn = "CaseView.pictures.boxes.clip.checked"
-        seen = "CaseView.pictures.panes[0].canvas.toDataURL()"
-        self.open_case(page, cases[0])
-        self.assertFalse(self.browser.ask(drawn))
-        self.assertEqual(self.browser.ask("CaseView.one.viewport"), [-2, 0, 20, 16])
-        without = self.browser.ask(seen)
-        self.browser.press("v")
-        self.assertTrue(self.browser.ask(drawn))
-        self.assertNotEqual(self.browser.ask(seen), without)
-        self.open_case(page, cases[1])
-        self.assertTrue(self.browser.ask(drawn))
 
     def test_what_changed_since_earlier_results(self):
         before, after = synthetic.make(60, 300), synthetic.make(60, 300)
