@@ -16,6 +16,7 @@ namespace edgecase {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::Pair;
 
 constexpr ValueAggregate::Place kHere{3, 4, 1};
@@ -144,6 +145,24 @@ TEST(Aggregates, OneFragmentAmongManyIsNamed) {
   std::uint64_t counted = 0;
   for (const auto& [exponent, count] : color.ulp_histogram) counted += count;
   EXPECT_EQ(counted, exact.fragments.size());
+}
+
+// What is beyond the permitted is called by its name.
+TEST(Components, HaveTheirNamesInSentences) {
+  const Rendering exact = rasterize(value_scene("linear triangle"), {});
+  const auto sentences = [&](auto change) {
+    Rendering wrong = exact;
+    change(wrong.fragments[0]);
+    std::string all;
+    for (const Disagreement& d :
+         compare(value_scene("linear triangle"), {}, exact, wrong, {8}).disagreements)
+      all += d.explanation + "\n";
+    return all;
+  };
+  EXPECT_THAT(sentences([](Fragment& f) { f.color[0] = 7; }), HasSubstr("red of primitive 0 is "));
+  EXPECT_THAT(sentences([](Fragment& f) { f.color[2] = 7; }), HasSubstr("blue of primitive 0 is "));
+  EXPECT_THAT(sentences([](Fragment& f) { f.color[3] = 7; }), HasSubstr("alpha of primitive 0 "));
+  EXPECT_THAT(sentences([](Fragment& f) { f.depth = 7; }), HasSubstr("depth of primitive 0 is "));
 }
 
 }  // namespace

@@ -173,8 +173,18 @@ std::string words_of_place(Point place) {
   return (is_centre ? "the pixel's centre " : "") + format_point(place);
 }
 
+// What people call a component: "red", "texture coordinate s", "depth".
+std::string name_of_component(const std::string& attribute, std::size_t component) {
+  constexpr std::array kColor{"red", "green", "blue", "alpha"};
+  constexpr std::array kCoordinates{"texture coordinate s", "texture coordinate t"};
+  if (attribute == "color") return kColor.at(component);
+  if (attribute == "texture coordinates") return kCoordinates.at(component);
+  return attribute;
+}
+
 Disagreement beyond_disagreement(std::span<const Component> components, const Component& beyond,
-                                 const Fragment& fragment, Point place, const char* rule) {
+                                 const Fragment& fragment, Point place, const char* rule,
+                                 const std::string& attribute) {
   Disagreement d = value_disagreement({fragment.x, fragment.y}, fragment.primitive, rule, 9);
   for (const Component& c : components) {
     d.exact.push_back(c.exact);
@@ -183,10 +193,11 @@ Disagreement beyond_disagreement(std::span<const Component> components, const Co
   d.policy_agrees = std::all_of(components.begin(), components.end(),
                                 [](const Component& c) { return c.is_correct(); });
   d.explanation = fmt::format(
-      "component {} of primitive {} is exactly {:.9g} at {}; the specification permits {:.9g} to "
-      "{:.9g}, the renderer has {:.9g}",
-      &beyond - components.data(), fragment.primitive, beyond.exact, words_of_place(place),
-      beyond.permitted.low, beyond.permitted.high, beyond.rendered);
+      "{} of primitive {} is exactly {:.9g} at {}; the specification permits {:.9g} to {:.9g}, the "
+      "renderer has {:.9g}",
+      name_of_component(attribute, static_cast<std::size_t>(&beyond - components.data())),
+      fragment.primitive, beyond.exact, words_of_place(place), beyond.permitted.low,
+      beyond.permitted.high, beyond.rendered);
   return d;
 }
 
@@ -199,7 +210,8 @@ Disagreement* compare_components(std::span<const Component> components, const Fr
   const auto beyond = std::find_if(components.begin(), components.end(),
                                    [](const Component& c) { return !c.is_permitted(); });
   if (beyond != components.end()) {
-    result.disagreements.push_back(beyond_disagreement(components, *beyond, fragment, place, rule));
+    result.disagreements.push_back(
+        beyond_disagreement(components, *beyond, fragment, place, rule, aggregator.attribute()));
     return &result.disagreements.back();
   }
   const ValueAggregate::Place where{fragment.x, fragment.y, fragment.primitive};

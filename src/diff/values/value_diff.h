@@ -140,6 +140,8 @@ class ValueAggregator {
  public:
   ValueAggregator(std::string attribute, std::string rule, int ruling, std::string cause = "");
 
+  const std::string& attribute() const { return aggregate_.attribute; }
+
   // A place with so many components is compared.
   void count_compared(std::size_t components);
   // As many are compared as of another one, which a part of the values was taken from.
