@@ -249,16 +249,46 @@ WAVERERS = {
 
 
 class Truths:
-    """Renderings by id, each parsed when it is asked for: a program that a test starts again and
-    again must not read the whole suite each time."""
+    """Renderings by id, each read when it is asked for. A program that a test starts again and
+    again must not read the whole suite each time: where each one lies is kept beside the file."""
 
     def __init__(self, path):
-        lines = pathlib.Path(path).read_bytes().splitlines()
-        self.lines = {json.loads(re.match(rb'{"id":("(?:[^"\\]|\\.)*")', line)[1]): line
-                      for line in lines}
+        self.path = pathlib.Path(path).resolve()
+        self.places = self.kept_places() or self.found_places()
+
+    def index(self):
+        return self.path.with_suffix(".index")
+
+    def state(self):
+        """What changes when the file does."""
+        stat = self.path.stat()
+        return [stat.st_size, stat.st_mtime_ns]
+
+    def kept_places(self):
+        try:
+            kept = json.loads(self.index().read_bytes())
+        except FileNotFoundError:
+            return None
+        return kept["places"] if kept["state"] == self.state() else None
+
+    def found_places(self):
+        places, offset = {}, 0
+        with self.path.open("rb") as lines:
+            for line in lines:
+                name = re.match(rb'{"id":("(?:[^"\\]|\\.)*")', line)[1]
+                places[json.loads(name)] = offset
+                offset += len(line)
+        part = self.index().with_suffix(f".{os.getpid()}.part")
+        part.write_text(json.dumps({"state": self.state(), "places": places}), "utf-8")
+        part.replace(self.index())
+        return places
 
     def get(self, name):
-        return json.loads(self.lines[name]) if name in self.lines else None
+        if name not in self.places:
+            return None
+        with self.path.open("rb") as lines:
+            lines.seek(self.places[name])
+            return json.loads(lines.readline())
 
 
 def answers(behaviour, truths, victim):
