@@ -187,6 +187,19 @@ class CommandTest(unittest.TestCase):
         return "exec:" + " ".join(map(shlex.quote, words + ([victim] if victim else [])))
 
 
+REPORTS = ("json", "junit", "html")
+
+
+def report_options(folder):
+    """The options that write each kind of report to a folder; a large page has files beside it."""
+    return [word for kind in REPORTS for word in (f"--{kind}", f"{folder}/reports.{kind}")]
+
+
+def contents(folder):
+    """name -> bytes, of a folder's files."""
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
 def only_result(case):
     """The result of a case that one renderer ran."""
     (result,) = case["results"].values()
