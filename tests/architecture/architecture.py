@@ -12,15 +12,16 @@ import re
 import sys
 from pathlib import Path
 
-SRC = {"exact", "model", "rules", "raster", "casefile", "wire", "recording", "image", "diff",
-       "results", "run", "generate", "profile", "search"}
+SRC = {"exact", "model", "rules", "kernels", "raster", "casefile", "wire", "recording", "image",
+       "diff", "results", "run", "generate", "profile", "search"}
 
 # module -> modules that it may include, besides itself.
 ALLOWED = {
     "exact": set(),
     "model": {"exact"},
     "rules": {"model", "exact"},
-    "raster": {"rules", "model", "exact"},
+    "kernels": {"rules", "exact"},
+    "raster": {"kernels", "rules", "model", "exact"},
     "casefile": {"model", "exact", "image"},
     "wire": {"model", "exact"},
     "recording": {"wire", "model", "exact"},
@@ -43,6 +44,7 @@ LIBRARIES = [
                     "tools", "examples"}),
     (r"OpenImageIO/", {"image"}),
     (r"(GL|EGL|KHR|GLES\d?|glad)/", {"reference"}),
+    (r"hwy/", {"kernels"}),
     (r"glm/", {"casefile"}),
     (r"tiny_obj_loader", {"casefile"}),
     (r"boost/multiprecision/", {"exact"}),
@@ -64,6 +66,8 @@ FLOATING = {
     "src/rules/coverage/triangle_fill.cpp": {"distance_inside": "people"},
 }
 FLOATING_FILES = {"src/exact/interval.h", "src/exact/neighbour.h", "src/exact/rational.h"}
+
+INTEGER_FOLDERS = ("src/exact/", "src/rules/coverage/", "src/kernels/")
 
 MAX_LINES = 400
 CODE = {".h", ".cpp", ".js", ".py"}
@@ -134,7 +138,7 @@ def allowed_lines(path, text):
 def floating_faults(path, text):
     """Floating point where decisions are integers."""
     place = path.as_posix()
-    if place in FLOATING_FILES or not place.startswith(("src/exact/", "src/rules/coverage/")):
+    if place in FLOATING_FILES or not place.startswith(INTEGER_FOLDERS):
         return
     allowed, faults = allowed_lines(path, text)
     yield from faults

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+//
+// Lines by the diamond-exit rule, one pixel a column: exact, and hardly more than an addition each.
+//
+// Let the segment be x-major; the others are walked with their axes exchanged. Its slope is at most
+// 1, so that where its line meets the open diamond of a pixel it also passes less than half a pixel
+// above or below the centre, in the column's middle: nearing the middle by dx it moves by no more
+// than dx. The other way round, a point in the middle less than half a pixel off lies inside. So in
+// each column the line meets the diamond of one pixel, the one whose row holds its height at the
+// column's centre, and a height on the border of two rows belongs to one of them by the tie rule:
+// all it takes is a gradient.
+//
+// Between the ends nothing else matters. A column that lies strictly between both has its diamond's
+// whole width on the segment, and the end outside. Columns at the ends, at most two for each, are
+// asked the rest of rules/coverage/diamond_exit.h: whether the segment reaches the diamond's sides
+// and whether its end lies within all four.
+//
+// The height is a quotient, kept with its remainder as in span_walk.h; the tie rule is a bit in its
+// numerator, and the 16 bits that no step changes are dropped.
+//
+// Bounds: coordinates are at most 2^29 + 2^16 raw (edge_functions.h), their differences 2^30 +
+// 2^17; the numerator is then less than 2^61, and u and v less than 2^31.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "kernels/edge_functions.h"
+
+namespace edgecase {
+
+// A segment whose first axis is the major one.
+struct WalkedSegment {
+  std::int64_t major_a, minor_a, major_b, minor_b;
+  bool x_major;
+
+  constexpr WalkedSegment(RawPoint a, RawPoint b)
+      : major_a(a.x), minor_a(a.y), major_b(b.x), minor_b(b.y) {
+    const std::int64_t width = major_b - major_a, height = minor_b - minor_a;
+    x_major = (width < 0 ? -width : width) >= (height < 0 ? -height : height);
+    if (x_major) return;
+    std::swap(major_a, minor_a);
+    std::swap(major_b, minor_b);
+  }
+};
+
+// The ends' part of the rule, in rotated coordinates u = major + minor and v = major - minor.
+class DiamondEnds {
+ public:
+  constexpr DiamondEnds(const WalkedSegment& s, const TieWeights& ties)
+      : u_a_(s.major_a + s.minor_a),
+        v_a_(s.major_a - s.minor_a),
+        u_b_(s.major_b + s.minor_b),
+        v_b_(s.major_b - s.minor_b),
+        owns_u_low_(ties.owns(-1, -1)),
+        owns_u_high_(ties.owns(1, 1)),
+        owns_v_low_(ties.owns(-1, 1)),
+        owns_v_high_(ties.owns(1, -1)) {}
+
+  // Of a pixel whose diamond the segment's line meets: does the segment exit it?
+  constexpr bool exits(std::int64_t column, std::int64_t row) const {
+    const std::int64_t u = (column + row + 1) * Fixed::kOne;
+    const std::int64_t v = (column - row) * Fixed::kOne;
+    const auto [u_low, u_high] = std::minmax(u_a_, u_b_);
+    const auto [v_low, v_high] = std::minmax(v_a_, v_b_);
+    return is_inside({u_low - u, v_low - v}, {u_high - u, v_high - v}) &&
+           !is_inside({u_b_ - u, v_b_ - v}, {u_b_ - u, v_b_ - v});
+  }
+
+ private:
+  struct Rotated {
+    std::int64_t u;
+    std::int64_t v;
+  };
+
+  // From the diamond's centre: is `high` beyond its lower sides and `low` before its upper ones?
+  constexpr bool is_inside(Rotated low, Rotated high) const {
+    constexpr std::int64_t kRadius = Fixed::kOne / 2;
+    return high.u + kRadius + owns_u_low_ > 0 && kRadius - low.u + owns_u_high_ > 0 &&
+           high.v + kRadius + owns_v_low_ > 0 && kRadius - low.v + owns_v_high_ > 0;
+  }
+
+  std::int64_t u_a_, v_a_, u_b_, v_b_;
+  int owns_u_low_, owns_u_high_, owns_v_low_, owns_v_high_;
+};
+
+// The rows of a line's columns, from left to right.
+class LineHeight {
+ public:
+  constexpr LineHeight(const WalkedSegment& s, const TieWeights& ties, std::int64_t column) {
+    std::int64_t rise = s.minor_b - s.minor_a;
+    run_ = s.major_b - s.major_a;
+    if (run_ < 0) {
+      run_ = -run_;
+      rise = -rise;
+    }
+    // Where the height is a whole number, the row below has its upper border there, and this is how
+    // the distance to it grows. What it owns is a height a little less.
+    const std::int64_t tie = ties.owns(-rise, run_) ? 1 : 0;
+    const std::int64_t along = column * Fixed::kOne + Fixed::kOne / 2 - s.major_a;
+    const std::int64_t height = (s.minor_a * run_ + along * rise - tie) >> Fixed::kFractionBits;
+    row_ = height / run_;
+    rest_ = height % run_;
+    if (rest_ < 0) {
+      rest_ += run_;
+      --row_;
+    }
+    // |rise| <= run
+    step_ = rise < 0 ? -1 : rise == run_ ? 1 : 0;
+    step_rest_ = rise - step_ * run_;
+  }
+
+  constexpr std::int64_t row() const { return row_; }
+  constexpr void go_right() {
+    row_ += step_;
+    rest_ += step_rest_;
+    if (rest_ >= run_) {
+      rest_ -= run_;
+      ++row_;
+    }
+  }
+
+ private:
+  std::int64_t run_ = 0;
+  std::int64_t row_ = 0;
+  std::int64_t rest_ = 0;
+  std::int64_t step_ = 0;
+  std::int64_t step_rest_ = 0;
+};
+
+// Calls sink(x, y) for each pixel within the bounds, which lie within the window, that a line of
+// width 1 covers, along its major axis in ascending order. Only a perturbed tie rule gives a height
+// between two rows to one of them; the two others are not for this walk.
+template <class Sink>
+inline void walk_line(RawPoint a, RawPoint b, const TieWeights& rule, const PixelBounds& bounds,
+                      Sink&& sink) {
+  const WalkedSegment s(a, b);
+  if (s.major_a == s.major_b) return;
+  const TieWeights ties = s.x_major ? rule : TieWeights{rule.up, rule.right, 0};
+  const auto [low, high] = std::minmax(s.major_a, s.major_b);
+  const auto floor = [](std::int64_t raw) { return raw >> Fixed::kFractionBits; };
+  const auto ceil = [](std::int64_t raw) { return -(-raw >> Fixed::kFractionBits); };
+  const std::int64_t first_within = floor(low) + 1, last_within = ceil(high) - 2;
+  const std::int64_t first =
+      std::max<std::int64_t>(ceil(low) - 1, s.x_major ? bounds.x_min : bounds.y_min);
+  const std::int64_t last =
+      std::min<std::int64_t>(floor(high), s.x_major ? bounds.x_max : bounds.y_max);
+  if (first > last) return;
+  const std::int64_t bottom = s.x_major ? bounds.y_min : bounds.x_min;
+  const std::int64_t top = s.x_major ? bounds.y_max : bounds.x_max;
+  const DiamondEnds ends(s, ties);
+  LineHeight height(s, ties, first);
+  for (std::int64_t column = first; column <= last; ++column, height.go_right()) {
+    const std::int64_t row = height.row();
+    if (row < bottom || row > top) continue;
+    const bool is_within = column >= first_within && column <= last_within;
+    if (!is_within && !ends.exits(column, row)) continue;
+    const auto major = static_cast<int>(column), minor = static_cast<int>(row);
+    s.x_major ? sink(major, minor) : sink(minor, major);
+  }
+}
+
+}  // namespace edgecase
