@@ -51,4 +51,9 @@ void fill_triangles(const SamplePlanes& target, std::span<const FlatTriangle> tr
 void fill_lines(const SamplePlanes& target, std::span<const FlatLine> lines,
                 const TieWeights& ties);
 
+// The mean of four samples' planes, byte by byte, rounded to nearest, a tie to the even value. Up
+// to kSpare pixels behind the last one are written too.
+void resolve_four(std::span<const PixelPlane, 4> samples, const PixelPlane& resolved,
+                  std::size_t pixels);
+
 }  // namespace edgecase

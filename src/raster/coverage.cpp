@@ -6,6 +6,7 @@
 
 #include "raster/clipped_coverage.h"
 #include "raster/facing.h"
+#include "raster/fast_coverage.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/coverage/homogeneous_point.h"
@@ -112,13 +113,22 @@ Pixels multisampled_pixels(const HomogeneousSegment& line, Fixed width, const Vi
 }
 
 Pixels triangle_pixels_of(const Triangle& p, const View& view, const CoverageChoice& choice) {
-  return triangle_pixels(
+  return found_triangle_pixels(
       {centred(p[0], view.within), centred(p[1], view.within), centred(p[2], view.within)},
-      view.bounds, choice.triangle_algorithm, choice.ties);
+      view.bounds, choice);
 }
 Pixels triangle_pixels_of(const HomogeneousTriangle& p, const View& view,
                           const CoverageChoice& choice) {
   return triangle_pixels(p, view.bounds, choice.triangle_algorithm, choice.ties, view.within);
+}
+
+Pixels line_pixels_of(const Segment& line, Fixed width, const PixelBounds& bounds,
+                      const CoverageChoice& choice) {
+  return found_line_pixels(line, width, bounds, choice);
+}
+Pixels line_pixels_of(const HomogeneousSegment& line, Fixed width, const PixelBounds& bounds,
+                      const CoverageChoice& choice) {
+  return line_pixels(line, width, bounds, choice.line, choice.ties);
 }
 
 // The pixels of a primitive whose vertices are where the choice has them, in no particular order.
@@ -133,7 +143,7 @@ Pixels pixels_of(const ScenePrimitive& primitive, const std::array<typename Kind
     case PrimitiveKind::line: {
       const typename Kind::Line line{p[0], p[1]};
       if (view.is_multisampled) return multisampled_pixels(line, state.line_width, view, choice);
-      return line_pixels(line, state.line_width, view.bounds, choice.line, choice.ties);
+      return line_pixels_of(line, state.line_width, view.bounds, choice);
     }
     case PrimitiveKind::triangle:
       return triangle_pixels_of(p, view, choice);

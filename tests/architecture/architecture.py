@@ -65,7 +65,9 @@ FLOATING = {
     "src/rules/coverage/point_ownership.cpp": {"explain_point": "figure"},
     "src/rules/coverage/triangle_fill.cpp": {"distance_inside": "people"},
 }
-FLOATING_FILES = {"src/exact/interval.h", "src/exact/neighbour.h", "src/exact/rational.h"}
+FLOATING_FILES = {"src/exact/interval.h", "src/exact/neighbour.h", "src/exact/rational.h",
+                  "src/kernels/color_planes.h", "src/kernels/color_planes.cpp",
+                  "src/kernels/smooth_fill_kernel.cpp"}
 
 INTEGER_FOLDERS = ("src/exact/", "src/rules/coverage/", "src/kernels/")
 

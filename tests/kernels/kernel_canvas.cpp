@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace edgecase {
 
@@ -43,6 +44,18 @@ bool Canvas::has_spilled() const {
   const auto is_guard = [](PixelWord word) { return word == kGuard; };
   return !std::all_of(words_.begin(), words_.begin() + PixelPlane::kSpare, is_guard) ||
          !std::all_of(words_.end() - PixelPlane::kSpare, words_.end(), is_guard);
+}
+
+// x solves dy x = -turn modulo dx: -turn times the inverse of dy.
+RawVector vector_with_turn(std::int64_t dx, std::int64_t dy, std::int64_t turn) {
+  std::int64_t old_rest = dx, rest = (dy % dx + dx) % dx, old_inverse = 0, inverse = 1;
+  while (rest != 0) {
+    const std::int64_t quotient = old_rest / rest;
+    old_rest = std::exchange(rest, old_rest - quotient * rest);
+    old_inverse = std::exchange(inverse, old_inverse - quotient * inverse);
+  }
+  const std::int64_t x = ((-turn * old_inverse) % dx + dx) % dx;
+  return {x, (turn + dy * x) / dx};
 }
 
 Fixed RandomPoints::coordinate(std::int64_t low, std::int64_t high, std::int64_t step) {

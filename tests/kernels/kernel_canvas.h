@@ -47,6 +47,13 @@ std::vector<PixelPosition> pixels_where(const PixelBounds& bounds, Covers covers
   return pixels;
 }
 
+// (x, y) with dx y - dy x = turn, the smallest x >= 0 of them. dx > 0, and coprime to dy.
+struct RawVector {
+  std::int64_t x;
+  std::int64_t y;
+};
+RawVector vector_with_turn(std::int64_t dx, std::int64_t dy, std::int64_t turn);
+
 class RandomPoints {
  public:
   explicit RandomPoints(std::uint64_t seed) : engine_(seed) {}

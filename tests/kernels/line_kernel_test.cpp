@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "kernels/covered_pixels_kernel.h"
 #include "rules/coverage/diamond_exit.h"
@@ -70,6 +71,26 @@ TEST(LineKernel, RandomSegmentsOfEveryGrid) {
     if (i % 16 != 0) continue;
     ASSERT_EQ(filled_pixels(canvas, s, *boundary.ties), plain_pixels(s, canvas.bounds(), boundary));
     ASSERT_FALSE(canvas.has_spilled());
+  }
+}
+
+// Heights at a column's centre that are a whole number, or off by the least there is.
+TEST(LineKernel, NearestToTheBorderOfRows) {
+  RandomPoints random(8);
+  const PixelBounds bounds{0, 0, 15, 15};
+  for (int i = 0; i < scaled_count(60000); ++i) {
+    const std::int64_t run = 1 + random.below(1 << 20);
+    const std::int64_t rise = random.below(static_cast<int>(2 * run + 1)) - run;
+    if (std::gcd(run, rise) != 1) continue;
+    const RawVector from_a = vector_with_turn(run, rise, random.below(3) - 1);
+    const std::int64_t border = (4 + random.below(8)) * Fixed::kOne;
+    const std::int64_t centre = Fixed::centre_of(4 + random.below(8)).raw();
+    const Point a{Fixed::from_raw(centre - from_a.x), Fixed::from_raw(border - from_a.y)};
+    const Point b{Fixed::from_raw(a.x.raw() + run), Fixed::from_raw(a.y.raw() + rise)};
+    const auto turned = [&](Point p) { return i % 2 == 0 ? p : Point{p.y, p.x}; };
+    const Segment s = i % 4 < 2 ? Segment{turned(a), turned(b)} : Segment{turned(b), turned(a)};
+    ASSERT_NO_FATAL_FAILURE(
+        expect_same(s, bounds, perturbed_boundaries()[static_cast<std::size_t>(i) % 8]));
   }
 }
 

@@ -4,6 +4,8 @@
 // triangles of a small grid, random ones on every grid, and the largest there are.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "kernels/covered_pixels_kernel.h"
 #include "tests/kernels/kernel_canvas.h"
 
@@ -161,6 +163,34 @@ TEST_F(TriangleKernel, TheLargestMasks) {
               plain_pixels(t, canvas.bounds(), ties))
         << described(t, ties);
   }
+}
+
+// Samples whose cross product with an edge is 0, 1 or -1: the nearest that a sample comes to an
+// edge without lying on it.
+TEST_F(TriangleKernel, NearestToAnEdge) {
+  RandomPoints random(7);
+  const std::span<const TieRule> rules = all_tie_rules();
+  Canvas canvas(12, 12);
+  int covered = 0;
+  const int count = scaled_count(100000);
+  for (int i = 0; i < count; ++i) {
+    const std::int64_t dx = 1 + random.below(1 << 19), dy = random.below(1 << 20) - (1 << 19);
+    if (std::gcd(dx, dy) != 1) continue;
+    const Point sample = pixel_centre(4 + random.below(4), 4 + random.below(4));
+    const RawVector from_a = vector_with_turn(dx, dy, random.below(3) - 1);
+    const Point a{Fixed::from_raw(sample.x.raw() - from_a.x),
+                  Fixed::from_raw(sample.y.raw() - from_a.y)};
+    const Point b{Fixed::from_raw(a.x.raw() + dx), Fixed::from_raw(a.y.raw() + dy)};
+    ASSERT_LE(std::abs(cross(a, b, sample)), 1);
+    const Triangle t{a, b, random.point(12, 4)};
+    const TieRule& ties = rules[static_cast<std::size_t>(random.below(10))];
+    const Pixels plain = plain_pixels(t, canvas.bounds(), ties);
+    ASSERT_EQ(filled_pixels(canvas, t, ties, canvas.bounds()), plain) << described(t, ties);
+    ASSERT_EQ(walked_triangle_pixels(t, canvas.bounds(), ties), plain) << described(t, ties);
+    covered += triangle_covers(t, static_cast<int>(sample.x.floor()),
+                               static_cast<int>(sample.y.floor()), ties);
+  }
+  EXPECT_GT(covered, count / 10);
 }
 
 // A tie bias that is off by one, either way, changes what the small grid covers: the tests above

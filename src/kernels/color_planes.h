@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// Smooth colours without perspective: planes over the window in double precision, and how far off
+// they can be.
+//
+// A component at a sample is the sum of c_i w_i(p) / A, where w_i is the edge function opposite to
+// vertex i and A the triangle's area: both are integers of at most 61 bits. From pixel to pixel a
+// component grows by the same number, its derivative. What counts is the 8-bit code nearest to 255
+// times the component, and doubles find it wherever they are not within their own error of the
+// middle between two codes. There the kernel does not decide; it tells the pixel.
+//
+// The error: let M be 255 times the sum of |c_i| (|w_i| + |growth of w_i| over the box) / |A|.
+// Every intermediate result is at most M, and a code's number is made by ten roundings at most,
+// each of 2^-53 of that: 2^-49 M in all. The plain path, which the result must not differ from, is
+// off by no more than 2^-48 M (rules/values/interpolation.h) and a rounding of 2^-45. `margin` is
+// more than the sum.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "kernels/pixel_plane.h"
+
+namespace edgecase {
+
+struct SmoothTriangle {
+  std::array<RawPoint, 3> vertices;            // as coverage has them
+  std::array<RawPoint, 3> corners;             // as the weights of attributes have them
+  std::array<std::array<float, 4>, 3> colors;  // of the corners, finite
+};
+
+// 255 times red, green, blue, alpha at the centre of a box's lower left pixel, how much they grow
+// to the next pixel, and what they may be off by anywhere in the box.
+struct ColorPlanes {
+  std::array<double, 4> corner{};
+  std::array<double, 4> right{};
+  std::array<double, 4> up{};
+  std::array<double, 4> margin{};
+};
+
+// The corners must have an area.
+ColorPlanes color_planes(const SmoothTriangle& triangle, const PixelBounds& box);
+
+// Writes the codes of the pixels that are inside, and adds those to `doubtful` whose code it leaves
+// open: they are written too, but may be off by one code. Both sets of three points need an area.
+void fill_smooth_triangle(const PixelPlane& plane, const PixelBounds& bounds,
+                          const SmoothTriangle& triangle, const TieWeights& ties,
+                          std::vector<PixelPosition>& doubtful);
+
+}  // namespace edgecase

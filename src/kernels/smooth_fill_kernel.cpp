@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+//
+// fill_smooth_triangle: spans, and in each of them as many pixels at once as a vector has doubles.
+#include "kernels/color_planes.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/smooth_fill_kernel.cpp"
+#include <hwy/foreach_target.h>
+// Highway wants its own header after the list of targets.
+#include <hwy/highway.h>
+
+#include <bit>
+
+#include "kernels/span_walk.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace edgecase {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::ScalableTag<double>;
+using Codes = hn::Rebind<std::int32_t, Doubles>;
+using DoubleVector = hn::Vec<Doubles>;
+static_assert(std::endian::native == std::endian::little, "red is the lowest byte of a word");
+
+// One component along a row.
+struct RowComponent {
+  DoubleVector start, right, decided;
+};
+
+class SmoothFill {
+ public:
+  SmoothFill(const PixelPlane& plane, const PixelBounds& box, const ColorPlanes& planes,
+             std::vector<PixelPosition>& doubtful)
+      : plane_(plane), box_(box), planes_(planes), doubtful_(doubtful) {}
+
+  HWY_INLINE void Span(int y, int first, int last) const {
+    const Doubles d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const double rows = y - box_.y_min;
+    const RowComponent red = RowOf(0, rows), green = RowOf(1, rows), blue = RowOf(2, rows),
+                       alpha = RowOf(3, rows);
+    auto x = hn::Iota(d, static_cast<double>(first - box_.x_min));
+    const auto step = hn::Set(d, static_cast<double>(lanes));
+    PixelWord* const row = plane_.row(y);
+    for (int column = first; column <= last; column += lanes, x = hn::Add(x, step)) {
+      auto open = hn::FirstN(d, 0);
+      auto word = CodeOf(red, x, open);
+      word = hn::Or(word, hn::ShiftLeft<8>(CodeOf(green, x, open)));
+      word = hn::Or(word, hn::ShiftLeft<16>(CodeOf(blue, x, open)));
+      word = hn::Or(word, hn::ShiftLeft<24>(CodeOf(alpha, x, open)));
+      Store(word, row + column, last - column + 1);
+      if (HWY_UNLIKELY(!hn::AllFalse(d, open))) Tell(open, {column, y}, last);
+    }
+  }
+
+ private:
+  HWY_INLINE RowComponent RowOf(std::size_t c, double rows) const {
+    const Doubles d;
+    return {hn::Set(d, planes_.corner[c] + planes_.up[c] * rows), hn::Set(d, planes_.right[c]),
+            hn::Set(d, .5 - planes_.margin[c])};
+  }
+
+  // The nearest code, a tie to the even one. Adds the lanes to `open` that are too near to a tie.
+  static HWY_INLINE hn::Vec<Codes> CodeOf(const RowComponent& c, DoubleVector x,
+                                          hn::Mask<Doubles>& open) {
+    const Doubles d;
+    const auto value = hn::MulAdd(c.right, x, c.start);
+    const auto within = hn::Min(hn::Max(value, hn::Zero(d)), hn::Set(d, 255.0));
+    const auto code = hn::Round(within);
+    open = hn::Or(open, hn::Gt(hn::Abs(hn::Sub(within, code)), c.decided));
+    return hn::DemoteTo(Codes(), code);
+  }
+
+  static HWY_INLINE void Store(hn::Vec<Codes> word, PixelWord* at, int count) {
+    const Codes d;
+    auto* const out = reinterpret_cast<std::int32_t*>(at);
+    if (count >= static_cast<int>(hn::Lanes(d)))
+      hn::StoreU(word, d, out);
+    else
+      hn::BlendedStore(word, hn::FirstN(d, static_cast<std::size_t>(count)), d, out);
+  }
+
+  HWY_NOINLINE void Tell(hn::Mask<Doubles> open, PixelPosition first, int last) const {
+    const Doubles d;
+    alignas(64) double flags[HWY_MAX_BYTES / sizeof(double)];
+    hn::Store(hn::IfThenElseZero(open, hn::Set(d, 1.0)), d, flags);
+    for (int i = 0; i < static_cast<int>(hn::Lanes(d)) && first.x + i <= last; ++i)
+      if (flags[i] != 0) doubtful_.push_back({first.x + i, first.y});
+  }
+
+  const PixelPlane plane_;
+  const PixelBounds box_;
+  const ColorPlanes& planes_;
+  std::vector<PixelPosition>& doubtful_;
+};
+
+void FillSmooth(const PixelPlane& plane, const PixelBounds& box,
+                const std::array<EdgeFunction, 3>& edges, const ColorPlanes& planes,
+                std::vector<PixelPosition>& doubtful) {
+  const SmoothFill fill(plane, box, planes, doubtful);
+  walk_spans(edges, box, [&](int y, int first, int last) HWY_ATTR { fill.Span(y, first, last); });
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace edgecase
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace edgecase {
+
+HWY_EXPORT(FillSmooth);
+
+void fill_smooth_triangle(const PixelPlane& plane, const PixelBounds& bounds,
+                          const SmoothTriangle& triangle, const TieWeights& ties,
+                          std::vector<PixelPosition>& doubtful) {
+  const auto& [a, b, c] = triangle.vertices;
+  const TriangleSetup setup(a, b, c, ties);
+  const PixelBounds box = common_part(setup.box_at(kCentrePlace), bounds);
+  if (!setup.has_area() || is_empty(box)) return;
+  HWY_DYNAMIC_DISPATCH(FillSmooth)
+  (plane, box, setup.edges_at(kCentrePlace), color_planes(triangle, box), doubtful);
+}
+
+}  // namespace edgecase
+#endif

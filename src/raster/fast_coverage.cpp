@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "raster/fast_coverage.h"
+
+#include <algorithm>
+
+#include "kernels/covered_pixels_kernel.h"
+#include "kernels/edge_functions.h"
+
+namespace edgecase {
+
+bool walks_triangles(const CoverageChoice& choice) {
+  return choice.triangle_algorithm == TriangleAlgorithm::edge_functions;
+}
+
+bool walks_lines(const CoverageChoice& choice, Fixed width) {
+  const TieRule* ties = choice.line.boundary->ties;
+  return width == Fixed::from_integer(1) && choice.line.algorithm == LineAlgorithm::diamond_exit &&
+         ties != nullptr && ties->kind == TieRule::Kind::perturbed;
+}
+
+bool is_walked(const ScenePrimitive& primitive, const CoverageChoice& choice) {
+  const bool is_triangle = primitive.kind == PrimitiveKind::triangle && walks_triangles(choice);
+  const bool is_line =
+      primitive.kind == PrimitiveKind::line && walks_lines(choice, primitive.state->line_width);
+  if (!is_triangle && !is_line) return false;
+  if (choice.rows != RowOrder::bottom_up) return false;
+  return std::all_of(primitive.vertices.begin(),
+                     primitive.vertices.begin() + vertices_of(primitive.kind),
+                     [&](const Vertex* vertex) {
+                       return !vertex->clip && is_raw_point(vertex->position) &&
+                              is_raw_point(choice.snap(vertex->position));
+                     });
+}
+
+std::vector<PixelPosition> found_triangle_pixels(const Triangle& triangle,
+                                                 const PixelBounds& bounds,
+                                                 const CoverageChoice& choice) {
+  if (walks_triangles(choice) && std::all_of(triangle.begin(), triangle.end(), is_raw_point))
+    return walked_triangle_pixels(triangle, bounds, choice.ties);
+  return triangle_pixels(triangle, bounds, choice.triangle_algorithm, choice.ties);
+}
+
+std::vector<PixelPosition> found_line_pixels(const Segment& segment, Fixed width,
+                                             const PixelBounds& bounds,
+                                             const CoverageChoice& choice) {
+  if (walks_lines(choice, width) && is_raw_point(segment.a) && is_raw_point(segment.b))
+    return walked_line_pixels(segment, bounds, *choice.line.boundary->ties);
+  return line_pixels(segment, width, bounds, choice.line, choice.ties);
+}
+
+}  // namespace edgecase

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// Where the kernels find a primitive's pixels in place of the predicates: the one place that knows
+// which choices of rules they hold.
+#pragma once
+
+#include <vector>
+
+#include "exact/pixel.h"
+#include "model/scene.h"
+#include "rules/choices.h"
+
+namespace edgecase {
+
+// Do kernels know the choice's triangles, and its lines of width 1?
+bool walks_triangles(const CoverageChoice& choice);
+bool walks_lines(const CoverageChoice& choice, Fixed width);
+
+// Do kernels find this primitive's samples? Its vertices are then given in the window, and its
+// target is seen the right way up.
+bool is_walked(const ScenePrimitive& primitive, const CoverageChoice& choice);
+
+// As in rules/coverage/triangle_algorithm.h and line_algorithm.h, by kernels or by predicates. The
+// bounds lie within a target; pixels are in no particular order.
+std::vector<PixelPosition> found_triangle_pixels(const Triangle& triangle,
+                                                 const PixelBounds& bounds,
+                                                 const CoverageChoice& choice);
+std::vector<PixelPosition> found_line_pixels(const Segment& segment, Fixed width,
+                                             const PixelBounds& bounds,
+                                             const CoverageChoice& choice);
+
+}  // namespace edgecase

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "raster/framebuffer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "raster/attributes.h"
+#include "raster/rasterizer.h"
+
+namespace edgecase {
+namespace {
+
+PixelWord word_of(const std::array<double, 4>& color) {
+  std::array<std::uint8_t, 4> codes{};
+  std::transform(color.begin(), color.end(), codes.begin(), to_unorm8);
+  return std::bit_cast<PixelWord>(codes);
+}
+
+bool is_four_nearest_even(std::size_t samples, ResolveMethod method) {
+  return samples == 4 && method == ResolveMethod::nearest_even;
+}
+
+}  // namespace
+
+Framebuffer::Framebuffer(const Target& target, const Policy& policy,
+                         const SamplePositions& reported)
+    : target_(target), choices_(edgecase::resolve(policy, target.surface)) {
+  for (Point place : positions_of(target, choices_.triangles, reported))
+    places_.push_back(raw_point(place));
+  const std::size_t planes = places_.size() + (target.samples > 1 ? 1 : 0);
+  words_.assign(planes, std::vector<PixelWord>(pixel_count() + PixelPlane::kSpare));
+  for (std::vector<PixelWord>& words : words_) planes_.push_back({words.data(), target.width});
+}
+
+std::size_t Framebuffer::pixel_count() const {
+  return static_cast<std::size_t>(target_.width) * static_cast<std::size_t>(target_.height);
+}
+
+std::optional<FastScene> Framebuffer::prepared(const Scene& scene) const {
+  return fast_scene(scene, choices_);
+}
+
+void Framebuffer::clear(const Color& color) {
+  std::array<double, 4> components{};
+  std::copy(color.begin(), color.end(), components.begin());
+  for (std::size_t s = 0; s < places_.size(); ++s)
+    std::fill_n(words_[s].begin(), pixel_count(), word_of(components));
+}
+
+void Framebuffer::draw(const FastScene& scene) {
+  for (const FastBatch& batch : scene.batches) {
+    std::vector<PixelPlane> planes;
+    std::vector<RawPoint> places;
+    for (std::size_t s = 0; s < places_.size(); ++s) {
+      if (target_.samples > 1 && (batch.samples >> s & 1) == 0) continue;
+      planes.push_back(planes_[s]);
+      places.push_back(places_[s]);
+    }
+    const SamplePlanes target{planes, places, batch.bounds};
+    switch (batch.kind) {
+      case FastBatch::Kind::flat_triangles:
+        fill_triangles(target, std::span(scene.flat_triangles).subspan(batch.first, batch.count),
+                       weights_of(choices_.triangles.ties));
+        break;
+      case FastBatch::Kind::flat_lines:
+        fill_lines(target, std::span(scene.flat_lines).subspan(batch.first, batch.count),
+                   weights_of(*choices_.lines.line.boundary->ties));
+        break;
+      case FastBatch::Kind::smooth_triangles:
+        draw_smooth(scene, batch);
+        break;
+      case FastBatch::Kind::plain:
+        for (std::size_t i = 0; i < batch.count; ++i)
+          draw_plain(scene.plain_primitives[batch.first + i]);
+        break;
+    }
+  }
+}
+
+void Framebuffer::draw_smooth(const FastScene& scene, const FastBatch& batch) {
+  const TieWeights ties = weights_of(choices_.triangles.ties);
+  for (std::size_t i = batch.first; i < batch.first + batch.count; ++i) {
+    doubtful_.clear();
+    fill_smooth_triangle(planes_[0], batch.bounds, scene.smooth_triangles[i], ties, doubtful_);
+    for (PixelPosition pixel : doubtful_)
+      planes_[0].row(pixel.y)[pixel.x] = plain_word(scene.smooth_primitives[i], pixel);
+  }
+}
+
+void Framebuffer::draw_plain(const ScenePrimitive& primitive) {
+  for (PixelPosition pixel : covered_pixels(primitive, target_, choices_.of(primitive.kind)))
+    planes_[0].row(pixel.y)[pixel.x] = plain_word(primitive, pixel);
+}
+
+PixelWord Framebuffer::plain_word(const ScenePrimitive& primitive, PixelPosition pixel) const {
+  return word_of(shade(primitive, attributes_of(primitive, choices_, target_), pixel).color);
+}
+
+void Framebuffer::resolve() {
+  if (target_.samples == 1) return;
+  const std::span<const PixelPlane> samples(planes_.data(), places_.size());
+  if (is_four_nearest_even(samples.size(), choices_.samples.resolve))
+    return resolve_four(samples.first<4>(), planes_.back(), pixel_count());
+  std::vector<std::uint8_t> values(samples.size());
+  auto* const out = reinterpret_cast<std::uint8_t*>(words_.back().data());
+  for (std::size_t i = 0; i < 4 * pixel_count(); ++i) {
+    for (std::size_t s = 0; s < values.size(); ++s)
+      values[s] = reinterpret_cast<const std::uint8_t*>(words_[s].data())[i];
+    out[i] = resolved(values, choices_.samples.resolve);
+  }
+}
+
+std::span<const std::uint8_t> Framebuffer::pixels() const {
+  return {reinterpret_cast<const std::uint8_t*>(words_.back().data()), 4 * pixel_count()};
+}
+
+std::vector<std::uint8_t> drawn_pixels(const Scene& scene, const Policy& policy,
+                                       const SamplePositions& reported) {
+  Framebuffer framebuffer(scene.target, policy, reported);
+  const std::optional<FastScene> prepared = framebuffer.prepared(scene);
+  if (!prepared) return rasterize(scene, policy, reported).pixels;
+  framebuffer.clear(scene.target.clear);
+  framebuffer.draw(*prepared);
+  framebuffer.resolve();
+  const std::span<const std::uint8_t> pixels = framebuffer.pixels();
+  return {pixels.begin(), pixels.end()};
+}
+
+}  // namespace edgecase

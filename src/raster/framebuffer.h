@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// Framebuffer: the pixels of scenes and nothing else, as fast as exact gets.
+//
+// What it draws is to the bit what raster/rasterizer.h puts into Rendering::pixels; of fragments,
+// hits and samples it tells nothing. It is made once for a target and a policy, and draws any
+// number of scenes; what it cannot draw it says when the scene is made ready, and drawn_pixels
+// below then takes the plain path.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/policy.h"
+#include "raster/fast_scene.h"
+
+namespace edgecase {
+
+class Framebuffer {
+ public:
+  // `reported`: as `rasterize` has it.
+  Framebuffer(const Target& target, const Policy& policy, const SamplePositions& reported = {});
+  Framebuffer(const Framebuffer&) = delete;
+  Framebuffer& operator=(const Framebuffer&) = delete;
+
+  // Of a scene with this target, but for its clear colour. Nothing where the plain path has to
+  // draw. Refers to the scene.
+  std::optional<FastScene> prepared(const Scene& scene) const;
+
+  void clear(const Color& color);
+  // On top of what is there.
+  void draw(const FastScene& scene);
+  // Makes pixels of samples; of a target that is not multisampled it does nothing.
+  void resolve();
+
+  // RGBA8, row by row from the bottom, 4 * width * height; until the next call.
+  std::span<const std::uint8_t> pixels() const;
+
+ private:
+  std::size_t pixel_count() const;
+  void draw_smooth(const FastScene& scene, const FastBatch& batch);
+  void draw_plain(const ScenePrimitive& primitive);
+  PixelWord plain_word(const ScenePrimitive& primitive, PixelPosition pixel) const;
+
+  Target target_;
+  RuleChoices choices_;
+  std::vector<RawPoint> places_;               // of the samples, within the pixel
+  std::vector<std::vector<PixelWord>> words_;  // a plane for each sample, then the resolved one
+  std::vector<PixelPlane> planes_;
+  std::vector<PixelPosition> doubtful_;
+};
+
+// Rendering::pixels of rasterize(scene, policy, reported). Here it is decided who draws.
+std::vector<std::uint8_t> drawn_pixels(const Scene& scene, const Policy& policy,
+                                       const SamplePositions& reported = {});
+
+}  // namespace edgecase

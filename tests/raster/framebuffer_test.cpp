@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+//
+// What a framebuffer draws is to the bit what the plain rasterizer puts into its pixels: random
+// scenes of every primitive, under every tie order and several grids, flat and smooth, of one
+// sample and of more.
+#include "raster/framebuffer.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "raster/rasterizer.h"
+#include "tests/raster/random_scenes.h"
+
+namespace edgecase {
+namespace {
+
+constexpr const char* kOrders[] = {"left-bottom", "left-top",  "right-bottom", "right-top",
+                                   "bottom-left", "top-right", "open",         "closed"};
+constexpr const char* kSnaps[] = {"none", "8-half-even", "4-truncate", "6-half-up"};
+
+// As many times as many as EDGECASE_KERNEL_SCENES says.
+int scaled_count(int count) {
+  const char* text = std::getenv("EDGECASE_KERNEL_SCENES");
+  return count * std::max(1, text ? std::atoi(text) : 1);
+}
+
+Policy random_policy(RandomScenes& random) {
+  Policy policy;
+  policy.rules["triangle.fill-rule"] = kOrders[random.below(8)];
+  policy.rules["line.diamond-exit"] = kOrders[random.below(8)];
+  policy.rules["subpixel.snap"] = kSnaps[random.below(4)];
+  if (random.below(4) == 0) policy.rules["attribute.positions"] = "snapped";
+  return policy;
+}
+
+// The pixels of a scene that the framebuffer draws; counts it.
+std::vector<std::uint8_t> fast_pixels(const Scene& scene, const Policy& policy, int& drawn) {
+  Framebuffer framebuffer(scene.target, policy);
+  const auto prepared = framebuffer.prepared(scene);
+  if (!prepared) return rasterize(scene, policy).pixels;
+  ++drawn;
+  // What was there before is cleared.
+  framebuffer.clear({1, 1, 1, 1});
+  framebuffer.clear(scene.target.clear);
+  framebuffer.draw(*prepared);
+  framebuffer.resolve();
+  return {framebuffer.pixels().begin(), framebuffer.pixels().end()};
+}
+
+TEST(Framebuffer, DrawsRandomScenesAsThePlainPath) {
+  RandomScenes random(21);
+  int drawn = 0;
+  const int count = scaled_count(6000);
+  for (int i = 0; i < count; ++i) {
+    const SceneKind kind{4 + random.below(36), Fixed::kOne >> random.below(17), 4, i % 2 == 0};
+    const Scene scene = random.next(kind);
+    const Policy policy = random_policy(random);
+    ASSERT_EQ(fast_pixels(scene, policy, drawn), rasterize(scene, policy).pixels) << i;
+  }
+  EXPECT_EQ(drawn, count);
+}
+
+// Colours that lie between two codes at many samples: ramps of whole and half codes a pixel, halves
+// all over, and values beyond 0 to 1.
+TEST(Framebuffer, LeavesTiesOfCodesToThePlainPath) {
+  RandomScenes random(22);
+  int drawn = 0;
+  for (int i = 0; i < scaled_count(300); ++i) {
+    const int size = 5 + random.below(30);
+    Scene scene = blank_scene(size, size);
+    const auto at = [&](int x, int y) {
+      return Point{Fixed::from_integer(x), Fixed::from_integer(y)};
+    };
+    const Point corners[] = {at(0, 0), at(size, 0), at(0, size), at(size, size)};
+    Draw draw = make_draw(Primitive::triangle_strip, corners);
+    draw.interpolation = Interpolation::smooth;
+    const float step = static_cast<float>(1 + random.below(8)) / 510.0F;
+    for (std::size_t v = 0; v < 4; ++v) {
+      const float x = v % 2 == 1 ? static_cast<float>(size) : 0, y = v > 1 ? 1 : 0;
+      draw.vertices[v].color = {x * step, .5F, y * 3 - 1, random.below(2) == 0 ? y : .5F};
+    }
+    scene.draws.push_back(draw);
+    ASSERT_EQ(fast_pixels(scene, {}, drawn), rasterize(scene, {}).pixels) << i;
+  }
+  EXPECT_GT(drawn, 0);
+}
+
+TEST(Framebuffer, DividesByWWhereTheDrawDoes) {
+  RandomScenes random(23);
+  int drawn = 0;
+  for (int i = 0; i < scaled_count(300); ++i) {
+    Scene scene = random.next({16, Fixed::kOne / 16, 3, true});
+    for (Draw& draw : scene.draws) {
+      if (random.below(3) == 0) draw.interpolation = Interpolation::noperspective;
+      const float w = static_cast<float>(1 + random.below(3));
+      for (Vertex& vertex : draw.vertices)
+        vertex.w = random.below(3) == 0 ? static_cast<float>(1 + random.below(3)) : w;
+    }
+    ASSERT_EQ(fast_pixels(scene, {}, drawn), rasterize(scene, {}).pixels) << i;
+  }
+  EXPECT_GT(drawn, 0);
+}
+
+TEST(Framebuffer, DrawsSamplesAsThePlainPath) {
+  RandomScenes random(24);
+  int drawn = 0, asked = 0;
+  for (int i = 0; i < scaled_count(1500); ++i) {
+    Scene scene = random.next({4 + random.below(24), Fixed::kOne >> random.below(17), 4, false});
+    scene.target.samples = random.below(4) == 0 ? 2 << random.below(3) : 4;
+    std::erase_if(scene.draws, [](const Draw& draw) {
+      return kind_of(draw.primitive) != PrimitiveKind::triangle;
+    });
+    for (Draw& draw : scene.draws)
+      if (random.below(3) == 0)
+        draw.multisampling.mask = static_cast<std::uint32_t>(random.below(16));
+    Policy policy = random_policy(random);
+    if (random.below(3) == 0) policy.rules["sample.positions"] = "mirrored-x";
+    if (random.below(4) == 0) policy.rules["sample.resolve"] = "half-up";
+    if (random.below(8) == 0) policy.rules["sample.mask"] = "ignored";
+    ASSERT_EQ(fast_pixels(scene, policy, drawn), rasterize(scene, policy).pixels) << i;
+    ++asked;
+  }
+  EXPECT_EQ(drawn, asked);
+}
+
+// Scissor rectangles, and policies that see the target upside down.
+TEST(Framebuffer, HoldsTheScissorAndOtherRowOrders) {
+  RandomScenes random(25);
+  int drawn = 0;
+  for (int i = 0; i < scaled_count(600); ++i) {
+    const int size = 4 + random.below(28);
+    Scene scene = random.next({size, Fixed::kOne >> random.below(17), 4, true});
+    for (Draw& draw : scene.draws)
+      draw.scissor = Viewport{random.below(size) - 2, random.below(size) - 2, random.below(size),
+                              random.below(size)};
+    Policy policy = random_policy(random);
+    if (i % 3 == 0) policy.rules["triangle.row-order"] = "top-down";
+    if (i % 5 == 0) policy.rules["line.row-order"] = "top-down";
+    ASSERT_EQ(fast_pixels(scene, policy, drawn), rasterize(scene, policy).pixels) << i;
+  }
+  EXPECT_GT(drawn, 0);
+}
+
+TEST(Framebuffer, LeavesOperationsTexturesAndPassesToThePlainPath) {
+  Scene scene = RandomScenes(26).next({8, Fixed::kOne / 2, 1, false});
+  const auto is_drawn = [&] { return Framebuffer(scene.target, {}).prepared(scene).has_value(); };
+  ASSERT_TRUE(is_drawn());
+  scene.draws[0].operations.blending = Blending();
+  EXPECT_FALSE(is_drawn());
+  EXPECT_EQ(drawn_pixels(scene, {}), rasterize(scene, {}).pixels);
+}
+
+}  // namespace
+}  // namespace edgecase
