@@ -114,10 +114,9 @@ class LineHeight {
   constexpr void go_right() {
     row_ += step_;
     rest_ += step_rest_;
-    if (rest_ >= run_) {
-      rest_ -= run_;
-      ++row_;
-    }
+    const std::int64_t carry = rest_ >= run_ ? 1 : 0;
+    rest_ -= run_ & -carry;
+    row_ += carry;
   }
 
  private:

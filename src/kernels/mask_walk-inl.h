@@ -2,16 +2,16 @@
 //
 // Small triangles as masks: some columns of a row at once, a lane for each.
 //
-// A box of at most 16 columns and 64 rows need not be aligned to anything: its lower left pixel is
+// A box of at most 32 columns and 64 rows need not be aligned to anything: its lower left pixel is
 // where the lanes begin. The three functions are or-ed, and the sign of the result says whether any
 // of them is negative. Beyond the box's columns some function is negative anyway (box_at in
 // edge_functions.h), so no lane needs to be told that it lies outside.
 //
 // All of it fits in 32 bits, whatever the grid of the vertices: with W columns and H rows in the
 // box, vertices are less than W + 1 and H + 1 pixels apart, so that right < (H + 1) 2^16 and up <
-// (W + 1) 2^16. A function is negative somewhere within a pixel of the triangle and positive
-// somewhere else there; over the box, 16 lanes wide, it is at most
-// right (W + 18) + up (H + 2) < 2^16 (65 * 34 + 17 * 66) < 2^28.
+// (W + 1) 2^16. A function is zero on a line through two vertices, which lie less than a pixel
+// beside the box. From there to a lane, at most 7 columns beyond the box, and to the row after its
+// last one it grows by less than right (W + 8) + up (H + 2).
 //
 // Compiled once for each of Highway's targets.
 #if defined(EDGECASE_KERNELS_MASK_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -35,11 +35,12 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Lanes32 = hn::CappedTag<std::int32_t, 8>;
-constexpr int kMaskColumns = 16;
+constexpr int kMaskColumns = 32;
 constexpr int kMaskRows = 64;
-static_assert((std::int64_t{kMaskRows} + 1) * (kMaskColumns + 18) +
-                  (std::int64_t{kMaskColumns} + 1) * (kMaskRows + 2) <
-              1 << 12);
+static_assert(((std::int64_t{kMaskRows} + 1) * (kMaskColumns + 8) +
+               (std::int64_t{kMaskColumns} + 1) * (kMaskRows + 2)) *
+                  Fixed::kOne <
+              std::int64_t{1} << 31);
 
 HWY_INLINE bool fits_masks(const PixelBounds& box) {
   return box.x_max - box.x_min < kMaskColumns && box.y_max - box.y_min < kMaskRows;

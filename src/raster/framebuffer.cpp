@@ -21,20 +21,29 @@ bool is_four_nearest_even(std::size_t samples, ResolveMethod method) {
   return samples == 4 && method == ResolveMethod::nearest_even;
 }
 
+// The least odd number of lines that holds so many pixels, in pixels.
+std::size_t padded_width(std::size_t width, std::size_t line) {
+  return ((width + line - 1) / line | 1) * line;
+}
+
 }  // namespace
 
 Framebuffer::Framebuffer(const Target& target, const Policy& policy,
                          const SamplePositions& reported)
-    : target_(target), choices_(edgecase::resolve(policy, target.surface)) {
+    : target_(target),
+      choices_(edgecase::resolve(policy, target.surface)),
+      stride_(padded_width(static_cast<std::size_t>(target.width), CacheLine::kPixels)) {
   for (Point place : positions_of(target, choices_.triangles, reported))
     places_.push_back(raw_point(place));
   const std::size_t planes = places_.size() + (target.samples > 1 ? 1 : 0);
-  words_.assign(planes, std::vector<PixelWord>(pixel_count() + PixelPlane::kSpare));
-  for (std::vector<PixelWord>& words : words_) planes_.push_back({words.data(), target.width});
+  const std::size_t lines = (plane_size() + PixelPlane::kSpare) / CacheLine::kPixels + 1;
+  memory_.assign(planes, std::vector<CacheLine>(lines));
+  for (std::vector<CacheLine>& memory : memory_)
+    planes_.push_back({memory[0].pixels, static_cast<std::ptrdiff_t>(stride_)});
 }
 
-std::size_t Framebuffer::pixel_count() const {
-  return static_cast<std::size_t>(target_.width) * static_cast<std::size_t>(target_.height);
+std::size_t Framebuffer::plane_size() const {
+  return stride_ * static_cast<std::size_t>(target_.height);
 }
 
 std::optional<FastScene> Framebuffer::prepared(const Scene& scene) const {
@@ -45,7 +54,7 @@ void Framebuffer::clear(const Color& color) {
   std::array<double, 4> components{};
   std::copy(color.begin(), color.end(), components.begin());
   for (std::size_t s = 0; s < places_.size(); ++s)
-    std::fill_n(words_[s].begin(), pixel_count(), word_of(components));
+    std::fill_n(planes_[s].pixels, plane_size(), word_of(components));
 }
 
 void Framebuffer::draw(const FastScene& scene) {
@@ -101,18 +110,22 @@ void Framebuffer::resolve() {
   if (target_.samples == 1) return;
   const std::span<const PixelPlane> samples(planes_.data(), places_.size());
   if (is_four_nearest_even(samples.size(), choices_.samples.resolve))
-    return resolve_four(samples.first<4>(), planes_.back(), pixel_count());
+    return resolve_four(samples.first<4>(), planes_.back(), plane_size());
   std::vector<std::uint8_t> values(samples.size());
-  auto* const out = reinterpret_cast<std::uint8_t*>(words_.back().data());
-  for (std::size_t i = 0; i < 4 * pixel_count(); ++i) {
+  auto* const out = reinterpret_cast<std::uint8_t*>(planes_.back().pixels);
+  for (std::size_t i = 0; i < sizeof(PixelWord) * plane_size(); ++i) {
     for (std::size_t s = 0; s < values.size(); ++s)
-      values[s] = reinterpret_cast<const std::uint8_t*>(words_[s].data())[i];
+      values[s] = reinterpret_cast<const std::uint8_t*>(samples[s].pixels)[i];
     out[i] = resolved(values, choices_.samples.resolve);
   }
 }
 
-std::span<const std::uint8_t> Framebuffer::pixels() const {
-  return {reinterpret_cast<const std::uint8_t*>(words_.back().data()), 4 * pixel_count()};
+std::vector<std::uint8_t> Framebuffer::pixels() const {
+  const std::size_t row = sizeof(PixelWord) * static_cast<std::size_t>(target_.width);
+  std::vector<std::uint8_t> pixels(row * static_cast<std::size_t>(target_.height));
+  for (int y = 0; y < target_.height; ++y)
+    std::memcpy(pixels.data() + row * static_cast<std::size_t>(y), planes_.back().row(y), row);
+  return pixels;
 }
 
 std::vector<std::uint8_t> drawn_pixels(const Scene& scene, const Policy& policy,
@@ -123,8 +136,7 @@ std::vector<std::uint8_t> drawn_pixels(const Scene& scene, const Policy& policy,
   framebuffer.clear(scene.target.clear);
   framebuffer.draw(*prepared);
   framebuffer.resolve();
-  const std::span<const std::uint8_t> pixels = framebuffer.pixels();
-  return {pixels.begin(), pixels.end()};
+  return framebuffer.pixels();
 }
 
 }  // namespace edgecase

@@ -34,20 +34,28 @@ class Framebuffer {
   // Makes pixels of samples; of a target that is not multisampled it does nothing.
   void resolve();
 
-  // RGBA8, row by row from the bottom, 4 * width * height; until the next call.
-  std::span<const std::uint8_t> pixels() const;
+  // RGBA8, row by row from the bottom, 4 * width * height; as Rendering::pixels.
+  std::vector<std::uint8_t> pixels() const;
 
  private:
-  std::size_t pixel_count() const;
+  // Rows begin on a line of the cache, and one row's lines and the next one's share no sets of it:
+  // a small triangle's rows would drive each other out where the width is a power of two.
+  struct alignas(64) CacheLine {
+    static constexpr std::size_t kPixels = 64 / sizeof(PixelWord);
+    PixelWord pixels[kPixels];
+  };
+
+  std::size_t plane_size() const;
   void draw_smooth(const FastScene& scene, const FastBatch& batch);
   void draw_plain(const ScenePrimitive& primitive);
   PixelWord plain_word(const ScenePrimitive& primitive, PixelPosition pixel) const;
 
   Target target_;
   RuleChoices choices_;
-  std::vector<RawPoint> places_;               // of the samples, within the pixel
-  std::vector<std::vector<PixelWord>> words_;  // a plane for each sample, then the resolved one
-  std::vector<PixelPlane> planes_;
+  std::vector<RawPoint> places_;  // of the samples, within the pixel
+  std::size_t stride_;            // pixels
+  std::vector<std::vector<CacheLine>> memory_;
+  std::vector<PixelPlane> planes_;  // one for each sample, then the resolved one
   std::vector<PixelPosition> doubtful_;
 };
 

@@ -148,15 +148,15 @@ TEST_F(TriangleKernel, TheLargestTriangles) {
 TEST_F(TriangleKernel, TheLargestMasks) {
   RandomPoints random(4);
   const std::span<const TieRule> rules = all_tie_rules();
-  Canvas canvas(40, 80);
+  Canvas canvas(60, 80);
   const auto targets = kernel_targets();
   for (int i = 0; i < scaled_count(4000); ++i) {
     const auto near = [&](int pixel) {
       return Fixed::from_raw(Fixed::centre_of(pixel).raw() + random.below(65536) - 32768);
     };
     const int x = random.below(20), y = random.below(12);
-    const Triangle t{Point{near(x), near(y)}, Point{near(x + 16), near(y + random.below(2) * 64)},
-                     Point{near(x + random.below(2) * 16), near(y + 64)}};
+    const Triangle t{Point{near(x), near(y)}, Point{near(x + 32), near(y + random.below(2) * 64)},
+                     Point{near(x + random.below(2) * 32), near(y + 64)}};
     const TieRule& ties = rules[static_cast<std::size_t>(random.below(10))];
     use_kernel_target(targets[static_cast<std::size_t>(i) % targets.size()]);
     ASSERT_EQ(filled_pixels(canvas, t, ties, canvas.bounds()),

@@ -45,7 +45,7 @@ std::vector<std::uint8_t> fast_pixels(const Scene& scene, const Policy& policy, 
   framebuffer.clear(scene.target.clear);
   framebuffer.draw(*prepared);
   framebuffer.resolve();
-  return {framebuffer.pixels().begin(), framebuffer.pixels().end()};
+  return framebuffer.pixels();
 }
 
 TEST(Framebuffer, DrawsRandomScenesAsThePlainPath) {
