@@ -15,8 +15,8 @@ namespace edgecase {
 // Four bytes, red first in memory, as one word.
 using PixelWord = std::uint32_t;
 
-// Pixels row by row from the bottom. Behind the last row there is room for kSpare more, which kernels
-// may read and write back as they were.
+// Pixels row by row from the bottom. Behind the last row there is room for kSpare more, which
+// kernels may read and write back as they were.
 struct PixelPlane {
   static constexpr std::size_t kSpare = 16;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // fill_triangles: small triangles by masks, all others by spans. A small one that the bounds cut is
-// walked by spans too: its box would no longer be its own.
+// walked by spans too: its box would no longer be its own. Many large ones go tile by tile.
 #include "kernels/pixel_plane.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -12,6 +12,7 @@
 
 #include "kernels/mask_walk-inl.h"
 #include "kernels/span_walk.h"
+#include "kernels/tile_bins.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace edgecase {
@@ -46,16 +47,49 @@ HWY_INLINE void FillTriangle(const PixelPlane& plane, const PixelBounds& bounds,
   });
 }
 
-void FillTriangles(const SamplePlanes& target, std::span<const FlatTriangle> triangles,
-                   const TieWeights& ties) {
+HWY_INLINE void FillRectangle(const PixelPlane& plane, const PixelBounds& part, PixelWord color) {
+  for (int y = part.y_min; y <= part.y_max; ++y)
+    FillSpan(plane.row(y) + part.x_min, part.x_max - part.x_min + 1, color);
+}
+
+TriangleSetup SetUp(const FlatTriangle& triangle, const TieWeights& ties) {
+  const auto& [a, b, c] = triangle.vertices;
+  return {a, b, c, ties};
+}
+
+void FillInOrder(const SamplePlanes& target, std::span<const FlatTriangle> triangles,
+                 const TieWeights& ties) {
   for (const FlatTriangle& triangle : triangles) {
-    const auto& [a, b, c] = triangle.vertices;
-    const TriangleSetup setup(a, b, c, ties);
+    const TriangleSetup setup = SetUp(triangle, ties);
     if (!setup.has_area()) continue;
     for (std::size_t s = 0; s < target.planes.size(); ++s)
       FillTriangle(target.planes[s], target.bounds, setup.edges_at(target.places[s]),
                    setup.box_at(target.places[s]), triangle.color);
   }
+}
+
+void FillByTiles(const PixelPlane& plane, RawPoint place, const PixelBounds& bounds,
+                 std::span<const FlatTriangle> triangles, const TieWeights& ties) {
+  TileBins bins(bounds);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const TriangleSetup setup = SetUp(triangles[i], ties);
+    if (setup.has_area()) bins.add(i, setup.edges_at(place), setup.box_at(place));
+  }
+  bins.draw([&](std::size_t i, const PixelBounds& part, bool is_covered) HWY_ATTR {
+    const FlatTriangle& triangle = triangles[i];
+    if (is_covered) return FillRectangle(plane, part, triangle.color);
+    const TriangleSetup setup = SetUp(triangle, ties);
+    FillTriangle(plane, part, setup.edges_at(place), setup.box_at(place), triangle.color);
+  });
+}
+
+void FillTriangles(const SamplePlanes& target, std::span<const FlatTriangle> triangles,
+                   const TieWeights& ties) {
+  const auto vertices = [&](std::size_t i) { return triangles[i].vertices; };
+  if (!wants_bins(triangles.size(), target.bounds, vertices))
+    return FillInOrder(target, triangles, ties);
+  for (std::size_t s = 0; s < target.planes.size(); ++s)
+    FillByTiles(target.planes[s], target.places[s], target.bounds, triangles, ties);
 }
 
 }  // namespace

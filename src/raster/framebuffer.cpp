@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 
+#include "kernels/tile_bins.h"
 #include "raster/attributes.h"
 #include "raster/rasterizer.h"
 
@@ -89,12 +90,26 @@ void Framebuffer::draw(const FastScene& scene) {
 
 void Framebuffer::draw_smooth(const FastScene& scene, const FastBatch& batch) {
   const TieWeights ties = weights_of(choices_.triangles.ties);
-  for (std::size_t i = batch.first; i < batch.first + batch.count; ++i) {
+  const auto triangles = std::span(scene.smooth_triangles).subspan(batch.first, batch.count);
+  const auto draw_part = [&](std::size_t i, const PixelBounds& part) {
     doubtful_.clear();
-    fill_smooth_triangle(planes_[0], batch.bounds, scene.smooth_triangles[i], ties, doubtful_);
+    fill_smooth_triangle(planes_[0], part, triangles[i], ties, doubtful_);
+    const ScenePrimitive& primitive = scene.smooth_primitives[batch.first + i];
     for (PixelPosition pixel : doubtful_)
-      planes_[0].row(pixel.y)[pixel.x] = plain_word(scene.smooth_primitives[i], pixel);
+      planes_[0].row(pixel.y)[pixel.x] = plain_word(primitive, pixel);
+  };
+  const auto vertices = [&](std::size_t i) { return triangles[i].vertices; };
+  if (!wants_bins(triangles.size(), batch.bounds, vertices)) {
+    for (std::size_t i = 0; i < triangles.size(); ++i) draw_part(i, batch.bounds);
+    return;
   }
+  TileBins bins(batch.bounds);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& [a, b, c] = triangles[i].vertices;
+    const TriangleSetup setup(a, b, c, ties);
+    if (setup.has_area()) bins.add(i, setup.edges_at(kCentrePlace), setup.box_at(kCentrePlace));
+  }
+  bins.draw([&](std::size_t i, const PixelBounds& part, bool) { draw_part(i, part); });
 }
 
 void Framebuffer::draw_plain(const ScenePrimitive& primitive) {

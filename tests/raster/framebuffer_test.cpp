@@ -9,6 +9,7 @@
 
 #include <cstdlib>
 
+#include "kernels/tile_bins.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/random_scenes.h"
 
@@ -140,6 +141,42 @@ TEST(Framebuffer, HoldsTheScissorAndOtherRowOrders) {
     ASSERT_EQ(fast_pixels(scene, policy, drawn), rasterize(scene, policy).pixels) << i;
   }
   EXPECT_GT(drawn, 0);
+}
+
+// Targets of several tiles, whole ones and some that are cut, and triangles enough to go tile by
+// tile: flat and smooth, of one sample and of four.
+TEST(Framebuffer, DrawsTileByTileAsInOrder) {
+  RandomScenes random(27);
+  int drawn = 0, by_tiles = 0;
+  const int count = scaled_count(24);
+  for (int i = 0; i < count; ++i) {
+    const int size = 190 + random.below(80);
+    Scene scene = random.next({size, Fixed::kOne >> random.below(17), 1, false});
+    scene.draws.clear();
+    if (i % 4 == 3) scene.target.samples = 4;
+    const bool smooth = i % 4 == 1;
+    std::vector<Point> corners;
+    for (int v = 0; v < (smooth ? 30 : 45); ++v) {
+      const auto at = [&] {
+        return Fixed::from_raw(random.below((size + 160) << 16) - (80 << 16));
+      };
+      corners.push_back({at(), at()});
+    }
+    Draw draw = make_draw(Primitive::triangles, corners, i);
+    if (smooth) draw.interpolation = Interpolation::smooth;
+    if (i % 3 == 2) draw.scissor = Viewport{random.below(60), random.below(60), 170, 120};
+    scene.draws.push_back(draw);
+    const Policy policy = random_policy(random);
+    ASSERT_EQ(fast_pixels(scene, policy, drawn), rasterize(scene, policy).pixels) << i;
+    const auto vertices = [&](std::size_t t) {
+      return std::array{raw_point(corners[3 * t]), raw_point(corners[3 * t + 1]),
+                        raw_point(corners[3 * t + 2])};
+    };
+    const PixelBounds bounds = drawable_bounds(scene.draws[0], scene.target);
+    if (wants_bins(corners.size() / 3, bounds, vertices)) ++by_tiles;
+  }
+  EXPECT_EQ(drawn, count);
+  EXPECT_GT(by_tiles, count / 2);
 }
 
 TEST(Framebuffer, LeavesOperationsTexturesAndPassesToThePlainPath) {
