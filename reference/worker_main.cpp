@@ -2,29 +2,34 @@
 //
 // edgecase-gl: the worker program of the OpenGL renderers.
 //
-//   edgecase-gl CONTEXT [--expect-driver NAME]
+//   edgecase-gl CONTEXT [--expect-driver NAME] [--messages]
 //   edgecase-gl --devices
 //
 // CONTEXT is osmesa, egl-surfaceless or egl-device:N, or of OpenGL ES egl-es-surfaceless or
 // egl-es-device:N. With --devices it prints how many devices EGL lists, and ends.
 //
 // It speaks the protocol of reference/PROTOCOL.md: one scene per line on standard input, one answer
-// per line on standard output, until its input ends. Which driver draws is decided by environment
-// variables that its parent sets; --expect-driver makes sure of it, see driver_proof.h. A context
-// that cannot be had, or another driver than the expected one, is a sentence on standard error and
-// exit status 3.
+// per line on standard output, until its input ends. With --messages it says the same in bytes
+// (wire/message.h), each message with its length before it: the program starts it so. Which driver
+// draws is decided by environment variables that its parent sets; --expect-driver makes sure of it,
+// see driver_proof.h. A context that cannot be had, or another driver than the expected one, is a
+// sentence on standard error and exit status 3.
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "reference/driver_proof.h"
 #include "reference/egl_context.h"
 #include "reference/gl_context.h"
 #include "reference/scene_renderer.h"
 #include "wire/answer_line.h"
+#include "wire/message.h"
 #include "wire/request_line.h"
 
 namespace edgecase {
@@ -52,32 +57,80 @@ bool write_line(std::FILE* output, const std::string& line) {
          std::fputc('\n', output) != EOF && std::fflush(output) == 0;
 }
 
-std::string line_of(const Request& request, const Outcome& outcome, const RendererInfo* claims) {
-  if (const auto* failure = std::get_if<Failure>(&outcome))
-    return refusal_line(request.digest, failure->reason, claims);
-  const Rendering& rendering = std::get<Rendering>(outcome);
-  return request.coverage_only ? coverage_line(request.digest, rendering, claims)
-                               : answer_line(request.digest, rendering, claims);
+// Messages have their length before them, as eight bytes of this machine.
+bool write_message(std::FILE* output, const std::string& bytes) {
+  const std::uint64_t length = bytes.size();
+  return std::fwrite(&length, sizeof(length), 1, output) == 1 &&
+         std::fwrite(bytes.data(), 1, bytes.size(), output) == bytes.size() &&
+         std::fflush(output) == 0;
 }
 
-int serve(SceneRenderer& renderer, const RendererInfo& info, std::FILE* output) {
+bool read_message(std::FILE* input, std::string& bytes) {
+  std::uint64_t length = 0;
+  if (std::fread(&length, sizeof(length), 1, input) != 1) return false;
+  bytes.resize(static_cast<std::size_t>(length));
+  return std::fread(bytes.data(), 1, bytes.size(), input) == bytes.size();
+}
+
+std::string line_of(const std::string& digest, const Outcome& outcome, bool coverage_only,
+                    const RendererInfo* claims) {
+  if (const auto* failure = std::get_if<Failure>(&outcome))
+    return refusal_line(digest, failure->reason, claims);
+  const Rendering& rendering = std::get<Rendering>(outcome);
+  return coverage_only ? coverage_line(digest, rendering, claims)
+                       : answer_line(digest, rendering, claims);
+}
+
+// Runs of pixels tell neither samples, nor passes, nor which fragments pass their tests.
+bool can_be_runs(const Scene& scene) {
+  return scene.target.samples == 1 && scene.supersampling.empty() &&
+         !has_fragment_operations(scene);
+}
+
+// Draws one scene. `answer(outcome, coverage_only)` writes the answer. The exit status where there
+// is no going on.
+template <class AnyRequest, class Answer>
+std::optional<int> answer_one(SceneRenderer& renderer, const AnyRequest& request, Answer answer) {
+  const bool coverage_only = request.coverage_only && can_be_runs(request.scene);
+  const Outcome outcome = renderer.render(request.scene, coverage_only);
+  const auto* failure = std::get_if<Failure>(&outcome);
+  if (failure != nullptr && failure->kind == FailureKind::crashed)
+    return complain(kContextLost, failure->reason);
+  if (!answer(outcome, coverage_only)) return complain(kUsageError, "the parent reads no more");
+  return std::nullopt;
+}
+
+int serve_lines(SceneRenderer& renderer, const RendererInfo& info, std::FILE* output) {
   // The parent needs to hear only once who answers.
   const RendererInfo* claims = &info;
   for (std::string line; std::getline(std::cin, line);) {
     const auto parsed = parse_request(line);
     if (const auto* error = std::get_if<WireError>(&parsed))
       return complain(kUsageError, "bad request: " + error->message);
-    Request request = std::get<Request>(parsed);
-    // Runs of pixels tell neither samples, nor passes, nor which fragments pass their tests.
-    if (request.scene.target.samples > 1 || !request.scene.supersampling.empty() ||
-        has_fragment_operations(request.scene))
-      request.coverage_only = false;
-    const Outcome outcome = renderer.render(request.scene, request.coverage_only);
-    const auto* failure = std::get_if<Failure>(&outcome);
-    if (failure != nullptr && failure->kind == FailureKind::crashed)
-      return complain(kContextLost, failure->reason);
-    if (!write_line(output, line_of(request, outcome, claims)))
-      return complain(kUsageError, "the parent reads no more");
+    const Request& request = std::get<Request>(parsed);
+    const auto status =
+        answer_one(renderer, request, [&](const Outcome& outcome, bool coverage_only) {
+          return write_line(output, line_of(request.digest, outcome, coverage_only, claims));
+        });
+    if (status) return *status;
+    claims = nullptr;
+  }
+  return 0;
+}
+
+int serve_messages(SceneRenderer& renderer, const RendererInfo& info, std::FILE* output) {
+  const RendererInfo* claims = &info;
+  for (std::string bytes; read_message(stdin, bytes);) {
+    const auto parsed = parse_request_message(bytes);
+    if (const auto* error = std::get_if<WireError>(&parsed))
+      return complain(kUsageError, "bad request: " + error->message);
+    const auto& request = std::get<IncomingRequest>(parsed);
+    const auto status =
+        answer_one(renderer, request, [&](const Outcome& outcome, bool coverage_only) {
+          return write_message(output,
+                               answer_message(request.digest, outcome, coverage_only, claims));
+        });
+    if (status) return *status;
     claims = nullptr;
   }
   return 0;
@@ -90,18 +143,22 @@ int print_devices() {
 }
 
 int run(int argc, char** argv) {
-  const bool expects = argc == 4 && std::string(argv[2]) == "--expect-driver";
-  if (argc != 2 && !expects)
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  const bool takes_messages = arguments.size() > 1 && arguments.back() == "--messages";
+  if (takes_messages) arguments.pop_back();
+  const bool expects = arguments.size() == 3 && arguments[1] == "--expect-driver";
+  if (arguments.size() != 1 && !expects)
     return complain(kUsageError,
                     "usage: edgecase-gl osmesa|egl-surfaceless|egl-device:N|egl-es-surfaceless|"
-                    "egl-es-device:N [--expect-driver NAME], or edgecase-gl --devices");
-  if (std::string(argv[1]) == "--devices") return print_devices();
-  const std::string driver = expects ? argv[3] : "";
+                    "egl-es-device:N [--expect-driver NAME] [--messages], or edgecase-gl "
+                    "--devices");
+  if (arguments[0] == "--devices") return print_devices();
+  const std::string driver = expects ? arguments[2] : "";
   if (std::string missing = missing_for_driver(driver); !missing.empty())
     return complain(kUnavailable, missing);
   std::FILE* output = take_standard_output();
   if (output == nullptr) return complain(kUsageError, "there is no standard output");
-  ContextResult opened = open_context(argv[1]);
+  ContextResult opened = open_context(arguments[0]);
   if (const auto* error = std::get_if<ContextError>(&opened))
     return complain(kUnavailable, error->message);
   GlContext& context = *std::get<std::unique_ptr<GlContext>>(opened);
@@ -111,7 +168,8 @@ int run(int argc, char** argv) {
     return complain(kUnavailable, doubt);
   if (std::string stack = stack_of_driver(driver); !stack.empty()) info.traits["stack"] = stack;
   std::ios::sync_with_stdio(false);
-  return serve(renderer, info, output);
+  return takes_messages ? serve_messages(renderer, info, output)
+                        : serve_lines(renderer, info, output);
 }
 
 }  // namespace

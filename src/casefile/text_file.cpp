@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <system_error>
 
@@ -17,11 +19,16 @@ TextFile read_text_file(const std::filesystem::path& file, std::size_t limit) {
     return {{}, "this is no regular file", "name a regular file"};
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return {{}, "the file cannot be opened", "check its permissions"};
-  // One byte more than allowed tells a file that is too large, even while it grows.
-  std::string text(limit + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  // One byte more than allowed tells a file that is too large, even while it grows. Files are much
+  // smaller than they may be: room for the largest would cost more than reading them.
+  std::string text;
+  std::array<char, 1 << 14> chunk;
+  while (stream && text.size() <= limit) {
+    stream.read(chunk.data(),
+                static_cast<std::streamsize>(std::min(chunk.size(), limit + 1 - text.size())));
+    text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+  }
   if (stream.bad()) return {{}, "the file cannot be read", "check the disk and its permissions"};
-  text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > limit)
     return {{}, fmt::format("larger than {} bytes", limit), "make the file smaller"};
   return {std::move(text), "", ""};

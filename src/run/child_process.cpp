@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
+#include <cstring>
 #include <thread>
 
 extern char** environ;
@@ -182,16 +184,17 @@ ChildProcess::~ChildProcess() {
   reap();
 }
 
-// False when the program will never read the rest.
-bool ChildProcess::write_some(std::string_view request, std::size_t& written) {
+// What the program will never read is dropped.
+void ChildProcess::write_some() {
   const SigpipeGuard guard;
-  while (written < request.size()) {
-    const ssize_t count =
-        ::write(input_.number(), request.data() + written, request.size() - written);
-    if (count < 0) return errno == EAGAIN || errno == EINTR;
-    written += static_cast<std::size_t>(count);
+  while (!has_written()) {
+    const ssize_t count = ::write(input_.number(), unsent_.data() + sent_, unsent_.size() - sent_);
+    if (count < 0 && errno != EAGAIN && errno != EINTR) break;
+    if (count < 0) return;
+    sent_ += static_cast<std::size_t>(count);
   }
-  return true;
+  unsent_.clear();
+  sent_ = 0;
 }
 
 // False at the end of its output.
@@ -224,39 +227,88 @@ bool ChildProcess::take_line(std::string& answer) {
   return true;
 }
 
+std::size_t ChildProcess::announced_length() const {
+  std::uint64_t length = 0;
+  if (received_.size() - taken_ < sizeof(length)) return 0;
+  std::memcpy(&length, received_.data() + taken_, sizeof(length));
+  return static_cast<std::size_t>(length);
+}
+
+bool ChildProcess::take_message(std::string& answer) {
+  constexpr std::size_t kHead = sizeof(std::uint64_t);
+  const std::size_t length = announced_length();
+  if (received_.size() - taken_ < kHead || received_.size() - taken_ - kHead < length) return false;
+  answer.assign(received_, taken_ + kHead, length);
+  taken_ += kHead + length;
+  return true;
+}
+
+// Waits until something can be read or written, and does so; the status when there is an end of
+// it.
+std::optional<ChildProcess::Status> ChildProcess::turn(Clock::time_point deadline,
+                                                       const std::atomic<bool>* stop) {
+  if (stop != nullptr && stop->load()) return Status::stopped;
+  const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
+  if (left.count() <= 0) return Status::timed_out;
+  std::array<pollfd, 3> polled{{
+      {output_.number(), POLLIN, 0},
+      {has_written() ? -1 : input_.number(), POLLOUT, 0},
+      {errors_.number(), POLLIN, 0},
+  }};
+  const int ready =
+      poll(polled.data(), polled.size(), static_cast<int>(std::min(left, kGlance).count()));
+  if (polled[2].revents != 0 && ready > 0) drain_errors();
+  if (ready > 0 && polled[1].revents != 0) write_some();
+  if (ready > 0 && polled[0].revents != 0 && !read_some()) return Status::ended;
+  if (ready == 0 && has_ended()) return Status::ended;
+  return std::nullopt;
+}
+
+// Its last words may be an answer, but nobody is left for the next scene; what it wrote to standard
+// error says why.
+ChildProcess::Status ChildProcess::end(bool answered) {
+  wait_for_end(kFarewell);
+  return answered ? Status::answered : Status::ended;
+}
+
 ChildProcess::Status ChildProcess::exchange(std::string_view request, std::string& answer,
                                             std::size_t max_line_length, Clock::time_point deadline,
                                             const std::atomic<bool>* stop) {
-  const std::string line = std::string(request) + "\n";
-  std::size_t written = 0;
+  unsent_ = std::string(request) + "\n";
+  sent_ = 0;
   bool answered = false;
   while (true) {
     // A line that comes before the whole request was read is still an answer to it, but the rest of
     // the request must go out first, or the next one would start in its middle.
     answered = answered || take_line(answer);
-    if (answered && written == line.size()) return Status::answered;
+    if (answered && has_written()) return Status::answered;
     if (!answered && received_.size() > max_line_length) return Status::too_long;
-    if (stop != nullptr && stop->load()) return Status::stopped;
-
-    const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
-    if (left.count() <= 0) return Status::timed_out;
-    std::array<pollfd, 3> polled{{
-        {output_.number(), POLLIN, 0},
-        {written < line.size() ? input_.number() : -1, POLLOUT, 0},
-        {errors_.number(), POLLIN, 0},
-    }};
-    const int ready =
-        poll(polled.data(), polled.size(), static_cast<int>(std::min(left, kGlance).count()));
-    if (polled[2].revents != 0 && ready > 0) drain_errors();
-    if (ready > 0 && polled[1].revents != 0 && !write_some(line, written)) written = line.size();
-    if (ready > 0 && polled[0].revents != 0 && !read_some()) break;
-    if (ready == 0 && has_ended()) break;
+    const auto status = turn(deadline, stop);
+    if (status == Status::ended) return end(answered || take_line(answer));
+    if (status) return *status;
   }
-  // Its last words may be an answer, but nobody is left for the next scene; what it wrote to
-  // standard error says why.
-  answered = answered || take_line(answer);
-  wait_for_end(kFarewell);
-  return answered ? Status::answered : Status::ended;
+}
+
+void ChildProcess::send(std::string_view message) {
+  const std::uint64_t length = message.size();
+  unsent_.append(reinterpret_cast<const char*>(&length), sizeof(length));
+  unsent_ += message;
+  write_some();
+}
+
+ChildProcess::Status ChildProcess::receive(std::string& answer, std::size_t max_length,
+                                           Clock::time_point deadline,
+                                           const std::atomic<bool>* stop) {
+  while (!take_message(answer)) {
+    if (announced_length() > max_length) return Status::too_long;
+    // What has been taken makes room for what comes.
+    received_.erase(0, taken_);
+    taken_ = 0;
+    const auto status = turn(deadline, stop);
+    if (status == Status::ended) return end(take_message(answer));
+    if (status) return *status;
+  }
+  return Status::answered;
 }
 
 const std::string& ChildProcess::unasked_output(milliseconds patience) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// ChildProcess: a program that answers lines with lines, held at arm's length.
+// ChildProcess: a program that answers lines with lines, held at arm's length. Or messages with
+// messages: bytes, with their number before them as eight bytes of this machine.
 //
 // Writing, reading and draining its standard error happen in one poll loop with a deadline, so that
 // no program can block us: one that does not read, one that answers without end, one that fills its
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -36,10 +38,10 @@ class ChildProcess {
   using Clock = std::chrono::steady_clock;
 
   enum class Status {
-    answered,   // a whole line came
+    answered,   // a whole line or message came
     ended,      // the program ended, or closed its output
     timed_out,  // the deadline passed
-    too_long,   // more than max_line_length bytes came without a line break
+    too_long,   // more than max_line_length bytes came without a line break, or are to come
     stopped,    // `stop` became true
   };
 
@@ -56,6 +58,14 @@ class ChildProcess {
   // program is of no further use.
   Status exchange(std::string_view request, std::string& answer, std::size_t max_line_length,
                   Clock::time_point deadline, const std::atomic<bool>* stop = nullptr);
+
+  // Sends a message as far as the pipe takes it; receive() sends the rest. Messages are answered in
+  // their order.
+  void send(std::string_view message);
+
+  // Waits for the next message that answers, otherwise as exchange() does.
+  Status receive(std::string& answer, std::size_t max_length, Clock::time_point deadline,
+                 const std::atomic<bool>* stop = nullptr);
 
   // What it has written beyond the line that exchange() returned last: "" from a program that
   // answers one line for each request. Waits for `patience` or until something comes.
@@ -100,10 +110,15 @@ class ChildProcess {
 
   static bool make_pipe(Pipe& pipe);
   bool spawn(const Command& command, std::string& error);
-  bool write_some(std::string_view request, std::size_t& written);
+  void write_some();
+  bool has_written() const { return sent_ == unsent_.size(); }
   bool read_some();
   void drain_errors();
   bool take_line(std::string& answer);
+  bool take_message(std::string& answer);
+  std::size_t announced_length() const;
+  std::optional<Status> turn(Clock::time_point deadline, const std::atomic<bool>* stop);
+  Status end(bool answered);
   bool has_ended();
   bool wait_for_end(std::chrono::milliseconds patience);
   void reap();
@@ -114,8 +129,11 @@ class ChildProcess {
   Descriptor input_;   // its standard input, where we write
   Descriptor output_;  // its standard output, where we read
   Descriptor errors_;
+  std::string unsent_;        // what is yet to be written to its input
+  std::size_t sent_ = 0;      // bytes of unsent_ that are written already
   std::string received_;      // output that is not yet part of an answer
   std::size_t searched_ = 0;  // bytes of received_ known to hold no line break
+  std::size_t taken_ = 0;     // bytes of received_ that were messages and are answered
   std::string error_output_;
 };
 

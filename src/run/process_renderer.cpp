@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "wire/answer_line.h"
+#include "wire/message.h"
 #include "wire/request_line.h"
 
 namespace edgecase {
@@ -16,6 +16,10 @@ constexpr int kMostSilentDeaths = 3;
 // The exit status by which a program says that it cannot work here at all.
 constexpr int kUnavailableStatus = 3;
 constexpr std::size_t kLongestQuote = 300;
+// Scenes that a worker is asked for before it answers the first of them, and their bytes: as many
+// as fit into a pipe.
+constexpr std::size_t kMostAsked = 16;
+constexpr std::size_t kMostAskedBytes = std::size_t{1} << 19;
 
 // The smallest scene: one pixel, nothing drawn.
 Scene empty_scene() {
@@ -62,10 +66,39 @@ std::string last_words(std::string text) {
 ProcessRenderer::ProcessRenderer(ProcessSpec spec) : spec_(std::move(spec)) {
   info_.name = spec_.name;
   if (spec_.command.argv.empty()) unavailable_ = "the renderer names no program";
+  if (spec_.takes_messages) spec_.command.argv.push_back(kMessagesOption);
 }
 
 void ProcessRenderer::render(std::span<const Task> tasks, const OutcomeSink& sink) {
-  for (std::size_t i = 0; i < tasks.size(); ++i) sink(i, render_one(tasks[i]));
+  // A sink that threw left scenes unanswered.
+  if (!asked_.empty()) end_child();
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    Outcome outcome = render_one(tasks[i]);
+    send_ahead(tasks.subspan(i + 1));
+    sink(i, std::move(outcome));
+  }
+}
+
+// Has the child draw the next scenes while the last answer is looked at.
+void ProcessRenderer::send_ahead(std::span<const Task> tasks) {
+  if (!spec_.takes_messages || child_ == nullptr || !child_answered_) return;
+  std::size_t bytes = 0;
+  for (const Asked& one : asked_) bytes += one.bytes;
+  while (asked_.size() < std::min(kMostAsked, tasks.size()) && bytes < kMostAskedBytes) {
+    send(tasks[asked_.size()]);
+    bytes += asked_.back().bytes;
+  }
+}
+
+void ProcessRenderer::send(const Task& task) {
+  const OutgoingRequest request = request_message(task.id, *task.scene, takes_coverage(task));
+  child_->send(request.bytes);
+  asked_.push_back({&task, request.digest, request.bytes.size()});
+}
+
+void ProcessRenderer::end_child() {
+  child_.reset();
+  asked_.clear();
 }
 
 Outcome ProcessRenderer::render_one(const Task& task) {
@@ -98,10 +131,14 @@ bool ProcessRenderer::start() {
 }
 
 Outcome ProcessRenderer::attempt(const Task& task) {
+  return spec_.takes_messages ? attempt_message(task) : attempt_line(task);
+}
+
+Outcome ProcessRenderer::attempt_line(const Task& task) {
   // What lies there before the scene is asked for is no answer to it, but a second one to the scene
   // before. Only a new process is sure to be in step.
   if (child_ != nullptr && !child_->unasked_output(std::chrono::milliseconds{0}).empty())
-    child_.reset();
+    end_child();
   if (child_ == nullptr && !start()) return Failure{FailureKind::unavailable, unavailable_};
   const Scene& scene = *task.scene;
   const std::string scene_text = scene_json(scene);
@@ -109,32 +146,60 @@ Outcome ProcessRenderer::attempt(const Task& task) {
   std::string answer;
   const auto status = child_->exchange(request, answer, longest_answer(scene),
                                        ChildProcess::Clock::now() + patience(), spec_.stop);
-  if (status == ChildProcess::Status::answered) return read(answer, digest_of(scene_text), task);
+  if (status == ChildProcess::Status::answered) {
+    note_answer();
+    auto parsed = parse_answer(answer, digest_of(scene_text), scene, takes_coverage(task));
+    if (const auto* error = std::get_if<WireError>(&parsed)) return refuse(error->message);
+    auto& read = std::get<Answer>(parsed);
+    return take(std::move(read.outcome), std::move(read.claims));
+  }
   Failure failure = failure_of(status);
-  child_.reset();
+  end_child();
   return failure;
 }
 
-Outcome ProcessRenderer::read(const std::string& line, const std::string& digest,
-                              const Task& task) {
+// A failure is that of the first scene without an answer: the worker draws one after the other, and
+// the next ones are asked for again. Its patience begins when nothing is left to wait for before.
+Outcome ProcessRenderer::attempt_message(const Task& task) {
+  if (child_ == nullptr && !start()) return Failure{FailureKind::unavailable, unavailable_};
+  if (asked_.empty()) send(task);
+  const Asked asked = asked_.front();
+  std::string answer;
+  const auto status = child_->receive(answer, longest_answer(*task.scene),
+                                      ChildProcess::Clock::now() + patience(), spec_.stop);
+  if (status == ChildProcess::Status::answered) {
+    asked_.pop_front();
+    note_answer();
+    auto parsed = parse_answer_message(answer, asked.digest, *task.scene, takes_coverage(task));
+    if (const auto* error = std::get_if<WireError>(&parsed)) return refuse(error->message);
+    auto& read = std::get<Answer>(parsed);
+    return take(std::move(read.outcome), std::move(read.claims));
+  }
+  Failure failure = failure_of(status);
+  end_child();
+  return failure;
+}
+
+void ProcessRenderer::note_answer() {
   child_answered_ = true;
   ever_answered_ = true;
   silent_deaths_ = 0;
-  auto parsed = parse_answer(line, digest, *task.scene, takes_coverage(task));
-  if (const auto* error = std::get_if<WireError>(&parsed)) {
-    // Nobody knows what else is on its way: only a new process is sure to be in step.
-    child_->kill();
-    Failure failure{FailureKind::garbage,
-                    "its answer is refused: " + error->message + quote_errors()};
-    child_.reset();
-    return failure;
-  }
-  Answer& answer = std::get<Answer>(parsed);
-  if (answer.claims) {
-    info_ = std::move(*answer.claims);
+}
+
+// Nobody knows what else is on its way: only a new process is sure to be in step.
+Outcome ProcessRenderer::refuse(const std::string& why) {
+  child_->kill();
+  Failure failure{FailureKind::garbage, "its answer is refused: " + why + quote_errors()};
+  end_child();
+  return failure;
+}
+
+Outcome ProcessRenderer::take(Outcome outcome, std::optional<RendererInfo> claims) {
+  if (claims) {
+    info_ = std::move(*claims);
     info_.name = spec_.name;
   }
-  return std::move(answer.outcome);
+  return outcome;
 }
 
 // A program that has shown that it can start is given less time to do so again.

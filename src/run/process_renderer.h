@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// ProcessRenderer: a renderer that lives in a process of its own and speaks reference/PROTOCOL.md.
+// ProcessRenderer: a renderer that lives in a process of its own and speaks reference/PROTOCOL.md;
+// or, where it is our own worker, the same in bytes (wire/message.h). A worker is asked for the
+// next few scenes while an answer is looked at, and answers in order; other programs get one scene
+// at a time.
 //
 // Whatever the program does costs the scene at hand and no other: a crash, a hang and an answer
 // that is no rendering are Failures, after which the program starts again. A program that cannot be
@@ -10,7 +13,10 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
+#include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "model/renderer.h"
@@ -21,6 +27,8 @@ namespace edgecase {
 struct ProcessSpec {
   std::string name;  // as the command line names the renderer: "osmesa:llvmpipe"
   Command command;
+  // Our own worker, which takes kMessagesOption as a further argument, and then speaks in bytes.
+  bool takes_messages = false;
   std::chrono::milliseconds timeout{10'000};          // from the request to the whole answer
   std::chrono::milliseconds startup_timeout{30'000};  // added for the very first answer
   std::chrono::milliseconds restart_timeout{5'000};   // added for the first one after a restart
@@ -28,6 +36,9 @@ struct ProcessSpec {
   // and its outcome means nothing. Or null.
   const std::atomic<bool>* stop = nullptr;
 };
+
+// The argument that makes a worker speak in bytes.
+constexpr const char* kMessagesOption = "--messages";
 
 class ProcessRenderer final : public Renderer {
  public:
@@ -41,7 +52,14 @@ class ProcessRenderer final : public Renderer {
   Outcome render_one(const Task& task);
   bool start();
   Outcome attempt(const Task& task);
-  Outcome read(const std::string& line, const std::string& digest, const Task& task);
+  Outcome attempt_line(const Task& task);
+  Outcome attempt_message(const Task& task);
+  void send(const Task& task);
+  void send_ahead(std::span<const Task> tasks);
+  void end_child();
+  void note_answer();
+  Outcome refuse(const std::string& why);
+  Outcome take(Outcome outcome, std::optional<RendererInfo> claims);
   std::chrono::milliseconds patience() const;
   Failure failure_of(ChildProcess::Status status);
   bool answers_an_empty_scene();
@@ -50,6 +68,13 @@ class ProcessRenderer final : public Renderer {
   ProcessSpec spec_;
   RendererInfo info_;
   std::unique_ptr<ChildProcess> child_;
+  // What the child was asked for and has not answered, in order.
+  struct Asked {
+    const Task* task = nullptr;
+    std::uint64_t digest = 0;
+    std::size_t bytes = 0;
+  };
+  std::deque<Asked> asked_;
   bool child_answered_ = false;  // this process has answered something
   bool ever_answered_ = false;   // any process has
   int silent_deaths_ = 0;        // processes in a row that ended or hung without any answer

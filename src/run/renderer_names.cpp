@@ -210,6 +210,7 @@ std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& name
     auto command = driver_command(worker, front_end, name.substr(prefix.size()));
     if (!command) continue;
     spec.command = std::move(*command);
+    spec.takes_messages = true;
     return spec;
   }
   return UnknownRenderer{

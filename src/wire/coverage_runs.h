@@ -21,7 +21,8 @@ struct RunBounds {
   int primitives;
 };
 
-// The array as text, by primitive, then row, then column: the same for the same fragments.
+// The array, by primitive, then row, then column: the same for the same fragments. And as text.
+std::vector<int> coverage_runs(const Rendering& rendering);
 std::string coverage_runs_json(const Rendering& rendering);
 
 // The pixels of an array of runs as fragments without depth and colour, in the order of the runs.
@@ -29,5 +30,8 @@ std::string coverage_runs_json(const Rendering& rendering);
 // more than there is memory.
 std::vector<Fragment> read_coverage_runs(const nlohmann::json& value, const Path& path,
                                          const RunBounds& bounds);
+
+// The same of numbers that did not come as JSON.
+std::vector<Fragment> fragments_of_runs(const std::vector<int>& numbers, const RunBounds& bounds);
 
 }  // namespace edgecase::wire

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "wire/answer_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "wire/answer_line.h"
+#include "wire/fragment_values.h"
+#include "wire/reading.h"
+
+namespace edgecase {
+
+using wire::Refusal;
+
+namespace {
+
+void require_size(std::string_view what, std::size_t size, std::size_t wanted) {
+  if (size != wanted)
+    throw Refusal(fmt::format("{} must have {} elements, but has {}", what, wanted, size));
+}
+
+// A plane that may be left out.
+void require_size_if_any(std::string_view what, std::size_t size, std::size_t wanted) {
+  if (size > 0) require_size(what, size, wanted);
+}
+
+bool derives(const FragmentDetail& detail) {
+  return std::find(detail.has_derivative.begin(), detail.has_derivative.end(), true) !=
+         detail.has_derivative.end();
+}
+
+void check_detail(const FragmentDetail& detail, Details asked, bool is_textured) {
+  const bool textured = detail.has_texture_coordinates || detail.has_level_of_detail;
+  if ((detail.has_coordinates && !asked.coordinates) || (derives(detail) && !asked.derivatives) ||
+      (textured && !(asked.texture && is_textured)))
+    throw Refusal("a fragment tells a detail that the request does not ask for");
+}
+
+void check_fragments(const Rendering& rendering, const Scene& scene) {
+  const std::vector<bool> textured = wire::textured_primitives(scene);
+  const std::uint64_t masks = std::uint64_t{1} << rendering.samples;
+  for (const Fragment& fragment : rendering.fragments) {
+    const bool is_inside = fragment.x >= 0 && fragment.x < rendering.width && fragment.y >= 0 &&
+                           fragment.y < rendering.height;
+    if (!is_inside)
+      throw Refusal(fmt::format("a fragment is at pixel ({}, {}), outside the target", fragment.x,
+                                fragment.y));
+    if (fragment.primitive < 0 || static_cast<std::size_t>(fragment.primitive) >= textured.size())
+      throw Refusal(fmt::format("a fragment is of primitive {}, and there are {}",
+                                fragment.primitive, textured.size()));
+    if (fragment.coverage < 1 || fragment.coverage >= masks)
+      throw Refusal(fmt::format("a fragment has the coverage {}, which is none of {} samples",
+                                fragment.coverage, rendering.samples));
+    if (fragment.detail >= 0)
+      check_detail(rendering.details[static_cast<std::size_t>(fragment.detail)], scene.details,
+                   textured[static_cast<std::size_t>(fragment.primitive)]);
+  }
+}
+
+// A float32 buffer may hold a depth that rounding took beyond 0 or 1; an unsigned one cannot.
+void check_depths(const std::vector<double>& depths, DepthFormat format) {
+  const bool is_float = format == DepthFormat::depth32f;
+  for (const double depth : depths)
+    if (!std::isfinite(depth) || (!is_float && !(depth >= 0 && depth <= 1)))
+      throw Refusal(fmt::format("a depth is {}, which {} does not hold", depth, name_of(format)));
+}
+
+void check_mip_chains(const Rendering& rendering, const Scene& scene) {
+  for (const auto& [number, levels] : rendering.mip_chains) {
+    if (number >= scene.textures.size() || !scene.textures[number]->generated)
+      throw Refusal(fmt::format("{} is no texture whose levels are generated", number));
+    if (levels.empty()) throw Refusal("a mip chain has no level");
+    for (const TextureLevel& level : levels) {
+      if (std::min(level.width, level.height) < 1 ||
+          std::max(level.width, level.height) > kMaxTextureSize)
+        throw Refusal(fmt::format("a level is {}x{}", level.width, level.height));
+      require_size("a level", level.texels.size(), level.index(0, level.height));
+    }
+  }
+}
+
+std::size_t area_of(const Rendering& rendering) {
+  return rendering.pixel_index(0, rendering.height);
+}
+
+// What was drawn at one go: a scene that is not supersampled, or a pass.
+void check_drawing(const Rendering& rendering, const Scene& scene) {
+  const std::size_t area = area_of(rendering);
+  const std::size_t planes = area * static_cast<std::size_t>(rendering.samples);
+  const bool is_multisampled = rendering.samples > 1;
+  const Target& target = scene.target;
+  require_size("the pixels", rendering.pixels.size(), 4 * area);
+  require_size("the depths", rendering.depths.size(),
+               target.depth == DepthFormat::none ? 0 : planes);
+  require_size("the stencils", rendering.stencils.size(),
+               target.stencil == StencilFormat::none ? 0 : planes);
+  require_size_if_any("the hits", rendering.hits.size(), planes);
+  require_size_if_any("the pixels of samples", rendering.sample_pixels.size(),
+                      is_multisampled ? 4 * planes : 0);
+  require_size_if_any("the positions of samples", rendering.sample_positions.size(),
+                      is_multisampled ? static_cast<std::size_t>(rendering.samples) : 0);
+  for (const Point& position : rendering.sample_positions)
+    if (position.x.floor() != 0 || position.y.floor() != 0)
+      throw Refusal("a sample lies outside its pixel");
+  require_size("the accumulated image", rendering.accumulated.size(), 0);
+  require_size("the passes", rendering.passes.size(), 0);
+  check_depths(rendering.depths, target.depth);
+  check_mip_chains(rendering, scene);
+  check_fragments(rendering, scene);
+  check_hits(rendering, scene);
+}
+
+// Fragments and what belongs to them are told of each pass.
+void check_supersampled(const Rendering& rendering, const Scene& scene) {
+  const std::size_t area = area_of(rendering);
+  require_size("the pixels", rendering.pixels.size(), 4 * area);
+  require_size("the accumulated image", rendering.accumulated.size(), 4 * area);
+  require_size("the passes", rendering.passes.size(), scene.supersampling.size());
+  require_size("what is told beside the passes",
+               rendering.fragments.size() + rendering.hits.size() + rendering.depths.size() +
+                   rendering.stencils.size() + rendering.mip_chains.size() +
+                   rendering.sample_positions.size() + rendering.sample_pixels.size(),
+               0);
+  for (const Rendering& pass : rendering.passes) check_drawing(pass, scene);
+}
+
+}  // namespace
+
+bool tells_something(const FragmentDetail& detail) {
+  return detail.has_coordinates || detail.has_texture_coordinates || detail.has_level_of_detail ||
+         derives(detail);
+}
+
+void check_hits(const Rendering& rendering, const Scene& scene) {
+  require_size_if_any("the hits", rendering.hits.size(),
+                      area_of(rendering) * static_cast<std::size_t>(rendering.samples));
+  const auto contradiction =
+      has_fragment_operations(scene) ? excess_of_hits(rendering) : contradiction_of_hits(rendering);
+  if (contradiction) throw Refusal(*contradiction);
+}
+
+void check_rendering(const Rendering& rendering, const Scene& scene) {
+  if (scene.supersampling.empty())
+    check_drawing(rendering, scene);
+  else
+    check_supersampled(rendering, scene);
+}
+
+}  // namespace edgecase

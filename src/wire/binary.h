@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+//
+// Values as bytes, for a reader that was built together with the writer and runs on the same
+// machine: numbers as they lie in memory, and sizes before what has one. Nothing in the bytes says
+// what they are.
+//
+// Each type is told once, by a function `carry(io, value)` that names its members in order: a
+// Writer takes them from the value, and a Reader puts them there (wire/binary_values.h). A Reader
+// throws a Refusal where bytes are missing; whether values make sense is for its caller.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "wire/reading.h"
+
+namespace edgecase::wire {
+
+// What lies in memory as it is sent.
+template <class T>
+concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
+// U, or const U.
+template <class T, class U>
+concept Of = std::same_as<std::remove_const_t<T>, U>;
+
+class Writer {
+ public:
+  static constexpr bool kReads = false;
+
+  explicit Writer(std::string& out) : out_(out) {}
+  void bytes(const void* from, std::size_t count) {
+    out_.append(static_cast<const char*>(from), count);
+  }
+  // The number of elements that follow.
+  std::size_t size(std::size_t count) {
+    const std::uint64_t number = count;
+    bytes(&number, sizeof(number));
+    return count;
+  }
+
+ private:
+  std::string& out_;
+};
+
+class Reader {
+ public:
+  static constexpr bool kReads = true;
+
+  explicit Reader(std::string_view bytes) : left_(bytes) {}
+  void bytes(void* to, std::size_t count) {
+    if (count > left_.size()) throw Refusal("the message ends too early");
+    if (count > 0) std::memcpy(to, left_.data(), count);
+    left_.remove_prefix(count);
+  }
+  // The number of elements that follow, of `least` bytes each at least.
+  std::size_t size(std::size_t least) {
+    std::uint64_t number = 0;
+    bytes(&number, sizeof(number));
+    if (number > left_.size() / least) throw Refusal("the message ends too early");
+    return static_cast<std::size_t>(number);
+  }
+  std::string_view left() const { return left_; }
+
+ private:
+  std::string_view left_;
+};
+
+template <class Io, class T>
+requires Plain<std::remove_const_t<T>>
+void carry(Io& io, T& value) {
+  io.bytes(&value, sizeof(value));
+}
+
+template <class Io, class T>
+void carry_elements(Io& io, T* elements, std::size_t count) {
+  if constexpr (Plain<std::remove_const_t<T>>)
+    io.bytes(elements, count * sizeof(T));
+  else
+    for (std::size_t i = 0; i < count; ++i) carry(io, elements[i]);
+}
+
+template <class Io, class T, std::size_t N>
+void carry(Io& io, std::array<T, N>& values) {
+  carry_elements(io, values.data(), N);
+}
+template <class Io, class T, std::size_t N>
+void carry(Io& io, const std::array<T, N>& values) {
+  carry_elements(io, values.data(), N);
+}
+
+// Of a vector or a string.
+template <class Io, class Sequence>
+void carry_sequence(Io& io, Sequence& values) {
+  using T = typename Sequence::value_type;
+  if constexpr (Io::kReads)
+    values.resize(io.size(Plain<T> ? sizeof(T) : 1));
+  else
+    io.size(values.size());
+  carry_elements(io, values.data(), values.size());
+}
+
+template <class Io, Of<std::string> T>
+void carry(Io& io, T& text) {
+  carry_sequence(io, text);
+}
+template <class Io, class T>
+void carry(Io& io, std::vector<T>& values) {
+  carry_sequence(io, values);
+}
+template <class Io, class T>
+void carry(Io& io, const std::vector<T>& values) {
+  carry_sequence(io, values);
+}
+
+template <class T>
+void carry(Writer& io, const std::optional<T>& value) {
+  const bool is_there = value.has_value();
+  carry(io, is_there);
+  if (is_there) carry(io, *value);
+}
+template <class T>
+void carry(Reader& io, std::optional<T>& value) {
+  bool is_there = false;
+  carry(io, is_there);
+  if (is_there) carry(io, value.emplace());
+}
+
+template <class Key, class T>
+void carry(Writer& io, const std::map<Key, T>& values) {
+  io.size(values.size());
+  for (const auto& [key, value] : values) {
+    carry(io, key);
+    carry(io, value);
+  }
+}
+template <class Key, class T>
+void carry(Reader& io, std::map<Key, T>& values) {
+  for (std::size_t left = io.size(1); left > 0; --left) {
+    Key key{};
+    carry(io, key);
+    carry(io, values[std::move(key)]);
+  }
+}
+
+// One after the other.
+template <class Io, class... Members>
+void carry_all(Io& io, Members&... members) {
+  (carry(io, members), ...);
+}
+
+}  // namespace edgecase::wire

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "wire/message.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "wire/answer_checks.h"
+#include "wire/binary_values.h"
+#include "wire/coverage_runs.h"
+
+namespace edgecase {
+
+using wire::carry;
+using wire::Reader;
+using wire::Refusal;
+using wire::Writer;
+
+namespace {
+
+enum class AnswerKind : std::uint8_t { rendering, coverage, refusal };
+
+// FNV-1a, eight bytes at a time.
+std::uint64_t digest_of_bytes(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (; !bytes.empty(); bytes.remove_prefix(std::min<std::size_t>(8, bytes.size()))) {
+    std::uint64_t word = bytes.size();
+    std::memcpy(&word, bytes.data(), std::min(sizeof(word), bytes.size()));
+    hash = (hash ^ word) * 0x100000001b3u;
+    hash ^= hash >> 29;
+  }
+  return hash;
+}
+
+// Fragments with their details: one that tells nothing is none.
+void write_fragments(Writer& io, const Rendering& rendering) {
+  io.size(rendering.fragments.size());
+  for (const Fragment& fragment : rendering.fragments) {
+    carry(io, fragment);
+    const bool has_detail =
+        fragment.detail >= 0 &&
+        tells_something(rendering.details[static_cast<std::size_t>(fragment.detail)]);
+    carry(io, has_detail);
+    if (has_detail) carry(io, rendering.details[static_cast<std::size_t>(fragment.detail)]);
+  }
+}
+
+// The lines of recordings tell no sign of zero, and what is recorded is to be what was seen: -0
+// becomes 0.
+template <class Numbers>
+void drop_signs_of_zero(Numbers& numbers) {
+  for (double& number : numbers) number += 0.0;
+}
+
+void drop_signs_of_zero(FragmentDetail& detail) {
+  drop_signs_of_zero(detail.coordinates);
+  for (auto& derivative : detail.derivatives) drop_signs_of_zero(derivative);
+  drop_signs_of_zero(detail.texture_coordinates);
+  drop_signs_of_zero(detail.level_of_detail);
+}
+
+void read_fragments(Reader& io, Rendering& rendering) {
+  const std::size_t count = io.size(1);
+  rendering.fragments.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    Fragment fragment;
+    carry(io, fragment);
+    fragment.depth += 0.0;
+    drop_signs_of_zero(fragment.color);
+    bool has_detail = false;
+    carry(io, has_detail);
+    if (has_detail) {
+      fragment.detail = static_cast<int>(rendering.details.size());
+      carry(io, rendering.details.emplace_back());
+      drop_signs_of_zero(rendering.details.back());
+    }
+    rendering.fragments.push_back(fragment);
+  }
+}
+
+// All but fragments and passes.
+template <class Io, wire::Of<Rendering> T>
+void carry_planes(Io& io, T& rendering) {
+  wire::carry_all(io, rendering.sample_positions, rendering.pixels, rendering.sample_pixels,
+                  rendering.hits, rendering.depths, rendering.stencils, rendering.mip_chains,
+                  rendering.accumulated);
+}
+
+void write_rendering(Writer& io, const Rendering& rendering) {
+  carry_planes(io, rendering);
+  write_fragments(io, rendering);
+  io.size(rendering.passes.size());
+  for (const Rendering& pass : rendering.passes) write_rendering(io, pass);
+}
+
+// Of a scene or, where there may be no passes, of one of its passes.
+Rendering read_rendering(Reader& io, const Scene& scene, bool may_have_passes) {
+  Rendering rendering;
+  rendering.width = scene.target.width;
+  rendering.height = scene.target.height;
+  rendering.samples = scene.target.samples;
+  carry_planes(io, rendering);
+  drop_signs_of_zero(rendering.depths);
+  drop_signs_of_zero(rendering.accumulated);
+  read_fragments(io, rendering);
+  for (std::size_t passes = io.size(1); passes > 0; --passes) {
+    if (!may_have_passes) throw Refusal("a pass has passes");
+    rendering.passes.push_back(read_rendering(io, scene, false));
+  }
+  sort_fragments(rendering);
+  return rendering;
+}
+
+void write_coverage(Writer& io, const Rendering& rendering) {
+  carry(io, wire::coverage_runs(rendering));
+  const bool has_hits = contradiction_of_hits(rendering).has_value();
+  carry(io, has_hits);
+  if (has_hits) carry(io, rendering.hits);
+}
+
+Rendering read_coverage(Reader& io, const Scene& scene) {
+  Rendering rendering;
+  rendering.width = scene.target.width;
+  rendering.height = scene.target.height;
+  std::vector<int> runs;
+  carry(io, runs);
+  rendering.fragments = wire::fragments_of_runs(
+      runs, {rendering.width, rendering.height, static_cast<int>(primitives_of(scene).size())});
+  bool has_hits = false;
+  carry(io, has_hits);
+  if (has_hits) carry(io, rendering.hits);
+  sort_fragments(rendering);
+  return rendering;
+}
+
+Rendering read_drawing(Reader& io, AnswerKind kind, const Scene& scene, bool coverage_only) {
+  if (kind == AnswerKind::rendering) {
+    Rendering rendering = read_rendering(io, scene, true);
+    check_rendering(rendering, scene);
+    return rendering;
+  }
+  if (kind != AnswerKind::coverage || !coverage_only)
+    throw Refusal("the answer is of a kind that was not asked for");
+  Rendering rendering = read_coverage(io, scene);
+  check_hits(rendering, scene);
+  return rendering;
+}
+
+Answer read_answer(Reader& io, std::uint64_t digest, const Scene& scene, bool coverage_only) {
+  std::uint64_t given = 0;
+  carry(io, given);
+  if (given != digest) throw Refusal("it is the answer to another scene");
+  auto kind = AnswerKind::rendering;
+  carry(io, kind);
+  Answer answer;
+  carry(io, answer.claims);
+  if (kind == AnswerKind::refusal) {
+    Failure failure{FailureKind::unsupported, ""};
+    carry(io, failure.reason);
+    answer.outcome = std::move(failure);
+  } else {
+    answer.outcome = read_drawing(io, kind, scene, coverage_only);
+  }
+  if (!io.left().empty()) throw Refusal("the message goes on after its end");
+  return answer;
+}
+
+}  // namespace
+
+OutgoingRequest request_message(const std::string& id, const Scene& scene, bool coverage_only) {
+  std::string body;
+  Writer io(body);
+  wire::carry_all(io, id, coverage_only, scene);
+  OutgoingRequest request;
+  request.digest = digest_of_bytes(body);
+  request.bytes.reserve(body.size() + sizeof(request.digest));
+  Writer head(request.bytes);
+  carry(head, request.digest);
+  request.bytes += body;
+  return request;
+}
+
+std::variant<IncomingRequest, WireError> parse_request_message(std::string_view bytes) {
+  try {
+    Reader io(bytes);
+    IncomingRequest request;
+    carry(io, request.digest);
+    if (digest_of_bytes(io.left()) != request.digest)
+      throw Refusal("the message has changed on its way");
+    wire::carry_all(io, request.id, request.coverage_only, request.scene);
+    if (!io.left().empty()) throw Refusal("the message goes on after its end");
+    return request;
+  } catch (const Refusal& refusal) {
+    return WireError{refusal.what()};
+  }
+}
+
+std::string answer_message(std::uint64_t digest, const Outcome& outcome, bool coverage_only,
+                           const RendererInfo* claims) {
+  const auto* failure = std::get_if<Failure>(&outcome);
+  const AnswerKind kind = failure != nullptr ? AnswerKind::refusal
+                          : coverage_only    ? AnswerKind::coverage
+                                             : AnswerKind::rendering;
+  std::string bytes;
+  Writer io(bytes);
+  const bool has_claims = claims != nullptr;
+  wire::carry_all(io, digest, kind, has_claims);
+  if (has_claims) carry(io, *claims);
+  if (failure != nullptr)
+    carry(io, failure->reason);
+  else if (coverage_only)
+    write_coverage(io, std::get<Rendering>(outcome));
+  else
+    write_rendering(io, std::get<Rendering>(outcome));
+  return bytes;
+}
+
+std::variant<Answer, WireError> parse_answer_message(std::string_view bytes, std::uint64_t digest,
+                                                     const Scene& scene, bool coverage_only) {
+  try {
+    Reader io(bytes);
+    return read_answer(io, digest, scene, coverage_only);
+  } catch (const Refusal& refusal) {
+    return WireError{refusal.what()};
+  }
+}
+
+}  // namespace edgecase
