@@ -230,10 +230,15 @@ int listed_egl_devices(const std::string& program_directory) {
   return std::stoi(answer);
 }
 
-std::string executable_directory() {
+std::string worker_directory() {
   std::error_code error;
-  const auto path = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? "." : path.parent_path().string();
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) return ".";
+  const auto folder = program.parent_path();
+  const auto installed = (folder / EDGECASE_WORKERS_FROM_PROGRAM).lexically_normal();
+  const bool is_beside = is_file((folder / "edgecase-gl").string());
+  return !is_beside && is_file((installed / "edgecase-gl").string()) ? installed.string()
+                                                                     : folder.string();
 }
 
 }  // namespace edgecase

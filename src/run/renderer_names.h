@@ -33,7 +33,7 @@ struct UnknownRenderer {
 };
 
 // How to start the renderer of this name. `program_directory` holds the worker program edgecase-gl:
-// the folder of the running executable. Whether the renderer works is for the first scene to show.
+// worker_directory(). Whether the renderer works is for the first scene to show.
 //
 // exec:PROGRAM is the path of an existing file, or else a command line: words separated by spaces,
 // with single or double quotes around words that contain some. The first word is a path (a file in
@@ -45,7 +45,8 @@ std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& name
 // is no EGL that lists them. Asked of another process: a driver that crashes takes nothing with it.
 int listed_egl_devices(const std::string& program_directory);
 
-// The folder of the running executable, from /proc/self/exe; "." where that cannot be read.
-std::string executable_directory();
+// Where the running executable (/proc/self/exe; "." where that cannot be read) has the worker
+// program: beside it, as built, or in the library's folder of the prefix it is installed in.
+std::string worker_directory();
 
 }  // namespace edgecase

@@ -159,7 +159,7 @@ std::vector<std::string> default_names() {
   std::vector<std::string> names = opengl_renderer_names();
   const auto& es = opengl_es_renderer_names();
   names.insert(names.end(), es.begin(), es.end());
-  const int devices = listed_egl_devices(executable_directory());
+  const int devices = listed_egl_devices(worker_directory());
   for (int device = 1; device < devices; ++device)
     for (const char* front_end : {"egl", "egl-es"})
       names.push_back(fmt::format("{}:device{}", front_end, device));
@@ -169,7 +169,7 @@ std::vector<std::string> default_names() {
 ExitCode run_backends(const BackendsCommand& command) {
   std::vector<ProcessSpec> specs;
   for (const std::string& name : command.names.empty() ? default_names() : command.names) {
-    auto found = find_renderer(name, executable_directory());
+    auto found = find_renderer(name, worker_directory());
     if (const auto* unknown = std::get_if<UnknownRenderer>(&found)) {
       fmt::print(stderr, "edgecase: {}\n", unknown->message);
       return ExitCode::usage;

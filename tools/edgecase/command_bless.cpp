@@ -14,6 +14,7 @@
 #include "results/decisions.h"
 #include "results/expectations.h"
 #include "tools/edgecase/commands.h"
+#include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/options.h"
 #include "tools/edgecase/report_files.h"
 
@@ -22,7 +23,7 @@ namespace {
 
 struct BlessCommand {
   std::string results = "out/results.json";
-  std::string folder = "cases/expectations";
+  std::string folder = default_suite() + "/expectations";
   std::vector<std::string> filters;
   std::vector<std::string> renderers;
   std::string reason;

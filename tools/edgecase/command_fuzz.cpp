@@ -19,6 +19,7 @@
 #include "search/fuzz_json.h"
 #include "search/scene_size.h"
 #include "tools/edgecase/commands.h"
+#include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/progress_line.h"
 #include "tools/edgecase/suite_run.h"
@@ -49,7 +50,7 @@ struct FuzzCommand {
 
 Selection suite_selection() {
   Selection selection;
-  selection.paths = {"cases"};
+  selection.paths = {default_suite()};
   return selection;
 }
 
@@ -65,7 +66,7 @@ std::optional<std::vector<FuzzRenderer>> renderers_of(const FuzzCommand& command
     if (!policy) return std::nullopt;
     const RendererOptions options{
         *policy, std::chrono::milliseconds(static_cast<int>(command.timeout * 1000)),
-        executable_directory(), &interrupted()};
+        worker_directory(), &interrupted()};
     FuzzRenderer renderer;
     renderer.name = name;
     renderer.policy = *policy;

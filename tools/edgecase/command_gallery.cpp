@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tools/edgecase/commands.h"
+#include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/gallery_pages.h"
 #include "tools/edgecase/suite_run.h"
 
@@ -21,7 +22,7 @@ struct GalleryCommand {
   std::vector<std::string> names;
   std::string renderer;
   std::string folder = "out/gallery";
-  std::string suite = "cases";
+  std::string suite = default_suite();
   SuiteRunOptions run;
 };
 

@@ -18,6 +18,7 @@
 #include "search/minimize.h"
 #include "search/scene_size.h"
 #include "tools/edgecase/commands.h"
+#include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/suite_run.h"
 
@@ -53,7 +54,7 @@ CaseName split_name(const std::string& text) {
        end = end == 0 ? std::string::npos : text.rfind(':', end - 1)) {
     const std::string head = text.substr(0, end);
     const std::string parts = end < text.size() ? text.substr(end + 1) : "";
-    for (const std::string& file : {head, head + ".json", "cases/" + head + ".json"})
+    for (const std::string& file : {head, head + ".json", default_suite() + "/" + head + ".json"})
       if (exists(file)) return {file, parts};
   }
   return {text, ""};
@@ -291,7 +292,7 @@ ExitCode minimize_case(const MinimizeCommand& command, const Case& original,
   auto made = make_renderer(
       command.renderer,
       {options.policy, std::chrono::milliseconds(static_cast<int>(command.timeout * 1000)),
-       executable_directory(), &interrupted()});
+       worker_directory(), &interrupted()});
   Trial trial(*std::get<std::unique_ptr<Renderer>>(made), options);
   const InterruptGuard guard;
   try {

@@ -16,6 +16,7 @@
 #include "run/example_case.h"
 #include "run/expectation_check.h"
 #include "tools/edgecase/commands.h"
+#include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/options.h"
 #include "tools/edgecase/report_files.h"
 
@@ -36,7 +37,7 @@ struct NewCommand {
   std::string depth;
   std::string title;
   std::string why;
-  std::string suite = "cases";
+  std::string suite = default_suite();
   bool drawing = false;
   bool force = false;
 };

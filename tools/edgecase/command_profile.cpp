@@ -15,6 +15,7 @@
 #include "run/renderer_names.h"
 #include "run/renderers.h"
 #include "tools/edgecase/commands.h"
+#include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/progress_line.h"
 #include "tools/edgecase/suite_run.h"
@@ -76,7 +77,7 @@ ExitCode deliver_all(const ProfileCommand& command, const Profile& profile) {
 
 ExitCode run_profile(const ProfileCommand& command) {
   Selection suite;
-  suite.paths = {"cases"};
+  suite.paths = {default_suite()};
   const auto policy = command.policy.load(suite);
   if (!policy || !are_known({command.renderer})) return ExitCode::usage;
   if (is_recording(command.renderer)) {
@@ -88,7 +89,7 @@ ExitCode run_profile(const ProfileCommand& command) {
   }
   const RendererOptions renderer{
       *policy, std::chrono::milliseconds(static_cast<int>(command.timeout * 1000)),
-      executable_directory(), &interrupted()};
+      worker_directory(), &interrupted()};
   MeasureOptions options = options_of(command);
   ProgressLine progress(command.progress, "scenes");
   options.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };

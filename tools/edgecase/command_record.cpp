@@ -53,7 +53,7 @@ Recorded record_with_progress(const RecordCommand& command, const Suite& suite,
   options.renderer = command.renderer;
   options.renderer_options = {policy,
                               std::chrono::milliseconds(static_cast<int>(command.timeout * 1000)),
-                              executable_directory(), &interrupted()};
+                              worker_directory(), &interrupted()};
   options.jobs =
       command.jobs > 0 ? command.jobs : static_cast<int>(std::thread::hardware_concurrency());
   options.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };

@@ -92,7 +92,7 @@ ExitCode render(RenderOptions options) {
   auto made =
       make_renderer(options.renderer,
                     {*policy, std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),
-                     executable_directory(), &interrupted()});
+                     worker_directory(), &interrupted()});
   if (const auto* error = std::get_if<std::string>(&made)) {
     print_error(*error);
     return ExitCode::usage;

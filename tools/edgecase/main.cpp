@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "tools/edgecase/commands.h"
+#include "tools/edgecase/help_pages.h"
 #include "tools/edgecase/options.h"
 
 int main(int argc, char** argv) {
@@ -42,6 +43,8 @@ int main(int argc, char** argv) {
   edgecase::add_gallery_command(app, exit);
   edgecase::add_fuzz_command(app, exit);
   edgecase::add_minimize_command(app, exit);
+  edgecase::add_manual_command(app, exit);
+  edgecase::add_help_pages(app);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty())

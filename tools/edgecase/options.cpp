@@ -18,6 +18,7 @@
 #include "rules/all_rules.h"
 #include "run/recording_renderer.h"
 #include "run/sharding.h"
+#include "tools/edgecase/default_suite.h"
 
 namespace edgecase {
 namespace {
@@ -58,14 +59,25 @@ std::string policy_names(const std::filesystem::path& folder) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// The file that a policy's name stands for: itself, or one in the folder.
+// A file of the selection's suite, or, where that lacks it, the installed suite's.
+std::filesystem::path suite_file(const Selection& selection, const std::filesystem::path& name) {
+  const std::filesystem::path own = suite_folder(selection) / name;
+  const std::filesystem::path installed = installed_suite() / name;
+  return !std::filesystem::is_regular_file(own) && std::filesystem::is_regular_file(installed)
+             ? installed
+             : own;
+}
+
+// The file that a policy's name stands for: itself, or one in the suite's folder.
 std::optional<std::filesystem::path> policy_file(const std::string& policy,
-                                                 const std::filesystem::path& folder) {
+                                                 const Selection& selection) {
   std::error_code error;
   if (std::filesystem::is_regular_file(policy, error)) return policy;
-  const std::filesystem::path named = folder / (policy + ".json");
-  if (policy.find('/') == std::string::npos && std::filesystem::is_regular_file(named, error))
-    return named;
+  const std::filesystem::path folder = suite_folder(selection) / "policies";
+  if (policy.find('/') == std::string::npos) {
+    const auto named = suite_file(selection, "policies/" + policy + ".json");
+    if (std::filesystem::is_regular_file(named, error)) return named;
+  }
   print_error(
       fmt::format("there is no policy \"{}\"; write the path of a policy file, or one of {}",
                   policy, policy_names(folder)));
@@ -74,7 +86,8 @@ std::optional<std::filesystem::path> policy_file(const std::string& policy,
 
 // Where the profile of a renderer is kept.
 std::filesystem::path profile_file(const std::string& renderer, const Selection& selection) {
-  return suite_folder(selection) / "profiles" / expectations_file_name(known_name_of(renderer));
+  return suite_file(selection, std::filesystem::path("profiles") /
+                                   expectations_file_name(known_name_of(renderer)));
 }
 
 std::optional<Policy> read_policy(const std::filesystem::path& file) {
@@ -87,7 +100,7 @@ std::optional<Policy> read_policy(const std::filesystem::path& file) {
 std::optional<std::filesystem::path> find_policy(const std::string& policy,
                                                  const Selection& selection,
                                                  const std::vector<std::string>& renderers) {
-  if (policy != "profile") return policy_file(policy, suite_folder(selection) / "policies");
+  if (policy != "profile") return policy_file(policy, selection);
   if (renderers.size() != 1) {
     print_error("--policy profile is the profile of one renderer; name one with --against");
     return std::nullopt;
@@ -120,7 +133,8 @@ void add_repeatable(CLI::App& command, const std::string& name, std::vector<std:
 }
 
 void SelectionOptions::add_to(CLI::App& command, bool with_shard) {
-  command.add_option("paths", paths, "Case files and folders of them (default: cases)");
+  command.add_option("paths", paths,
+                     "Case files and folders of them (default: cases, or the installed suite)");
   add_repeatable(command, "--filter", filters,
                  "Only cases whose id matches this shell glob; repeatable");
   add_repeatable(command, "--exclude", excludes,
@@ -136,7 +150,7 @@ void SelectionOptions::add_to(CLI::App& command, bool with_shard) {
 Selection SelectionOptions::selection() const {
   Selection result;
   for (const std::string& path : paths) result.paths.emplace_back(path);
-  if (result.paths.empty()) result.paths.emplace_back("cases");
+  if (result.paths.empty()) result.paths.emplace_back(default_suite());
   result.filters = filters;
   result.excludes = excludes;
   result.tags = tags;

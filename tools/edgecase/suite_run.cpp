@@ -21,7 +21,7 @@ namespace edgecase {
 namespace {
 
 bool is_known(const std::string& renderer) {
-  auto made = make_renderer(renderer, {{}, std::chrono::seconds(1), executable_directory(), {}});
+  auto made = make_renderer(renderer, {{}, std::chrono::seconds(1), worker_directory(), {}});
   if (const auto* error = std::get_if<std::string>(&made)) {
     print_error(*error);
     return false;
@@ -44,7 +44,7 @@ RunOptions run_options(const Policy& policy, const std::map<std::string, Policy>
   run.renderers = options.renderers;
   run.renderer_options = {policy,
                           std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),
-                          executable_directory(), &interrupted()};
+                          worker_directory(), &interrupted()};
   run.jobs =
       options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
   run.stop = &interrupted();

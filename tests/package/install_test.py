@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: MIT
+"""The installed command, from an empty folder: it finds its suite, policies, profiles, workers and
+image library from its own place."""
+import json
+import unittest
+
+from installed import ROOT, InstalledTest
+
+
+class Installed(InstalledTest):
+    def test_the_suite_is_the_default(self):
+        ids = self.command("run", "--list").stdout.split()
+        self.assertGreater(len(ids), 20000)
+        self.assertIn("triangles/ties/flat-top", ids)
+        self.command("validate", "--filter", "lines/short/*")
+
+    def test_a_suite_here_goes_first(self):
+        here = self.folder / "cases"
+        here.mkdir()
+        source = self.prefix / "share/edgecase/cases/triangles/ties/flat-top.json"
+        (here / "mine.json").write_text(source.read_text(encoding="utf-8"), encoding="utf-8")
+        try:
+            self.assertEqual({name.split(":")[0] for name in
+                              self.command("run", "--list").stdout.split()}, {"mine"})
+            # Policies and profiles that it has none of are those of the installed suite.
+            self.command("run", "--policy", "scotty3d", "--against", "exact", "--json", "-")
+            self.command("run", "--policy", "profile", "--against", "osmesa:llvmpipe", "--json",
+                         "-", expect=None)
+        finally:
+            (here / "mine.json").unlink()
+            here.rmdir()
+
+    def test_renderers_and_expectations_are_found(self):
+        """A renderer whose every difference is known is as expected: exit code 0."""
+        self.command("run", "--filter", "lines/short/*", "--against", "osmesa:softpipe",
+                     "--against", "egl:llvmpipe", "--json", "results.json", "--html", "report.html")
+        results = json.loads((self.folder / "results.json").read_text(encoding="utf-8"))
+        verdicts = {one["results"]["osmesa:softpipe"]["verdict"] for one in results["cases"]}
+        self.assertIn("violation", verdicts)
+        self.assertGreater((self.folder / "report.html").stat().st_size, 100000)
+
+    def test_pictures_need_the_image_library(self):
+        self.command("render", "--filter", "triangles/ties/flat-top", "--png", "pictures")
+        (picture,) = self.folder.glob("pictures/triangles/ties/*.png")
+        self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+        library = next(self.prefix.glob("lib*/**/libedgecase_image_io.so"))
+        away = library.rename(library.with_name("away"))
+        try:
+            told = self.command("render", "--filter", "triangles/ties/flat-top", "--png",
+                                "pictures", expect=3).stderr
+            self.assertIn("cannot open the image library", told)
+        finally:
+            away.rename(library)
+
+    def test_by_id_and_by_rule(self):
+        told = self.command("minimize", "lines/diagonals/two-in-a-column", "--against",
+                            "osmesa:softpipe")
+        self.assertIn('"lines"', told.stdout)
+        self.assertIn('"line.snap"', self.command("new", "-", "--rule", "line.snap").stdout)
+
+    def test_no_path_of_the_checkout_is_left(self):
+        """But for what a build without stripping keeps of its sources' names in assertions."""
+        told = [self.command("--help").stdout, self.command("new", "--help").stdout,
+                (self.prefix / "share/man/man1/edgecase.1").read_text(encoding="utf-8"),
+                *(path.read_text(encoding="utf-8")
+                  for path in self.prefix.glob("lib*/**/*.cmake"))]
+        for text in told:
+            self.assertNotIn(str(ROOT), text)
+
+
+if __name__ == "__main__":
+    unittest.main()

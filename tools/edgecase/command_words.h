@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// The words of the command line: subcommands, their options and the values that these take, read
+// from the parser itself, so that the manual page and the completions cannot drift from it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace edgecase {
+
+struct OptionWords {
+  std::vector<std::string> names;  // "--output", "-o"; of a positional argument, its one name
+  std::string description;
+  bool takes_value = false;
+  bool is_positional = false;
+  bool is_required = false;
+  bool is_repeatable = false;
+  std::string default_value;         // empty: none that could be told
+  std::string range;                 // "[1 - 256]", or empty
+  std::vector<std::string> choices;  // all that it takes, or suggestions; empty: no list
+};
+
+struct CommandWords {
+  std::string name;
+  std::string description;
+  std::vector<OptionWords> options;  // in the order of the help
+};
+
+// All subcommands, in the order of the help.
+std::vector<CommandWords> words_of(const CLI::App& app);
+
+}  // namespace edgecase
