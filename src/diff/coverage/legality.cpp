@@ -37,6 +37,12 @@ SeenLine seen_line(const ScenePrimitive& line, Snap snap, const Scene& scene) {
           drawable_bounds(*line.state, scene.target), reach};
 }
 
+// Of one line under two snaps.
+bool same_ends(const SeenLine& one, const SeenLine& other) {
+  return one.segment.a == other.segment.a && one.segment.b == other.segment.b &&
+         one.reach == other.reach;
+}
+
 Segment segment_of(const ScenePrimitive& line) {
   return {nearest_point(line.positions[0]), nearest_point(line.positions[1])};
 }
@@ -173,10 +179,20 @@ Legality judge_facing(const ScenePrimitive& primitive, const CoverageDifference&
 std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,
                                             std::span<const PixelPosition> drawn,
                                             const Scene& scene) {
+  struct Asked {
+    SeenLine line;
+    bool broken;
+  };
+  std::vector<Asked> asked;  // most snaps leave most vertices where they are
   std::vector<std::string> result;
-  for (Snap snap : all_snaps())
-    if (!broken_line_clause(seen_line(line, snap, scene), drawn).empty())
-      result.push_back(name_of(snap));
+  for (Snap snap : all_snaps()) {
+    const SeenLine seen = seen_line(line, snap, scene);
+    auto found = std::find_if(asked.begin(), asked.end(),
+                              [&](const Asked& one) { return same_ends(one.line, seen); });
+    if (found == asked.end())
+      found = asked.insert(found, {seen, !broken_line_clause(seen, drawn).empty()});
+    if (found->broken) result.push_back(name_of(snap));
+  }
   return result;
 }
 
