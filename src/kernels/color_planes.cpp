@@ -6,7 +6,6 @@
 namespace edgecase {
 namespace {
 
-constexpr double kCodes = 255;
 constexpr double kShare = 0x1p-46;  // of M, in the margin
 constexpr double kLeast = 0x1p-44;  // of a code: the plain path's last product
 
@@ -31,19 +30,21 @@ std::int64_t area_of(const std::array<RawPoint, 3>& p) {
 
 }  // namespace
 
-ColorPlanes color_planes(const SmoothTriangle& triangle, const PixelBounds& box) {
-  const auto& p = triangle.corners;
+ValuePlanes value_planes(const std::array<RawPoint, 3>& corners,
+                         const std::array<std::array<float, 4>, 3>& values, double scale,
+                         const PixelBounds& box) {
   const RawPoint sample = raw_point(pixel_centre(box.x_min, box.y_min));
-  const double scale = kCodes / static_cast<double>(area_of(p));
+  const double factor = scale / static_cast<double>(area_of(corners));
   const double width = box.x_max - box.x_min, height = box.y_max - box.y_min;
   std::array<Weight, 3> weights{};
-  for (std::size_t i = 0; i < 3; ++i) weights[i] = opposite(p[(i + 1) % 3], p[(i + 2) % 3], sample);
-  ColorPlanes planes;
+  for (std::size_t i = 0; i < 3; ++i)
+    weights[i] = opposite(corners[(i + 1) % 3], corners[(i + 2) % 3], sample);
+  ValuePlanes planes;
   for (std::size_t c = 0; c < 4; ++c) {
-    const auto value = [&](std::size_t i) { return static_cast<double>(triangle.colors[i][c]); };
+    const auto value = [&](std::size_t i) { return static_cast<double>(values[i][c]); };
     if (value(0) == value(1) && value(0) == value(2)) {
       // As the plain path has it, to the bit: nothing is left open.
-      planes.corner[c] = kCodes * value(0);
+      planes.corner[c] = scale * value(0);
       continue;
     }
     double most = 0;
@@ -54,10 +55,10 @@ ColorPlanes color_planes(const SmoothTriangle& triangle, const PixelBounds& box)
       planes.up[c] += value(i) * up;
       most += std::abs(value(i)) * (std::abs(at) + std::abs(right) * width + std::abs(up) * height);
     }
-    planes.corner[c] *= scale;
-    planes.right[c] *= scale;
-    planes.up[c] *= scale;
-    planes.margin[c] = most * std::abs(scale) * kShare + kLeast;
+    planes.corner[c] *= factor;
+    planes.right[c] *= factor;
+    planes.up[c] *= factor;
+    planes.margin[c] = most * std::abs(factor) * kShare + kLeast;
   }
   return planes;
 }

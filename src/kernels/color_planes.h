@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Smooth colours without perspective: planes over the window in double precision, and how far off
+// Smooth values without perspective: planes over the window in double precision, and how far off
 // they can be.
 //
 // A component at a sample is the sum of c_i w_i(p) / A, where w_i is the edge function opposite to
@@ -30,17 +30,20 @@ struct SmoothTriangle {
   std::array<std::array<float, 4>, 3> colors;  // of the corners, finite
 };
 
-// 255 times red, green, blue, alpha at the centre of a box's lower left pixel, how much they grow
-// to the next pixel, and what they may be off by anywhere in the box.
-struct ColorPlanes {
+// Four values at the centre of a box's lower left pixel, how much they grow to the next pixel, and
+// what they may be off by anywhere in the box.
+struct ValuePlanes {
   std::array<double, 4> corner{};
   std::array<double, 4> right{};
   std::array<double, 4> up{};
   std::array<double, 4> margin{};
 };
 
-// The corners must have an area.
-ColorPlanes color_planes(const SmoothTriangle& triangle, const PixelBounds& box);
+// `scale` times the means of the corners' values, finite. The corners must have an area. Values
+// that are the same at all corners have no margin.
+ValuePlanes value_planes(const std::array<RawPoint, 3>& corners,
+                         const std::array<std::array<float, 4>, 3>& values, double scale,
+                         const PixelBounds& box);
 
 // Writes the codes of the pixels that are inside, and adds those to `doubtful` whose code it leaves
 // open: they are written too, but may be off by one code. Both sets of three points need an area.

@@ -32,7 +32,7 @@ struct RowComponent {
 
 class SmoothFill {
  public:
-  SmoothFill(const PixelPlane& plane, const PixelBounds& box, const ColorPlanes& planes,
+  SmoothFill(const PixelPlane& plane, const PixelBounds& box, const ValuePlanes& planes,
              std::vector<PixelPosition>& doubtful)
       : plane_(plane), box_(box), planes_(planes), doubtful_(doubtful) {}
 
@@ -93,12 +93,12 @@ class SmoothFill {
 
   const PixelPlane plane_;
   const PixelBounds box_;
-  const ColorPlanes& planes_;
+  const ValuePlanes& planes_;
   std::vector<PixelPosition>& doubtful_;
 };
 
 void FillSmooth(const PixelPlane& plane, const PixelBounds& box,
-                const std::array<EdgeFunction, 3>& edges, const ColorPlanes& planes,
+                const std::array<EdgeFunction, 3>& edges, const ValuePlanes& planes,
                 std::vector<PixelPosition>& doubtful) {
   const SmoothFill fill(plane, box, planes, doubtful);
   walk_spans(edges, box, [&](int y, int first, int last) HWY_ATTR { fill.Span(y, first, last); });
@@ -122,7 +122,8 @@ void fill_smooth_triangle(const PixelPlane& plane, const PixelBounds& bounds,
   const PixelBounds box = common_part(setup.box_at(kCentrePlace), bounds);
   if (!setup.has_area() || is_empty(box)) return;
   HWY_DYNAMIC_DISPATCH(FillSmooth)
-  (plane, box, setup.edges_at(kCentrePlace), color_planes(triangle, box), doubtful);
+  (plane, box, setup.edges_at(kCentrePlace),
+   value_planes(triangle.corners, triangle.colors, 255, box), doubtful);
 }
 
 }  // namespace edgecase

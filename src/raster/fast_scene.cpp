@@ -25,6 +25,10 @@ RawPoint raw_vertex(const Vertex& vertex, const Snap& snap) {
   return raw_point(snap(vertex.position));
 }
 
+bool has_area(const std::array<RawPoint, 3>& corners) {
+  return TriangleSetup(corners[0], corners[1], corners[2], TieWeights()).has_area();
+}
+
 class FastSceneMaker {
  public:
   FastSceneMaker(const Scene& scene, const RuleChoices& choices)
@@ -32,10 +36,10 @@ class FastSceneMaker {
 
   std::optional<FastScene> make() {
     if (!is_simple()) return std::nullopt;
+    if (!scene_.textures.empty()) made_.textures = std::make_unique<FastTextures>(scene_, choices_);
     for (const ScenePrimitive& primitive : primitives_of(scene_)) {
-      const Kind kind = kind_for(primitive);
+      const Kind kind = add(primitive);
       if (scene_.target.samples > 1 && !takes_samples(primitive, kind)) return std::nullopt;
-      add(primitive, kind);
       ++batch_for(primitive, kind).count;
     }
     return std::move(made_);
@@ -45,9 +49,7 @@ class FastSceneMaker {
   bool is_simple() const {
     const bool tests_depth = scene_.target.depth != DepthFormat::none &&
                              choices_.output.depth != DepthTestMethod::as_set;
-    return scene_.supersampling.empty() && !has_fragment_operations(scene_) && !tests_depth &&
-           std::none_of(scene_.draws.begin(), scene_.draws.end(),
-                        [](const Draw& draw) { return draw.texture.has_value(); });
+    return scene_.supersampling.empty() && !has_fragment_operations(scene_) && !tests_depth;
   }
 
   bool takes_samples(const ScenePrimitive& primitive, Kind kind) const {
@@ -60,9 +62,13 @@ class FastSceneMaker {
     if (!is_walked(primitive, choices_.of(primitive.kind)) || draw.cull != CullMode::none)
       return Kind::plain;
     const bool is_flat = draw.interpolation == Interpolation::flat;
-    if (primitive.kind == PrimitiveKind::line) return is_flat ? Kind::flat_lines : Kind::plain;
-    if (is_flat) return Kind::flat_triangles;
+    if (primitive.kind == PrimitiveKind::line)
+      return is_flat && !draw.texture ? Kind::flat_lines : Kind::plain;
     const bool divides = divides_by_w(draw.interpolation, choices_.values.perspective);
+    if (draw.texture)
+      return is_flat || (divides && !has_equal_w(primitive)) ? Kind::plain
+                                                             : Kind::textured_triangles;
+    if (is_flat) return Kind::flat_triangles;
     return divides && !has_equal_w(primitive) ? Kind::plain : Kind::smooth_triangles;
   }
 
@@ -76,39 +82,55 @@ class FastSceneMaker {
     return std::bit_cast<PixelWord>(codes);
   }
 
-  void add(const ScenePrimitive& primitive, Kind kind) {
+  // Tells as what it was added.
+  Kind add(const ScenePrimitive& primitive) {
     const auto& v = primitive.vertices;
     const Snap& snap = choices_.of(primitive.kind).snap;
+    const Kind kind = kind_for(primitive);
     switch (kind) {
       case Kind::flat_triangles:
         made_.flat_triangles.push_back(
             {{raw_vertex(*v[0], snap), raw_vertex(*v[1], snap), raw_vertex(*v[2], snap)},
              color_of(primitive)});
-        break;
+        return kind;
       case Kind::flat_lines:
         made_.flat_lines.push_back(
             {raw_vertex(*v[0], snap), raw_vertex(*v[1], snap), color_of(primitive)});
-        break;
-      case Kind::smooth_triangles:
-        add_smooth(primitive, snap);
-        break;
+        return kind;
+      case Kind::smooth_triangles: {
+        SmoothTriangle triangle;
+        place(primitive, triangle);
+        for (std::size_t i = 0; i < 3; ++i) triangle.colors[i] = v[i]->color;
+        if (!has_area(triangle.corners)) break;
+        made_.smooth_triangles.push_back(triangle);
+        made_.smooth_primitives.push_back(primitive);
+        return kind;
+      }
+      case Kind::textured_triangles: {
+        std::optional<TexturedTriangle> triangle = made_.textures->looked_up(primitive);
+        if (!triangle) break;
+        place(primitive, *triangle);
+        if (!has_area(triangle->corners)) break;
+        made_.textured_triangles.push_back(*triangle);
+        made_.textured_primitives.push_back(primitive);
+        return kind;
+      }
       case Kind::plain:
-        made_.plain_primitives.push_back(primitive);
         break;
     }
+    made_.plain_primitives.push_back(primitive);
+    return Kind::plain;
   }
 
-  void add_smooth(const ScenePrimitive& primitive, const Snap& snap) {
+  // Where coverage has the vertices, and where attributes have them.
+  template <class Interpolated>
+  void place(const ScenePrimitive& primitive, Interpolated& triangle) const {
+    const Snap& snap = choices_.of(primitive.kind).snap;
     const bool snapped = choices_.values.positions == AttributePositions::snapped;
-    SmoothTriangle triangle;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vertex& vertex = *primitive.vertices[i];
-      triangle.vertices[i] = raw_vertex(vertex, snap);
-      triangle.corners[i] = raw_vertex(vertex, snapped ? snap : Snap());
-      triangle.colors[i] = vertex.color;
+      triangle.vertices[i] = raw_vertex(*primitive.vertices[i], snap);
+      triangle.corners[i] = raw_vertex(*primitive.vertices[i], snapped ? snap : Snap());
     }
-    made_.smooth_triangles.push_back(triangle);
-    made_.smooth_primitives.push_back(primitive);
   }
 
   // The batch that the primitive just added belongs to.
@@ -116,7 +138,8 @@ class FastSceneMaker {
     if (primitive.state != state_ || made_.batches.back().kind != kind) {
       state_ = primitive.state;
       const std::size_t sizes[] = {made_.flat_triangles.size(), made_.flat_lines.size(),
-                                   made_.smooth_triangles.size(), made_.plain_primitives.size()};
+                                   made_.smooth_triangles.size(), made_.textured_triangles.size(),
+                                   made_.plain_primitives.size()};
       made_.batches.push_back({kind, sizes[static_cast<std::size_t>(kind)] - 1, 0,
                                drawable_bounds(*state_, scene_.target),
                                writable_samples(state_->multisampling, scene_.target.samples,

@@ -4,27 +4,29 @@
 // buffer is to OpenGL.
 //
 //   flat triangles and lines     integers alone: coverage and a code
-//   smooth triangles             planes in double precision; where these leave a code open, the
+//   smooth and textured ones     planes in double precision; where these leave a code open, the
 //                                plain stages decide the pixel
 //   all other primitives         the plain stages, primitive by primitive
 //
-// Of multisampled targets it takes flat triangles alone. Fragment operations, textures and
-// supersampling it leaves to raster/rasterizer.h.
+// Of multisampled targets it takes flat triangles alone. Fragment operations and supersampling it
+// leaves to raster/rasterizer.h.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "kernels/color_planes.h"
 #include "kernels/pixel_plane.h"
 #include "model/scene.h"
+#include "raster/fast_textures.h"
 #include "rules/choices.h"
 
 namespace edgecase {
 
 // Primitives in a row that are drawn in the same way: `count` of those of their kind from `first`.
 struct FastBatch {
-  enum class Kind { flat_triangles, flat_lines, smooth_triangles, plain };
+  enum class Kind { flat_triangles, flat_lines, smooth_triangles, textured_triangles, plain };
   Kind kind = Kind::plain;
   std::size_t first = 0;
   std::size_t count = 0;
@@ -38,10 +40,13 @@ struct FastScene {
   std::vector<FlatLine> flat_lines;
   std::vector<SmoothTriangle> smooth_triangles;
   std::vector<ScenePrimitive> smooth_primitives;  // of smooth_triangles, one for one
+  std::vector<TexturedTriangle> textured_triangles;
+  std::vector<ScenePrimitive> textured_primitives;  // of these
   std::vector<ScenePrimitive> plain_primitives;
+  std::unique_ptr<FastTextures> textures;  // null where the scene has none
 };
 
-// Nothing where the plain path has to draw. Refers to the scene.
+// Nothing where the plain path has to draw. Refers to the scene and to the choices.
 std::optional<FastScene> fast_scene(const Scene& scene, const RuleChoices& choices);
 
 }  // namespace edgecase

@@ -58,45 +58,82 @@ void Framebuffer::clear(const Color& color) {
     std::fill_n(planes_[s].pixels, plane_size(), word_of(components));
 }
 
+// What the plain stages write into a primitive's pixels.
+class Framebuffer::PlainWords {
+ public:
+  PlainWords(const ScenePrimitive& primitive, const FastScene& scene, const RuleChoices& choices,
+             const Target& target)
+      : primitive_(primitive), attributes_(attributes_of(primitive, choices, target)) {
+    if (primitive.state->texture)
+      textured_.emplace(scene.textures->stage(), primitive, attributes_);
+  }
+
+  PixelWord at(PixelPosition pixel) {
+    if (!textured_) return word_of(shade(primitive_, attributes_, pixel).color);
+    const ExactLookup lookup = textured_->look_up(pixel);
+    return word_of(shade(primitive_, attributes_, pixel, &lookup).color);
+  }
+
+ private:
+  const ScenePrimitive& primitive_;
+  const PrimitiveAttributes attributes_;
+  std::optional<TexturedPrimitive> textured_;
+};
+
 void Framebuffer::draw(const FastScene& scene) {
-  for (const FastBatch& batch : scene.batches) {
-    std::vector<PixelPlane> planes;
-    std::vector<RawPoint> places;
-    for (std::size_t s = 0; s < places_.size(); ++s) {
-      if (target_.samples > 1 && (batch.samples >> s & 1) == 0) continue;
-      planes.push_back(planes_[s]);
-      places.push_back(places_[s]);
-    }
-    const SamplePlanes target{planes, places, batch.bounds};
-    switch (batch.kind) {
+  const auto part_of = [](const auto& all, const FastBatch& batch) {
+    return std::span(all).subspan(batch.first, batch.count);
+  };
+  for (const FastBatch& batch : scene.batches) switch (batch.kind) {
       case FastBatch::Kind::flat_triangles:
-        fill_triangles(target, std::span(scene.flat_triangles).subspan(batch.first, batch.count),
-                       weights_of(choices_.triangles.ties));
-        break;
       case FastBatch::Kind::flat_lines:
-        fill_lines(target, std::span(scene.flat_lines).subspan(batch.first, batch.count),
-                   weights_of(*choices_.lines.line.boundary->ties));
+        draw_flat(scene, batch);
         break;
       case FastBatch::Kind::smooth_triangles:
-        draw_smooth(scene, batch);
+        draw_interpolated(part_of(scene.smooth_triangles, batch),
+                          part_of(scene.smooth_primitives, batch), batch, scene,
+                          fill_smooth_triangle);
+        break;
+      case FastBatch::Kind::textured_triangles:
+        draw_interpolated(part_of(scene.textured_triangles, batch),
+                          part_of(scene.textured_primitives, batch), batch, scene,
+                          fill_textured_triangle);
         break;
       case FastBatch::Kind::plain:
-        for (std::size_t i = 0; i < batch.count; ++i)
-          draw_plain(scene.plain_primitives[batch.first + i]);
+        for (const ScenePrimitive& primitive : part_of(scene.plain_primitives, batch))
+          draw_plain(primitive, scene);
         break;
     }
-  }
 }
 
-void Framebuffer::draw_smooth(const FastScene& scene, const FastBatch& batch) {
+void Framebuffer::draw_flat(const FastScene& scene, const FastBatch& batch) {
+  std::vector<PixelPlane> planes;
+  std::vector<RawPoint> places;
+  for (std::size_t s = 0; s < places_.size(); ++s) {
+    if (target_.samples > 1 && (batch.samples >> s & 1) == 0) continue;
+    planes.push_back(planes_[s]);
+    places.push_back(places_[s]);
+  }
+  const SamplePlanes target{planes, places, batch.bounds};
+  if (batch.kind == FastBatch::Kind::flat_triangles)
+    fill_triangles(target, std::span(scene.flat_triangles).subspan(batch.first, batch.count),
+                   weights_of(choices_.triangles.ties));
+  else
+    fill_lines(target, std::span(scene.flat_lines).subspan(batch.first, batch.count),
+               weights_of(*choices_.lines.line.boundary->ties));
+}
+
+template <class Triangle, class Fill>
+void Framebuffer::draw_interpolated(std::span<const Triangle> triangles,
+                                    std::span<const ScenePrimitive> primitives,
+                                    const FastBatch& batch, const FastScene& scene, Fill fill) {
   const TieWeights ties = weights_of(choices_.triangles.ties);
-  const auto triangles = std::span(scene.smooth_triangles).subspan(batch.first, batch.count);
   const auto draw_part = [&](std::size_t i, const PixelBounds& part) {
     doubtful_.clear();
-    fill_smooth_triangle(planes_[0], part, triangles[i], ties, doubtful_);
-    const ScenePrimitive& primitive = scene.smooth_primitives[batch.first + i];
-    for (PixelPosition pixel : doubtful_)
-      planes_[0].row(pixel.y)[pixel.x] = plain_word(primitive, pixel);
+    fill(planes_[0], part, triangles[i], ties, doubtful_);
+    if (doubtful_.empty()) return;
+    PlainWords words(primitives[i], scene, choices_, target_);
+    for (PixelPosition pixel : doubtful_) planes_[0].row(pixel.y)[pixel.x] = words.at(pixel);
   };
   const auto vertices = [&](std::size_t i) { return triangles[i].vertices; };
   if (!wants_bins(triangles.size(), batch.bounds, vertices)) {
@@ -112,13 +149,10 @@ void Framebuffer::draw_smooth(const FastScene& scene, const FastBatch& batch) {
   bins.draw([&](std::size_t i, const PixelBounds& part, bool) { draw_part(i, part); });
 }
 
-void Framebuffer::draw_plain(const ScenePrimitive& primitive) {
+void Framebuffer::draw_plain(const ScenePrimitive& primitive, const FastScene& scene) {
+  PlainWords words(primitive, scene, choices_, target_);
   for (PixelPosition pixel : covered_pixels(primitive, target_, choices_.of(primitive.kind)))
-    planes_[0].row(pixel.y)[pixel.x] = plain_word(primitive, pixel);
-}
-
-PixelWord Framebuffer::plain_word(const ScenePrimitive& primitive, PixelPosition pixel) const {
-  return word_of(shade(primitive, attributes_of(primitive, choices_, target_), pixel).color);
+    planes_[0].row(pixel.y)[pixel.x] = words.at(pixel);
 }
 
 void Framebuffer::resolve() {

@@ -25,7 +25,7 @@ class Framebuffer {
   Framebuffer& operator=(const Framebuffer&) = delete;
 
   // Of a scene with this target, but for its clear colour. Nothing where the plain path has to
-  // draw. Refers to the scene.
+  // draw. Refers to the scene and to this.
   std::optional<FastScene> prepared(const Scene& scene) const;
 
   void clear(const Color& color);
@@ -46,9 +46,14 @@ class Framebuffer {
   };
 
   std::size_t plane_size() const;
-  void draw_smooth(const FastScene& scene, const FastBatch& batch);
-  void draw_plain(const ScenePrimitive& primitive);
-  PixelWord plain_word(const ScenePrimitive& primitive, PixelPosition pixel) const;
+  class PlainWords;
+  void draw_flat(const FastScene& scene, const FastBatch& batch);
+  // By fill(plane, bounds, triangle, ties, doubtful).
+  template <class Triangle, class Fill>
+  void draw_interpolated(std::span<const Triangle> triangles,
+                         std::span<const ScenePrimitive> primitives, const FastBatch& batch,
+                         const FastScene& scene, Fill fill);
+  void draw_plain(const ScenePrimitive& primitive, const FastScene& scene);
 
   Target target_;
   RuleChoices choices_;
