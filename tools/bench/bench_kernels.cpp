@@ -37,6 +37,29 @@ class SceneMaker {
     return scene_;
   }
 
+  // Layers that show a texture of 256x256 texels, 1.5 texels a pixel: two levels.
+  Scene textured_layers(int count) {
+    constexpr int kTexels = 256;
+    Texture texture;
+    texture.generated = true;
+    TextureLevel& image = texture.levels.emplace_back();
+    image.width = image.height = kTexels;
+    for (int i = 0; i < 4 * kTexels * kTexels; ++i)
+      image.texels.push_back(static_cast<float>(engine_() % 256));
+    scene_.textures = {std::make_shared<Texture>(texture)};
+    Scene scene = layers(count, true);
+    for (Draw& draw : scene.draws) {
+      TextureUse& use = draw.texture.emplace();
+      use.sampler.minify = Filter::linear;
+      use.sampler.mipmap = MipFilter::linear;
+      for (Vertex& vertex : draw.vertices)
+        vertex.texture_coordinates = {
+            static_cast<float>(vertex.position.x.to_double() * 1.5 / kTexels),
+            static_cast<float>(vertex.position.y.to_double() * 1.5 / kTexels)};
+    }
+    return scene;
+  }
+
   Scene triangles(int count, double leg, bool smooth = false) {
     Draw& draw = add(Primitive::triangles, smooth);
     for (int i = 0; i < count; ++i) {
@@ -111,6 +134,9 @@ void flat_layers(benchmark::State& state) {
 void smooth_layers(benchmark::State& state) {
   draw(state, SceneMaker().layers(4, true), 4 * kPixels);
 }
+void trilinear_layers(benchmark::State& state) {
+  draw(state, SceneMaker().textured_layers(2), 2 * kPixels);
+}
 void triangles(benchmark::State& state) {
   const int leg = static_cast<int>(state.range(0));
   const int count = leg > 100 ? 500 : 100000;
@@ -146,6 +172,7 @@ void plain_triangles(benchmark::State& state) {
 
 BENCHMARK(flat_layers);
 BENCHMARK(smooth_layers);
+BENCHMARK(trilinear_layers);
 BENCHMARK(triangles)->Arg(3)->Arg(5)->Arg(10)->Arg(20)->Arg(50)->Arg(500);
 BENCHMARK(smooth_triangles)->Arg(10)->Arg(50)->Arg(500);
 BENCHMARK(multisampled_triangles)->Arg(5)->Arg(10);
