@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// The cases of the suite, as the framebuffer draws them: to the bit what the plain rasterizer puts
+// into their pixels. Every eighth of them, another eighth where EDGECASE_KERNEL_SCENES says so: 8
+// and more asks all.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "casefile/loader.h"
+#include "casefile/suite.h"
+#include "raster/framebuffer.h"
+#include "raster/rasterizer.h"
+
+namespace edgecase {
+namespace {
+
+TEST(FramebufferSuite, DrawsItsCasesAsThePlainPath) {
+  const char* const text = std::getenv("EDGECASE_KERNEL_SCENES");
+  const int eighths = std::clamp(text ? std::atoi(text) : 1, 1, 8);
+  Policy snapped;
+  snapped.rules = {{"subpixel.snap", "8-half-even"}, {"triangle.fill-rule", "left-bottom"}};
+  const std::filesystem::path suite[] = {std::filesystem::path(EDGECASE_ROOT) / "cases"};
+  int count = 0, drawn = 0;
+  for (const CaseFile& file : find_cases(suite).cases)
+    for (const Case& one : load_cases(file.file, file.id).cases) {
+      if (count++ % 8 >= eighths) continue;
+      for (const Policy& policy : {Policy(), snapped}) {
+        ASSERT_EQ(drawn_pixels(one.scene, policy), rasterize(one.scene, policy).pixels) << one.id;
+        if (Framebuffer(one.scene.target, policy).prepared(one.scene)) ++drawn;
+      }
+    }
+  std::printf("%d of %d renderings by the framebuffer\n", drawn, count * eighths / 8 * 2);
+  EXPECT_GT(drawn, count * eighths / 8);
+}
+
+}  // namespace
+}  // namespace edgecase
