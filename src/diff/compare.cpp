@@ -11,6 +11,7 @@
 #include "diff/coverage/explanation.h"
 #include "diff/coverage/legality.h"
 #include "diff/drawing_compare.h"
+#include "diff/pixel_blocks.h"
 #include "diff/samples/pass_compare.h"
 #include "diff/upside_down.h"
 #include "raster/facing.h"
@@ -24,14 +25,6 @@ namespace {
 bool reads_before(const Disagreement& a, const Disagreement& b) {
   return std::tie(a.y, a.x, a.primitive, a.sample, a.kind, a.rule) <
          std::tie(b.y, b.x, b.primitive, b.sample, b.kind, b.rule);
-}
-
-// How many pixels of two pictures are the same.
-std::size_t same_pixels(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
-  std::size_t count = 0;
-  for (std::size_t at = 0; at + 4 <= std::min(a.size(), b.size()); at += 4)
-    if (std::equal(&a[at], &a[at] + 4, &b[at])) ++count;
-  return count;
 }
 
 Result compare_whole(const Drawing& drawing, std::string refuted) {
@@ -68,7 +61,7 @@ Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
   read_upside_down(drawing, result);
   std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
-  result.pixel_counts.same = same_pixels(exact.pixels, rendered.pixels);
+  result.pixel_counts.same = count_same_pixels(exact.pixels, rendered.pixels);
   return result;
 }
 
