@@ -23,6 +23,8 @@ class CaseComparison {
   // The exact rendering of the case at `index`, made once by whoever asks first, with samples where
   // the policy has them when no renderer says where its own lie.
   const Rendering& exact(std::size_t index);
+  // Nobody asks for the exact rendering of this case any more.
+  void forget(std::size_t index) { renderings_[index] = {}; }
 
   // What `info` answered to the case at `index`, compared.
   Result compare_outcome(std::size_t index, Outcome outcome, const RendererInfo& info);

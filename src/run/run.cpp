@@ -80,7 +80,10 @@ class Run {
         options_(options),
         comparison_(suite, options),
         infos_(options.renderers.size()),
-        results_(suite.cases.size(), std::vector<std::optional<Result>>(options.renderers.size())) {
+        results_(suite.cases.size(), std::vector<std::optional<Result>>(options.renderers.size())),
+        unanswered_(suite.cases.size()),
+        described_(suite.cases.size()) {
+    for (auto& renderers : unanswered_) renderers = options.renderers.size();
     for (std::size_t r = 0; r < infos_.size(); ++r) infos_[r].name = options.renderers[r];
   }
 
@@ -155,6 +158,7 @@ class Run {
         std::optional<Result>& result = results_[cases[i]][index];
         result = comparison_.compare_outcome(cases[i], std::move(outcome), renderer.info());
         count_unexpected(cases[i], index, *result);
+        if (--unanswered_[cases[i]] == 0) describe_and_forget(cases[i]);
         report_progress();
         if (stopped() || (enough_ && !is_finishing_)) throw Stopped{};
       });
@@ -189,6 +193,13 @@ class Run {
   void report_progress() {
     const std::size_t done = ++done_;
     if (options_.progress) options_.progress(done, suite_.cases.size() * infos_.size());
+  }
+
+  // Exact renderings are the bulk of what a run holds: each is kept until the last renderer has
+  // been held against it.
+  void describe_and_forget(std::size_t index) {
+    described_[index] = describe(index);
+    comparison_.forget(index);
   }
 
   CaseResults describe(std::size_t index) {
@@ -236,7 +247,7 @@ class Run {
         ++results.left_out;
         continue;
       }
-      results.cases.push_back(describe(i));
+      results.cases.push_back(std::move(described_[i]));
       for (auto& result : results_[i]) results.cases.back().results.push_back(std::move(*result));
     }
     results.interrupted = results.left_out > 0;
@@ -249,6 +260,8 @@ class Run {
   CaseComparison comparison_;
   std::vector<RendererInfo> infos_;
   std::vector<std::vector<std::optional<Result>>> results_;  // by case, then renderer
+  std::vector<std::atomic<std::size_t>> unanswered_;         // by case: renderers
+  std::vector<CaseResults> described_;                       // cases that all have answered
   std::vector<Slice> slices_;
   std::atomic<std::size_t> next_slice_ = 0;
   std::atomic<std::size_t> done_ = 0;
