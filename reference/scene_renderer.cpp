@@ -206,6 +206,7 @@ void SceneRenderer::draw_all(const Scene& scene, const Pass& pass) {
     if (pass.looks_up) set_lookup(scene, draw);
     const auto count = static_cast<GLsizei>(draw.vertices.size());
     gl_.DrawArrays(mode_of(draw.primitive), first, count);
+    if (pass.finishes) gl_.Finish();
     first += count;
   }
   if (is_multisampled(scene)) set_multisampling(gl_, {}, scene.target.samples);
@@ -340,19 +341,24 @@ std::optional<Failure> SceneRenderer::take_failure() const {
                  fmt::format("drawing raised {}", name_of_error(error))};
 }
 
+std::variant<Surfaces, Failure> SceneRenderer::prepare(const Scene& scene, bool looks_up) {
+  if (std::string problem = objects_->programs.prepare(scene, looks_up, queries_level_of_detail_);
+      !problem.empty())
+    return Failure{FailureKind::unsupported, std::move(problem)};
+  auto found = objects_->targets.find(scene.target);
+  if (auto* surfaces = std::get_if<Surfaces>(&found)) return *surfaces;
+  take_error(gl_);
+  return Failure{FailureKind::unsupported, std::get<std::string>(std::move(found))};
+}
+
 Outcome SceneRenderer::render(const Scene& scene, bool coverage_only) {
-  std::string problem = problem_.empty() ? limit_exceeded_by(scene, limits_) : problem_;
-  if (problem.empty() && !scene.supersampling.empty()) return render_passes(scene);
-  const bool looks_up = is_textured(scene) && !coverage_only;
-  if (problem.empty())
-    problem = objects_->programs.prepare(scene, looks_up, queries_level_of_detail_);
-  if (!problem.empty()) return Failure{FailureKind::unsupported, problem};
-  const auto found = objects_->targets.find(scene.target);
-  if (const auto* reason = std::get_if<std::string>(&found)) {
-    take_error(gl_);
-    return Failure{FailureKind::unsupported, *reason};
-  }
-  const Surfaces& surfaces = std::get<Surfaces>(found);
+  if (std::string problem = problem_.empty() ? limit_exceeded_by(scene, limits_) : problem_;
+      !problem.empty())
+    return Failure{FailureKind::unsupported, std::move(problem)};
+  if (!scene.supersampling.empty()) return render_passes(scene);
+  const auto prepared = prepare(scene, is_textured(scene) && !coverage_only);
+  if (const auto* failure = std::get_if<Failure>(&prepared)) return *failure;
+  const Surfaces& surfaces = std::get<Surfaces>(prepared);
   Rendering rendering;
   rendering.width = scene.target.width;
   rendering.height = scene.target.height;

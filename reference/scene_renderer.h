@@ -23,9 +23,12 @@
 // which the loader has made sure that their clip coordinates are exact in float32.
 #pragma once
 
-#include <memory>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "model/renderer.h"
 #include "reference/accumulator.h"
@@ -38,6 +41,14 @@
 #include "reference/textures.h"
 
 namespace edgecase {
+
+// Of frames that were drawn one after the other.
+struct DrawingTime {
+  std::size_t frames = 0;
+  double seconds = 0;  // of all of them
+  // What the last one shows, RGBA8, row by row from the bottom; of a multisampled target, resolved.
+  std::vector<std::uint8_t> pixels;
+};
 
 class SceneRenderer {
  public:
@@ -53,6 +64,12 @@ class SceneRenderer {
   // left out, and the rendering has none, nor depths, details and mip chains; fragments are
   // captured, and hits counted, as ever. Supersampled scenes are always drawn in whole.
   Outcome render(const Scene& scene, bool coverage_only = false);
+
+  // How long drawing a scene takes, and nothing else: its vertices are where they need to be, and
+  // nothing is read. Clears, draws and finishes until `seconds` have passed, once at least; with
+  // `by_draw` it finishes after each draw. A sentence where it cannot be drawn.
+  std::variant<DrawingTime, std::string> time_drawing(const Scene& scene, double seconds,
+                                                      bool by_draw);
 
  private:
   // GL objects, in the order in which they may be made. Only there where `problem_` is empty.
@@ -75,8 +92,11 @@ class SceneRenderer {
     bool looks_up = false;       // by the programs for textures
     Capture* capture = nullptr;  // of the passes that capture
     float step = 1;              // of the one that counts hits
+    bool finishes = false;       // after each draw
   };
 
+  // Makes programs and framebuffers that a scene needs, or says why there are none.
+  std::variant<Surfaces, Failure> prepare(const Scene& scene, bool looks_up);
   // Each pass as a scene of its own, and once more into the accumulator.
   Outcome render_passes(const Scene& scene);
   // What the GL complains of, if anything; it is then forgotten.

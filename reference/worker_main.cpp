@@ -2,7 +2,7 @@
 //
 // edgecase-gl: the worker program of the OpenGL renderers.
 //
-//   edgecase-gl CONTEXT [--expect-driver NAME] [--messages]
+//   edgecase-gl CONTEXT [--expect-driver NAME] [--messages|--bench]
 //   edgecase-gl --devices
 //
 // CONTEXT is osmesa, egl-surfaceless or egl-device:N, or of OpenGL ES egl-es-surfaceless or
@@ -10,9 +10,10 @@
 //
 // It speaks the protocol of reference/PROTOCOL.md: one scene per line on standard input, one answer
 // per line on standard output, until its input ends. With --messages it says the same in bytes
-// (wire/message.h), each message with its length before it: the program starts it so. Which driver
-// draws is decided by environment variables that its parent sets; --expect-driver makes sure of it,
-// see driver_proof.h. A context that cannot be had, or another driver than the expected one, is a
+// (wire/message.h), each message with its length before it: the program starts it so. With
+// --bench it times what it is asked to draw (wire/bench_message.h). Which driver draws is decided
+// by environment variables that its parent sets; --expect-driver makes sure of it, see
+// driver_proof.h. A context that cannot be had, or another driver than the expected one, is a
 // sentence on standard error and exit status 3.
 #include <unistd.h>
 
@@ -24,6 +25,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/bench_service.h"
 #include "reference/driver_proof.h"
 #include "reference/egl_context.h"
 #include "reference/gl_context.h"
@@ -136,6 +138,18 @@ int serve_messages(SceneRenderer& renderer, const RendererInfo& info, std::FILE*
   return 0;
 }
 
+int serve_bench(SceneRenderer& renderer, std::FILE* output) {
+  for (std::string bytes; read_message(stdin, bytes);) {
+    const auto parsed = parse_bench_request(bytes);
+    if (const auto* error = std::get_if<WireError>(&parsed))
+      return complain(kUsageError, "bad request: " + error->message);
+    const BenchAnswer answer = time_scenes(renderer, std::get<BenchRequest>(parsed));
+    if (!write_message(output, bench_answer_message(answer)))
+      return complain(kUsageError, "the parent reads no more");
+  }
+  return 0;
+}
+
 int print_devices() {
   std::FILE* output = take_standard_output();
   if (output == nullptr) return complain(kUsageError, "there is no standard output");
@@ -144,14 +158,19 @@ int print_devices() {
 
 int run(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool takes_messages = arguments.size() > 1 && arguments.back() == "--messages";
-  if (takes_messages) arguments.pop_back();
+  const auto has_last = [&](const char* option) {
+    const bool has = arguments.size() > 1 && arguments.back() == option;
+    if (has) arguments.pop_back();
+    return has;
+  };
+  const bool is_bench = has_last("--bench");
+  const bool takes_messages = !is_bench && has_last("--messages");
   const bool expects = arguments.size() == 3 && arguments[1] == "--expect-driver";
   if (arguments.size() != 1 && !expects)
     return complain(kUsageError,
                     "usage: edgecase-gl osmesa|egl-surfaceless|egl-device:N|egl-es-surfaceless|"
-                    "egl-es-device:N [--expect-driver NAME] [--messages], or edgecase-gl "
-                    "--devices");
+                    "egl-es-device:N [--expect-driver NAME] [--messages|--bench], or "
+                    "edgecase-gl --devices");
   if (arguments[0] == "--devices") return print_devices();
   const std::string driver = expects ? arguments[2] : "";
   if (std::string missing = missing_for_driver(driver); !missing.empty())
@@ -168,6 +187,7 @@ int run(int argc, char** argv) {
     return complain(kUnavailable, doubt);
   if (std::string stack = stack_of_driver(driver); !stack.empty()) info.traits["stack"] = stack;
   std::ios::sync_with_stdio(false);
+  if (is_bench) return serve_bench(renderer, output);
   return takes_messages ? serve_messages(renderer, info, output)
                         : serve_lines(renderer, info, output);
 }

@@ -18,7 +18,7 @@ class StartUp(CommandTest):
 
     def test_nothing_heavy_is_loaded(self):
         case = f"{SUITE}/triangles/ties/flat-top.json"
-        for arguments in (["--version"], ["rules"], ["validate", SUITE], ["render", case],
+        for arguments in (["--version"], ["rules"], ["validate", case], ["validate", SUITE], ["render", case],
                           ["run", *PROBES, "--against", "exact"], ["run", *PROBES, "--list"],
                           ["explain", case, "--pixel", "3,3"]):
             with self.subTest(" ".join(arguments)):

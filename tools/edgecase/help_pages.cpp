@@ -134,6 +134,12 @@ constexpr HelpPage kPages[] = {
      "difference, and prints what is left as a case file.",
      "012345", "interrupted; the smallest scene so far is printed",
      "edgecase minimize cases/lines/diagonals/two-in-a-column.json --against osmesa:softpipe"},
+    {"bench",
+     "Draws the same scenes by exact and by renderers in turn, and times cases, searches and "
+     "comparisons of pictures. Times depend on the machine; what counts are the ratios.",
+     "0235", "",
+     "edgecase bench\n"
+     "edgecase bench --part scenes --against egl:softpipe --rounds 3 --json bench.json"},
     {"manual",
      "The manual page holds every subcommand with all its options, made of what this program "
      "knows; the completions likewise.",

@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   edgecase::add_gallery_command(app, exit);
   edgecase::add_fuzz_command(app, exit);
   edgecase::add_minimize_command(app, exit);
+  edgecase::add_bench_command(app, exit);
   edgecase::add_manual_command(app, exit);
   edgecase::add_help_pages(app);
   try {
