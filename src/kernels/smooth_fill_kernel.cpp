@@ -30,6 +30,8 @@ struct RowComponent {
   DoubleVector start, right, decided;
 };
 
+// kClamps: are there components beyond 0 to 255?
+template <bool kClamps>
 class SmoothFill {
  public:
   SmoothFill(const PixelPlane& plane, const PixelBounds& box, const ValuePlanes& planes,
@@ -68,7 +70,7 @@ class SmoothFill {
                                           hn::Mask<Doubles>& open) {
     const Doubles d;
     const auto value = hn::MulAdd(c.right, x, c.start);
-    const auto within = hn::Min(hn::Max(value, hn::Zero(d)), hn::Set(d, 255.0));
+    const auto within = kClamps ? hn::Min(hn::Max(value, hn::Zero(d)), hn::Set(d, 255.0)) : value;
     const auto code = hn::Round(within);
     open = hn::Or(open, hn::Gt(hn::Abs(hn::Sub(within, code)), c.decided));
     return hn::DemoteTo(Codes(), code);
@@ -97,11 +99,17 @@ class SmoothFill {
   std::vector<PixelPosition>& doubtful_;
 };
 
+// `clamps`: as kClamps.
 void FillSmooth(const PixelPlane& plane, const PixelBounds& box,
-                const std::array<EdgeFunction, 3>& edges, const ValuePlanes& planes,
+                const std::array<EdgeFunction, 3>& edges, const ValuePlanes& planes, bool clamps,
                 std::vector<PixelPosition>& doubtful) {
-  const SmoothFill fill(plane, box, planes, doubtful);
-  walk_spans(edges, box, [&](int y, int first, int last) HWY_ATTR { fill.Span(y, first, last); });
+  const auto fill_by = [&](const auto& fill) HWY_ATTR {
+    walk_spans(edges, box, [&](int y, int first, int last) HWY_ATTR { fill.Span(y, first, last); });
+  };
+  if (clamps)
+    fill_by(SmoothFill<true>(plane, box, planes, doubtful));
+  else
+    fill_by(SmoothFill<false>(plane, box, planes, doubtful));
 }
 
 }  // namespace
@@ -114,6 +122,21 @@ namespace edgecase {
 
 HWY_EXPORT(FillSmooth);
 
+namespace {
+
+// Are all means of the corners' colours 0 to 1, and all pixels within the corners?
+bool stays_within(const SmoothTriangle& triangle) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const RawPoint vertex = triangle.vertices[i], corner = triangle.corners[i];
+    if (vertex.x != corner.x || vertex.y != corner.y) return false;
+    for (const auto component : triangle.colors[i])
+      if (!(component >= 0 && component <= 1)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 void fill_smooth_triangle(const PixelPlane& plane, const PixelBounds& bounds,
                           const SmoothTriangle& triangle, const TieWeights& ties,
                           std::vector<PixelPosition>& doubtful) {
@@ -123,7 +146,7 @@ void fill_smooth_triangle(const PixelPlane& plane, const PixelBounds& bounds,
   if (!setup.has_area() || is_empty(box)) return;
   HWY_DYNAMIC_DISPATCH(FillSmooth)
   (plane, box, setup.edges_at(kCentrePlace),
-   value_planes(triangle.corners, triangle.colors, 255, box), doubtful);
+   value_planes(triangle.corners, triangle.colors, 255, box), !stays_within(triangle), doubtful);
 }
 
 }  // namespace edgecase

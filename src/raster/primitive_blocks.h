@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // How a scene's triangles would be found by blocks, under a choice of rules. The rasterizer itself
-// asks every sample; a block walk finds the same ones and shows how little of it need be asked.
+// finds them otherwise; a block walk finds the same ones and shows how little of it need be asked.
 #pragma once
 
 #include <span>

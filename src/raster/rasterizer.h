@@ -6,6 +6,9 @@
 //   primitives_of -> snap -> culling -> coverage (rules/coverage) -> attributes (rules/values)
 //     -> textures (rules/textures) -> fragment operations (rules/output) -> pixels
 //
+// Of coverage, kernels find what the predicates would, where they can (raster/fast_coverage.h). Who
+// wants pixels and no fragments goes by raster/framebuffer.h.
+//
 // A multisampled target's path is in raster/multisample.h, a supersampled scene's in
 // raster/supersample.h.
 #pragma once
