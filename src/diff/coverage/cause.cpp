@@ -5,7 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "diff/coverage/alternatives.h"
@@ -159,6 +161,80 @@ class Search {
   Changes profile_;
 };
 
+// Would single changes of what is chosen draw what exact draws? Most answers agree, and are held
+// against all alternatives: what cannot differ is not drawn.
+class SingleChanges {
+ public:
+  // `drawn` must be what the choice draws.
+  SingleChanges(const CauseQuestion& question, const SampleCoverage& drawn)
+      : question_(question), drawn_(drawn) {}
+
+  bool draw_so(const CoverageChoice& changed) {
+    const CoverageChoice& chosen = question_.chosen;
+    if (changed.snap != chosen.snap && decides_by_vertices()) return snapped_so(changed);
+    if (std::string_view(changed.ties.name) != chosen.ties.name && decides_by_edges() &&
+        !has_ties())
+      return true;
+    return covers_so(changed);
+  }
+
+ private:
+  using Positions = std::array<Point, 3>;
+
+  bool covers_so(const CoverageChoice& choice) const {
+    return covered_samples(question_.primitive, question_.target, choice, question_.reported) ==
+           drawn_;
+  }
+
+  // Does snapping decide on where vertices are, and on nothing else?
+  bool decides_by_vertices() const {
+    return question_.target.samples == 1 && !question_.primitive.is_clipped &&
+           !has_clip_positions(question_.primitive) && question_.chosen.rows == RowOrder::bottom_up;
+  }
+
+  Positions snapped(Snap snap) const {
+    const auto& p = question_.primitive.positions;
+    return {snap(p[0]), snap(p[1]), snap(p[2])};
+  }
+
+  // Grids that take the vertices to the same places draw the same.
+  bool snapped_so(const CoverageChoice& changed) {
+    if (known_.empty()) known_.emplace_back(snapped(question_.chosen.snap), true);
+    const Positions positions = snapped(changed.snap);
+    const auto found = std::find_if(known_.begin(), known_.end(),
+                                    [&](const auto& known) { return known.first == positions; });
+    if (found != known_.end()) return found->second;
+    return known_.emplace_back(positions, covers_so(changed)).second;
+  }
+
+  // Is a sample covered where all edge functions are positive?
+  bool decides_by_edges() const {
+    return question_.target.samples == 1 && !question_.primitive.is_clipped &&
+           question_.primitive.kind == PrimitiveKind::triangle &&
+           question_.chosen.triangle_algorithm == TriangleAlgorithm::edge_functions;
+  }
+
+  // Does a sample lie on an edge, and in the triangle? Open edges draw the least that any rule on
+  // ties does, closed ones the most.
+  bool has_ties() {
+    if (ties_ == Ties::unknown) {
+      CoverageChoice open = question_.chosen;
+      open.ties = *find_tie_rule("open");
+      CoverageChoice closed = question_.chosen;
+      closed.ties = *find_tie_rule("closed");
+      ties_ = covers_so(open) && covers_so(closed) ? Ties::none : Ties::some;
+    }
+    return ties_ == Ties::some;
+  }
+
+  enum class Ties { unknown, none, some };
+
+  const CauseQuestion& question_;
+  const SampleCoverage& drawn_;
+  std::vector<std::pair<Positions, bool>> known_;
+  Ties ties_ = Ties::unknown;
+};
+
 }  // namespace
 
 std::vector<std::string> find_causes(const CauseQuestion& question,
@@ -182,14 +258,13 @@ void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& covera
   // of them draws so.
   enum class Tried : char { no, draws_otherwise, draws_so };
   std::vector<Tried> tried(places.size(), Tried::no);
+  SingleChanges changes(question, coverage.drawn);
   for (const RuleAlternatives& rule :
        alternatives_beside(question.primitive, question.target, question.chosen))
     for (const Change& change : rule) {
       const std::size_t place = places.at(change.cause);
       if (refuted[place] == '1' || tried[place] == Tried::draws_so) continue;
-      const bool same =
-          covered_samples(question.primitive, question.target, change.applied_to(question.chosen),
-                          question.reported) == coverage.drawn;
+      const bool same = changes.draw_so(change.applied_to(question.chosen));
       tried[place] = same ? Tried::draws_so : Tried::draws_otherwise;
     }
   for (std::size_t i = 0; i < tried.size(); ++i)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "diff/coverage/facing_latitude.h"
 #include "diff/values/vertex_latitude.h"
@@ -35,12 +36,6 @@ SeenLine seen_line(const ScenePrimitive& line, Snap snap, const Scene& scene) {
   const auto [segment, reach] = snapped_segment(line, snap, scene.viewport);
   return {segment, rounded_width(line.state->line_width),
           drawable_bounds(*line.state, scene.target), reach};
-}
-
-// Of one line under two snaps.
-bool same_ends(const SeenLine& one, const SeenLine& other) {
-  return one.segment.a == other.segment.a && one.segment.b == other.segment.b &&
-         one.reach == other.reach;
 }
 
 Segment segment_of(const ScenePrimitive& line) {
@@ -179,19 +174,18 @@ Legality judge_facing(const ScenePrimitive& primitive, const CoverageDifference&
 std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,
                                             std::span<const PixelPosition> drawn,
                                             const Scene& scene) {
-  struct Asked {
-    SeenLine line;
-    bool broken;
-  };
-  std::vector<Asked> asked;  // most snaps leave most vertices where they are
+  // Many snaps leave a line in the same place, where it is judged once.
+  std::vector<std::pair<SeenLine, bool>> judged;
   std::vector<std::string> result;
   for (Snap snap : all_snaps()) {
     const SeenLine seen = seen_line(line, snap, scene);
-    auto found = std::find_if(asked.begin(), asked.end(),
-                              [&](const Asked& one) { return same_ends(one.line, seen); });
-    if (found == asked.end())
-      found = asked.insert(found, {seen, !broken_line_clause(seen, drawn).empty()});
-    if (found->broken) result.push_back(name_of(snap));
+    auto found = std::find_if(judged.begin(), judged.end(), [&](const auto& known) {
+      return known.first.segment.a == seen.segment.a && known.first.segment.b == seen.segment.b &&
+             known.first.reach == seen.reach;
+    });
+    if (found == judged.end())
+      found = judged.insert(found, {seen, !broken_line_clause(seen, drawn).empty()});
+    if (found->second) result.push_back(name_of(snap));
   }
   return result;
 }

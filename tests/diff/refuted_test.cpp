@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+//
+// Evidence against alternatives, held against drawing every one of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "diff/coverage/alternatives.h"
+#include "diff/coverage/cause.h"
+#include "raster/rasterizer.h"
+#include "tests/raster/random_scenes.h"
+
+namespace edgecase {
+namespace {
+
+// Which alternatives draw the primitive otherwise than the choice does: of those that bear one
+// name, all.
+std::string drawn_otherwise(const CauseQuestion& question, const SampleCoverage& drawn) {
+  std::map<std::string, bool> draws_so;
+  for (const RuleAlternatives& rule :
+       alternatives_beside(question.primitive, question.target, question.chosen))
+    for (const Change& change : rule)
+      draws_so[change.cause] |= covered_samples(question.primitive, question.target,
+                                                change.applied_to(question.chosen), {}) == drawn;
+  std::string refuted;
+  for (const std::string& name : alternative_names()) {
+    const auto found = draws_so.find(name);
+    refuted += found != draws_so.end() && !found->second ? '1' : '0';
+  }
+  return refuted;
+}
+
+Policy policy_of(const Choices& rules) {
+  Policy policy;
+  policy.rules = rules;
+  return policy;
+}
+
+const Policy kPolicies[] = {
+    policy_of({}),
+    policy_of({{"subpixel.snap", "8-half-even"}}),
+    policy_of({{"subpixel.snap", "4-truncate"}, {"triangle.fill-rule", "open"}}),
+    policy_of({{"triangle.fill-rule", "closed"}, {"triangle.row-order", "top-down"}}),
+    policy_of({{"triangle.algorithm", "scan"}, {"line.row-order", "top-down"}}),
+};
+
+TEST(Refuted, IsWhatIsDrawnOtherwise) {
+  std::size_t primitives = 0;
+  std::size_t refuted = 0;
+  RandomScenes scenes(5);
+  // Whole pixels, pixel centres, grids of drivers, and finer than any.
+  for (const std::int64_t step : {65536, 32768, 4096, 256, 1})
+    for (int i = 0; i < 60; ++i) {
+      Scene scene = scenes.next({8, step, 3, false});
+      // Of some, the facing has a say.
+      for (Draw& draw : scene.draws)
+        if (scenes.below(3) == 0) draw.cull = CullMode::back;
+      for (const Policy& policy : kPolicies) {
+        const RuleChoices choices = resolve(policy, Surface::fbo);
+        for (const ScenePrimitive& primitive : primitives_of(scene)) {
+          const CauseQuestion question{primitive, scene.target, choices.of(primitive.kind)};
+          const SampleCoverage drawn =
+              covered_samples(primitive, scene.target, question.chosen, {});
+          std::string marked(alternative_names().size(), '0');
+          mark_refuted(question, {drawn, drawn}, marked);
+          const std::string wanted = drawn_otherwise(question, drawn);
+          ASSERT_EQ(marked, wanted) << policy.rules.size() << " " << step << " " << i;
+          ++primitives;
+          refuted += static_cast<std::size_t>(std::count(wanted.begin(), wanted.end(), '1'));
+        }
+      }
+    }
+  std::printf("%zu primitives, %zu alternatives refuted\n", primitives, refuted);
+  EXPECT_GT(refuted, 3 * primitives);
+}
+
+}  // namespace
+}  // namespace edgecase
