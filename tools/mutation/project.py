@@ -61,9 +61,10 @@ def edgecase(build):
         ("CMakeLists.txt", "src", "tests", "reference", "reports", "tools", "cases"),
         ("exact", "rules", "sample_rules", "levels", "texels", "values", "raster", "multisample",
          "supersample", "texture_stage", "output_rules", "fragment_operations", "clipping",
-         "clipped_lines", "diff_clipping",
+         "clipped_lines", "diff_clipping", "framebuffer",
          "oracles"),
-        frozenset({"RandomScenes.AMillionAgree", "InterpolationOracles.AMillionTrianglesAgree"}))
+        frozenset({"RandomScenes.AMillionAgree", "InterpolationOracles.AMillionTrianglesAgree",
+                   "FramebufferSuite.DrawsItsCasesAsThePlainPath"}))
 
 
 def processors():
