@@ -28,7 +28,7 @@ class Texts(CommandTest):
         self.assertRegex(self.command("--version").stdout, r"^edgecase \d+\.\d+\.\d+\n$")
         told = self.command("--help").stdout
         for subcommand in ("run", "render", "explain", "rules", "backends", "validate", "bless",
-                           "report", "gallery", "new", "minimize"):
+                           "report", "gallery", "new", "minimize", "bench"):
             self.assertIn(f"\n  {subcommand} ", told)
             self.assertIn("Exit codes: 0", self.command(subcommand, "--help").stdout)
 
