@@ -130,12 +130,19 @@ std::string refusal(const std::filesystem::path& path, const std::string& why) {
 
 std::string unreadable(const std::filesystem::path& path) {
   const int code = errno;
+  std::error_code error;
+  // It is read twice, and a device could go on for ever.
+  if (std::filesystem::is_other(path, error))
+    return fmt::format("cannot read the recording {}: it is a pipe or a device; name a file",
+                       path.string());
   return fmt::format("cannot read the recording {}: {}", path.string(),
                      std::strerror(code != 0 ? code : EISDIR));
 }
 
 // A file that can be read from its beginning.
 std::optional<std::ifstream> open_file(const std::filesystem::path& path) {
+  std::error_code other;
+  if (std::filesystem::is_other(path, other)) return std::nullopt;
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in || in.peek() == std::ifstream::traits_type::eof()) {

@@ -312,6 +312,25 @@ class BadSurroundings(CommandTest):
             self.assertIn("cannot read none.json", self.complaint(subcommand, "none.json"))
             self.assertIn("no results file", self.complaint(subcommand, "other.json"))
 
+    def test_files_without_end(self):
+        """A device as input is an error soon, in bounded memory."""
+        for arguments in (["report", "/dev/zero"], ["bless", "/dev/zero"],
+                          ["run", "cases", "--against", "exact", "--expectations", "/dev/zero"]):
+            self.assertIn("cannot read /dev/zero: it has more than 2 GiB",
+                          self.complaint(*arguments))
+        self.assertIn("cannot read the recording /dev/zero: it is a pipe or a device",
+                      self.complaint("run", "cases", "--against", "recording:/dev/zero"))
+
+    def test_results_from_a_pipe(self):
+        results = self.folder / "r.json"
+        self.command("run", "cases", "--against", "exact", "--json", results, expect=None)
+        run = subprocess.run(["sh", "-c", f"{EDGECASE} report /dev/stdin --csv - < r.json"],
+                             cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        run = subprocess.run(["sh", "-c", f"cat r.json | {EDGECASE} report /dev/stdin --csv -"],
+                             cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0, run.stderr)
+
     def test_unwritable_output(self):
         # A folder stands where the file should; "/proc/none" cannot be made, not even by root.
         for option in ("--json", "--junit", "--html"):

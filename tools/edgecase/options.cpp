@@ -23,6 +23,9 @@
 namespace edgecase {
 namespace {
 
+// Of a file that is read whole: several times the results of the suite where every case fails.
+constexpr std::size_t kMostFileBytes = std::size_t{2} << 30;
+
 // Bazel runs a test in shards only if it touches the file that this variable names.
 void touch_status_file() {
   const char* path = std::getenv("TEST_SHARD_STATUS_FILE");
@@ -233,13 +236,29 @@ void print_nothing_selected() {
 
 std::optional<std::string> read_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
   if (!in || std::filesystem::is_directory(path)) {
+    print_error(
+        fmt::format("cannot read {}: {}", path.string(), std::strerror(in ? EISDIR : errno)));
+    return std::nullopt;
+  }
+  // A pipe or a device may have no end.
+  std::string text;
+  std::string part(std::size_t{1} << 20, '\0');
+  while (in.read(part.data(), static_cast<std::streamsize>(part.size())) || in.gcount() > 0) {
+    const auto count = static_cast<std::size_t>(in.gcount());
+    if (count > kMostFileBytes - text.size()) {
+      print_error(
+          fmt::format("cannot read {}: it has more than {} GiB; divide the run with --shard",
+                      path.string(), kMostFileBytes >> 30));
+      return std::nullopt;
+    }
+    text.append(part, 0, count);
+  }
+  if (in.bad()) {
     print_error(fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
     return std::nullopt;
   }
-  return text.str();
+  return text;
 }
 
 bool write_file(const std::filesystem::path& path, const std::string& text) {

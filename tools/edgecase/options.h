@@ -90,7 +90,8 @@ std::optional<Pixel> parse_pixel(const std::string& text, const Target& target);
 // Says that --pixel is none of this target.
 void print_no_pixel(const std::string& text, const Target& target);
 
-// Reads a whole file; prints an error and returns nothing when it cannot be read.
+// Reads a whole file, or pipe, of at most 2 GiB; prints an error and returns nothing when it cannot
+// be read.
 std::optional<std::string> read_file(const std::filesystem::path& path);
 
 // Writes a file, its folder made if need be; false, with the error printed, when it cannot be.
