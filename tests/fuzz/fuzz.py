@@ -146,9 +146,10 @@ def fuzz(target, seconds):
     run = subprocess.run(
         [TARGETS / f"fuzz_{target}", learnt, seeds, *([kept] if kept.is_dir() else []),
          f"-max_total_time={seconds}", f"-timeout={PATIENCE}", "-rss_limit_mb=2560",
-         "-max_len=65536", f"-detect_leaks={int(target not in LEAKING)}",
+         "-max_len=65536",
          "-print_final_stats=1", f"-artifact_prefix={finds}/"],
-        cwd=ROOT, capture_output=True, text=True, errors="replace")
+        cwd=ROOT, capture_output=True, text=True, errors="replace",
+        env={**os.environ, "ASAN_OPTIONS": f"detect_leaks={int(target not in LEAKING)}"})
     asked = re.search(r"number_of_executed_units: (\d+)", run.stderr)
     covered = re.findall(r" cov: (\d+)", run.stderr)
     print(f"{target}: {asked[1] if asked else '?'} inputs, {covered[-1] if covered else '?'} edges "
