@@ -215,7 +215,7 @@ class Search {
       if (keys != options_.known.keys.end())
         for (const FindKey& key : keys->second) ledgers_[r].know(key);
       Trial trial = trial_of(r, 0);
-      std::vector<Answer> answers = trial.ask(options_.known.scenes);
+      std::vector<TrialAnswer> answers = trial.ask(options_.known.scenes);
       for (std::size_t i = 0; i < answers.size(); ++i)
         ledgers_[r].know(options_.known.scenes[i], std::move(answers[i].result));
     }
@@ -298,7 +298,7 @@ class Search {
     for (const Find& find : finds) scenes.push_back(find.scene);
     for (std::size_t r = 0; r < renderers_.size(); ++r) {
       Trial trial = trial_of(r, 0);
-      const std::vector<Answer> answers = trial.ask(scenes);
+      const std::vector<TrialAnswer> answers = trial.ask(scenes);
       for (std::size_t i = 0; i < finds.size(); ++i)
         finds[i].answers.push_back({renderers_[r].name, words_of(answers[i].result)});
     }

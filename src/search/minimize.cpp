@@ -58,7 +58,7 @@ Minimized minimize(const Scene& scene, const Signature& signature, Trial& trial,
   Minimized minimized;
   minimized.scene = scene;
   try {
-    Answer first = trial.ask(scene);
+    TrialAnswer first = trial.ask(scene);
     const bool shown = std::ranges::find(first.signatures, signature) != first.signatures.end();
     minimized.result = first.result;
     minimized.end = shown ? MinimizeEnd::finished : MinimizeEnd::not_reproduced;

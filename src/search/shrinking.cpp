@@ -107,11 +107,11 @@ bool Shrinking::prepare(Scene& candidate) {
   return is_writable_ ? !written(candidate).empty() : is_exact(candidate);
 }
 
-bool Shrinking::shows_find(const Answer& answer) const {
+bool Shrinking::shows_find(const TrialAnswer& answer) const {
   return std::ranges::find(answer.signatures, signature_) != answer.signatures.end();
 }
 
-void Shrinking::keep(Scene candidate, Answer answer) {
+void Shrinking::keep(Scene candidate, TrialAnswer answer) {
   size_ = size_of(candidate);
   scene_ = std::move(candidate);
   result_ = std::move(answer.result);
@@ -134,7 +134,7 @@ bool Shrinking::offer_first_of(std::vector<Scene> candidates) {
     if (batch.size() > asks_left_)
       batch.erase(batch.begin() + static_cast<std::ptrdiff_t>(asks_left_), batch.end());
     asks_left_ -= batch.size();
-    std::vector<Answer> answers = trial_.ask(batch);
+    std::vector<TrialAnswer> answers = trial_.ask(batch);
     // The simplest, so that none that is passed over here would be kept later.
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < batch.size(); ++i)

@@ -47,8 +47,8 @@ class Shrinking {
 
  private:
   bool prepare(Scene& candidate);
-  bool shows_find(const Answer& answer) const;
-  void keep(Scene candidate, Answer answer);
+  bool shows_find(const TrialAnswer& answer) const;
+  void keep(Scene candidate, TrialAnswer answer);
 
   Scene scene_;
   Result result_;

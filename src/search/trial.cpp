@@ -38,17 +38,17 @@ void Trial::read(Surface surface, RunReading reading) {
   options_.readings.insert_or_assign(surface, std::move(reading));
 }
 
-Answer Trial::ask(const Scene& scene) {
+TrialAnswer Trial::ask(const Scene& scene) {
   return std::move(ask(std::span(&scene, 1)).front());
 }
 
-std::vector<Answer> Trial::ask(std::span<const Scene> scenes) {
+std::vector<TrialAnswer> Trial::ask(std::span<const Scene> scenes) {
   const auto stopped = [&] { return options_.stop != nullptr && options_.stop->load(); };
   const std::vector<std::size_t> order = by_size(scenes);
   std::vector<Task> tasks;
   for (std::size_t k = 0; k < order.size(); ++k)
     tasks.push_back({fmt::format("search/{}", asked_ + k), &scenes[order[k]]});
-  std::vector<Answer> answers(scenes.size());
+  std::vector<TrialAnswer> answers(scenes.size());
   if (stopped()) throw SearchStopped{};
   renderer_.render(tasks, [&](std::size_t k, Outcome outcome) {
     // A failure may come from being stopped itself.
@@ -70,7 +70,7 @@ Result Trial::compare_outcome(const Scene& scene, Outcome outcome) const {
   return compare(scene, options_.policy, exact, rendering, facts);
 }
 
-Answer Trial::judged(const Scene& scene, Result result) const {
+TrialAnswer Trial::judged(const Scene& scene, Result result) const {
   Result* const one = &result;
   const std::span<Result* const> results(&one, 1);
   const Surface surface = scene.target.surface;

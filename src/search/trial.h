@@ -3,7 +3,7 @@
 // Trial: holds one renderer against exact, scene by scene, for those who search among scenes.
 //
 //   scenes -> {renderer, exact} -> compare -> judge, each scene alone or as a run reads it ->
-//   Answer
+//   TrialAnswer
 //
 // It keeps no scene and knows no case: whoever searches says what to ask next.
 #pragma once
@@ -26,7 +26,7 @@
 namespace edgecase {
 
 // What one scene shows.
-struct Answer {
+struct TrialAnswer {
   Result result;  // judged; not-run with its reason where there is no rendering
   std::vector<Signature> signatures;
 };
@@ -51,8 +51,8 @@ class Trial {
 
   // One answer for each scene, in their order; the renderer gets them all at once. Throws
   // SearchStopped.
-  std::vector<Answer> ask(std::span<const Scene> scenes);
-  Answer ask(const Scene& scene);
+  std::vector<TrialAnswer> ask(std::span<const Scene> scenes);
+  TrialAnswer ask(const Scene& scene);
 
   // Scenes that were answered so far, failures included.
   std::size_t asked() const { return asked_; }
@@ -64,7 +64,7 @@ class Trial {
 
  private:
   Result compare_outcome(const Scene& scene, Outcome outcome) const;
-  Answer judged(const Scene& scene, Result result) const;
+  TrialAnswer judged(const Scene& scene, Result result) const;
 
   Renderer& renderer_;
   TrialOptions options_;

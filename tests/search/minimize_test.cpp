@@ -122,7 +122,7 @@ TEST(Minimize, IsTheSameEachTime) {
     const Scene scene = scenes.next(kind);
     FaultyRenderer renderer(nullptr, other);
     Trial trial(renderer, {});
-    const Answer answer = trial.ask(scene);
+    const TrialAnswer answer = trial.ask(scene);
     if (answer.signatures.empty()) continue;
     ++found;
     const Minimized one = minimized(scene, renderer, {150});
@@ -131,7 +131,7 @@ TEST(Minimize, IsTheSameEachTime) {
     EXPECT_EQ(one.asks, two.asks);
     EXPECT_LE(size_of(one.scene), size_of(scene));
     // It shows what it is said to show, and a case file brings it back.
-    Answer again = trial.ask(one.scene);
+    TrialAnswer again = trial.ask(one.scene);
     EXPECT_NE(std::ranges::find(again.signatures, answer.signatures[0]), again.signatures.end());
     const LoadedCases loaded = load_cases_text(written(one.scene), "x.json", "x");
     ASSERT_EQ(loaded.cases.size(), 1u);

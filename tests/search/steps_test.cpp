@@ -27,7 +27,7 @@ class Steps : public testing::Test {
 
   static Scene shrunk(Step step, const Scene& scene, Renderer& renderer, bool expect) {
     Trial trial(renderer, {});
-    Answer answer = trial.ask(scene);
+    TrialAnswer answer = trial.ask(scene);
     const Signature signature = answer.signatures.at(0);
     Shrinking shrinking(scene, std::move(answer.result), signature, trial, 10'000);
     EXPECT_EQ(step(shrinking), expect);

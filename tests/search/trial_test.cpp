@@ -25,7 +25,7 @@ Policy with_rule(const std::string& rule, const std::string& alternative) {
 TEST(Trial, ShowsNothingOfARendererThatIsRight) {
   FaultyRenderer right(nullptr);
   Trial trial(right, {});
-  const Answer answer = trial.ask(plain_line());
+  const TrialAnswer answer = trial.ask(plain_line());
   EXPECT_EQ(answer.result.verdict, Verdict::agree);
   EXPECT_TRUE(answer.signatures.empty());
   EXPECT_EQ(trial.asked(), 1u);
@@ -63,7 +63,7 @@ TEST(Trial, ExactFollowsThePolicy) {
 TEST(Trial, KeepsWhyThereIsNoRendering) {
   FaultyRenderer crashing(crash_where([](const Scene&) { return true; }));
   Trial trial(crashing, {});
-  const Answer answer = trial.ask(plain_line());
+  const TrialAnswer answer = trial.ask(plain_line());
   ASSERT_TRUE(answer.result.failure.has_value());
   EXPECT_EQ(answer.result.failure->reason, "it ended");
   EXPECT_EQ(answer.result.verdict, Verdict::not_run);
@@ -96,7 +96,7 @@ TEST(Trial, ChoosesCausesAsTheRunThatItIsGiven) {
       8, {make_draw(Primitive::triangles,
                     std::array{sixteenths(8, 8), sixteenths(72, 8), sixteenths(8, 72)})});
   Trial trial(faulty, {});
-  const Answer alone = trial.ask(scene);
+  const TrialAnswer alone = trial.ask(scene);
   ASSERT_FALSE(alone.result.evidence.empty());
   const auto& causes = alone.result.evidence[0].causes;
   ASSERT_GT(causes.size(), 1u);
