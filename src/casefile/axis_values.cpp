@@ -169,7 +169,8 @@ std::vector<AxisValue> read_points(const Place& place, Findings& findings) {
   return values;
 }
 
-std::optional<std::size_t> read_value_of(const Place& place, const Axis& axis, Findings& findings) {
+std::optional<std::size_t> read_value_of(const Place& place, const SweepAxis& axis,
+                                         Findings& findings) {
   const std::string name = shown(*place.node);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < axis.values.size(); ++i) {

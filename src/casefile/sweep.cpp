@@ -18,14 +18,14 @@ constexpr std::size_t kCountLimit = std::size_t{1} << 32;
 // A value on its way to a place of the tree.
 struct Move {
   const AxisTarget* target = nullptr;
-  const Axis* axis = nullptr;
+  const SweepAxis* axis = nullptr;
   const AxisValue* value = nullptr;
 };
 
 std::vector<Move> moves_of(const Sweep& sweep, const Combination& combination, bool adds) {
   std::vector<Move> moves;
   for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
-    const Axis& axis = sweep.axes[a];
+    const SweepAxis& axis = sweep.axes[a];
     if (axis.adds != adds) continue;
     for (const AxisTarget& target : axis.targets)
       moves.push_back({&target, &axis, &axis.values[combination[a]]});

@@ -38,7 +38,7 @@ struct AxisTarget {
   Place place;  // of the pointer in the file
 };
 
-struct Axis {
+struct SweepAxis {
   std::string name;
   bool adds = false;    // add_to instead of set
   bool points = false;  // values are vertices
@@ -52,7 +52,7 @@ struct Axis {
 using Combination = std::vector<std::size_t>;
 
 struct Sweep {
-  std::vector<Axis> axes;
+  std::vector<SweepAxis> axes;
   // Axes that run together, by index: a zip group, or one axis alone. In the order of the file.
   std::vector<std::vector<std::size_t>> groups;
 };
@@ -61,7 +61,8 @@ struct Sweep {
 Sweep read_sweep(const Place& place, Findings& findings);
 
 // A value, as "base" and "when" write it: the index of the axis's value, or none and a finding.
-std::optional<std::size_t> read_value_of(const Place& place, const Axis& axis, Findings& findings);
+std::optional<std::size_t> read_value_of(const Place& place, const SweepAxis& axis,
+                                         Findings& findings);
 
 // Is it a name of an axis or a zip group: a-z first, then a-z, 0-9 and '-'?
 bool is_axis_name(std::string_view name);

@@ -29,7 +29,7 @@ std::optional<std::string> only_one(const Place& place, const ObjectReader& obje
   return std::nullopt;
 }
 
-void read_pointer(const Place& place, Axis& axis, Findings& findings) {
+void read_pointer(const Place& place, SweepAxis& axis, Findings& findings) {
   if (!expect_kind(place, JsonKind::string, "a pointer", findings)) return;
   const std::string& text = place.node->text;
   const std::optional<Tokens> tokens = split_pointer(text);
@@ -51,7 +51,7 @@ void read_pointer(const Place& place, Axis& axis, Findings& findings) {
   axis.targets.push_back({*tokens, place});
 }
 
-void read_pointers(const Place& place, Axis& axis, Findings& findings) {
+void read_pointers(const Place& place, SweepAxis& axis, Findings& findings) {
   if (!expect_kind(place, JsonKind::array, "a list of pointers", findings)) return;
   if (place.node->children.empty())
     findings.add(place, "an axis has no pointers", "name what takes the values");
@@ -59,7 +59,7 @@ void read_pointers(const Place& place, Axis& axis, Findings& findings) {
     read_pointer(place.child(i), axis, findings);
 }
 
-void check_points(const Axis& axis, const Place& points, Findings& findings) {
+void check_points(const SweepAxis& axis, const Place& points, Findings& findings) {
   if (axis.adds) findings.add(points, "points cannot be added", "use \"set\"");
   for (const AxisTarget& target : axis.targets)
     if (!axis.adds && !is_vertex_pointer(target.tokens))
@@ -67,7 +67,7 @@ void check_points(const Axis& axis, const Place& points, Findings& findings) {
                    "points go to vertices, like \"/draws/0/vertices/0\"");
 }
 
-void read_values_of_axis(const ObjectReader& object, const std::string& kind, Axis& axis,
+void read_values_of_axis(const ObjectReader& object, const std::string& kind, SweepAxis& axis,
                          Findings& findings) {
   const std::optional<Place> place = object.find(kind);
   if (!place) return;
@@ -80,7 +80,7 @@ void read_values_of_axis(const ObjectReader& object, const std::string& kind, Ax
   }
 }
 
-void read_zip(const Place& place, Axis& axis, Findings& findings) {
+void read_zip(const Place& place, SweepAxis& axis, Findings& findings) {
   const auto name = read_text(place, "zip", {1, 100}, findings);
   if (!name) return;
   axis.zip = *name;
@@ -89,10 +89,10 @@ void read_zip(const Place& place, Axis& axis, Findings& findings) {
                  "use a letter from a to z first, then a to z, 0 to 9 and dashes");
 }
 
-Axis read_axis(const Place& place, Findings& findings) {
+SweepAxis read_axis(const Place& place, Findings& findings) {
   static const std::string kActions[] = {"set", "add_to"};
   static const std::string kSources[] = {"values", "range", "points"};
-  Axis axis;
+  SweepAxis axis;
   axis.name = place.node->name;
   if (!is_axis_name(axis.name) || axis.name == "variant")
     findings.add_key(place, fmt::format("{} cannot name an axis", quote(axis.name)),
@@ -114,8 +114,8 @@ Axis read_axis(const Place& place, Findings& findings) {
 
 // Two axes that set one place: the first would do nothing, and pass for tested.
 void check_overlaps(const Sweep& sweep, Findings& findings) {
-  std::map<Tokens, const Axis*> setters;
-  for (const Axis& axis : sweep.axes) {
+  std::map<Tokens, const SweepAxis*> setters;
+  for (const SweepAxis& axis : sweep.axes) {
     if (axis.adds) continue;
     for (const AxisTarget& target : axis.targets) {
       const auto [first, fresh] = setters.emplace(target.tokens, &axis);
@@ -130,14 +130,14 @@ void check_overlaps(const Sweep& sweep, Findings& findings) {
 
 void check_group(const Place& place, const Sweep& sweep, const std::vector<std::size_t>& group,
                  Findings& findings) {
-  const Axis& first = sweep.axes[group.front()];
+  const SweepAxis& first = sweep.axes[group.front()];
   if (group.size() == 1 && !first.zip.empty())
     findings.add(place.child(group.front()),
                  fmt::format("the group {} has one axis only", quote(first.zip)),
                  "give another axis the same \"zip\", or remove it");
   std::optional<std::size_t> base;
   for (const std::size_t a : group) {
-    const Axis& axis = sweep.axes[a];
+    const SweepAxis& axis = sweep.axes[a];
     if (axis.values.size() != first.values.size())
       findings.add(
           place.child(a),

@@ -19,7 +19,7 @@ bool is_coded(TextureFormat format) {
   return format != TextureFormat::rgba32f;
 }
 
-TextureLevel blank(ImageSize size) {
+TextureLevel blank(PatternSize size) {
   TextureLevel level{size.width, size.height, {}};
   level.texels.resize(4 * static_cast<std::size_t>(size.width) *
                       static_cast<std::size_t>(size.height));
@@ -28,7 +28,7 @@ TextureLevel blank(ImageSize size) {
 
 // An image whose texel (i, j) is texel_at(i, j).
 template <class TexelAt>
-TextureLevel image_of(ImageSize size, const TexelAt& texel_at) {
+TextureLevel image_of(PatternSize size, const TexelAt& texel_at) {
   TextureLevel level = blank(size);
   auto next = level.texels.begin();
   for (int j = 0; j < size.height; ++j) {
@@ -92,13 +92,13 @@ Texel black_texel(TextureFormat format) {
   return stored_texel({0, 0, 0, 1}, format);
 }
 
-TextureLevel checker_image(ImageSize size, int cell, const std::array<Texel, 2>& colors) {
+TextureLevel checker_image(PatternSize size, int cell, const std::array<Texel, 2>& colors) {
   return image_of(size, [&](int i, int j) {
     return colors[static_cast<std::size_t>((i / cell + j / cell) % 2)];
   });
 }
 
-TextureLevel gradient_image(ImageSize size, const std::array<Texel, 4>& corners,
+TextureLevel gradient_image(PatternSize size, const std::array<Texel, 4>& corners,
                             TextureFormat format) {
   const int columns = std::max(1, size.width - 1);
   const int rows = std::max(1, size.height - 1);
@@ -114,7 +114,7 @@ TextureLevel gradient_image(ImageSize size, const std::array<Texel, 4>& corners,
   });
 }
 
-TextureLevel zone_plate_image(ImageSize size, TextureFormat format) {
+TextureLevel zone_plate_image(PatternSize size, TextureFormat format) {
   const std::int64_t larger = std::max(size.width, size.height);
   return image_of(size, [&](int i, int j) {
     // Twice the distances from the centre.
@@ -130,7 +130,7 @@ TextureLevel zone_plate_image(ImageSize size, TextureFormat format) {
   });
 }
 
-TextureLevel noise_image(ImageSize size, TextureFormat format, std::uint64_t seed) {
+TextureLevel noise_image(PatternSize size, TextureFormat format, std::uint64_t seed) {
   TextureLevel level = blank(size);
   for (float& number : level.texels) {
     const std::uint64_t word = next_word(seed);
@@ -140,11 +140,11 @@ TextureLevel noise_image(ImageSize size, TextureFormat format, std::uint64_t see
   return level;
 }
 
-TextureLevel flat_image(ImageSize size, const Texel& texel) {
+TextureLevel flat_image(PatternSize size, const Texel& texel) {
   return image_of(size, [&](int, int) { return texel; });
 }
 
-std::vector<TextureLevel> flat_levels(ImageSize size, std::span<const Texel> colors) {
+std::vector<TextureLevel> flat_levels(PatternSize size, std::span<const Texel> colors) {
   std::vector<TextureLevel> levels;
   for (const Texel& color : colors) {
     const auto level = static_cast<int>(levels.size());
@@ -169,7 +169,7 @@ std::vector<Texel> level_colors(int count, TextureFormat format) {
 }
 
 TextureLevel box_level(const TextureLevel& level, TextureFormat format) {
-  const ImageSize size{level_size(level.width, 1), level_size(level.height, 1)};
+  const PatternSize size{level_size(level.width, 1), level_size(level.height, 1)};
   const int across = std::min(level.width, 2);
   const int up = std::min(level.height, 2);
   constexpr std::array<int, 4> kOnce{1, 1, 1, 1};

@@ -29,30 +29,30 @@ Texel white_texel(TextureFormat format);
 Texel black_texel(TextureFormat format);
 
 // One-dimensional images have height 1.
-struct ImageSize {
+struct PatternSize {
   int width = 1;
   int height = 1;
 };
 
 // Squares of `cell` x `cell` texels: texel (i, j) is colors[(i / cell + j / cell) % 2].
-TextureLevel checker_image(ImageSize size, int cell, const std::array<Texel, 2>& colors);
+TextureLevel checker_image(PatternSize size, int cell, const std::array<Texel, 2>& colors);
 
 // Between the texels at the corners, bottom left, bottom right, top left, top right: the nearest
 // stored numbers to the bilinear mean, ties to even. A side of one texel has its first corner.
-TextureLevel gradient_image(ImageSize size, const std::array<Texel, 4>& corners,
+TextureLevel gradient_image(PatternSize size, const std::array<Texel, 4>& corners,
                             TextureFormat format);
 
 // Grey 1/2 + 1/2 cos(pi (x^2 + y^2) / larger side), x and y in texels from the centre; alpha 1.
-TextureLevel zone_plate_image(ImageSize size, TextureFormat format);
+TextureLevel zone_plate_image(PatternSize size, TextureFormat format);
 
 // Every component of every texel drawn by SplitMix64 from the seed, in the order of `texels`: the
 // upper 8 bits of each word, or, of rgba32f, the upper 24 as multiples of 2^-24.
-TextureLevel noise_image(ImageSize size, TextureFormat format, std::uint64_t seed);
+TextureLevel noise_image(PatternSize size, TextureFormat format, std::uint64_t seed);
 
-TextureLevel flat_image(ImageSize size, const Texel& texel);
+TextureLevel flat_image(PatternSize size, const Texel& texel);
 
 // A whole chain of flat levels, of one colour each; `colors` has level_count of them.
-std::vector<TextureLevel> flat_levels(ImageSize size, std::span<const Texel> colors);
+std::vector<TextureLevel> flat_levels(PatternSize size, std::span<const Texel> colors);
 
 // Colours of levels that a file leaves open. rgba32f: level k is (k, k/2, 1/4, 1), which tells it
 // in any mixture. The others: eleven codes that differ from their neighbours by 127 at least.

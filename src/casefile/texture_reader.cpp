@@ -36,11 +36,11 @@ constexpr std::uintmax_t kMostFileBytes = std::uintmax_t{64} << 20;
 // What a texture's source needs to know of it.
 struct Outline {
   TextureFormat format = TextureFormat::rgba8;
-  std::optional<ImageSize> size;
+  std::optional<PatternSize> size;
   int dimensions = 2;
 };
 
-std::string words_of(ImageSize size) {
+std::string words_of(PatternSize size) {
   return fmt::format("{} x {}", size.width, size.height);
 }
 
@@ -59,7 +59,7 @@ void read_size(const Place& place, Findings& findings, Outline& outline) {
     if (!side) return;
     sides[i] = *side;
   }
-  outline.size = ImageSize{sides[0], sides[1]};
+  outline.size = PatternSize{sides[0], sides[1]};
   outline.dimensions = static_cast<int>(count);
 }
 
@@ -149,7 +149,7 @@ Levels read_noise(const Place& place, const Outline& outline, Findings& findings
 }
 
 // Does a picture have the size that the file says, if it does?
-bool is_sized(const Place& place, ImageSize found, const Outline& outline, Findings& findings) {
+bool is_sized(const Place& place, PatternSize found, const Outline& outline, Findings& findings) {
   if (!outline.size) return true;
   if (outline.size->width == found.width && outline.size->height == found.height) return true;
   findings.add(place,

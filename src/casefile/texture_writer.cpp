@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kFewTexels = 16;  // written one by one, whatever they show
 
-ImageSize size_of(const TextureLevel& level) {
+PatternSize size_of(const TextureLevel& level) {
   return {level.width, level.height};
 }
 
@@ -119,7 +119,7 @@ JsonPiece image_piece(const TextureLevel& image, TextureFormat format) {
 std::optional<JsonPiece> as_flat_levels(const Texture& texture) {
   std::vector<Texel> colors;
   for (const TextureLevel& level : texture.levels) colors.push_back(texel_of(level, 0, 0));
-  const ImageSize size = size_of(texture.levels.front());
+  const PatternSize size = size_of(texture.levels.front());
   if (texture.levels != flat_levels(size, colors)) return std::nullopt;
   if (colors == level_colors(static_cast<int>(colors.size()), texture.format))
     return named("levels", json_object({}));

@@ -4,8 +4,7 @@
 
 namespace edgecase {
 
-void fill_lines(const SamplePlanes& target, std::span<const FlatLine> lines,
-                const TieWeights& ties) {
+void fill_lines(const FillTarget& target, std::span<const FlatLine> lines, const TieWeights& ties) {
   const PixelPlane plane = target.planes[0];
   for (const FlatLine& line : lines)
     walk_line(line.a, line.b, ties, target.bounds,

@@ -38,7 +38,7 @@ struct FlatLine {
 
 // Where samples are drawn: sample s of each pixel lies at places[s] and is written to planes[s]. A
 // target that is not multisampled has one plane and kCentrePlace.
-struct SamplePlanes {
+struct FillTarget {
   std::span<const PixelPlane> planes;
   std::span<const RawPoint> places;
   PixelBounds bounds;  // of what may be written, within the planes
@@ -46,10 +46,9 @@ struct SamplePlanes {
 
 // Each writes, in the order of the primitives, exactly what the predicates of triangle_fill.h and
 // diamond_exit.h have inside. Ties of lines must be perturbed ones.
-void fill_triangles(const SamplePlanes& target, std::span<const FlatTriangle> triangles,
+void fill_triangles(const FillTarget& target, std::span<const FlatTriangle> triangles,
                     const TieWeights& ties);
-void fill_lines(const SamplePlanes& target, std::span<const FlatLine> lines,
-                const TieWeights& ties);
+void fill_lines(const FillTarget& target, std::span<const FlatLine> lines, const TieWeights& ties);
 
 // The mean of four samples' planes, byte by byte, rounded to nearest, a tie to the even value. Up
 // to kSpare pixels behind the last one are written too.

@@ -57,7 +57,7 @@ TriangleSetup SetUp(const FlatTriangle& triangle, const TieWeights& ties) {
   return {a, b, c, ties};
 }
 
-void FillInOrder(const SamplePlanes& target, std::span<const FlatTriangle> triangles,
+void FillInOrder(const FillTarget& target, std::span<const FlatTriangle> triangles,
                  const TieWeights& ties) {
   for (const FlatTriangle& triangle : triangles) {
     const TriangleSetup setup = SetUp(triangle, ties);
@@ -83,7 +83,7 @@ void FillByTiles(const PixelPlane& plane, RawPoint place, const PixelBounds& bou
   });
 }
 
-void FillTriangles(const SamplePlanes& target, std::span<const FlatTriangle> triangles,
+void FillTriangles(const FillTarget& target, std::span<const FlatTriangle> triangles,
                    const TieWeights& ties) {
   const auto vertices = [&](std::size_t i) { return triangles[i].vertices; };
   if (!wants_bins(triangles.size(), target.bounds, vertices))
@@ -102,7 +102,7 @@ namespace edgecase {
 
 HWY_EXPORT(FillTriangles);
 
-void fill_triangles(const SamplePlanes& target, std::span<const FlatTriangle> triangles,
+void fill_triangles(const FillTarget& target, std::span<const FlatTriangle> triangles,
                     const TieWeights& ties) {
   HWY_DYNAMIC_DISPATCH(FillTriangles)(target, triangles, ties);
 }

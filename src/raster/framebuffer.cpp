@@ -114,7 +114,7 @@ void Framebuffer::draw_flat(const FastScene& scene, const FastBatch& batch) {
     planes.push_back(planes_[s]);
     places.push_back(places_[s]);
   }
-  const SamplePlanes target{planes, places, batch.bounds};
+  const FillTarget target{planes, places, batch.bounds};
   if (batch.kind == FastBatch::Kind::flat_triangles)
     fill_triangles(target, std::span(scene.flat_triangles).subspan(batch.first, batch.count),
                    weights_of(choices_.triangles.ties));

@@ -79,6 +79,8 @@ UNWANTED = re.compile(r"\b((?i:epsi" r"lon)|TO" r"DO|FIX" r"ME)\b")
 FLOATING_WORD = re.compile(
     r"\b(float|double|to_double)\b|(?<![\w.])(\d+\.\d*|\.\d+)([eE][+-]?\d+)?[fFlL]?(?![\w.])")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
+NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.MULTILINE)
+TYPE = re.compile(r"^(?:struct|class|enum(?: class)?) (\w+)(?: final)?(?: : [^{;]*)? \{", re.MULTILINE)
 NOISE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
 
 
@@ -166,9 +168,20 @@ def file_faults(path, text):
             yield 1, "no licence line"
 
 
+def types_of(path, text):
+    """(name with its namespace, line) of the types that one of our headers defines."""
+    if path.suffix != ".h" or path.parts[0] == "tests":
+        return
+    code = without_noise(text)
+    namespaces = [(match.start(), match[1]) for match in NAMESPACE.finditer(code)]
+    for match in TYPE.finditer(code):
+        outer = [name for start, name in namespaces if start < match.start()]
+        yield "::".join([*outer[-1:], match[1]]), line_of(code, match.start())
+
+
 def check(root):
     """All faults of the repository at `root` as (path, line, sentence), and the files read."""
-    faults, files = [], []
+    faults, files, types = [], [], {}
     for folder in ("src", "reference", "reports", "tools", "tests"):
         for path in sorted((root / folder).rglob("*")):
             if path.suffix not in CODE | {".txt", ".css"} or not path.is_file():
@@ -181,6 +194,11 @@ def check(root):
             text = path.read_text(encoding="utf-8")
             files.append(relative)
             faults += [(relative, line, what) for line, what in file_faults(relative, text)]
+            # Of two types of one name the linker takes the members of either.
+            for name, line in types_of(relative, text):
+                first = types.setdefault(name, relative)
+                if first != relative:
+                    faults.append((relative, line, f"{name} is in {first}, too"))
     return faults, files
 
 

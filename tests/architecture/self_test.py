@@ -29,6 +29,13 @@ CLEAN = {
     "tests/model/a_test.cpp": '#include <gtest/gtest.h>\n#include "run/run.h"\n',
 }
 
+# Not the same: what is declared only, or lies in another namespace.
+CLEAN |= {
+    "src/wire/answer.h": "namespace edgecase {\nstruct Answer {\n  int a;\n};\n}\n",
+    "src/wire/later.h": "namespace edgecase {\nstruct Answer;\n}\n",
+    "src/wire/other.h": "namespace edgecase::wire {\nclass Answer final : Base {\n};\n}\n",
+}
+
 # A file, what stands in it, and what must be said of it.
 FAULTS = [
     ("src/exact/a.h", '#include "model/scene.h"', "exact may not use model"),
@@ -72,6 +79,8 @@ FAULTS = [
     ("src/rules/coverage/triangle_fill.cpp", "int f();", "not here"),
     ("src/diff/a.cpp", "// close within EPSI" "LON", "the word"),
     ("tests/diff/a.cpp", "// TO" "DO: later", "the word"),
+    ("src/wire/z.h", "namespace edgecase {\nstruct Answer {\n};\n}", "is in src/wire/answer.h, too"),
+    ("src/wire/z.h", "namespace edgecase {\nenum class Answer { yes };\n}", "edgecase::Answer is in"),
     ("reports/viewer/a.js", "// FIX" "ME", "the word"),
     ("reports/viewer/a.js", "\n" * 401, "lines; a file has 400"),
 ]

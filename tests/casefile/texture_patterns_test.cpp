@@ -54,7 +54,7 @@ float at(const TextureLevel& level, int i, int j, std::size_t c) {
   return level.texels[4 * static_cast<std::size_t>(j * level.width + i) + c];
 }
 
-TextureLevel random_level(std::mt19937& random, ImageSize size, TextureFormat format) {
+TextureLevel random_level(std::mt19937& random, PatternSize size, TextureFormat format) {
   TextureLevel level{size.width, size.height, {}};
   for (int n = 0; n < 4 * size.width * size.height; ++n) {
     const auto bits = static_cast<float>(random() % (1U << 24));
@@ -91,7 +91,7 @@ TEST(TexturePatterns, CheckersCountCellsFromTheLowerLeft) {
 TEST(TexturePatterns, GradientsAreRoundedOnce) {
   std::mt19937 random(1);
   for (const TextureFormat format : kFormats) {
-    for (const ImageSize size : {ImageSize{1, 1}, {2, 2}, {5, 1}, {1, 4}, {7, 6}, {16, 3}}) {
+    for (const PatternSize size : {PatternSize{1, 1}, {2, 2}, {5, 1}, {1, 4}, {7, 6}, {16, 3}}) {
       const TextureLevel two = random_level(random, {2, 2}, format);
       std::array<Texel, 4> corners{};
       for (std::size_t k = 0; k < 4; ++k) std::copy_n(&two.texels[4 * k], 4, corners[k].begin());
@@ -114,7 +114,8 @@ TEST(TexturePatterns, GradientsAreRoundedOnce) {
 }
 
 TEST(TexturePatterns, ZonePlatesFollowTheCosine) {
-  for (const ImageSize size : {ImageSize{1, 1}, {9, 9}, {64, 48}, {31, 1}, {6, 6}, {255, 256}}) {
+  for (const PatternSize size :
+       {PatternSize{1, 1}, {9, 9}, {64, 48}, {31, 1}, {6, 6}, {255, 256}}) {
     const TextureLevel wide = zone_plate_image(size, TextureFormat::rgba32f);
     const TextureLevel coded = zone_plate_image(size, TextureFormat::srgb8);
     EXPECT_EQ(coded, zone_plate_image(size, TextureFormat::rgba8));
@@ -208,8 +209,8 @@ TEST(TexturePatterns, FlatLevelsMakeAWholeChain) {
 TEST(TexturePatterns, BoxesAreMeansRoundedOncePerLevel) {
   std::mt19937 random(2);
   for (const TextureFormat format : kFormats) {
-    for (const ImageSize size :
-         {ImageSize{1, 1}, {2, 2}, {1, 7}, {6, 1}, {5, 3}, {8, 8}, {9, 2}, {13, 21}}) {
+    for (const PatternSize size :
+         {PatternSize{1, 1}, {2, 2}, {1, 7}, {6, 1}, {5, 3}, {8, 8}, {9, 2}, {13, 21}}) {
       const TextureLevel base = random_level(random, size, format);
       const auto chain = box_chain(base, format);
       ASSERT_EQ(static_cast<int>(chain.size()), level_count(size.width, size.height));

@@ -7,6 +7,9 @@ add_compile_options(-O1 -w -include ${CMAKE_CURRENT_LIST_DIR}/switches.h)
 # An index beyond the end ends the program, whatever lies in memory there.
 add_compile_definitions(_GLIBCXX_ASSERTIONS)
 
+# What links the recorder is of no use elsewhere.
+set(EDGECASE_INSTALL OFF)
+
 add_library(mutation_recorder STATIC ${CMAKE_CURRENT_LIST_DIR}/recorder.cpp)
 target_include_directories(mutation_recorder PRIVATE ${CMAKE_CURRENT_LIST_DIR}/../..)
 set_target_properties(mutation_recorder PROPERTIES CXX_STANDARD 20 POSITION_INDEPENDENT_CODE ON)

@@ -107,7 +107,7 @@ bool is_about(const Result& result, const Signature& signature, const std::strin
 
 // The worst of what an answer shows, of what the options choose. What the specification does not
 // allow is worse than what it does, explained or not.
-std::optional<Signature> choose_signature(const Answer& answer, const std::string& rule,
+std::optional<Signature> choose_signature(const TrialAnswer& answer, const std::string& rule,
                                           std::optional<Pixel> pixel) {
   std::optional<Signature> chosen;
   for (const Signature& signature : answer.signatures) {
@@ -253,7 +253,7 @@ bool is_at_work(Trial& trial) {
 
 // What the options choose of what the case shows; prints why there is nothing.
 std::optional<Signature> find_signature(const MinimizeCommand& command, const Case& original,
-                                        const Answer& answer, std::optional<Pixel> pixel,
+                                        const TrialAnswer& answer, std::optional<Pixel> pixel,
                                         Trial& trial, ExitCode& exit) {
   const auto chosen = choose_signature(answer, command.rule, pixel);
   const auto& failure = answer.result.failure;
@@ -297,7 +297,7 @@ ExitCode minimize_case(const MinimizeCommand& command, const Case& original,
   const InterruptGuard guard;
   try {
     ExitCode exit = ExitCode::as_expected;
-    const Answer answer = trial.ask(original.scene);
+    const TrialAnswer answer = trial.ask(original.scene);
     const auto signature = find_signature(command, original, answer, pixel, trial, exit);
     if (!signature) return exit;
     const Minimized minimized = minimize(original.scene, *signature, trial, {command.max_asks});
