@@ -72,7 +72,7 @@ void add_bench_command(CLI::App& app, ExitCode& exit) {
   add_repeatable(*command, "--against", plan.renderers,
                  "OpenGL renderer, as `run` names them; repeatable (default: egl:llvmpipe)");
   add_repeatable(*command, "--part", options->parts,
-                 "scenes, pipeline, diff or stages; repeatable (default: all)");
+                 "Only scenes, pipeline, diff or stages; repeatable (default: all)");
   command->get_option("--part")->check(CLI::IsMember(kParts));
   command->add_option("--rounds", plan.rounds, "Of each measurement")
       ->check(CLI::Range(1, 1000))
