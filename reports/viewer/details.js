@@ -28,10 +28,15 @@ const Blocks = {
     return (await lines)[line - Data.blocks[number]];
   },
 
+  // Is the block that holds a line in the page itself?
+  isHere(line) {
+    const number = Blocks.numberOf(line);
+    return Data.chunks.every((chunk) => chunk.first > number);
+  },
+
   // Reads what a line is in, where it is in the page itself.
   readAhead(line) {
-    const number = Blocks.numberOf(line);
-    if (Data.chunks.every((chunk) => chunk.first > number)) Blocks.line(line).catch(() => {});
+    if (Blocks.isHere(line)) Blocks.line(line).catch(() => {});
   },
 
   async packed(number) {

@@ -62,3 +62,6 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
   CaseView.pictures?.draw();
 });
 showRoute();
+// Once the list is seen and nothing else is to be done.
+if (!Route.read().case)
+  requestAnimationFrame(() => requestIdleCallback(() => CaseView.rehearse(4).catch(() => {})));

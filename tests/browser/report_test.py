@@ -47,6 +47,14 @@ class Report(ReportTest):
         self.assert_few_nodes()
         self.assert_quiet(page)
 
+    def test_the_first_cases_are_rehearsed_unseen(self):
+        page = self.report(synthetic.make(100, 500))
+        self.browser.open(page)
+        self.browser.wait("Cases.filter((one) => one.loaded).length === 4")
+        self.assertEqual(self.browser.ask("document.querySelectorAll('.stage, main.case').length"), 0)
+        self.assertTrue(self.browser.ask("CaseView.one === null && Route.read().case === ''"))
+        self.assert_quiet(page)
+
     def test_what_is_beyond_the_budget_comes_from_scripts_beside_the_page(self):
         results = synthetic.make(400, 2000)
         noise = 1
