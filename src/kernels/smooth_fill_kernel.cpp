@@ -9,8 +9,7 @@
 // Highway wants its own header after the list of targets.
 #include <hwy/highway.h>
 
-#include <bit>
-
+#include "kernels/code_words-inl.h"
 #include "kernels/span_walk.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,11 +18,6 @@ namespace HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-using Doubles = hn::ScalableTag<double>;
-using Codes = hn::Rebind<std::int32_t, Doubles>;
-using DoubleVector = hn::Vec<Doubles>;
-static_assert(std::endian::native == std::endian::little, "red is the lowest byte of a word");
 
 // One component along a row.
 struct RowComponent {
@@ -53,7 +47,7 @@ class SmoothFill {
       word = hn::Or(word, hn::ShiftLeft<8>(CodeOf(green, x, open)));
       word = hn::Or(word, hn::ShiftLeft<16>(CodeOf(blue, x, open)));
       word = hn::Or(word, hn::ShiftLeft<24>(CodeOf(alpha, x, open)));
-      Store(word, row + column, last - column + 1);
+      StoreWords(word, row + column, last - column + 1);
       if (HWY_UNLIKELY(!hn::AllFalse(d, open))) Tell(open, {column, y}, last);
     }
   }
@@ -66,31 +60,18 @@ class SmoothFill {
   }
 
   // The nearest code, a tie to the even one. Adds the lanes to `open` that are too near to a tie.
-  static HWY_INLINE hn::Vec<Codes> CodeOf(const RowComponent& c, DoubleVector x,
-                                          hn::Mask<Doubles>& open) {
+  static HWY_INLINE WordVector CodeOf(const RowComponent& c, DoubleVector x,
+                                      hn::Mask<Doubles>& open) {
     const Doubles d;
     const auto value = hn::MulAdd(c.right, x, c.start);
     const auto within = kClamps ? hn::Min(hn::Max(value, hn::Zero(d)), hn::Set(d, 255.0)) : value;
     const auto code = hn::Round(within);
     open = hn::Or(open, hn::Gt(hn::Abs(hn::Sub(within, code)), c.decided));
-    return hn::DemoteTo(Codes(), code);
-  }
-
-  static HWY_INLINE void Store(hn::Vec<Codes> word, PixelWord* at, int count) {
-    const Codes d;
-    auto* const out = reinterpret_cast<std::int32_t*>(at);
-    if (count >= static_cast<int>(hn::Lanes(d)))
-      hn::StoreU(word, d, out);
-    else
-      hn::BlendedStore(word, hn::FirstN(d, static_cast<std::size_t>(count)), d, out);
+    return hn::DemoteTo(Words(), code);
   }
 
   HWY_NOINLINE void Tell(hn::Mask<Doubles> open, PixelPosition first, int last) const {
-    const Doubles d;
-    alignas(64) double flags[HWY_MAX_BYTES / sizeof(double)];
-    hn::Store(hn::IfThenElseZero(open, hn::Set(d, 1.0)), d, flags);
-    for (int i = 0; i < static_cast<int>(hn::Lanes(d)) && first.x + i <= last; ++i)
-      if (flags[i] != 0) doubtful_.push_back({first.x + i, first.y});
+    TellDoubtful(open, first, last, doubtful_);
   }
 
   const PixelPlane plane_;

@@ -11,8 +11,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <bit>
-
+#include "kernels/code_words-inl.h"
 #include "kernels/color_planes.h"
 #include "kernels/span_walk.h"
 
@@ -22,12 +21,6 @@ namespace HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-using Doubles = hn::ScalableTag<double>;
-using Words = hn::Rebind<std::int32_t, Doubles>;
-using DoubleVector = hn::Vec<Doubles>;
-using WordVector = hn::Vec<Words>;
-static_assert(std::endian::native == std::endian::little, "red is the lowest byte of a word");
 
 // The two texels between which a coordinate lies, and the weight of the second.
 struct TexelPair {
@@ -136,7 +129,7 @@ class TexturedFill {
     word = hn::Or(word, hn::ShiftLeft<8>(CodeOf(green, farthest)));
     word = hn::Or(word, hn::ShiftLeft<16>(CodeOf(blue, farthest)));
     word = hn::Or(word, hn::ShiftLeft<24>(CodeOf(alpha, farthest)));
-    Store(word, plane_.row(at.y) + at.x, last - at.x + 1);
+    StoreWords(word, plane_.row(at.y) + at.x, last - at.x + 1);
     const auto open = hn::Gt(farthest, hn::Set(d, .5 - margin_));
     if (HWY_UNLIKELY(!hn::AllFalse(d, open))) Tell(open, at, last);
   }
@@ -148,21 +141,8 @@ class TexturedFill {
     return hn::DemoteTo(Words(), code);
   }
 
-  static HWY_INLINE void Store(WordVector word, PixelWord* at, int count) {
-    const Words d;
-    auto* const out = reinterpret_cast<std::int32_t*>(at);
-    if (count >= static_cast<int>(hn::Lanes(d)))
-      hn::StoreU(word, d, out);
-    else
-      hn::BlendedStore(word, hn::FirstN(d, static_cast<std::size_t>(count)), d, out);
-  }
-
   HWY_NOINLINE void Tell(hn::Mask<Doubles> open, PixelPosition first, int last) const {
-    const Doubles d;
-    alignas(64) double flags[HWY_MAX_BYTES / sizeof(double)];
-    hn::Store(hn::IfThenElseZero(open, hn::Set(d, 1.0)), d, flags);
-    for (int i = 0; i < static_cast<int>(hn::Lanes(d)) && first.x + i <= last; ++i)
-      if (flags[i] != 0) doubtful_.push_back({first.x + i, first.y});
+    TellDoubtful(open, first, last, doubtful_);
   }
 
   const PixelPlane plane_;
