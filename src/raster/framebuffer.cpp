@@ -177,15 +177,4 @@ std::vector<std::uint8_t> Framebuffer::pixels() const {
   return pixels;
 }
 
-std::vector<std::uint8_t> drawn_pixels(const Scene& scene, const Policy& policy,
-                                       const SamplePositions& reported) {
-  Framebuffer framebuffer(scene.target, policy, reported);
-  const std::optional<FastScene> prepared = framebuffer.prepared(scene);
-  if (!prepared) return rasterize(scene, policy, reported).pixels;
-  framebuffer.clear(scene.target.clear);
-  framebuffer.draw(*prepared);
-  framebuffer.resolve();
-  return framebuffer.pixels();
-}
-
 }  // namespace edgecase

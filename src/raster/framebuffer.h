@@ -4,8 +4,8 @@
 //
 // What it draws is to the bit what raster/rasterizer.h puts into Rendering::pixels; of fragments,
 // hits and samples it tells nothing. It is made once for a target and a policy, and draws any
-// number of scenes; what it cannot draw it says when the scene is made ready, and drawn_pixels
-// below then takes the plain path.
+// number of scenes; what it cannot draw it says when the scene is made ready
+// (raster/exact_drawing.h then takes the plain path).
 #pragma once
 
 #include <optional>
@@ -63,9 +63,5 @@ class Framebuffer {
   std::vector<PixelPlane> planes_;  // one for each sample, then the resolved one
   std::vector<PixelPosition> doubtful_;
 };
-
-// Rendering::pixels of rasterize(scene, policy, reported). Here it is decided who draws.
-std::vector<std::uint8_t> drawn_pixels(const Scene& scene, const Policy& policy,
-                                       const SamplePositions& reported = {});
 
 }  // namespace edgecase

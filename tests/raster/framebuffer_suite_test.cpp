@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 
 #include "casefile/loader.h"
 #include "casefile/suite.h"
+#include "raster/exact_drawing.h"
 #include "raster/framebuffer.h"
 #include "raster/rasterizer.h"
 
@@ -27,7 +29,9 @@ TEST(FramebufferSuite, DrawsItsCasesAsThePlainPath) {
     for (const Case& one : load_cases(file.file, file.id).cases) {
       if (count++ % 8 >= eighths) continue;
       for (const Policy& policy : {Policy(), snapped}) {
-        ASSERT_EQ(drawn_pixels(one.scene, policy), rasterize(one.scene, policy).pixels) << one.id;
+        ExactDrawing drawing(std::span(&one.scene, 1), policy);
+        drawing.draw();
+        ASSERT_EQ(drawing.pixels(), rasterize(one.scene, policy).pixels) << one.id;
         if (Framebuffer(one.scene.target, policy).prepared(one.scene)) ++drawn;
       }
     }

@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <span>
 
 #include "kernels/tile_bins.h"
+#include "raster/exact_drawing.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/random_scenes.h"
 
@@ -189,7 +191,10 @@ TEST(Framebuffer, LeavesOperationsTexturesAndPassesToThePlainPath) {
   ASSERT_TRUE(is_drawn());
   scene.draws[0].operations.blending = Blending();
   EXPECT_FALSE(is_drawn());
-  EXPECT_EQ(drawn_pixels(scene, {}), rasterize(scene, {}).pixels);
+  const Policy policy;
+  ExactDrawing drawing(std::span(&scene, 1), policy);
+  drawing.draw();
+  EXPECT_EQ(drawing.pixels(), rasterize(scene, policy).pixels);
 }
 
 }  // namespace

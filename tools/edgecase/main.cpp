@@ -8,8 +8,8 @@
 #include <exception>
 #include <iostream>
 
-#include "tools/edgecase/commands.h"
-#include "tools/edgecase/help_pages.h"
+#include "tools/edgecase/commands/commands.h"
+#include "tools/edgecase/help/help_pages.h"
 #include "tools/edgecase/options.h"
 
 int main(int argc, char** argv) {

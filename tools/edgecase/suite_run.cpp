@@ -15,7 +15,7 @@
 #include "run/rerun.h"
 #include "run/run.h"
 #include "tools/edgecase/interrupt.h"
-#include "tools/edgecase/progress_line.h"
+#include "tools/edgecase/output/progress_line.h"
 
 namespace edgecase {
 namespace {

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+//
+// The whole pipeline: cases, random scenes, pictures, and the stages of a run.
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <memory>
+#include <sstream>
+#include <utility>
+#include <variant>
+
+#include "diff/pixel_blocks.h"
+#include "results/results_json.h"
+#include "run/comparing.h"
+#include "run/judging.h"
+#include "run/renderer_names.h"
+#include "run/run.h"
+#include "search/fuzz.h"
+#include "tools/edgecase/bench/rates.h"
+#include "tools/edgecase/bench/scenes.h"
+#include "tools/edgecase/bench/worker.h"
+
+namespace edgecase {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+RunOptions options_for(const std::string& renderer, int jobs) {
+  RunOptions options;
+  options.renderers = {renderer};
+  options.renderer_options = {options.policy, std::chrono::seconds(60), worker_directory(), {}};
+  options.jobs = jobs;
+  return options;
+}
+
+// What `run --json` does with cases that are read, but for writing to a disk.
+double run_once(const Suite& suite, const std::string& renderer, int jobs) {
+  const auto start = Clock::now();
+  const Results results = run_suite(suite, options_for(renderer, jobs));
+  std::ostringstream out;
+  write_results(results, out);
+  return seconds_since(start);
+}
+
+// Scenes about coverage, of which only violations would be made smaller.
+double fuzz_once(const std::string& renderer, std::size_t count) {
+  FuzzOptions options;
+  for (const Family& family : all_families())
+    if (family.coverage_only && family.scenes == 0) options.families.push_back(&family);
+  options.least = Verdict::violation;
+  options.count = count;
+  const auto make = [&] {
+    return std::get<std::unique_ptr<Renderer>>(
+        make_renderer(renderer, options_for(renderer, 1).renderer_options));
+  };
+  const auto start = Clock::now();
+  fuzz({{renderer, make, {}, std::nullopt}}, options);
+  return seconds_since(start);
+}
+
+std::vector<Scene> scenes_of(const Suite& suite) {
+  std::vector<Scene> scenes;
+  for (const Case& one : suite.cases) scenes.push_back(one.scene);
+  return scenes;
+}
+
+PipelineRates time_pipeline(const BenchPlan& plan, const Suite& suite,
+                            const std::string& renderer) {
+  PipelineRates rates;
+  rates.renderer = renderer;
+  rates.cases = suite.cases.size();
+  auto started = BenchWorker::start(renderer);
+  if (auto* problem = std::get_if<std::string>(&started)) {
+    rates.problem = std::move(*problem);
+    return rates;
+  }
+  BenchWorker& worker = *std::get<std::unique_ptr<BenchWorker>>(started);
+  const BenchRequest request{BenchTask::render, 0, scenes_of(suite)};
+  const auto cases = static_cast<double>(rates.cases);
+  for (int round = 0; round < plan.rounds; ++round) {
+    const BenchAnswer answer = worker.ask(request);
+    if (!answer.problem.empty()) {
+      rates.problem = answer.problem;
+      return rates;
+    }
+    rates.worker.push_back(cases / answer.seconds);
+    rates.one_job.push_back(cases / run_once(suite, renderer, 1));
+    rates.two_jobs.push_back(cases / run_once(suite, renderer, 2));
+    rates.fuzzed.push_back(cases / fuzz_once(renderer, rates.cases));
+  }
+  return rates;
+}
+
+// All but asking the renderer, case by case.
+class StageTimer {
+ public:
+  StageTimer(const Suite& suite, const std::string& renderer)
+      : suite_(suite), options_(options_for(renderer, 1)), comparison_(suite, options_) {}
+
+  StageTimes run(double load_seconds) {
+    auto renderer = std::get<std::unique_ptr<Renderer>>(
+        make_renderer(options_.renderers.front(), options_.renderer_options));
+    const auto start = Clock::now();
+    std::vector<Task> tasks;
+    for (const Case& one : suite_.cases) tasks.push_back({one.id, &one.scene});
+    renderer->render(tasks, [&](std::size_t i, Outcome outcome) {
+      results_.cases.push_back(compare(i, std::move(outcome), renderer->info()));
+    });
+    const double asking = seconds_since(start) - exact_ - comparing_;
+    results_.renderers = {renderer->info()};
+    const double judging = time_of(0, [&] { judge_all(results_); });
+    std::ostringstream out;
+    const double writing = time_of(0, [&] { write_results(results_, out); });
+    return {options_.renderers.front(),
+            suite_.cases.size(),
+            {{"read and expand", load_seconds},
+             {"ask and wait for the worker", asking},
+             {"exact rendering", exact_},
+             {"compare, with causes", comparing_},
+             {"judge", judging},
+             {"write results", writing}}};
+  }
+
+ private:
+  CaseResults compare(std::size_t i, Outcome outcome, const RendererInfo& info) {
+    exact_ += time_of(0, [&] { comparison_.exact(i); });
+    CaseResults one;
+    comparing_ += time_of(0, [&] {
+      one.results.emplace_back(comparison_.compare_outcome(i, std::move(outcome), info));
+    });
+    comparison_.forget(i);
+    one.id = suite_.cases[i].id;
+    one.surface = name_of(suite_.cases[i].scene.target.surface);
+    return one;
+  }
+
+  const Suite& suite_;
+  RunOptions options_;
+  CaseComparison comparison_;
+  Results results_;
+  double exact_ = 0;
+  double comparing_ = 0;
+};
+
+}  // namespace
+
+std::vector<PipelineRates> time_pipelines(const BenchPlan& plan) {
+  Suite suite;
+  suite.cases = bench_cases(plan.cases);
+  std::vector<PipelineRates> rates;
+  for (const std::string& renderer : plan.renderers)
+    rates.push_back(time_pipeline(plan, suite, renderer));
+  return rates;
+}
+
+DiffRates time_diff(const BenchPlan& plan) {
+  constexpr std::size_t kBytes = std::size_t{4} * 4096 * 4096;
+  const std::vector<std::uint8_t> picture(kBytes, 1);
+  const std::vector<std::uint8_t> same(kBytes, 1);
+  const std::vector<std::uint8_t> other(kBytes, 2);
+  // What is counted is kept, so that nothing is left out as unused.
+  volatile std::size_t kept = 0;
+  const auto rate = [&](auto compare) {
+    return static_cast<double>(kBytes) / time_of(plan.seconds, [&] { kept = compare(); });
+  };
+  DiffRates rates;
+  for (int round = 0; round < plan.rounds; ++round) {
+    rates.memcmp.push_back(rate([&] {
+      return static_cast<std::size_t>(std::memcmp(picture.data(), same.data(), kBytes) == 0);
+    }));
+    rates.identical.push_back(rate([&] { return count_same_pixels(picture, same); }));
+    rates.different.push_back(rate([&] { return count_same_pixels(picture, other); }));
+  }
+  return rates;
+}
+
+std::vector<StageTimes> time_stages(const BenchPlan& plan, const Suite& suite,
+                                    double load_seconds) {
+  std::vector<StageTimes> times;
+  for (const std::string& renderer : plan.renderers)
+    times.push_back(StageTimer(suite, renderer).run(load_seconds));
+  return times;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "tools/edgecase/bench/report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/edgecase/options.h"
+
+namespace edgecase {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* kLine = "  {:<32} {:>12} {:>12}  {}\n";
+
+std::string words_of(const Spread& spread, const char* unit) {
+  return fmt::format("{:.2f}{} ({:.2f} to {:.2f})", spread.median, unit, spread.low, spread.high);
+}
+
+// "12.3 M/s"
+std::string rate_of(double rate) {
+  if (rate >= 1e9) return fmt::format("{:.2f} G/s", rate / 1e9);
+  if (rate >= 1e6) return fmt::format("{:.2f} M/s", rate / 1e6);
+  if (rate >= 1e3) return fmt::format("{:.2f} k/s", rate / 1e3);
+  return fmt::format("{:.2f} /s", rate);
+}
+
+void print_scene(const SceneTimes& scene) {
+  const double exact = scene.items / spread_of(scene.exact).median;
+  fmt::print("{} ({} {:.0f} a frame, {}x{})\n", scene.name, scene.unit, scene.items, scene.side,
+             scene.side);
+  for (const RendererTimes& one : scene.renderers) {
+    if (!one.problem.empty()) {
+      fmt::print(kLine, one.renderer, "-", rate_of(exact), one.problem);
+      continue;
+    }
+    const auto pixels = static_cast<std::size_t>(scene.side) * static_cast<std::size_t>(scene.side);
+    fmt::print(
+        kLine, one.renderer, rate_of(scene.items / spread_of(one.seconds).median), rate_of(exact),
+        fmt::format("{}, {} pixels differ", words_of(ratio_of(one.seconds, scene.exact), "x"),
+                    pixels - one.same_pixels));
+  }
+}
+
+void print_pipeline(const PipelineRates& rates) {
+  if (!rates.problem.empty()) {
+    fmt::print("  {}: {}\n", rates.renderer, rates.problem);
+    return;
+  }
+  const auto print = [](const char* name, const std::vector<double>& values,
+                        const std::string& ratio) {
+    fmt::print(kLine, name, rate_of(spread_of(values).median), "", ratio);
+  };
+  fmt::print("  {}, {} cases\n", rates.renderer, rates.cases);
+  print("  the worker alone", rates.worker, "");
+  print("  run, one job", rates.one_job,
+        words_of(ratio_of(rates.one_job, rates.worker), "x") + " of the worker alone");
+  print("  run, two jobs", rates.two_jobs,
+        words_of(ratio_of(rates.two_jobs, rates.one_job), "x") + " of one job");
+  print("  fuzz, one job", rates.fuzzed, "");
+}
+
+void print_diff(const DiffRates& diff) {
+  fmt::print("pictures of 4096x4096 RGBA8\n");
+  fmt::print(kLine, "memcmp", rate_of(spread_of(diff.memcmp).median), "", "");
+  fmt::print(kLine, "identical", rate_of(spread_of(diff.identical).median), "",
+             words_of(ratio_of(diff.identical, diff.memcmp), "x") + " of memcmp");
+  fmt::print(kLine, "different everywhere", rate_of(spread_of(diff.different).median), "",
+             words_of(ratio_of(diff.different, diff.memcmp), "x") + " of memcmp");
+}
+
+void print_stages(const StageTimes& times) {
+  double whole = 0;
+  for (const StageTimes::Stage& stage : times.stages) whole += stage.seconds;
+  fmt::print("where time goes: {}, {} cases, one thread\n", times.renderer, times.cases);
+  for (const StageTimes::Stage& stage : times.stages)
+    fmt::print(kLine, stage.name,
+               fmt::format("{:.1f} us", 1e6 * stage.seconds / static_cast<double>(times.cases)),
+               fmt::format("{:.1f} %", 100 * stage.seconds / whole), "");
+}
+
+ordered_json json_of(const Spread& spread) {
+  return {{"median", spread.median}, {"low", spread.low}, {"high", spread.high}};
+}
+
+ordered_json json_of(const SceneTimes& scene) {
+  ordered_json renderers = ordered_json::object();
+  for (const RendererTimes& one : scene.renderers) {
+    if (!one.problem.empty()) {
+      renderers[one.renderer] = {{"problem", one.problem}};
+      continue;
+    }
+    renderers[one.renderer] = {{"seconds", json_of(spread_of(one.seconds))},
+                               {"ratio", json_of(ratio_of(one.seconds, scene.exact))},
+                               {"same_pixels", one.same_pixels}};
+  }
+  return {{"name", scene.name},
+          {"side", scene.side},
+          {"unit", scene.unit},
+          {"items", scene.items},
+          {"exact", {{"seconds", json_of(spread_of(scene.exact))}}},
+          {"renderers", renderers}};
+}
+
+ordered_json json_of(const PipelineRates& rates) {
+  if (!rates.problem.empty()) return {{"renderer", rates.renderer}, {"problem", rates.problem}};
+  return {{"renderer", rates.renderer},
+          {"cases", rates.cases},
+          {"worker", json_of(spread_of(rates.worker))},
+          {"one_job", json_of(spread_of(rates.one_job))},
+          {"two_jobs", json_of(spread_of(rates.two_jobs))},
+          {"fuzz", json_of(spread_of(rates.fuzzed))},
+          {"one_job_to_worker", json_of(ratio_of(rates.one_job, rates.worker))},
+          {"two_jobs_to_one", json_of(ratio_of(rates.two_jobs, rates.one_job))}};
+}
+
+ordered_json json_of(const DiffRates& diff) {
+  return {{"memcmp", json_of(spread_of(diff.memcmp))},
+          {"identical", json_of(spread_of(diff.identical))},
+          {"different", json_of(spread_of(diff.different))},
+          {"identical_to_memcmp", json_of(ratio_of(diff.identical, diff.memcmp))},
+          {"different_to_memcmp", json_of(ratio_of(diff.different, diff.memcmp))}};
+}
+
+ordered_json json_of(const StageTimes& times) {
+  ordered_json stages = ordered_json::object();
+  for (const StageTimes::Stage& stage : times.stages) stages[stage.name] = stage.seconds;
+  return {{"renderer", times.renderer}, {"cases", times.cases}, {"seconds", stages}};
+}
+
+template <class Item>
+ordered_json json_of(const std::vector<Item>& items) {
+  ordered_json list = ordered_json::array();
+  for (const Item& item : items) list.push_back(json_of(item));
+  return list;
+}
+
+}  // namespace
+
+void print_bench(const BenchReport& report) {
+  if (!report.scenes.empty()) fmt::print(kLine, "", "renderer", "exact", "exact is faster by");
+  for (const SceneTimes& scene : report.scenes) print_scene(scene);
+  if (!report.pipelines.empty()) fmt::print("cases of 64x64 from a sweep\n");
+  for (const PipelineRates& rates : report.pipelines) print_pipeline(rates);
+  if (report.diff) print_diff(*report.diff);
+  for (const StageTimes& times : report.stages) print_stages(times);
+}
+
+std::string bench_json(const BenchReport& report) {
+  ordered_json document = {{"tool", kToolName}, {"rounds", report.rounds}};
+  document["scenes"] = json_of(report.scenes);
+  document["pipelines"] = json_of(report.pipelines);
+  if (report.diff) document["diff"] = json_of(*report.diff);
+  document["stages"] = json_of(report.stages);
+  return document.dump(1) + "\n";
+}
+
+}  // namespace edgecase

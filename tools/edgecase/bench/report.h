@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+//
+// What `edgecase bench` measured, as a table and as JSON. Every figure that matters is a ratio of
+// things that were timed side by side; rates are for orientation.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/edgecase/bench/times.h"
+
+namespace edgecase {
+
+// One renderer's times for a scene, a frame each, round by round.
+struct RendererTimes {
+  std::string renderer;
+  std::string problem;  // why it was not timed; empty: it was
+  std::vector<double> seconds;
+  std::size_t same_pixels = 0;  // of its picture and ours
+};
+
+struct SceneTimes {
+  std::string name;
+  std::string unit;           // "triangles"
+  double items = 0;           // of a frame
+  int side = 0;               // of the target, pixels
+  std::vector<double> exact;  // seconds a frame, round by round
+  std::vector<RendererTimes> renderers;
+};
+
+// Cases a second.
+struct PipelineRates {
+  std::string renderer;
+  std::string problem;
+  std::size_t cases = 0;
+  std::vector<double> worker;   // the worker alone draws, counts, captures and reads back
+  std::vector<double> one_job;  // all that `run` does with a case, from the scene to the results
+  std::vector<double> two_jobs;
+  std::vector<double> fuzzed;  // scenes a second of `fuzz`, one job
+};
+
+// Bytes of one picture a second; two are read.
+struct DiffRates {
+  std::vector<double> memcmp;     // of identical pictures
+  std::vector<double> identical;  // by the comparison of pictures
+  std::vector<double> different;  // the same where every pixel differs
+};
+
+// Where the time of cases goes.
+struct StageTimes {
+  std::string renderer;
+  std::size_t cases = 0;
+  struct Stage {
+    std::string name;
+    double seconds = 0;  // of all cases
+  };
+  std::vector<Stage> stages;
+};
+
+struct BenchReport {
+  int rounds = 0;
+  std::vector<SceneTimes> scenes;
+  std::vector<PipelineRates> pipelines;
+  std::optional<DiffRates> diff;
+  std::vector<StageTimes> stages;
+};
+
+void print_bench(const BenchReport& report);
+std::string bench_json(const BenchReport& report);
+
+}  // namespace edgecase

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//
+// Scenes: our pixels and each renderer's, frame against frame.
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "diff/pixel_blocks.h"
+#include "raster/exact_drawing.h"
+#include "tools/edgecase/bench/rates.h"
+#include "tools/edgecase/bench/scenes.h"
+#include "tools/edgecase/bench/worker.h"
+
+namespace edgecase {
+namespace {
+
+// A worker for all scenes, or why there is none.
+struct Rival {
+  std::string renderer;
+  std::unique_ptr<BenchWorker> worker;
+  std::string problem;
+};
+
+std::vector<Rival> rivals_of(const BenchPlan& plan) {
+  std::vector<Rival> rivals;
+  for (const std::string& renderer : plan.renderers) {
+    auto started = BenchWorker::start(renderer);
+    Rival rival{renderer, nullptr, ""};
+    if (auto* worker = std::get_if<std::unique_ptr<BenchWorker>>(&started))
+      rival.worker = std::move(*worker);
+    else
+      rival.problem = std::get<std::string>(std::move(started));
+    rivals.push_back(std::move(rival));
+  }
+  return rivals;
+}
+
+// One frame on average; and what it shows.
+BenchAnswer ask(Rival& rival, const BenchScene& scene, double seconds) {
+  if (rival.worker == nullptr) return {rival.problem, 0, 0, {}};
+  const BenchTask task = scene.layers.size() > 1 ? BenchTask::draw_by_draw : BenchTask::draw;
+  return rival.worker->ask({task, seconds, {whole_scene(scene)}});
+}
+
+SceneTimes time_scene(const BenchScene& scene, const BenchPlan& plan, std::vector<Rival>& rivals) {
+  SceneTimes times{scene.name, scene.unit, scene.items, plan.side, {}, {}};
+  const Policy policy;
+  ExactDrawing drawing(scene.layers, policy);
+  for (const Rival& rival : rivals) times.renderers.push_back({rival.renderer, "", {}, 0});
+  for (int round = 0; round < plan.rounds; ++round) {
+    times.exact.push_back(time_of(plan.seconds, [&] { drawing.draw(); }));
+    for (std::size_t r = 0; r < rivals.size(); ++r) {
+      RendererTimes& own = times.renderers[r];
+      if (!own.problem.empty()) continue;
+      BenchAnswer answer = ask(rivals[r], scene, plan.seconds);
+      own.problem = std::move(answer.problem);
+      if (!own.problem.empty()) continue;
+      own.seconds.push_back(answer.seconds / static_cast<double>(answer.rounds));
+      own.same_pixels = count_same_pixels(drawing.pixels(), answer.pixels);
+    }
+  }
+  return times;
+}
+
+}  // namespace
+
+std::vector<SceneTimes> time_scenes(const BenchPlan& plan) {
+  std::vector<Rival> rivals = rivals_of(plan);
+  std::vector<SceneTimes> times;
+  for (const BenchScene& scene : bench_scenes(plan.side))
+    times.push_back(time_scene(scene, plan, rivals));
+  return times;
+}
+
+}  // namespace edgecase

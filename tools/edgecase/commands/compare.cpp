@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase compare: what became of each case from one results file to another.
+#include <fmt/format.h>
+
+#include <memory>
+#include <sstream>
+
+#include "reports/comparison_markdown.h"
+#include "results/comparison.h"
+#include "tools/edgecase/commands/commands.h"
+#include "tools/edgecase/options.h"
+#include "tools/edgecase/output/report_files.h"
+
+namespace edgecase {
+namespace {
+
+struct CompareCommand {
+  std::string before;
+  std::string after;
+  std::string json;
+  std::string markdown;
+};
+
+bool deliver(const std::string& path, const std::string& text) {
+  if (path.empty()) return true;
+  if (path != "-") return write_file(path, text);
+  fmt::print("{}", text);
+  return true;
+}
+
+ExitCode compare(const CompareCommand& command) {
+  const auto before = load_results(command.before);
+  const auto after = load_results(command.after);
+  if (!before || !after) return ExitCode::usage;
+  const auto compared = compare_results(*before, *after);
+  if (const auto* fault = std::get_if<std::string>(&compared)) {
+    print_error(*fault);
+    return ExitCode::usage;
+  }
+  const auto& comparison = std::get<Comparison>(compared);
+  std::ostringstream markdown;
+  write_comparison(comparison, markdown);
+  // What nobody sends elsewhere is printed, unless JSON is.
+  const bool print = command.markdown.empty() && command.json != "-";
+  const bool wrote_json = deliver(command.json, comparison_json(comparison));
+  const bool wrote_markdown = deliver(print ? "-" : command.markdown, markdown.str());
+  if (!wrote_json || !wrote_markdown) return ExitCode::internal;
+  return differs(comparison) ? ExitCode::unexpected : ExitCode::as_expected;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, ExitCode& exit) {
+  CLI::App* command = app.add_subcommand(
+      "compare", "Compare two results files, of two drivers, versions or policies, case by case");
+  auto options = std::make_shared<CompareCommand>();
+  command->add_option("old", options->before, "Results file of `edgecase run`")->required();
+  command->add_option("new", options->after, "Another one")->required();
+  command->add_option("--json", options->json,
+                      "File for the comparison as JSON, - for standard output");
+  command->add_option("--markdown", options->markdown,
+                      "File for it as Markdown, - for standard output (default: printed)");
+  command->callback([options, &exit] { exit = compare(*options); });
+}
+
+}  // namespace edgecase

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase explain: why exact draws a case as it does, and why a renderer that differs does.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <sstream>
+
+#include "diff/compare.h"
+#include "raster/rasterizer.h"
+#include "reports/text.h"
+#include "rules/all_rules.h"
+#include "run/expectation_check.h"
+#include "tools/edgecase/commands/commands.h"
+#include "tools/edgecase/output/block_walks.h"
+#include "tools/edgecase/suite_run.h"
+
+namespace edgecase {
+namespace {
+
+struct ExplainCommand {
+  std::string path;
+  std::vector<std::string> filters;
+  std::string pixel;
+  bool has_blocks = false;
+  std::string blocks = "8";
+  std::string svg;
+  PolicyOptions policy;
+  SuiteRunOptions run;
+};
+
+// Whether one case at least has the pixel; prints an error otherwise. Images of a case may have
+// their width and height exchanged, so that not all of a file's cases need have it.
+bool check_pixel(const std::string& text, const Suite& suite) {
+  const auto has_pixel = [&](const Case& one) {
+    return parse_pixel(text, one.scene.target).has_value();
+  };
+  if (text.empty() || std::ranges::any_of(suite.cases, has_pixel)) return true;
+  const Target& target = suite.cases.front().scene.target;
+  print_no_pixel(text, target);
+  return false;
+}
+
+void print_coverage(const Scene& scene, const Policy& policy) {
+  const Rendering exact = rasterize(scene, policy);
+  if (exact.samples > 1) {
+    fmt::print("Samples that are covered, in hexadecimal, bit s for sample s:\n{}",
+               draw_masks(masks_of(exact).covered, exact.width, exact.height));
+    return;
+  }
+  if (!exact.passes.empty())
+    fmt::print("Fragments of all {} passes together:\n", exact.passes.size());
+  fmt::print("{}", draw_hits(hits_of(exact), exact.width, exact.height));
+}
+
+void print_exact_pixel(const Scene& scene, const Policy& policy, Pixel pixel) {
+  for (std::size_t k = 0; k < scene.supersampling.size(); ++k) {
+    fmt::print("In {}:\n", words_of_pass(scene.supersampling, k));
+    print_exact_pixel(pass_of(scene, k), policy, pixel);
+  }
+  if (!scene.supersampling.empty()) return;
+  fmt::print("Pixel ({}, {}), centre ({}, {}), by policy {}:\n", pixel.x, pixel.y, pixel.x + .5,
+             pixel.y + .5, policy.name);
+  for (const PixelExplanation& why : explain_pixel(scene, policy, pixel.x, pixel.y))
+    fmt::print("  primitive {} {} {} ({}): {}.\n", why.primitive,
+               why.covered ? "draws" : "does not draw",
+               why.sample < 0 ? "it" : fmt::format("sample {}", why.sample), why.rule, why.text);
+}
+
+void print_blocks(const Scene& scene, const Policy& policy, const BlockSizes& sizes) {
+  if (scene.supersampling.empty()) {
+    fmt::print("{}", block_text(scene, policy, sizes));
+    return;
+  }
+  for (std::size_t k = 0; k < scene.supersampling.size(); ++k) {
+    fmt::print("In {}:\n", words_of_pass(scene.supersampling, k));
+    print_blocks(pass_of(scene, k), policy, sizes);
+  }
+}
+
+// The blocks of a case, of a supersampled one those of its first pass, as a picture.
+ExitCode draw_blocks(const Case& one, const Policy& policy, const BlockSizes& sizes,
+                     const std::string& file) {
+  const bool is_supersampled = !one.scene.supersampling.empty();
+  BlocksPicture picture =
+      block_picture(is_supersampled ? pass_of(one.scene, 0) : one.scene, policy, sizes);
+  if (picture.panels.empty()) {
+    print_error(fmt::format("{} has no triangle that is walked by blocks", one.id));
+    return ExitCode::usage;
+  }
+  picture.title = one.title;
+  std::ostringstream text;
+  write_blocks_svg(picture, text);
+  return write_file(file, text.str()) ? ExitCode::as_expected : ExitCode::internal;
+}
+
+void print_disagreement(const Disagreement& d, int samples) {
+  fmt::print("  ({}, {}){} {}, {}, {}{}\n    {}\n", d.x, d.y,
+             names_sample(d, samples) ? fmt::format(" sample {}", d.sample) : "", name_of(d.kind),
+             d.rule, d.legal ? "allowed" : "NOT allowed",
+             d.cause.empty() ? "" : fmt::format(", cause {}", d.cause), d.explanation);
+  if (const Ruling* ruling = find_ruling(d.ruling))
+    fmt::print("    Ruling {}. {}\n", ruling->number, ruling->text);
+}
+
+void print_values(const ValueAggregate& values) {
+  fmt::print(
+      "  {}: {} of {} differ inside what ruling {} permits{}; worst {:.3g} ULP at ({}, {}), "
+      "exactly {:.9g}, rendered {:.9g}; mean {:.3g} ULP, at most {:.3g} of the attribute's range\n",
+      values.attribute, values.differing.size(), values.compared, values.ruling,
+      values.cause.empty() ? "" : ", by " + values.cause, values.worst_ulp, values.worst.x,
+      values.worst.y, values.worst_exact, values.worst_rendered, values.mean_ulp,
+      values.worst_relative);
+}
+
+void print_result(const Result& result, const RendererInfo& info, std::optional<Pixel> pixel,
+                  int samples) {
+  fmt::print("{} ({}): {}\n", info.name, info.device, name_of(result.verdict));
+  if (result.failure)
+    fmt::print("  {}: {}\n", name_of(result.failure->kind), result.failure->reason);
+  for (const Disagreement& d : result.disagreements)
+    if (!pixel || (pixel->x == d.x && pixel->y == d.y)) print_disagreement(d, samples);
+  for (const ValueAggregate& values : result.values) print_values(values);
+}
+
+// What the renderers make of a case.
+ExitCode print_results(const Case& one, const Policy& policy, const Selection& selection,
+                       const ExplainCommand& command, std::optional<Pixel> pixel) {
+  const auto profiles = load_profiles(selection, command.run.renderers);
+  if (!profiles) return ExitCode::usage;
+  Suite single;
+  single.cases = {one};
+  const auto results = run_against(single, policy, *profiles, command.run);
+  if (!results) return ExitCode::usage;
+  if (results->cases.empty()) return ExitCode::unexpected;
+  ExitCode exit = ExitCode::as_expected;
+  for (std::size_t r = 0; r < results->renderers.size(); ++r) {
+    const Result& result = results->cases.front().results[r];
+    print_result(result, results->renderers[r], pixel, one.scene.target.samples);
+    if (result.failure) exit = ExitCode::renderer;
+  }
+  return exit;
+}
+
+ExitCode explain(const ExplainCommand& command) {
+  Selection selection;
+  selection.paths = {command.path};
+  selection.filters = command.filters;
+  const auto policy = command.policy.load(selection, command.run.renderers);
+  if (!policy) return ExitCode::usage;
+  const Suite suite = load_suite(selection);
+  print_diagnostics(suite.diagnostics);
+  if (!suite.diagnostics.empty()) return ExitCode::usage;
+  if (suite.cases.empty()) {
+    print_nothing_selected();
+    return ExitCode::nothing_selected;
+  }
+  if (!check_pixel(command.pixel, suite)) return ExitCode::usage;
+  const auto sizes = parse_block_sizes(command.blocks);
+  if (!sizes) {
+    print_error(
+        fmt::format("--blocks \"{}\" names no sides of blocks; write 2, 4, 8, 16 or 32, or some of "
+                    "them with commas between, larger ones first",
+                    command.blocks));
+    return ExitCode::usage;
+  }
+  // Of a case that expands to several, the base case, or the first that the filters select.
+  if (!command.svg.empty())
+    if (const ExitCode drawn = draw_blocks(suite.cases.front(), *policy, *sizes, command.svg);
+        drawn != ExitCode::as_expected)
+      return drawn;
+  ExitCode exit = ExitCode::as_expected;
+  for (const Case& one : suite.cases) {
+    std::optional<Pixel> pixel;
+    if (!command.pixel.empty()) {
+      pixel = parse_pixel(command.pixel, one.scene.target);
+      if (!pixel) continue;
+    }
+    fmt::print("{}: {}\n{}\n", one.id, one.title, one.why);
+    print_coverage(one.scene, *policy);
+    if (command.has_blocks) print_blocks(one.scene, *policy, *sizes);
+    if (pixel) print_exact_pixel(one.scene, *policy, *pixel);
+    if (command.run.renderers.empty()) continue;
+    exit = worse(exit, print_results(one, *policy, selection, command, pixel));
+    // A case that does not run leaves the others; a mistake or an interruption ends it all.
+    if (exit != ExitCode::as_expected && exit != ExitCode::renderer) return exit;
+  }
+  return exit;
+}
+
+}  // namespace
+
+void add_explain_command(CLI::App& app, ExitCode& exit) {
+  CLI::App* command = app.add_subcommand(
+      "explain", "Say why pixels of a case are drawn, and why a renderer differs");
+  auto options = std::make_shared<ExplainCommand>();
+  command->add_option("case", options->path, "Case file")->required();
+  add_repeatable(*command, "--filter", options->filters,
+                 "Only the cases of the file whose id matches this glob; repeatable");
+  command->add_option("--pixel", options->pixel, "X,Y: only this pixel, y up");
+  CLI::Option* blocks =
+      command
+          ->add_option("--blocks", options->blocks,
+                       "Show how a walk by blocks of so many pixels a side (8, or a list such as "
+                       "32,8) accepts, rejects or tests each block of a triangle")
+          ->expected(0, 1);
+  command->add_option("--svg", options->svg, "File for an SVG picture of the blocks")
+      ->needs(blocks);
+  options->policy.add_to(*command);
+  options->run.add_to(*command);
+  command->callback([options, blocks, &exit] {
+    options->has_blocks = blocks->count() > 0;
+    if (options->blocks.empty()) options->blocks = "8";
+    exit = explain(*options);
+  });
+}
+
+}  // namespace edgecase

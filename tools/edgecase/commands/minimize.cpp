@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase minimize: the smallest scene that shows what a case shows of a renderer.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "casefile/case_writer.h"
+#include "model/scene_words.h"
+#include "rules/all_rules.h"
+#include "run/renderer_names.h"
+#include "run/renderers.h"
+#include "search/minimize.h"
+#include "search/scene_size.h"
+#include "tools/edgecase/commands/commands.h"
+#include "tools/edgecase/default_suite.h"
+#include "tools/edgecase/interrupt.h"
+#include "tools/edgecase/suite_run.h"
+
+namespace edgecase {
+namespace {
+
+struct MinimizeCommand {
+  std::string path;
+  std::string renderer;
+  std::string rule;
+  std::string pixel;
+  std::string output;
+  bool json = false;
+  std::size_t max_asks = MinimizeOptions().max_asks;
+  double timeout = 10;
+  PolicyOptions policy;
+};
+
+// The path of a file, and the case's parts behind it: "lines/a.json", "dx=1:reverse".
+struct CaseName {
+  std::string file;
+  std::string parts;
+};
+
+// A path, or an id below the suite's folder: with or without suffix and parts.
+CaseName split_name(const std::string& text) {
+  namespace fs = std::filesystem;
+  const auto exists = [](const std::string& path) {
+    std::error_code error;
+    return fs::is_regular_file(path, error);
+  };
+  for (std::size_t end = text.size(); end != std::string::npos;
+       end = end == 0 ? std::string::npos : text.rfind(':', end - 1)) {
+    const std::string head = text.substr(0, end);
+    const std::string parts = end < text.size() ? text.substr(end + 1) : "";
+    for (const std::string& file : {head, head + ".json", default_suite() + "/" + head + ".json"})
+      if (exists(file)) return {file, parts};
+  }
+  return {text, ""};
+}
+
+// The parts of a case's id, as split_name has them.
+std::string parts_of(const Case& one) {
+  std::string text;
+  for (const std::string& part : one.parts) text += (text.empty() ? "" : ":") + part;
+  return text;
+}
+
+// The one case that is meant; prints what is wrong otherwise.
+std::optional<Case> find_case(const CaseName& name, ExitCode& exit) {
+  Selection selection;
+  selection.paths = {name.file};
+  Suite suite = load_suite(selection);
+  print_diagnostics(suite.diagnostics);
+  exit = ExitCode::usage;
+  if (!suite.diagnostics.empty()) return std::nullopt;
+  if (name.parts.empty() && suite.cases.size() == 1) return suite.cases.front();
+  for (Case& one : suite.cases)
+    if (!name.parts.empty() && parts_of(one) == name.parts) return std::move(one);
+  const Case* first = suite.cases.empty() ? nullptr : &suite.cases.front();
+  if (first == nullptr) {
+    print_nothing_selected();
+    exit = ExitCode::nothing_selected;
+  } else if (name.parts.empty()) {
+    print_error(fmt::format("{} stands for {} cases; name one of them, for example {}:{}",
+                            name.file, suite.cases.size(), name.file,
+                            parts_of(suite.cases.back())));
+  } else {
+    print_error(
+        fmt::format("{} has no case \"{}\"; `edgecase run --list {}` prints the ids of "
+                    "its {}",
+                    name.file, name.parts, name.file, suite.cases.size()));
+  }
+  return std::nullopt;
+}
+
+bool is_about(const Result& result, const Signature& signature, const std::string& rule,
+              std::optional<Pixel> pixel) {
+  if (rule.empty() && !pixel) return true;
+  for (const Disagreement* d : disagreements_of(result, signature))
+    if ((rule.empty() || d->rule == rule) && (!pixel || (d->x == pixel->x && d->y == pixel->y)))
+      return true;
+  // Aggregated values have no pixels to choose them by, but a rule.
+  return !pixel && !rule.empty() && signature.rule == rule && !signature.attribute.empty();
+}
+
+// The worst of what an answer shows, of what the options choose. What the specification does not
+// allow is worse than what it does, explained or not.
+std::optional<Signature> choose_signature(const TrialAnswer& answer, const std::string& rule,
+                                          std::optional<Pixel> pixel) {
+  std::optional<Signature> chosen;
+  for (const Signature& signature : answer.signatures) {
+    if (!is_about(answer.result, signature, rule, pixel)) continue;
+    if (!chosen || (chosen->legal && !signature.legal)) chosen = signature;
+  }
+  return chosen;
+}
+
+std::string counted(std::int64_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+// "2 primitives, 8x8, 9 fraction bits".
+std::string words_of_size(const Scene& scene) {
+  const SceneSize size = size_of(scene);
+  return fmt::format("{}, {}x{}, {}, {}", counted(size.primitives, "primitive", "primitives"),
+                     scene.target.width, scene.target.height,
+                     counted(size.fraction_bits, "fraction bit", "fraction bits"),
+                     counted(size.settings, "setting", "settings"));
+}
+
+// What differs, in a sentence, with the renderer's answer.
+std::string why_of(const Result& result, const Signature& signature, const RendererInfo& info) {
+  if (result.failure)
+    return fmt::format("{} ({}) fails here: {}: {}", info.name, info.device,
+                       name_of(result.failure->kind), result.failure->reason);
+  const std::string legal = signature.legal ? "the specification allows it" : "not allowed";
+  const auto finds = disagreements_of(result, signature);
+  if (!finds.empty()) {
+    const Disagreement& d = *finds.front();
+    return fmt::format("{} ({}), pixel ({}, {}): {}, {}{}. {}", info.name, info.device, d.x, d.y,
+                       name_of(d.kind), legal,
+                       d.cause.empty() ? "" : fmt::format(", as by {}", d.cause), d.explanation);
+  }
+  for (const ValueAggregate& values : result.values)
+    if (!values.differing.empty() && values.attribute == signature.attribute)
+      return fmt::format(
+          "{} ({}), pixel ({}, {}): {} is {:.9g} where exact has {:.9g}, within "
+          "what is permitted.",
+          info.name, info.device, values.worst.x, values.worst.y, values.attribute,
+          values.worst_rendered, values.worst_exact);
+  return fmt::format("{} ({}): {}.", info.name, info.device, title_of(signature));
+}
+
+// The rules that the case is about: those of what it shows, or the original's.
+std::vector<std::string> rules_of(const Minimized& minimized, const Signature& signature,
+                                  const Case& original) {
+  std::vector<std::string> rules;
+  if (!signature.rule.empty()) rules.push_back(signature.rule);
+  for (const Disagreement* d : disagreements_of(minimized.result, signature))
+    if (std::ranges::find(rules, d->rule) == rules.end()) rules.push_back(d->rule);
+  return rules.empty() ? original.rules : rules;
+}
+
+CaseWords words_for(const Minimized& minimized, const Signature& signature, const Case& original,
+                    const RendererInfo& info) {
+  CaseWords words;
+  words.title = fmt::format("{}: {}", info.name, title_of(signature));
+  words.why =
+      fmt::format("Minimised from {}. {}", original.id, why_of(minimized.result, signature, info));
+  words.rules = rules_of(minimized, signature, original);
+  words.spec = original.spec;
+  words.origin = original.origin;
+  return words;
+}
+
+const char* words_of(MinimizeEnd end) {
+  switch (end) {
+    case MinimizeEnd::finished:
+      return "";
+    case MinimizeEnd::exhausted:
+      return "; not finished, --max-asks is reached";
+    case MinimizeEnd::stopped:
+      return "; interrupted";
+    case MinimizeEnd::not_reproduced:
+      return "; the renderer did not show it again";
+  }
+  return "";
+}
+
+std::string json_text(const Minimized& minimized, const Signature& signature, const Case& original,
+                      const RendererInfo& info, const std::string& text) {
+  const auto size = [](const Scene& scene) {
+    const SceneSize size_of_scene = size_of(scene);
+    return nlohmann::ordered_json{{"primitives", size_of_scene.primitives},
+                                  {"width", scene.target.width},
+                                  {"height", scene.target.height},
+                                  {"fraction_bits", size_of_scene.fraction_bits},
+                                  {"settings", size_of_scene.settings}};
+  };
+  const nlohmann::ordered_json json{{"tool", kToolName},
+                                    {"renderer", info.name},
+                                    {"case", original.id},
+                                    {"signature",
+                                     {{"title", title_of(signature)},
+                                      {"rule", signature.rule},
+                                      {"kind", signature.kind},
+                                      {"surface", signature.surface},
+                                      {"legal", signature.legal},
+                                      {"cause", signature.cause},
+                                      {"situation", signature.situation},
+                                      {"attribute", signature.attribute},
+                                      {"failure", signature.failure}}},
+                                    {"from", size(original.scene)},
+                                    {"to", size(minimized.scene)},
+                                    {"finished", minimized.end == MinimizeEnd::finished},
+                                    {"asks", minimized.asks},
+                                    {"minimized", nlohmann::ordered_json::parse(text)}};
+  return json.dump(2) + "\n";
+}
+
+ExitCode deliver(const MinimizeCommand& command, const Case& original, const Minimized& minimized,
+                 const Signature& signature, const RendererInfo& info) {
+  const CaseWords words = words_for(minimized, signature, original, info);
+  const CaseText written = case_text(minimized.scene, words);
+  if (written.text.empty()) {
+    print_diagnostics(written.diagnostics);
+    print_error("no case file can say the minimised scene");
+    return ExitCode::usage;
+  }
+  fmt::print(stderr, "{}: {}\n  from {}\n  to {}: {}\n  {}{}\n", original.id, title_of(signature),
+             words_of_size(original.scene), words_of_size(minimized.scene),
+             scene_words(minimized.scene),
+             counted(static_cast<std::int64_t>(minimized.asks), "scene asked", "scenes asked"),
+             words_of(minimized.end));
+  const std::string text =
+      command.json ? json_text(minimized, signature, original, info, written.text) : written.text;
+  if (command.output.empty())
+    fmt::print("{}", text);
+  else if (!write_file(command.output, text))
+    return ExitCode::internal;
+  return minimized.end == MinimizeEnd::stopped ? ExitCode::unexpected : ExitCode::as_expected;
+}
+
+// Does the renderer draw anything at all? That it fails at a case is no find otherwise.
+bool is_at_work(Trial& trial) {
+  Scene nothing;
+  nothing.target.width = nothing.target.height = 1;
+  nothing.viewport = {0, 0, 1, 1};
+  return !trial.ask(nothing).result.failure;
+}
+
+// What the options choose of what the case shows; prints why there is nothing.
+std::optional<Signature> find_signature(const MinimizeCommand& command, const Case& original,
+                                        const TrialAnswer& answer, std::optional<Pixel> pixel,
+                                        Trial& trial, ExitCode& exit) {
+  const auto chosen = choose_signature(answer, command.rule, pixel);
+  const auto& failure = answer.result.failure;
+  if (chosen && (!failure || is_at_work(trial))) return chosen;
+  if (failure) {
+    print_error(fmt::format("{} does not render {}: {}: {}", command.renderer, original.id,
+                            name_of(failure->kind), failure->reason));
+    exit = ExitCode::renderer;
+    return std::nullopt;
+  }
+  exit = ExitCode::nothing_selected;
+  if (answer.signatures.empty()) {
+    print_error(fmt::format("nothing to minimise: {} agrees with exact on {} under this policy",
+                            command.renderer, original.id));
+    return std::nullopt;
+  }
+  std::string shown;
+  for (const Signature& signature : answer.signatures) shown += "\n  " + title_of(signature);
+  print_error(
+      fmt::format("nothing to minimise: nothing of what {} shows of {} is at this rule or "
+                  "pixel; it shows{}",
+                  original.id, command.renderer, shown));
+  return std::nullopt;
+}
+
+ExitCode minimize_case(const MinimizeCommand& command, const Case& original,
+                       const TrialOptions& options) {
+  std::optional<Pixel> pixel;
+  if (!command.pixel.empty()) {
+    pixel = parse_pixel(command.pixel, original.scene.target);
+    if (!pixel) {
+      print_no_pixel(command.pixel, original.scene.target);
+      return ExitCode::usage;
+    }
+  }
+  auto made = make_renderer(
+      command.renderer,
+      {options.policy, std::chrono::milliseconds(static_cast<int>(command.timeout * 1000)),
+       worker_directory(), &interrupted()});
+  Trial trial(*std::get<std::unique_ptr<Renderer>>(made), options);
+  const InterruptGuard guard;
+  try {
+    ExitCode exit = ExitCode::as_expected;
+    const TrialAnswer answer = trial.ask(original.scene);
+    const auto signature = find_signature(command, original, answer, pixel, trial, exit);
+    if (!signature) return exit;
+    const Minimized minimized = minimize(original.scene, *signature, trial, {command.max_asks});
+    return deliver(command, original, minimized, *signature, trial.info());
+  } catch (const SearchStopped&) {
+    print_error("interrupted before anything was found");
+    return ExitCode::unexpected;
+  }
+}
+
+ExitCode run_minimize(const MinimizeCommand& command) {
+  const CaseName name = split_name(command.path);
+  Selection selection;
+  selection.paths = {name.file};
+  const auto policy = command.policy.load(selection, {command.renderer});
+  if (!policy || !are_known({command.renderer})) return ExitCode::usage;
+  const auto profiles = load_profiles(selection, {command.renderer});
+  if (!profiles) return ExitCode::usage;
+  if (!command.rule.empty() && find_rule(command.rule) == nullptr) {
+    print_error(fmt::format("there is no rule \"{}\"; `edgecase rules` prints all", command.rule));
+    return ExitCode::usage;
+  }
+  ExitCode exit = ExitCode::as_expected;
+  const auto original = find_case(name, exit);
+  if (!original) return exit;
+  TrialOptions options;
+  options.policy = *policy;
+  if (const auto profile = profiles->find(command.renderer); profile != profiles->end())
+    options.profile = profile->second;
+  options.stop = &interrupted();
+  return minimize_case(command, *original, options);
+}
+
+}  // namespace
+
+void add_minimize_command(CLI::App& app, ExitCode& exit) {
+  CLI::App* command = app.add_subcommand(
+      "minimize", "Find the smallest scene that shows what a case shows of a renderer");
+  auto options = std::make_shared<MinimizeCommand>();
+  command
+      ->add_option("case", options->path,
+                   "Case file, or id of a case: path:axis=value of one of a sweep")
+      ->required();
+  command->add_option("--against", options->renderer, "Renderer, as `run` names them")->required();
+  command->add_option("--rule", options->rule,
+                      "Id of a rule: minimise what differs of it (default: the worst there is)");
+  command->add_option("--pixel", options->pixel, "X,Y: minimise what differs there, y up");
+  command->add_option("-o,--output", options->output,
+                      "File to write the case to (default: standard output)");
+  command->add_flag("--json", options->json, "Tell what was done as JSON, the case within");
+  command->add_option("--max-asks", options->max_asks, "Scenes that the renderer is asked at most")
+      ->check(CLI::Range(1, 10'000'000))
+      ->capture_default_str();
+  command->add_option("--timeout", options->timeout, "Seconds per scene")
+      ->check(CLI::Range(0.01, 3600.0));
+  options->policy.add_to(*command);
+  command->callback([options, &exit] { exit = run_minimize(*options); });
+}
+
+}  // namespace edgecase

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase profile: which rules a renderer follows, measured.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "profile/measure.h"
+#include "profile/profile_json.h"
+#include "profile/profile_text.h"
+#include "run/recording_renderer.h"
+#include "run/renderer_names.h"
+#include "run/renderers.h"
+#include "tools/edgecase/commands/commands.h"
+#include "tools/edgecase/default_suite.h"
+#include "tools/edgecase/interrupt.h"
+#include "tools/edgecase/output/progress_line.h"
+#include "tools/edgecase/suite_run.h"
+
+namespace edgecase {
+namespace {
+
+struct ProfileCommand {
+  std::string renderer;
+  std::uint64_t seed = 1;
+  std::size_t scenes = 20'000;
+  std::vector<std::string> surfaces;
+  PolicyOptions policy;
+  double timeout = 10;
+  int jobs = 0;
+  std::string progress = "auto";
+  std::size_t clusters = 12;
+  std::string json;
+  std::string policy_file;
+};
+
+MeasureOptions options_of(const ProfileCommand& command) {
+  MeasureOptions options;
+  options.name = command.renderer;
+  options.seed = command.seed;
+  options.scenes_per_kind = command.scenes;
+  options.jobs =
+      command.jobs > 0 ? command.jobs : static_cast<int>(std::thread::hardware_concurrency());
+  options.stop = &interrupted();
+  if (command.surfaces.empty()) return options;
+  options.surfaces.clear();
+  for (const std::string& name : command.surfaces) {
+    Surface surface = Surface::fbo;
+    parse_name(name, surface);
+    options.surfaces.push_back(surface);
+  }
+  return options;
+}
+
+// Writes to a file, or to standard output for "-".
+bool deliver(const std::string& path, const std::string& text) {
+  if (path != "-") return write_file(path, text);
+  fmt::print("{}", text);
+  return true;
+}
+
+ExitCode deliver_all(const ProfileCommand& command, const Profile& profile) {
+  if (command.json != "-" && command.policy_file != "-")
+    fmt::print("{}", profile_text(profile, command.clusters));
+  ExitCode exit = ExitCode::as_expected;
+  if (!command.json.empty() && !deliver(command.json, profile_json(profile, kToolName)))
+    exit = ExitCode::internal;
+  if (!command.policy_file.empty() && !deliver(command.policy_file, policy_text(profile)))
+    exit = ExitCode::internal;
+  for (const SurfaceProfile& surface : profile.surfaces)
+    if (!surface.unavailable.empty()) exit = worse(exit, ExitCode::renderer);
+  return exit;
+}
+
+ExitCode run_profile(const ProfileCommand& command) {
+  Selection suite;
+  suite.paths = {default_suite()};
+  const auto policy = command.policy.load(suite);
+  if (!policy || !are_known({command.renderer})) return ExitCode::usage;
+  if (is_recording(command.renderer)) {
+    print_error(
+        fmt::format("a profile asks for scenes of its own, which no recording has; measure {} "
+                    "itself",
+                    known_name_of(command.renderer)));
+    return ExitCode::usage;
+  }
+  const RendererOptions renderer{
+      *policy, std::chrono::milliseconds(static_cast<int>(command.timeout * 1000)),
+      worker_directory(), &interrupted()};
+  MeasureOptions options = options_of(command);
+  ProgressLine progress(command.progress, "scenes");
+  options.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
+  const InterruptGuard guard;
+  try {
+    const Profile profile = measure(
+        [&] {
+          return std::get<std::unique_ptr<Renderer>>(make_renderer(command.renderer, renderer));
+        },
+        options);
+    progress.clear();
+    return deliver_all(command, profile);
+  } catch (const MeasurementStopped&) {
+    progress.clear();
+    print_error("interrupted; a part of the scenes makes no profile, so nothing was written");
+    return ExitCode::unexpected;
+  }
+}
+
+}  // namespace
+
+void add_profile_command(CLI::App& app, ExitCode& exit) {
+  CLI::App* command = app.add_subcommand(
+      "profile", "Measure which rules a renderer follows, with what it does not follow");
+  auto options = std::make_shared<ProfileCommand>();
+  command->add_option("--against", options->renderer, "Renderer to measure, as `run` names them")
+      ->required();
+  command->add_option("--seed", options->seed, "Of the random scenes")->capture_default_str();
+  command
+      ->add_option("--scenes", options->scenes,
+                   "Random scenes of each primitive type on each surface")
+      ->check(CLI::Range(100, 10'000'000))
+      ->capture_default_str();
+  add_repeatable(*command, "--surface", options->surfaces,
+                 "fbo or window; repeatable (default: both)");
+  command->get_option("--surface")->check(CLI::IsMember({"fbo", "window"}));
+  options->policy.add_to(*command);
+  command
+      ->add_option("--clusters", options->clusters,
+                   "Most clusters of counter-examples to print for each surface")
+      ->capture_default_str();
+  command->add_option("--json", options->json, "Write everything as JSON; - for standard output");
+  command->add_option(
+      "--policy-file", options->policy_file,
+      "Write the policy that was found, as --policy takes it; - for standard output");
+  command->add_option("--timeout", options->timeout, "Seconds per scene")
+      ->check(CLI::Range(0.01, 3600.0));
+  command->add_option("--jobs", options->jobs, "Threads (default: one per processor)")
+      ->check(CLI::Range(1, 256));
+  command->add_option("--progress", options->progress, "Progress on standard error")
+      ->check(CLI::IsMember({"auto", "never"}));
+  command->callback([options, &exit] { exit = run_profile(*options); });
+}
+
+}  // namespace edgecase

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase record: what a renderer answers to cases, in a file that recording:FILE replays.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "model/recorded.h"
+#include "run/record.h"
+#include "run/renderer_names.h"
+#include "tools/edgecase/commands/commands.h"
+#include "tools/edgecase/interrupt.h"
+#include "tools/edgecase/output/progress_line.h"
+#include "tools/edgecase/suite_run.h"
+
+namespace edgecase {
+namespace {
+
+struct RecordCommand {
+  SelectionOptions selection;
+  std::string renderer;
+  std::string file;
+  int jobs = 0;
+  double timeout = 10;
+  std::string progress = "auto";
+};
+
+// Written beside the file and renamed, so that nobody ever sees half of it.
+bool replace_file(const std::filesystem::path& path, const std::string& bytes) {
+  std::filesystem::path beside = path;
+  beside += fmt::format(".{}.part", getpid());
+  std::error_code error;
+  if (write_file(beside, bytes)) {
+    std::filesystem::rename(beside, path, error);
+    if (!error) return true;
+    print_error(fmt::format("cannot write {}: {}", path.string(), error.message()));
+  }
+  std::filesystem::remove(beside, error);
+  return false;
+}
+
+Recorded record_with_progress(const RecordCommand& command, const Suite& suite,
+                              const Policy& policy) {
+  ProgressLine progress(command.progress, "cases");
+  RecordOptions options;
+  options.tool = kToolName;
+  options.renderer = command.renderer;
+  options.renderer_options = {policy,
+                              std::chrono::milliseconds(static_cast<int>(command.timeout * 1000)),
+                              worker_directory(), &interrupted()};
+  options.jobs =
+      command.jobs > 0 ? command.jobs : static_cast<int>(std::thread::hardware_concurrency());
+  options.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
+  options.stop = &interrupted();
+  const InterruptGuard guard;
+  return record_suite(suite, options);
+}
+
+void print_recorded(const RecordCommand& command, const Recorded& recorded) {
+  const RendererInfo& info = recorded.renderer;
+  fmt::print("{}: {} case{} of {} ({}, {}), {} without a rendering; {} bytes{}\n", command.file,
+             recorded.cases, recorded.cases == 1 ? "" : "s", known_as(info), info.device,
+             info.version, recorded.failures, recorded.bytes.size(),
+             recorded.is_complete ? "" : "; incomplete");
+}
+
+ExitCode record(const RecordCommand& command) {
+  if (!are_known({command.renderer})) return ExitCode::usage;
+  const Suite suite = load_suite(command.selection.selection());
+  print_diagnostics(suite.diagnostics);
+  ExitCode exit = suite.diagnostics.empty() ? ExitCode::as_expected : ExitCode::usage;
+  if (suite.cases.empty()) {
+    if (!suite.diagnostics.empty()) return exit;
+    print_nothing_selected();
+    return ExitCode::nothing_selected;
+  }
+  const Recorded recorded = record_with_progress(command, suite, Policy());
+  if (!recorded.unavailable.empty()) {
+    print_error(fmt::format("{} could not be asked: {}; nothing was written", command.renderer,
+                            recorded.unavailable));
+    return worse(exit, ExitCode::renderer);
+  }
+  if (recorded.cases == 0) {
+    print_error("no case was answered; nothing was written");
+    return worse(exit, recorded.is_complete ? ExitCode::renderer : ExitCode::unexpected);
+  }
+  if (!replace_file(command.file, recorded.bytes)) return worse(exit, ExitCode::internal);
+  print_recorded(command, recorded);
+  if (recorded.is_complete) return exit;
+  print_error("interrupted; the recording has the cases that were finished");
+  return worse(exit, ExitCode::unexpected);
+}
+
+}  // namespace
+
+void add_record_command(CLI::App& app, ExitCode& exit) {
+  CLI::App* command = app.add_subcommand(
+      "record", "Keep what a renderer answers in a file, which recording:FILE replays anywhere");
+  auto options = std::make_shared<RecordCommand>();
+  options->selection.add_to(*command, true);
+  command->add_option("--against", options->renderer, "Renderer to record, as `run` names them")
+      ->required();
+  command->add_option("-o,--output", options->file, "The recording to write")->required();
+  command->add_option("--jobs", options->jobs, "Threads (default: one per processor)")
+      ->check(CLI::Range(1, 256));
+  command->add_option("--timeout", options->timeout, "Seconds per case")
+      ->check(CLI::Range(0.01, 3600.0));
+  command->add_option("--progress", options->progress, "Progress on standard error")
+      ->check(CLI::IsMember({"auto", "never"}));
+  command->callback([options, &exit] { exit = record(*options); });
+}
+
+}  // namespace edgecase

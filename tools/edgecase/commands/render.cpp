@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase render: what one renderer makes of cases, as JSON lines or as PNG files.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "image/png.h"
+#include "run/renderer_names.h"
+#include "run/renderers.h"
+#include "run/run.h"
+#include "tools/edgecase/commands/commands.h"
+#include "tools/edgecase/interrupt.h"
+#include "tools/edgecase/options.h"
+#include "wire/rendering_json.h"
+
+namespace edgecase {
+namespace {
+
+struct RenderOptions {
+  SelectionOptions selection;
+  PolicyOptions policy;
+  std::string renderer = "exact";
+  std::string json;
+  std::string png;
+  int scale = 1;
+  double timeout = 10;
+};
+
+// Thrown out of the renderer's sink by Ctrl-C.
+struct Stopped {};
+
+// Collects output of the two kinds; what cannot be written is told once per file.
+class Output {
+ public:
+  explicit Output(const RenderOptions& options) : options_(options) {}
+
+  void add(const std::string& id, const Rendering& rendering) {
+    if (!options_.json.empty()) lines_ += rendering_json(id, rendering) + "\n";
+    if (options_.png.empty()) return;
+    const std::filesystem::path path = std::filesystem::path(options_.png) / (id + ".png");
+    std::error_code code;
+    std::filesystem::create_directories(path.parent_path(), code);
+    const std::string error =
+        write_png(path, {rendering.width, rendering.height, rendering.pixels}, options_.scale);
+    if (error.empty()) return;
+    print_error(error);
+    failed_ = true;
+  }
+
+  ExitCode finish() const {
+    if (options_.json == "-")
+      fmt::print("{}", lines_);
+    else if (!options_.json.empty() && !write_file(options_.json, lines_))
+      return ExitCode::internal;
+    return failed_ ? ExitCode::internal : ExitCode::as_expected;
+  }
+
+ private:
+  const RenderOptions& options_;
+  std::string lines_;
+  bool failed_ = false;
+};
+
+// Failures are told as they come; what is finished when the command is interrupted is kept.
+ExitCode render_tasks(Renderer& renderer, const std::vector<Task>& tasks, Output& output) {
+  ExitCode exit = ExitCode::as_expected;
+  const InterruptGuard guard;
+  try {
+    renderer.render(tasks, [&](std::size_t index, Outcome outcome) {
+      if (interrupted()) throw Stopped{};
+      if (const auto* failure = std::get_if<Failure>(&outcome)) {
+        print_error(
+            fmt::format("{}: {}: {}", tasks[index].id, name_of(failure->kind), failure->reason));
+        exit = worse(exit, ExitCode::renderer);
+      } else {
+        output.add(tasks[index].id, std::get<Rendering>(outcome));
+      }
+    });
+  } catch (const Stopped&) {
+    print_error("interrupted; renderings are missing");
+    exit = worse(exit, ExitCode::unexpected);
+  }
+  return exit;
+}
+
+ExitCode render(RenderOptions options) {
+  if (options.json.empty() && options.png.empty()) options.json = "-";
+  const Selection selection = options.selection.selection();
+  const auto policy = options.policy.load(selection);
+  if (!policy) return ExitCode::usage;
+  auto made =
+      make_renderer(options.renderer,
+                    {*policy, std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),
+                     worker_directory(), &interrupted()});
+  if (const auto* error = std::get_if<std::string>(&made)) {
+    print_error(*error);
+    return ExitCode::usage;
+  }
+  const Suite suite = load_suite(selection);
+  print_diagnostics(suite.diagnostics);
+  std::vector<Task> tasks;
+  for (const Case& one : suite.cases) tasks.push_back({one.id, &one.scene});
+
+  ExitCode exit = suite.diagnostics.empty() ? ExitCode::as_expected : ExitCode::usage;
+  if (tasks.empty() && suite.diagnostics.empty()) {
+    print_nothing_selected();
+    exit = ExitCode::nothing_selected;
+  }
+  Output output(options);
+  exit = worse(exit, render_tasks(*std::get<std::unique_ptr<Renderer>>(made), tasks, output));
+  return worse(exit, output.finish());
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, ExitCode& exit) {
+  CLI::App* command =
+      app.add_subcommand("render", "Render cases with one renderer, as JSON lines or PNG files");
+  auto options = std::make_shared<RenderOptions>();
+  options->selection.add_to(*command, false);
+  options->policy.add_to(*command);
+  command->add_option("--with", options->renderer, "The renderer, exact by default; see backends")
+      ->capture_default_str();
+  command->add_option("--json", options->json,
+                      "File for one JSON object per case, - for standard "
+                      "output (the default)");
+  command->add_option("--png", options->png, "Folder for one PNG per case");
+  command->add_option("--scale", options->scale, "Enlarge pixels of PNG files")
+      ->check(CLI::Range(1, 64));
+  command->add_option("--timeout", options->timeout, "Seconds per case")
+      ->check(CLI::Range(0.01, 3600.0));
+  command->callback([options, &exit] { exit = render(*options); });
+}
+
+}  // namespace edgecase

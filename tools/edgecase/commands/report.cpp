@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase report: reports from a results file, without rendering anything.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "tools/edgecase/commands/commands.h"
+#include "tools/edgecase/options.h"
+#include "tools/edgecase/output/report_files.h"
+#include "tools/edgecase/suite_run.h"
+
+namespace edgecase {
+namespace {
+
+struct ReportCommand {
+  std::string results;
+  std::string since;  // results file, or empty
+  ReportFiles files;
+};
+
+// What changed from the results file at `path`; nothing, with the error printed, where that cannot
+// be said.
+std::optional<Comparison> changes_since(const std::string& path, const Results& results) {
+  const auto before = load_results(path);
+  if (!before) return std::nullopt;
+  auto compared = compare_results(*before, results);
+  if (auto* comparison = std::get_if<Comparison>(&compared)) return std::move(*comparison);
+  print_error(std::get<std::string>(compared));
+  return std::nullopt;
+}
+
+ExitCode report(const ReportCommand& command) {
+  auto results = load_results(command.results);
+  if (!results) return ExitCode::usage;
+  load_sources(*results);
+  ReportFiles files = command.files;
+  if (!command.since.empty()) {
+    files.since = changes_since(command.since, *results);
+    if (!files.since) return ExitCode::usage;
+  }
+  return files.write(*results) ? ExitCode::as_expected : ExitCode::internal;
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app, ExitCode& exit) {
+  CLI::App* command =
+      app.add_subcommand("report", "Write reports from a results file, without rendering");
+  auto options = std::make_shared<ReportCommand>();
+  command->add_option("results", options->results, "Results file of `edgecase run`")->required();
+  command->add_option("--since", options->since,
+                      "Earlier results file: the HTML report tells what changed since");
+  options->files.add_to(*command);
+  command->callback([options, &exit] { exit = report(*options); });
+}
+
+}  // namespace edgecase

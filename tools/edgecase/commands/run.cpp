@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase run: the suite against renderers, judged, held against expectations, reported.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "run/last_failed.h"
+#include "tools/edgecase/commands/commands.h"
+#include "tools/edgecase/output/delivery.h"
+#include "tools/edgecase/suite_run.h"
+
+namespace edgecase {
+namespace {
+
+struct RunCommand {
+  SelectionOptions selection;
+  PolicyOptions policy;
+  SuiteRunOptions run;
+  ReportFiles files;
+  std::vector<std::string> expectations;
+  std::string color = "auto";
+  bool list = false;
+  bool last_failed = false;
+  bool no_rerun = false;
+  std::size_t max_failures = 0;
+};
+
+// Narrows the selection to what was not as expected in the last results; otherwise the exit code
+// that this deserves, with the reason printed.
+std::optional<ExitCode> narrow_to_last_failed(const RunCommand& command, Selection& selection) {
+  const std::string path = command.files.json.empty() || command.files.json == "-"
+                               ? ReportFiles::kDefaultJson
+                               : command.files.json;
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    print_error(
+        fmt::format("--last-failed finds no last results: there is no {}; run once without "
+                    "it, or name the results with --json",
+                    path));
+    return ExitCode::usage;
+  }
+  const auto last = load_results(path);
+  if (!last) return ExitCode::usage;
+  selection.only = unexpected_cases(*last);
+  if (!selection.only->ids.empty() || !selection.only->files.empty()) return std::nullopt;
+  print_error(
+      fmt::format("nothing failed: in {} all {} cases are as expected; run without "
+                  "--last-failed to run them again",
+                  path, last->cases.size()));
+  return ExitCode::nothing_selected;
+}
+
+ExitCode print_list(const Suite& suite) {
+  for (const Case& one : suite.cases) fmt::print("{}\n", one.id);
+  if (!suite.diagnostics.empty()) return ExitCode::usage;
+  if (!suite.cases.empty()) return ExitCode::as_expected;
+  print_nothing_selected();
+  return ExitCode::nothing_selected;
+}
+
+ExitCode run(const RunCommand& command) {
+  Selection selection = command.selection.selection();
+  if (command.last_failed)
+    if (const auto exit = narrow_to_last_failed(command, selection)) return *exit;
+  const auto policy = command.policy.load(selection, command.run.renderers);
+  if (!policy) return ExitCode::usage;
+  const auto expectations =
+      load_expectations(suite_folder(selection) / "expectations", command.expectations);
+  if (!expectations) return ExitCode::usage;
+
+  const Suite suite = load_suite(selection);
+  print_diagnostics(suite.diagnostics);
+  if (command.list) return print_list(suite);
+  const auto profiles = load_profiles(selection, command.run.named());
+  if (!profiles) return ExitCode::usage;
+  const ExpectantRun expectant{*expectations, command.max_failures, !command.no_rerun,
+                               is_whole_suite(selection)};
+  const auto results = run_expecting(suite, *policy, *profiles, command.run, expectant);
+  if (!results) return ExitCode::usage;
+  return deliver_results(*results, command.files, command.color);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, ExitCode& exit) {
+  CLI::App* command = app.add_subcommand(
+      "run", "Compare renderers with the exact side, judge every difference, write reports");
+  auto options = std::make_shared<RunCommand>();
+  options->selection.add_to(*command, true);
+  options->policy.add_to(*command);
+  options->run.add_to(*command);
+  options->files.add_to(*command);
+  add_repeatable(*command, "--expectations", options->expectations,
+                 "Expectations file, repeatable (default: those in the suite's folder "
+                 "expectations)");
+  command->add_option("--color", options->color, "Colours in the summary")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
+  command->add_flag("--last-failed", options->last_failed,
+                    "Only the cases that were not as expected in the last results: those in the "
+                    "file that --json names, or in out/results.json");
+  command
+      ->add_option("--max-failures", options->max_failures,
+                   "End after so many unexpected cases; what was finished is reported")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}));
+  command->add_flag("--no-rerun", options->no_rerun,
+                    "Do not ask for unexpected answers again, which tells flakes");
+  command->add_flag("--list", options->list, "Only list the ids of the selected cases");
+  command->callback([options, &exit] { exit = run(*options); });
+}
+
+}  // namespace edgecase

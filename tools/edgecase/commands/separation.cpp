@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase separation: which pairs of alternatives the suite tells apart, and by how many cases.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "run/separation.h"
+#include "tools/edgecase/commands/commands.h"
+#include "tools/edgecase/options.h"
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kMostListed = 8;  // weak pairs of a rule
+
+struct SeparationCommand {
+  SelectionOptions selection;
+  std::size_t least = 0;
+  bool full = false;
+};
+
+void print_matrix(const SeparationMatrix& matrix) {
+  std::size_t width = 4;
+  for (const std::string& name : matrix.alternatives) width = std::max(width, name.size());
+  for (std::size_t i = 0; i < matrix.alternatives.size(); ++i) {
+    fmt::print("  {:<{}}", matrix.alternatives[i], width);
+    for (std::size_t j = 0; j < i; ++j) fmt::print(" {:>5}", matrix.cases[i][j]);
+    fmt::print("\n");
+  }
+}
+
+// The pairs that fewer cases tell apart than asked for.
+std::size_t print_weak_pairs(const SeparationMatrix& matrix, std::size_t least) {
+  std::size_t weak = 0;
+  for (std::size_t i = 0; i < matrix.alternatives.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (matrix.cases[i][j] >= least) continue;
+      if (++weak > kMostListed) continue;
+      fmt::print("  {} and {}: {} cases\n", matrix.alternatives[j], matrix.alternatives[i],
+                 matrix.cases[i][j]);
+    }
+  if (weak > kMostListed) fmt::print("  and {} more pairs\n", weak - kMostListed);
+  return weak;
+}
+
+ExitCode separate(const SeparationCommand& command) {
+  const Suite suite = load_suite(command.selection.selection());
+  print_diagnostics(suite.diagnostics);
+  if (!suite.diagnostics.empty()) return ExitCode::usage;
+  if (suite.cases.empty()) return ExitCode::nothing_selected;
+  const Separation separation = measure_separation(suite.cases);
+  fmt::print(
+      "{} cases, {} of them ({:.1f} %) with a tie\n", separation.cases, separation.with_ties,
+      100.0 * static_cast<double>(separation.with_ties) / static_cast<double>(separation.cases));
+  std::size_t weak = 0;
+  for (const SeparationMatrix& matrix : separation.matrices) {
+    fmt::print("{}: {} alternatives, every pair told apart by at least {} cases\n", matrix.rule,
+               matrix.alternatives.size(), matrix.least());
+    if (command.full) print_matrix(matrix);
+    weak += print_weak_pairs(matrix, command.least);
+  }
+  return weak == 0 ? ExitCode::as_expected : ExitCode::unexpected;
+}
+
+}  // namespace
+
+void add_separation_command(CLI::App& app, ExitCode& exit) {
+  CLI::App* command = app.add_subcommand(
+      "separation", "Count the cases that tell each pair of a rule's alternatives apart");
+  auto options = std::make_shared<SeparationCommand>();
+  options->selection.add_to(*command, false);
+  command->add_flag("--full", options->full, "Print the whole matrices");
+  command->add_option(
+      "--least", options->least,
+      "List the pairs that fewer cases tell apart, and exit with 1 if there are any");
+  command->callback([options, &exit] { exit = separate(*options); });
+}
+
+}  // namespace edgecase

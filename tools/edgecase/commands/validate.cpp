@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+//
+// edgecase validate: are case files well formed and laid out, and does exact meet their drawings?
+// No OpenGL.
+#include <fmt/format.h>
+
+#include <memory>
+#include <set>
+
+#include "casefile/json_format.h"
+#include "raster/rasterizer.h"
+#include "run/expectation_check.h"
+#include "run/selection.h"
+#include "tools/edgecase/commands/commands.h"
+#include "tools/edgecase/options.h"
+
+namespace edgecase {
+namespace {
+
+struct ValidateCommand {
+  SelectionOptions selection;
+  bool check_format = false;
+  bool format = false;
+};
+
+// The files of the cases, in the order of their ids, each with its text.
+std::map<std::filesystem::path, const std::string*> files_of(const Suite& suite) {
+  std::map<std::filesystem::path, const std::string*> files;
+  for (const Case& one : suite.cases) files.emplace(one.file, &one.source);
+  return files;
+}
+
+// Files that are not laid out as files of a suite are: named, and written anew where that is asked
+// for. Returns how many are left as they should not be; nothing when one cannot be written.
+std::optional<std::size_t> lay_out_files(const Suite& suite, bool write) {
+  std::size_t left = 0;
+  for (const auto& [file, source] : files_of(suite)) {
+    const JsonDocument document = parse_json(*source, file.string());
+    const std::string text = laid_out(*document.root);
+    if (text == *source) continue;
+    if (!write) {
+      fmt::print("{}: not laid out; `edgecase validate --format` does it\n", file.string());
+      ++left;
+      continue;
+    }
+    if (!write_file(file, text)) return std::nullopt;
+    fmt::print("{}: laid out\n", file.string());
+  }
+  return left;
+}
+
+std::size_t print_unmet(const Suite& suite) {
+  std::size_t unmet = 0;
+  for (const Case& one : suite.cases) {
+    const Policy policy;
+    for (const std::string& drawing :
+         unmet_drawings(one, policy.name, rasterize(one.scene, policy))) {
+      fmt::print(stderr, "{}", drawing);
+      ++unmet;
+    }
+  }
+  return unmet;
+}
+
+ExitCode validate(const ValidateCommand& command) {
+  const Suite suite = load_suite(command.selection.selection());
+  print_diagnostics(suite.diagnostics);
+  for (const Diagnostic& note : suite.notes) fmt::print("{}\n", to_string(note));
+  const std::size_t unmet = print_unmet(suite);
+  std::size_t disorderly = 0;
+  if (command.format || command.check_format) {
+    const auto left = lay_out_files(suite, command.format);
+    if (!left) return ExitCode::internal;
+    disorderly = *left;
+  }
+  fmt::print("{} cases are well formed, {} faults, {} drawings not met\n", suite.cases.size(),
+             suite.diagnostics.size(), unmet);
+  if (!suite.diagnostics.empty()) return ExitCode::usage;
+  if (unmet > 0 || disorderly > 0) return ExitCode::unexpected;
+  if (!suite.cases.empty()) return ExitCode::as_expected;
+  print_nothing_selected();
+  return ExitCode::nothing_selected;
+}
+
+}  // namespace
+
+void add_validate_command(CLI::App& app, ExitCode& exit) {
+  CLI::App* command = app.add_subcommand(
+      "validate", "Check case files, and their drawings against the exact side, without OpenGL");
+  auto options = std::make_shared<ValidateCommand>();
+  options->selection.add_to(*command, false);
+  CLI::Option* check = command->add_flag("--check-format", options->check_format,
+                                         "Also name files that are not laid out as a suite's are");
+  command->add_flag("--format", options->format, "Lay out such files anew")->excludes(check);
+  command->callback([options, &exit] { exit = validate(*options); });
+}
+
+}  // namespace edgecase

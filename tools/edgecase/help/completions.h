@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// Completion scripts for shells: subcommands, options, their values where there is a list of them,
+// and file names everywhere else.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "tools/edgecase/commands/command_words.h"
+
+namespace edgecase {
+
+// For bash 4.3 or newer; needs nothing of the package bash-completion.
+std::string bash_completion(std::span<const CommandWords> commands);
+
+// For fish 3.
+std::string fish_completion(std::span<const CommandWords> commands);
+
+}  // namespace edgecase

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// The manual page edgecase(1), in the macros of man(7).
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "tools/edgecase/commands/command_words.h"
+
+namespace edgecase {
+
+// `description`: of the whole program, a sentence. Throws std::out_of_range for a subcommand that
+// has no help page.
+std::string manual_page(const std::string& description, std::span<const CommandWords> commands);
+
+}  // namespace edgecase

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "tools/edgecase/output/html_report.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include "diff/coverage/cause.h"
+#include "model/recorded.h"
+#include "reports/html.h"
+#include "rules/all_rules.h"
+#include "tools/edgecase/options.h"
+
+namespace edgecase {
+namespace {
+
+// The profiles of the renderers, from beside the cases; those that cannot be had are left out.
+ReportProfiles profiles_of(const Results& results) {
+  ReportProfiles told;
+  if (results.cases.empty()) return told;
+  Selection suite;
+  suite.paths = {results.cases.front().file};
+  for (const RendererInfo& info : results.renderers) {
+    const auto found = load_profiles(suite, {known_as(info)});
+    if (!found || found->empty()) continue;
+    const Policy& policy = found->begin()->second;
+    auto& places = told[info.name];
+    places[""] = policy.rules;
+    for (const auto& [surface, choices] : policy.surfaces) places[name_of(surface)] = choices;
+  }
+  return told;
+}
+
+ReportTexts texts_of(const Results& results, const std::optional<Comparison>& since) {
+  ReportTexts texts;
+  for (const Rule& rule : all_rules()) {
+    texts.rules.push_back({rule.id, rule.title, rule.spec, rule.latitude, rule.standard});
+    for (const Ruling& ruling : rule.rulings) texts.rulings.push_back({ruling.number, ruling.text});
+  }
+  texts.is_open_choice = is_open_choice;
+  texts.profiles = profiles_of(results);
+  texts.since = since;
+  return texts;
+}
+
+// Scripts that the page at `path` had beyond the `count` that it has now.
+void remove_scripts(const std::filesystem::path& path, std::size_t count) {
+  std::error_code error;
+  for (std::size_t n = count + 1;; ++n) {
+    const auto script = path.parent_path() / fmt::format("{}.{}.js", path.stem().string(), n);
+    if (!std::filesystem::remove(script, error)) return;
+  }
+}
+
+}  // namespace
+
+bool write_html_report(const Results& results, const std::optional<Comparison>& since,
+                       const std::string& path) {
+  const ReportTexts texts = texts_of(results, since);
+  if (path == "-") {
+    write_html(results, texts, std::cout);
+    return true;
+  }
+  const std::filesystem::path page = path;
+  const auto files = html_files(results, texts, page.filename().string());
+  bool wrote = true;
+  for (const HtmlFile& file : files)
+    wrote = write_file(page.parent_path() / file.name, file.text) && wrote;
+  remove_scripts(page, files.size() - 1);
+  return wrote;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "tools/edgecase/output/report_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <utility>
+#include <variant>
+
+#include "model/digest.h"
+#include "reports/annotations.h"
+#include "reports/ctrf.h"
+#include "reports/disagreements_csv.h"
+#include "reports/junit.h"
+#include "reports/summary_markdown.h"
+#include "results/results_json.h"
+#include "tools/edgecase/options.h"
+#include "tools/edgecase/output/html_report.h"
+#include "tools/edgecase/output/triptych_files.h"
+
+namespace edgecase {
+namespace {
+
+bool write_one(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  if (path.empty()) return true;
+  if (path != "-") return write_file(path, write);
+  write(std::cout);
+  return true;
+}
+
+// On GitHub, annotations are for files of the repository, wherever in it the command runs. Without
+// what GitHub sets, the path as it was given.
+std::string path_in_repository(const std::string& file) {
+  const char* const workspace = std::getenv("GITHUB_WORKSPACE");
+  if (workspace == nullptr || *workspace == '\0') return file;
+  const std::filesystem::path path = std::filesystem::absolute(file).lexically_normal();
+  const std::filesystem::path inside = path.lexically_relative(workspace);
+  return inside.empty() || *inside.begin() == ".." ? file : inside.string();
+}
+
+}  // namespace
+
+std::optional<Results> load_results(const std::string& path) {
+  const auto text = read_file(path);
+  if (!text) return std::nullopt;
+  auto read = read_results(*text);
+  if (auto* results = std::get_if<Results>(&read)) return std::move(*results);
+  print_error(fmt::format("{}: {}; name a file that `edgecase run --json` wrote", path,
+                          std::get<std::string>(read)));
+  return std::nullopt;
+}
+
+void load_sources(Results& results) {
+  std::map<std::string, std::string> texts;
+  for (CaseResults& one : results.cases) {
+    const auto [found, is_new] = texts.try_emplace(one.file);
+    std::error_code error;
+    if (is_new && std::filesystem::is_regular_file(one.file, error))
+      if (auto text = read_file(one.file)) found->second = std::move(*text);
+    const bool is_same = digest_of_text(found->second) == one.file_digest;
+    if (is_same) one.source = found->second;
+    if (is_new && !is_same && !found->second.empty())
+      print_error(
+          fmt::format("{} is not what it was in the run; reports leave its text out", one.file));
+  }
+}
+
+void ReportFiles::add_to(CLI::App& command, const std::string& json_names) {
+  command.add_option(json_names, json, "File for the results as JSON, - for standard output");
+  command.add_option("--junit", junit, "File for JUnit XML");
+  command.add_option("--html", html, "File for the HTML report");
+  command.add_option("--ctrf", ctrf, "File for CTRF JSON, the Common Test Report Format");
+  command.add_option("--markdown", markdown,
+                     "File for a summary in Markdown, at most 1 MB: $GITHUB_STEP_SUMMARY");
+  command.add_option("--annotations", annotations,
+                     "File for GitHub annotations of the ten heaviest case files; - where a "
+                     "workflow's step shall make them");
+  command.add_option("--csv", csv,
+                     "File for every disagreement as a row of comma-separated values");
+  command.add_option("--triptychs", triptychs,
+                     "Folder for PNG files, RENDERER/CASE.png: exact, difference and rendered of "
+                     "each case that differs");
+}
+
+bool ReportFiles::is_none_given() const {
+  return json.empty() && junit.empty() && html.empty() && ctrf.empty() && markdown.empty() &&
+         annotations.empty() && csv.empty() && triptychs.empty();
+}
+
+bool ReportFiles::use_standard_output() const {
+  const auto paths = {&json, &junit, &html, &ctrf, &markdown, &annotations, &csv};
+  return std::any_of(paths.begin(), paths.end(),
+                     [](const std::string* path) { return *path == "-"; });
+}
+
+std::string ReportFiles::html_path() const {
+  return is_none_given() ? "out/report.html" : html;
+}
+
+bool ReportFiles::write(const Results& results) const {
+  const bool none = is_none_given();
+  bool wrote = true;
+  const auto add = [&wrote](const std::string& path,
+                            const std::function<void(std::ostream&)>& write) {
+    wrote = write_one(path, write) && wrote;
+  };
+  add(none ? kDefaultJson : json, [&](std::ostream& out) { write_results(results, out); });
+  add(none ? "out/junit.xml" : junit, [&](std::ostream& out) { write_junit(results, out); });
+  add(ctrf, [&](std::ostream& out) { write_ctrf(results, out); });
+  add(markdown, [&](std::ostream& out) { write_markdown_summary(results, out); });
+  add(annotations, [&](std::ostream& out) { write_annotations(results, path_in_repository, out); });
+  add(csv, [&](std::ostream& out) { write_disagreements_csv(results, out); });
+  if (!html_path().empty()) wrote = write_html_report(results, since, html_path()) && wrote;
+  return (triptychs.empty() || write_triptychs(results, triptychs)) && wrote;
+}
+
+}  // namespace edgecase

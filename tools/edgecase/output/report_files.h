@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// The files that results are written to.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "results/comparison.h"
+#include "results/results.h"
+
+namespace edgecase {
+
+// The results in the file at `path`; prints an error and returns nothing when there are none.
+std::optional<Results> load_results(const std::string& path);
+
+// The text of the case files is not part of a results file; takes it from where they lie. A file
+// that was changed since the run is left out, and said to be.
+void load_sources(Results& results);
+
+// --json, --junit, --html and the others; where none is given, results.json, junit.xml and
+// report.html in out/.
+struct ReportFiles {
+  static constexpr const char* kDefaultJson = "out/results.json";
+  std::string json;
+  std::string junit;
+  std::string html;
+  std::string ctrf;
+  std::string markdown;
+  std::string annotations;
+  std::string csv;
+  std::string triptychs;            // a folder
+  std::optional<Comparison> since;  // what the HTML report tells to have changed
+
+  // `json_names`: how the option for the results file is called.
+  void add_to(CLI::App& command, const std::string& json_names = "--json");
+  // Writes what was asked for, "-" meaning standard output. False when something cannot be written;
+  // the error is printed and the other files are written all the same.
+  bool write(const Results& results) const;
+  // Is anything written to standard output?
+  bool use_standard_output() const;
+  // The HTML file that write() makes, or empty.
+  std::string html_path() const;
+
+ private:
+  bool is_none_given() const;
+};
+
+}  // namespace edgecase

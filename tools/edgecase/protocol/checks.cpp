@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+#include "tools/edgecase/protocol/checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "tools/edgecase/protocol/pictures.h"
+#include "tools/edgecase/protocol/scenes.h"
+#include "tools/edgecase/protocol/session.h"
+#include "wire/request_line.h"
+
+namespace edgecase {
+
+namespace {
+
+using nlohmann::json;
+using std::chrono::milliseconds;
+
+// How long nothing may come after an answer, and how long a program may take to end.
+constexpr milliseconds kQuiet{150};
+constexpr milliseconds kFarewell{2'000};
+
+constexpr const char* kRefuse =
+    R"(answer {"digest": ..., "not_run": "a reason"} where a scene asks for what you do not do)";
+constexpr const char* kStayAlive =
+    "answer every request with one line, and go on reading; what it wrote to standard error may "
+    "say "
+    "why it did not";
+constexpr const char* kFollow = "compare the answer with \"The answer\" in reference/PROTOCOL.md";
+
+// What came of a check.
+struct Verdict {
+  CheckOutcome outcome = CheckOutcome::pass;
+  std::string finding;
+  std::string remedy;
+};
+
+Verdict failed(std::string finding, std::string remedy) {
+  return {CheckOutcome::fail, std::move(finding), std::move(remedy)};
+}
+
+// Of a reply that is neither a rendering nor a refusal.
+Verdict no_answer(const Reply& reply) {
+  if (reply.kind == Reply::Kind::silence) return failed(reply.problem, kStayAlive);
+  return failed("its answer is refused: " + reply.problem, kFollow);
+}
+
+bool is_answer(const Reply& reply) {
+  return reply.kind == Reply::Kind::rendering || reply.kind == Reply::Kind::refusal;
+}
+
+// A rendering passes, a refusal is not supported, all else fails.
+Verdict by_kind(const Reply& reply) {
+  if (reply.kind == Reply::Kind::rendering) return {};
+  if (reply.kind == Reply::Kind::refusal) return {CheckOutcome::not_supported, reply.problem, ""};
+  return no_answer(reply);
+}
+
+Verdict by_fault(const std::optional<PictureFault>& fault) {
+  return fault ? failed(fault->finding, fault->remedy) : Verdict{};
+}
+
+class Examiner {
+ public:
+  Examiner(const Command& command, milliseconds patience, const std::atomic<bool>* stop)
+      : session_(command, patience, stop), stop_(stop) {}
+
+  ProtocolExamination operator()() {
+    check("starts and answers", [&] { return starts(); });
+    result_.started = result_.checks[0].outcome == CheckOutcome::pass;
+    if (!result_.started) return std::move(result_);
+    examine_lines();
+    examine_drawings();
+    for (const FeatureScene& feature : feature_scenes())
+      check("draws or refuses " + feature.name, [&] { return optional_feature(feature); });
+    examine_names();
+    check("ends when its input does, with exit status 0", [&] { return ends(); });
+    return std::move(result_);
+  }
+
+ private:
+  void check(std::string name, const std::function<Verdict()>& run) {
+    if (stop_ != nullptr && stop_->load()) return;
+    Verdict verdict = run();
+    // After garbage nobody knows what else is on its way.
+    if (verdict.outcome == CheckOutcome::fail) session_.restart();
+    if (stop_ != nullptr && stop_->load()) return;
+    result_.checks.push_back({static_cast<int>(result_.checks.size()) + 1, std::move(name),
+                              verdict.outcome, std::move(verdict.finding),
+                              std::move(verdict.remedy)});
+  }
+
+  void examine_lines() {
+    check("answers an empty scene", [&] { return empty(); });
+    check("repeats the digest", [&] { return repeats_digest(); });
+    check("answers one line for each request, in order", [&] { return one_line_each(); });
+    check("writes nothing else to standard output", [&] { return quiet(); });
+    check("draws several scenes in one process", [&] { return one_process(); });
+    check("answers the same scene alike", [&] { return alike(); });
+    check("has as many pixels as the target, for any size", [&] {
+      return sizes({{1, 1}, {3, 5}, {5, 3}, {7, 1}, {1, 7}});
+    });
+    check("draws targets of 4096 pixels", [&] { return sizes({{4096, 1}, {1, 4096}}); });
+    check("takes a request for coverage alone", [&] { return coverage_alone(); });
+  }
+
+  void examine_drawings() {
+    for (const Primitive primitive :
+         {Primitive::points, Primitive::lines, Primitive::line_strip, Primitive::line_loop,
+          Primitive::triangles, Primitive::triangle_strip, Primitive::triangle_fan})
+      check(fmt::format("draws {}", name_of(primitive)), [&] { return drawing(primitive); });
+    check("numbers primitives without extent, and tells finite values only",
+          [&] { return values(); });
+  }
+
+  void examine_names() {
+    check("takes any character in an id", [&] { return ids(); });
+    check("ignores an unknown key of the request", [&] {
+      return changed([](json& request) { request["hint"] = {{"of", "a later version"}}; }, true);
+    });
+    const std::pair<const char*, std::function<void(json&)>> unknown[] = {
+        {"an unknown key of the scene", [](json& r) { r["scene"]["fog"] = true; }},
+        {"an unknown key of the target", [](json& r) { r["scene"]["target"]["layers"] = 2; }},
+        {"an unknown key of a draw", [](json& r) { r["scene"]["draws"][0]["warp"] = 1.5; }},
+        {"an unknown key of a vertex",
+         [](json& r) { r["scene"]["draws"][0]["vertices"][0]["weight"] = 2; }},
+        {"an unknown primitive", [](json& r) { r["scene"]["draws"][0]["primitive"] = "patches"; }},
+        {"another version of the protocol", [](json& r) { r["edgecase"] = 2; }}};
+    for (const auto& [name, change] : unknown)
+      check(fmt::format("refuses {}", name),
+            [&, &change = change] { return changed(change, false); });
+  }
+
+  Verdict starts() {
+    const Reply reply = session_.ask("conformance/start", empty_scene(1, 1));
+    if (session_.starts() == 0)
+      return failed(reply.problem, "check the path, and that the file may be executed");
+    if (reply.kind == Reply::Kind::silence) return failed(reply.problem, kStayAlive);
+    return {};
+  }
+
+  Verdict empty() {
+    const Scene scene = empty_scene(4, 3);
+    const Reply reply = session_.ask("conformance/empty", scene);
+    if (reply.kind != Reply::Kind::rendering) return by_kind(reply);
+    if (!reply.rendering.fragments.empty())
+      return failed(fmt::format("it tells {} fragments of a scene that draws nothing",
+                                reply.rendering.fragments.size()),
+                    "list a fragment for each pixel that a primitive covers, and no other");
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 4; ++x)
+        if (!shows(reply.rendering, x, y, {255, 0, 0}, 0))
+          return failed(fmt::format("pixel ({}, {}) is {}, and the clear colour is (255, 0, 0)", x,
+                                    y, color_text(reply.rendering, x, y)),
+                        "begin with target.clear in every pixel");
+    return {};
+  }
+
+  // Of two scenes: what is told of the second must not be that of the first.
+  Verdict repeats_digest() {
+    for (const Scene& scene : {empty_scene(2, 2), empty_scene(3, 2)}) {
+      const std::string digest = digest_of(scene_json(scene));
+      const Reply reply = session_.ask("conformance/digest", scene);
+      if (reply.kind == Reply::Kind::silence) return no_answer(reply);
+      const json answer = json::parse(reply.line, nullptr, false);
+      if (answer.is_discarded()) return failed("its answer is no JSON: " + reply.problem, kFollow);
+      if (!answer.is_object() || !answer.contains("digest") || answer["digest"] != digest)
+        return failed(fmt::format("the answer to digest \"{}\" does not hold it", digest),
+                      "copy \"digest\" from the request into the answer, for each scene anew");
+    }
+    return {};
+  }
+
+  Verdict one_line_each() {
+    for (int width = 1; width <= 4; ++width) {
+      const Reply reply = session_.ask("conformance/order", empty_scene(width, 2));
+      if (!is_answer(reply)) return no_answer(reply);
+    }
+    return {};
+  }
+
+  // Nothing more has come since the last answer.
+  Verdict quiet() {
+    const Reply reply = session_.ask("conformance/quiet", scene_of(Primitive::triangles));
+    if (!is_answer(reply)) return no_answer(reply);
+    const std::string more = session_.process()->unasked_output(kQuiet).substr(0, 60);
+    if (more.empty()) return {};
+    return failed(fmt::format("after its answer comes {}",
+                              json(more).dump(-1, ' ', true, json::error_handler_t::replace)),
+                  "write to standard error whatever is no answer");
+  }
+
+  Verdict one_process() {
+    const int starts = session_.starts();
+    for (const Primitive primitive :
+         {Primitive::points, Primitive::lines, Primitive::triangles, Primitive::points}) {
+      const Reply reply = session_.ask("conformance/several", scene_of(primitive));
+      if (!is_answer(reply)) return no_answer(reply);
+    }
+    if (session_.starts() > starts + 1)
+      return failed("it ended between two scenes", "read requests until standard input ends");
+    return {};
+  }
+
+  Verdict alike() {
+    const Scene scene = scene_of(Primitive::triangles);
+    std::array<json, 2> answers;
+    for (json& answer : answers) {
+      const Reply reply = session_.ask("conformance/alike", scene);
+      if (!is_answer(reply)) return no_answer(reply);
+      answer = json::parse(reply.line);
+      answer.erase("renderer");
+      const Reply between = session_.ask("conformance/between", scene_of(Primitive::points));
+      if (!is_answer(between)) return no_answer(between);
+    }
+    if (answers[0] == answers[1]) return {};
+    return failed("the same scene is answered in two ways",
+                  "start each scene afresh: nothing of the one before may be left");
+  }
+
+  Verdict sizes(const std::vector<std::pair<int, int>>& sizes) {
+    for (const auto& [width, height] : sizes) {
+      Scene scene = empty_scene(width, height);
+      Draw draw;
+      draw.primitive = Primitive::points;
+      draw.vertices.emplace_back();
+      draw.vertices[0].position = {Fixed::centre_of(width - 1), Fixed::centre_of(height - 1)};
+      scene.draws = {draw};
+      const Reply reply = session_.ask("conformance/sizes", scene);
+      Verdict verdict = by_kind(reply);
+      if (verdict.outcome == CheckOutcome::pass && reply.rendering.fragments.empty())
+        verdict = failed("a point in the last pixel has no fragment", kFollow);
+      if (verdict.outcome == CheckOutcome::pass) continue;
+      verdict.finding = fmt::format("{} by {} pixels: {}", width, height, verdict.finding);
+      return verdict;
+    }
+    return {};
+  }
+
+  Verdict coverage_alone() {
+    return by_kind(session_.ask("conformance/coverage", scene_of(Primitive::triangles), true));
+  }
+
+  Verdict drawing(Primitive primitive) {
+    const Scene scene = scene_of(primitive);
+    const Reply reply = session_.ask("conformance/primitives", scene);
+    if (reply.kind != Reply::Kind::rendering) return by_kind(reply);
+    return by_fault(fault_of_drawing(scene, reply.rendering));
+  }
+
+  Verdict values() {
+    const Reply reply = session_.ask("conformance/without-extent", scene_without_extent());
+    if (reply.kind != Reply::Kind::rendering) return by_kind(reply);
+    return by_fault(fault_of_values(reply.rendering));
+  }
+
+  Verdict optional_feature(const FeatureScene& feature) {
+    const Reply reply = session_.ask("conformance/features", feature.scene);
+    if (reply.kind == Reply::Kind::garbage) {
+      Verdict verdict = no_answer(reply);
+      verdict.remedy = kRefuse;
+      return verdict;
+    }
+    if (reply.kind != Reply::Kind::rendering) return by_kind(reply);
+    if (shows(reply.rendering, feature.x, feature.y, feature.color, feature.reach)) return {};
+    return failed(fmt::format("pixel ({}, {}) is {} where ({}, {}, {}) was asked for", feature.x,
+                              feature.y, color_text(reply.rendering, feature.x, feature.y),
+                              feature.color[0], feature.color[1], feature.color[2]),
+                  kRefuse);
+  }
+
+  Verdict ids() {
+    const std::string ids[] = {"",
+                               "quotes \" and \\ backslashes",
+                               "a line\nbreak, a tab\t and a bell\x07",
+                               "\xc3\xa9t\xc3\xa9 \xe6\xbc\xa2\xe5\xad\x97 \xf0\x9f\x94\xba",
+                               "}{][:,",
+                               std::string(10'000, 'x')};
+    for (const std::string& id : ids) {
+      const Reply reply = session_.ask(id, empty_scene(2, 1));
+      if (is_answer(reply)) continue;
+      Verdict verdict = no_answer(reply);
+      verdict.finding =
+          fmt::format("to the id {}: {}", json(id.substr(0, 40)).dump(), verdict.finding);
+      return verdict;
+    }
+    return {};
+  }
+
+  // A request that was changed is to be drawn as it was, or refused.
+  Verdict changed(const std::function<void(json&)>& change, bool draws) {
+    const Scene scene = scene_of(Primitive::points);
+    const std::string text = scene_json(scene);
+    json request = json::parse(request_line("conformance/changed", text));
+    change(request);
+    const Reply reply = session_.ask_text(request.dump(), digest_of(text), scene);
+    if (draws) return is_answer(reply) ? Verdict{} : no_answer(reply);
+    if (reply.kind == Reply::Kind::refusal) return {};
+    if (reply.kind == Reply::Kind::rendering)
+      return failed("it draws the scene as if it knew", kRefuse);
+    Verdict verdict = no_answer(reply);
+    verdict.remedy = kRefuse;
+    return verdict;
+  }
+
+  Verdict ends() {
+    const Reply reply = session_.ask("conformance/end", empty_scene(1, 1));
+    if (!is_answer(reply)) return no_answer(reply);
+    ChildProcess& process = *session_.process();
+    const bool ended = process.finish(kFarewell);
+    const std::string how = process.how_it_ended();
+    const std::string more = process.unasked_output(milliseconds{0}).substr(0, 60);
+    const int status = process.exit_status();
+    session_.restart();
+    if (!ended)
+      return failed("it goes on after its standard input has ended", "end where no line is left");
+    if (status != 0) return failed("it ends with " + how, "end with exit status 0");
+    if (more.empty()) return {};
+    return failed("it writes to standard output as it ends",
+                  "write to standard error whatever is no answer");
+  }
+
+  ProtocolSession session_;
+  const std::atomic<bool>* stop_;
+  ProtocolExamination result_;
+};
+
+}  // namespace
+
+const char* name_of(CheckOutcome outcome) {
+  switch (outcome) {
+    case CheckOutcome::pass:
+      return "pass";
+    case CheckOutcome::fail:
+      return "fail";
+    case CheckOutcome::not_supported:
+      return "not supported";
+  }
+  return "";
+}
+
+std::size_t ProtocolExamination::count(CheckOutcome outcome) const {
+  return static_cast<std::size_t>(
+      std::count_if(checks.begin(), checks.end(),
+                    [&](const ProtocolCheck& check) { return check.outcome == outcome; }));
+}
+
+ProtocolExamination examine_protocol(const Command& command, milliseconds patience,
+                                     const std::atomic<bool>* stop) {
+  return Examiner(command, patience, stop)();
+}
+
+}  // namespace edgecase
