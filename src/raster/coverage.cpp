@@ -94,6 +94,11 @@ Pixels multisampled_pixels(const Segment& line, Fixed width, const View& view,
   switch (choice.multisampled_line) {
     case MultisampledLine::rectangle:
       return area_pixels(line, width, LineArea::rectangle, view, choice.ties);
+    case MultisampledLine::snapped_offset_across_borders:
+      if (line.a == line.b ||
+          !crosses_borders(rounded_corners(line, width, RectangleRounding::offset), view.bounds))
+        return {};
+      [[fallthrough]];
     case MultisampledLine::snapped_offset:
       return rounded(RectangleRounding::offset);
     case MultisampledLine::snapped_corners:
@@ -153,8 +158,10 @@ Pixels pixels_of(const ScenePrimitive& primitive, const std::array<typename Kind
 
 // How vertices are snapped. Rectangles of lines that are rounded have a grid of their own.
 Snap snap_of(const ScenePrimitive& primitive, const View& view, const CoverageChoice& choice) {
-  const bool rounded = choice.multisampled_line == MultisampledLine::snapped_offset ||
-                       choice.multisampled_line == MultisampledLine::snapped_corners;
+  const MultisampledLine line = choice.multisampled_line;
+  const bool rounded = line == MultisampledLine::snapped_offset ||
+                       line == MultisampledLine::snapped_offset_across_borders ||
+                       line == MultisampledLine::snapped_corners;
   if (primitive.kind == PrimitiveKind::line && view.is_multisampled && rounded) return {};
   return choice.snap;
 }

@@ -85,6 +85,21 @@ TEST(MultisampleDrawings, ARoundedRectangleHasAGridOfItsOwn) {
       ". . ./7 7 7/f f f/");
 }
 
+// From (1.25, 1) to (1.75, 2) no left border runs through the rectangle, from (0.75, 1) one does;
+// from (2, 1) on there are borders, but the target's last one is the rectangle's own.
+TEST(MultisampleDrawings, ALineBetweenBordersIsLost) {
+  const auto drawn = [](double from, double to) {
+    return masks(multisampled_scene(3, 4, Primitive::lines, {at(from, 1.5), at(to, 1.5)}),
+                 {{"line.multisampled", "snapped-offset-across-borders"}});
+  };
+  EXPECT_EQ(drawn(1.25, 1.75), ". . ./. . ./. . ./");
+  EXPECT_EQ(drawn(1, 2), ". . ./. f ./. . ./");
+  EXPECT_EQ(drawn(0.75, 1.75), ". . ./2 d ./. . ./");
+  EXPECT_EQ(drawn(2.25, 3.5), ". . ./. . ./. . ./");
+  EXPECT_EQ(drawn(1.25, 3.5), ". . ./. b f/. . ./");
+  EXPECT_EQ(drawn(-1, 0), ". . ./. . ./. . ./");
+}
+
 TEST(MultisampleDrawings, ADiagonalLineEndsAcross) {
   const Scene scene = multisampled_scene(3, 4, Primitive::lines, {at(1, 1), at(2, 2)});
   // x + y runs from 2 to 4 and |x - y| is at most 0.707: that holds (0.875, 1.375) and, mirrored,

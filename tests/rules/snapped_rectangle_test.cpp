@@ -127,8 +127,11 @@ TEST(SnappedRectangle, NearestByHand) {
 TEST(SnappedRectangle, CornersOfEveryShortLine) {
   int ties = 0;
   const auto snapped = [&](Fixed end) {
-    const Fixed rounded = Snap{8}(end);
-    EXPECT_TRUE(is_nearest(rounded, end.raw(), 0, 1, 256, HalfwayTo::even, ties));
+    // The step that holds it, or the next one, whichever is_nearest lets through.
+    Fixed rounded = Fixed::from_raw(end.raw() >> 8 << 8);
+    if (!is_nearest(rounded, end.raw(), 0, 1, 256, HalfwayTo::away_from_zero, ties))
+      rounded = rounded + Fixed::from_raw(256);
+    EXPECT_TRUE(is_nearest(rounded, end.raw(), 0, 1, 256, HalfwayTo::away_from_zero, ties));
     return rounded;
   };
   const auto check = [&](const Segment& line, std::int64_t width) {
@@ -203,15 +206,40 @@ TEST(SnappedRectangle, CornersByHand) {
   EXPECT_EQ(offset[3], at(1 - 77 / 256.0, 1 + 102 / 256.0));
 }
 
-// Ends are rounded to 1/256 pixel and no farther, a tie to the even one.
+// Ends are rounded to 1/256 pixel and no farther, a tie away from 0.
 TEST(SnappedRectangle, EndsByHand) {
   const auto corners =
       rounded_corners({at(1 + 1 / 256.0, 1 + 1 / 512.0), at(3 + 3 / 512.0, 1 + 1 / 512.0)},
                       Fixed::from_integer(1), RectangleRounding::offset);
-  EXPECT_EQ(corners[0], at(1 + 1 / 256.0, 0.5));
-  EXPECT_EQ(corners[1], at(3 + 2 / 256.0, 0.5));
-  EXPECT_EQ(corners[2], at(3 + 2 / 256.0, 1.5));
-  EXPECT_EQ(corners[3], at(1 + 1 / 256.0, 1.5));
+  EXPECT_EQ(corners[0], at(1 + 1 / 256.0, 0.5 + 1 / 256.0));
+  EXPECT_EQ(corners[1], at(3 + 2 / 256.0, 0.5 + 1 / 256.0));
+  EXPECT_EQ(corners[2], at(3 + 2 / 256.0, 1.5 + 1 / 256.0));
+  EXPECT_EQ(corners[3], at(1 + 1 / 256.0, 1.5 + 1 / 256.0));
+  const auto below = rounded_corners({at(-1 - 5 / 512.0, 0), at(-3, 0)}, Fixed::from_integer(1),
+                                     RectangleRounding::offset);
+  EXPECT_EQ(below[0], at(-1 - 3 / 256.0, 0.5));
+}
+
+// All rectangles along the axes between halves of a pixel around 3x3 pixels: literally, a border at
+// a time.
+TEST(SnappedRectangle, CrossesTheBordersThatLieInside) {
+  const PixelBounds bounds{0, 0, 2, 2};
+  const auto has_border = [](int least, int most) {
+    for (int border = 0; border <= 2; ++border)
+      if (least <= 2 * border && 2 * border < most) return true;
+    return false;
+  };
+  int crossing = 0;
+  for (int i = 0; i < 10 * 10 * 10 * 10; ++i) {
+    const int x = i % 10 - 2, right = i / 10 % 10 - 2, y = i / 100 % 10 - 2, top = i / 1000 - 2;
+    if (x >= right || y >= top) continue;
+    const std::array corners = {at(x / 2.0, y / 2.0), at(right / 2.0, y / 2.0),
+                                at(right / 2.0, top / 2.0), at(x / 2.0, top / 2.0)};
+    const bool expected = has_border(x, right) && has_border(y, top);
+    ASSERT_EQ(crosses_borders(corners, bounds), expected) << x << " " << y;
+    crossing += expected ? 1 : 0;
+  }
+  EXPECT_GT(crossing, 500);
 }
 
 // 4 by 4 pixels, top row first.

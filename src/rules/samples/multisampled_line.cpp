@@ -20,6 +20,10 @@ constexpr TabledAlternative<MultisampledLine> kLines[] = {
     {MultisampledLine::snapped_offset, "snapped-offset", Openness::open,
      "the samples in that rectangle, its ends and half of its width across each rounded to 1/256 "
      "pixel"},
+    {MultisampledLine::snapped_offset_across_borders, "snapped-offset-across-borders",
+     Openness::illegal,
+     "the same, but nothing of a line through whose rectangle's extent no left or no lower border "
+     "of a pixel of the target runs"},
     {MultisampledLine::snapped_corners, "snapped-corners", Openness::open,
      "the samples in that rectangle, its corners rounded to 1/16 pixel"},
     {MultisampledLine::parallelogram, "parallelogram", Openness::illegal,

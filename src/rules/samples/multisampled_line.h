@@ -26,6 +26,7 @@ enum class MultisampledLine {
   rectangle,
   // Rounded, and by no other snap: RectangleRounding::offset and corners.
   snapped_offset,
+  snapped_offset_across_borders,  // the same, lost between borders of pixels: crosses_borders
   snapped_corners,
   parallelogram,   // its ends run along the minor axis
   single_sampled,  // as without multisampling, with all samples of each pixel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rules/samples/snapped_rectangle.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "exact/rational.h"
@@ -72,10 +73,12 @@ std::array<Point, 4> rounded_corners(const Segment& segment, Fixed width,
   const auto corner = [&](Point end, int sign) -> Point {
     if (rounding == RectangleRounding::corners)
       return moved_by_offset(end, run, width, sign, 4, HalfwayTo::even);
+    const auto nearest = [](Fixed value) {
+      return nearest_with_root(value.raw(), 0, 1, 8, HalfwayTo::away_from_zero);
+    };
     const Point n =
         moved_by_offset({Fixed(), Fixed()}, run, width, sign, 8, HalfwayTo::away_from_zero);
-    const Point snapped = Snap{8, Snap::Rounding::half_even}(end);
-    return {snapped.x + n.x, snapped.y + n.y};
+    return {nearest(end.x) + n.x, nearest(end.y) + n.y};
   };
   return {corner(segment.a, -1), corner(segment.b, -1), corner(segment.b, 1), corner(segment.a, 1)};
 }
@@ -93,6 +96,17 @@ bool rounded_rectangle_covers(const std::array<Point, 4>& corners, Point sample,
     if (!ties.positive(cross(a, b, sample), -dy, dx)) return false;
   }
   return area > 0;
+}
+
+bool crosses_borders(const std::array<Point, 4>& corners, const PixelBounds& bounds) {
+  const auto holds_one = [&](Fixed Point::*axis, int first, int last) {
+    const auto [least, most] =
+        std::minmax({corners[0].*axis, corners[1].*axis, corners[2].*axis, corners[3].*axis});
+    return std::max<std::int64_t>(least.ceil(), first) <=
+           std::min<std::int64_t>(most.ceil() - 1, last);
+  };
+  return holds_one(&Point::x, bounds.x_min, bounds.x_max) &&
+         holds_one(&Point::y, bounds.y_min, bounds.y_max);
 }
 
 std::vector<PixelPosition> rounded_rectangle_pixels(const Segment& segment, Fixed width,

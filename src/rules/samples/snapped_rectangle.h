@@ -18,7 +18,7 @@
 namespace edgecase {
 
 enum class RectangleRounding {
-  offset,   // ends and n to 1/256 pixel, a tie of n away from 0, of ends to the even grid line
+  offset,   // ends and n to 1/256 pixel, a tie away from 0
   corners,  // corners to 1/16 pixel, a tie to the even grid line
 };
 
@@ -39,6 +39,12 @@ std::array<Point, 4> rounded_corners(const Segment& segment, Fixed width,
 // has turned over holds nothing.
 bool rounded_rectangle_covers(const std::array<Point, 4>& corners, Point sample,
                               const TieRule& ties);
+
+// Does the left border of some column within `bounds` run through the polygon's extent in x, and
+// the lower border of some row through its extent in y? A border on the lesser side of the extent
+// does, one on the greater side does not. llvmpipe draws no other lines: its box of pixels begins
+// with the first column whose left border lies inside, and is empty where there is none.
+bool crosses_borders(const std::array<Point, 4>& corners, const PixelBounds& bounds);
 
 // The pixels within `bounds` whose sample, at `within` of the pixel, the polygon of a line holds,
 // each once, in no particular order.
