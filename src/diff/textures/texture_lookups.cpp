@@ -6,6 +6,7 @@
 
 #include "raster/texture_level.h"
 #include "rules/textures/directed.h"
+#include "rules/values/permitted_place.h"
 
 namespace edgecase {
 namespace {
@@ -149,14 +150,13 @@ TextureLookups::Gradients TextureLookups::permitted_gradients(const Fragment& fr
   if (reach == Reach::near && !context_.values_of(fragment).differ)
     return gradients_of(fragment, lawful.derivatives);
   auto& permitted = primitives_[static_cast<std::size_t>(fragment.primitive)].permitted;
-  if (permitted.empty()) {
+  if (!permitted) {
     const PrimitiveValues& values = context_.values_of(fragment);
-    for (const std::size_t c : {0u, 1u})
-      permitted.emplace_back(values.lawful.color[c], values.reach);
+    permitted.emplace(std::span(values.lawful.color).first(2), values.reach);
   }
   const auto along = [&](Derivative derivative) {
-    return IntervalPair{permitted[0].at({fragment.x, fragment.y}, derivative),
-                        permitted[1].at({fragment.x, fragment.y}, derivative)};
+    return IntervalPair{permitted->at({fragment.x, fragment.y}, derivative, 0),
+                        permitted->at({fragment.x, fragment.y}, derivative, 1)};
   };
   return {along(Derivative::x), along(Derivative::y)};
 }
@@ -260,10 +260,9 @@ TexturePoint TextureLookups::point_of(const Fragment& fragment,
   if (detail != nullptr && detail->has_texture_coordinates)
     return {near(detail->texture_coordinates[0], error),
             near(detail->texture_coordinates[1], error)};
-  const double reach = context_.values_of(fragment).reach;
-  const Point sample = pixel_centre(fragment.x, fragment.y);
-  return {interpolate_permitted(attributes.color[0], sample, reach),
-          interpolate_permitted(attributes.color[1], sample, reach)};
+  const MovedVertices vertices(attributes.color[0], context_.values_of(fragment).reach);
+  const PermittedPlace place(vertices, pixel_centre(fragment.x, fragment.y));
+  return {place.value(attributes.color[0]), place.value(attributes.color[1])};
 }
 
 // lambda of the draw's own lookup, clamped.

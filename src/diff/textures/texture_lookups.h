@@ -70,7 +70,7 @@ class TextureLookups {
   // What is worked out once for a primitive.
   struct OfPrimitive {
     std::unique_ptr<TexturedPrimitive> exact;
-    std::vector<PermittedDerivatives> permitted;  // of s and of t
+    std::optional<PermittedDerivatives> permitted;  // of s and of t
   };
   // What is worked out once for a fragment that does not agree exactly.
   struct OfFragment {

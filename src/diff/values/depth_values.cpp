@@ -24,10 +24,9 @@ constexpr const char* kRule = "framebuffer.depth";
 constexpr int kRuling = 18;
 constexpr double kClearDepth = 1;
 
-// The depth before conversion: exact as far as it is known, and all that it may have been.
+// The depth before conversion, exact as far as it is known.
 struct DepthTruth {
   double depth = kClearDepth;
-  Interval permitted = kClearDepth;
   int primitive = -1;
 };
 
@@ -46,15 +45,24 @@ Interval permitted_at(const ValueContext& context, const Fragment& fragment, Poi
   return depth_permitted_at(context.values_of(fragment), place);
 }
 
+// Does the fragment itself say what depth it writes to a sample?
+bool tells_depth(const ValueContext& context, const Fragment& fragment) {
+  return fragment.has_depth &&
+         !is_multisampled(*context.primitive_of(fragment).state, context.scene.target);
+}
+
 DepthTruth truth_of(const ValueContext& context, const Fragment* last, int sample) {
   if (last == nullptr) return {};
-  const bool multisampled =
-      is_multisampled(*context.primitive_of(*last).state, context.scene.target);
-  if (last->has_depth && !multisampled) return {last->depth, last->depth, last->primitive};
+  if (tells_depth(context, *last)) return {last->depth, last->primitive};
   const Point chosen = place_of(context, *last, sample, context.choices.values.locations);
-  const Point lawful = place_of(context, *last, sample, {});
-  return {middle(depth_exact(context.values_of(*last).chosen, chosen)),
-          permitted_at(context, *last, lawful), last->primitive};
+  return {middle(depth_exact(context.values_of(*last).chosen, chosen)), last->primitive};
+}
+
+// All that it may have been.
+Interval permitted_truth(const ValueContext& context, const Fragment* last, int sample) {
+  if (last == nullptr) return kClearDepth;
+  if (tells_depth(context, *last)) return last->depth;
+  return permitted_at(context, *last, place_of(context, *last, sample, {}));
 }
 
 // Does the format have this value?
@@ -113,10 +121,11 @@ class DepthComparison {
     double stored = 0;
   };
 
-  bool is_permitted(const DepthTruth& truth, double stored) const {
+  bool is_permitted(const DepthTruth& truth, const Fragment* writer, int sample,
+                    double stored) const {
     return stored == to_depth(truth.depth, format_) ||
            (is_storable(stored, format_) &&
-            depth_permitted(truth.permitted, format_).contains(stored));
+            depth_permitted(permitted_truth(context_, writer, sample), format_).contains(stored));
   }
 
   void compare(PixelPosition pixel, int sample, std::span<const Fragment> fragments,
@@ -126,7 +135,7 @@ class DepthComparison {
     const auto writers = last_writers(context_, fragments, sample);
     for (const Fragment* writer : writers) {
       const DepthTruth truth = truth_of(context_, writer, sample);
-      if (!is_permitted(truth, stored)) continue;
+      if (!is_permitted(truth, writer, sample, stored)) continue;
       aggregate(pixel, truth, stored);
       return;
     }

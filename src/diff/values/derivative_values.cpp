@@ -62,17 +62,14 @@ class PermittedColors {
   explicit PermittedColors(const ValueContext& context) : context_(context) {}
 
   bool contain(const Told& told) {
-    const auto [at, is_new] = primitives_.try_emplace(told.fragment->primitive);
-    if (is_new) {
-      const PrimitiveValues& values = context_.values_of(*told.fragment);
-      for (const Interpolant& color : values.lawful.color)
-        at->second.emplace_back(color, values.reach);
-    }
+    const PrimitiveValues& values = context_.values_of(*told.fragment);
+    const auto at =
+        primitives_.try_emplace(told.fragment->primitive, values.lawful.color, values.reach).first;
     const PixelPosition pixel{told.fragment->x, told.fragment->y};
     for (std::size_t c = 0; c < 4; ++c) {
       const double rendered = rendered_of(told)[c];
       if (!std::isfinite(rendered)) return false;
-      const Interval range = at->second[c].at(pixel, told.derivative);
+      const Interval range = at->second.at(pixel, told.derivative, c);
       if (!rounded_to_float(range).contains(to_float(rendered))) return false;
     }
     return true;
@@ -80,7 +77,7 @@ class PermittedColors {
 
  private:
   const ValueContext& context_;
-  std::map<int, std::vector<PermittedDerivatives>> primitives_;  // by the primitive's number
+  std::map<int, PermittedDerivatives> primitives_;  // by the primitive's number
 };
 
 // dFdx and dFdy of one form: a policy chooses one method for both.

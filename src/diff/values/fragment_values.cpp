@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <tuple>
+#include <utility>
 
 #include "diff/samples/switched_off.h"
 #include "diff/values/location_causes.h"
@@ -37,15 +39,16 @@ struct Component {
 
 // What is permitted at a sample of a line as wide as `width`, rounded: each fragment of a column
 // may have the value of its own centre or of any other of the column (ruling 13).
-Interval permitted_across(const Interpolant& interpolant, Point sample, int width, double reach) {
-  Interval result = interpolate_permitted(interpolant, sample, reach);
+Interval permitted_across(const Interpolant& interpolant, const MovedVertices& vertices,
+                          const PermittedPlace& place, Point sample, int width) {
+  Interval result = place.value(interpolant);
   if (interpolant.kind != PrimitiveKind::line || width == 1) return result;
   const bool x_major = is_x_major(interpolant);
   const Fixed reach_across = Fixed::from_integer(width - 1);
   for (const Fixed offset : {reach_across, -reach_across}) {
     Point moved = sample;
     (x_major ? moved.y : moved.x) = (x_major ? moved.y : moved.x) + offset;
-    result = hull(result, interpolate_permitted(interpolant, moved, reach));
+    result = hull(result, PermittedPlace(vertices, moved).value(interpolant));
   }
   return result;
 }
@@ -61,8 +64,10 @@ class Judge {
         pixel_{fragment.x, fragment.y},
         depth_is_zero_(fragment_depth_is_zero(primitive_.state->multisampling,
                                               context.choices.values.locations)),
-        corners_(context.permitted_places(fragment)),
-        forgiving_(context.latitude == Latitude::none) {}
+        forgiving_(context.latitude == Latitude::none) {
+    for (const Point corner : context.permitted_places(fragment))
+      corners_.emplace_back(values_.moved(), corner);
+  }
 
   // `exact`: what `chosen` yields.
   Component component(Interval exact, const Interpolant& chosen, const Interpolant& lawful,
@@ -109,10 +114,16 @@ class Judge {
 
   // Of what has a value for the whole pixel or column, of all places where that may be taken.
   Interval permitted(const Interpolant& lawful, Point place) const {
-    if (!corners_.empty())
-      return permitted_within(lawful, values_.lawful.inverse_w, corners_, values_.reach);
-    return permitted_across(lawful, place, rounded_width(primitive_.state->line_width),
-                            values_.reach);
+    if (!corners_.empty()) return permitted_within(lawful, values_.lawful.inverse_w, corners_);
+    return permitted_across(lawful, values_.moved(), permitted_at(place), place,
+                            rounded_width(primitive_.state->line_width));
+  }
+
+  // What the components of a colour share is worked out once.
+  const PermittedPlace& permitted_at(Point place) const {
+    if (!known_ || known_->first != place)
+      known_.emplace(place, PermittedPlace(values_.moved(), place));
+    return known_->second;
   }
 
   const ScenePrimitive& primitive_;
@@ -121,7 +132,8 @@ class Judge {
   Point depth_place_;  // of gl_FragCoord.z and gl_FragCoord.w
   PixelPosition pixel_;
   bool depth_is_zero_;
-  std::vector<Point> corners_;
+  std::vector<PermittedPlace> corners_;  // of the region where the value may be taken
+  mutable std::optional<std::pair<Point, PermittedPlace>> known_;
   bool forgiving_;
 };
 

@@ -30,12 +30,15 @@ PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragme
   }
   const PrimitiveValues& values = context.values_of(fragment);
   const Point place = context.place_of(fragment, context.choices.values.locations);
-  const std::vector<Point> places = context.permitted_places(fragment);
+  std::vector<PermittedPlace> corners;
+  for (const Point corner : context.permitted_places(fragment))
+    corners.emplace_back(values.moved(), corner);
+  const PermittedPlace anywhere(values.moved(), place);
   for (std::size_t c = 0; c < 4; ++c) {
     const Interpolant& lawful = values.lawful.color[c];
-    const Interval permitted =
-        places.empty() ? interpolate_permitted(lawful, place, values.reach)
-                       : permitted_within(lawful, values.lawful.inverse_w, places, values.reach);
+    const Interval permitted = corners.empty()
+                                   ? anywhere.value(lawful)
+                                   : permitted_within(lawful, values.lawful.inverse_w, corners);
     truth.exact[c] = middle(interpolate_exact(values.chosen.color[c], place));
     truth.permitted[c] = hull(permitted, truth.exact[c]);
   }

@@ -95,14 +95,21 @@ const PrimitiveValues& ValueContext::values_of(const Fragment& fragment) const {
     values = {attributes_of(primitive, choices, scene.target),
               attributes_of(primitive, lawful, scene.target),
               depth_with_permitted_offset(primitive, lawful, scene.target, reach),
-              !interpolates_lawfully(choices.values), reach};
+              !interpolates_lawfully(choices.values),
+              reach,
+              std::nullopt};
   }
   return *values;
 }
 
+const MovedVertices& PrimitiveValues::moved() const {
+  if (!known_moved) known_moved.emplace(lawful.depth, reach);
+  return *known_moved;
+}
+
 Interval depth_permitted_at(const PrimitiveValues& values, Point place) {
   return clamped_depth(values.lawful,
-                       interpolate_permitted(values.permitted_depth, place, values.reach));
+                       PermittedPlace(values.moved(), place).value(values.permitted_depth));
 }
 
 bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample) {
@@ -128,14 +135,14 @@ std::vector<const Fragment*> last_writers(const ValueContext& context,
 }
 
 Interval permitted_within(const Interpolant& interpolant, const Interpolant& inverse_w,
-                          std::span<const Point> corners, double reach) {
-  Interval result = interpolate_permitted(interpolant, corners.front(), reach);
-  Interval below = interpolate_permitted(inverse_w, corners.front(), reach);
-  for (const Point corner : corners.subspan(1)) {
-    result = hull(result, interpolate_permitted(interpolant, corner, reach));
-    below = hull(below, interpolate_permitted(inverse_w, corner, reach));
-  }
-  return interpolant.perspective && below.low <= 0 ? Interval::everything() : result;
+                          std::span<const PermittedPlace> corners) {
+  Interval result = corners.front().value(interpolant);
+  for (const PermittedPlace& corner : corners.subspan(1))
+    result = hull(result, corner.value(interpolant));
+  if (!interpolant.perspective) return result;
+  for (const PermittedPlace& corner : corners)
+    if (corner.value(inverse_w).low <= 0) return Interval::everything();
+  return result;
 }
 
 Disagreement value_disagreement(PixelPosition pixel, int primitive, std::string rule, int ruling) {

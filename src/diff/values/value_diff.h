@@ -19,6 +19,7 @@
 #include "model/scene.h"
 #include "raster/attributes.h"
 #include "rules/choices.h"
+#include "rules/values/permitted_place.h"
 
 namespace edgecase {
 
@@ -30,6 +31,10 @@ struct PrimitiveValues {
   Interpolant permitted_depth;
   bool differ = false;  // the policy interpolates otherwise than OpenGL does
   double reach = 0;     // pixels that a vertex may have moved: rulings 4 and 15
+
+  // Of the lawful attributes; worked out when they are first asked for.
+  const MovedVertices& moved() const;
+  mutable std::optional<MovedVertices> known_moved;
 };
 
 // What the comparison of values needs of a case.
@@ -117,10 +122,10 @@ std::vector<const Fragment*> last_writers(const ValueContext& context,
                                           std::span<const Fragment> at_pixel, int sample);
 
 // What is permitted wherever in a pixel of a multisampled target the attribute is evaluated:
-// `corners` of a convex region. A quotient of linear functions has its extremes at corners, unless
-// its denominator passes through 0 between them.
+// corners of a convex region, at least one. A quotient of linear functions has its extremes at
+// corners, unless its denominator passes through 0 between them.
 Interval permitted_within(const Interpolant& interpolant, const Interpolant& inverse_w,
-                          std::span<const Point> corners, double reach);
+                          std::span<const PermittedPlace> corners);
 
 // A value disagreement at a pixel, not legal, with the pixel's centre marked; of no sample until
 // one is named. primitive -1: the pixel.

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "rules/values/permitted_place.h"
+
 namespace edgecase {
 namespace {
 
@@ -163,32 +165,35 @@ Interval derivative_inexact(const Interpolant& f, const QuadPixel& at, Axis axis
                             interpolate_inexact(f, centre_of(of.first)));
 }
 
-Interval PermittedDerivatives::value_at(PixelPosition pixel) {
-  const auto [at, is_new] = values_.try_emplace(pixel);
-  if (is_new) at->second = interpolate_permitted(interpolant_, centre_of(pixel), reach_);
-  return at->second;
-}
+PermittedDerivatives::PermittedDerivatives(std::span<const Interpolant> components, double reach)
+    : components_(components.begin(), components.end()), vertices_(components_.front(), reach) {}
 
-Interval PermittedDerivatives::slope_at(PixelPosition pixel, Axis axis) {
-  const auto [at, is_new] = slopes_.try_emplace({pixel, axis});
-  if (is_new) at->second = differentiate_permitted(interpolant_, centre_of(pixel), axis, reach_);
-  return at->second;
+const PermittedDerivatives::AtPixel& PermittedDerivatives::at_pixel(PixelPosition pixel,
+                                                                    std::size_t component) {
+  std::vector<AtPixel>& known = pixels_[pixel];
+  if (known.empty()) {
+    const PermittedPlace place(vertices_, centre_of(pixel));
+    for (const Interpolant& f : components_)
+      known.push_back({place.value(f), {place.slope(f, Axis::x), place.slope(f, Axis::y)}});
+  }
+  return known[component];
 }
 
 // The derivative itself, and the fine form: the pixel and its neighbour on either side. The others:
 // any two neighbours along the axis of the nine pixels around it. The derivative lies between the
 // differences on either side unless 1/w changes its sign between the three pixels.
-Interval PermittedDerivatives::at(PixelPosition pixel, Derivative derivative) {
+Interval PermittedDerivatives::at(PixelPosition pixel, Derivative derivative,
+                                  std::size_t component) {
   const Axis axis = axis_of(derivative);
   const bool fine = derivative == Derivative::x_fine || derivative == Derivative::y_fine;
   const int spread = fine ? 0 : 1;
-  Interval result = slope_at(pixel, axis);
+  Interval result = at_pixel(pixel, component).slopes[axis == Axis::x ? 0 : 1];
   for (int across = -spread; across <= spread; ++across) {
     std::array<Interval, 3> values;
     for (int along = -1; along <= 1; ++along) {
       const PixelPosition at = axis == Axis::x ? PixelPosition{pixel.x + along, pixel.y + across}
                                                : PixelPosition{pixel.x + across, pixel.y + along};
-      values[static_cast<std::size_t>(along + 1)] = value_at(at);
+      values[static_cast<std::size_t>(along + 1)] = at_pixel(at, component).value;
     }
     result = hull(result, inexact_difference(values[1], values[0]));
     result = hull(result, inexact_difference(values[2], values[1]));

@@ -16,16 +16,19 @@
 // plane that its vertices span: a quad's other pixels need not be covered.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <map>
 #include <span>
 #include <string_view>
-#include <utility>
+#include <vector>
 
 #include "exact/pixel.h"
 #include "model/rendering.h"
 #include "rules/coverage/row_order.h"
 #include "rules/rule.h"
 #include "rules/values/interpolation.h"
+#include "rules/values/moved_vertices.h"
 
 namespace edgecase {
 
@@ -94,19 +97,23 @@ Interval derivative_inexact(const Interpolant& interpolant, const QuadPixel& at,
 // its neighbours and of the other forms, so what was needed once is kept.
 class PermittedDerivatives {
  public:
-  PermittedDerivatives(const Interpolant& interpolant, double reach)
-      : interpolant_(interpolant), reach_(reach) {}
+  // Components of one primitive's attributes, at least one; with perspective all have the same w.
+  PermittedDerivatives(std::span<const Interpolant> components, double reach);
+  PermittedDerivatives(const Interpolant& component, double reach)
+      : PermittedDerivatives(std::span(&component, 1), reach) {}
 
-  Interval at(PixelPosition pixel, Derivative derivative);
+  Interval at(PixelPosition pixel, Derivative derivative, std::size_t component = 0);
 
  private:
-  Interval value_at(PixelPosition pixel);
-  Interval slope_at(PixelPosition pixel, Axis axis);
+  struct AtPixel {
+    Interval value;
+    std::array<Interval, 2> slopes;  // by axis
+  };
+  const AtPixel& at_pixel(PixelPosition pixel, std::size_t component);
 
-  Interpolant interpolant_;
-  double reach_;
-  std::map<PixelPosition, Interval> values_;
-  std::map<std::pair<PixelPosition, Axis>, Interval> slopes_;
+  std::vector<Interpolant> components_;
+  MovedVertices vertices_;
+  std::map<PixelPosition, std::vector<AtPixel>> pixels_;  // by component
 };
 
 }  // namespace edgecase

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "rules/values/inexact_shares.h"
+
+#include <cstddef>
+
+namespace edgecase {
+namespace {
+
+WindowPlace place_of(const HomogeneousPoint& p) {
+  const auto w = static_cast<double>(p.w);
+  return {Interval(static_cast<double>(p.x)) / w, Interval(static_cast<double>(p.y)) / w};
+}
+
+std::size_t count_of(const Interpolant& f) {
+  return static_cast<std::size_t>(vertices_of(f.kind));
+}
+
+}  // namespace
+
+WindowPlace place_of(Point point) {
+  return {point.x.to_double(), point.y.to_double()};
+}
+
+WindowPlaces places_of(const Interpolant& f) {
+  return {place_of(f.positions[0]), place_of(f.positions[1]), place_of(f.positions[2])};
+}
+
+Interval area_of(const Inexact& op, const WindowPlace& a, const WindowPlace& b,
+                 const WindowPlace& p) {
+  const Interval ax = op.subtract(a[0], p[0]);
+  const Interval ay = op.subtract(a[1], p[1]);
+  const Interval bx = op.subtract(b[0], p[0]);
+  const Interval by = op.subtract(b[1], p[1]);
+  return op.subtract(op.multiply(ax, by), op.multiply(ay, bx));
+}
+
+Shares triangle_shares(const WindowPlaces& v, const WindowPlace& p) {
+  const Inexact& op = kInexact;
+  const Interval area = area_of(op, v[1], v[2], v[0]);
+  return {op.divide(area_of(op, v[1], v[2], p), area), op.divide(area_of(op, v[2], v[0], p), area),
+          op.divide(area_of(op, v[0], v[1], p), area)};
+}
+
+Interval inexact_total(const Interpolant& f, const Shares& shares) {
+  Interval total = 0;
+  for (std::size_t i = 0; i < count_of(f); ++i)
+    total = kInexact.add(total, kInexact.divide(shares[i], f.w[i]));
+  return total;
+}
+
+Interval inexact_mean(const Interpolant& f, const Shares& shares) {
+  const Inexact& op = kInexact;
+  const bool perspective = has_perspective(f);
+  if (!perspective && f.kind == PrimitiveKind::line)
+    return op.add(f.values[0], op.multiply(shares[1], op.subtract(f.values[1], f.values[0])));
+  Interval sum = 0;
+  for (std::size_t i = 0; i < count_of(f); ++i) {
+    const Interval share = perspective ? op.divide(shares[i], f.w[i]) : shares[i];
+    sum = op.add(sum, op.multiply(share, f.values[i]));
+  }
+  return perspective ? op.divide(sum, inexact_total(f, shares)) : sum;
+}
+
+}  // namespace edgecase
