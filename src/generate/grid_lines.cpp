@@ -17,6 +17,16 @@ std::uint64_t stride_of(std::uint64_t count) {
   return stride;
 }
 
+// `count` lines from the `first` one on.
+Scene scene_of_lines(std::uint64_t seed, Surface surface, std::uint64_t first,
+                     std::uint64_t count) {
+  std::vector<Point> ends;
+  for (std::uint64_t i = 0; i < count; ++i)
+    for (const Point end : kReadableLines.line(kReadableLines.strewn(seed, first + i)))
+      ends.push_back(end);
+  return scene_of(surface, 16, Primitive::lines, ends);
+}
+
 }  // namespace
 
 // All pairs of places, without those of which neither lies in the first pixel.
@@ -50,22 +60,27 @@ std::uint64_t GridLines::strewn(std::uint64_t seed, std::uint64_t index) const {
 }
 
 Scene grid_line_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
-  std::vector<Point> ends;
-  for (std::uint64_t i = 0; i < kGridLinesOfScene; ++i)
-    for (const Point end :
-         kReadableLines.line(kReadableLines.strewn(seed, index * kGridLinesOfScene + i)))
-      ends.push_back(end);
-  return scene_of(surface, 16, Primitive::lines, ends);
+  return scene_of_lines(seed, surface, index * kGridLinesOfScene, kGridLinesOfScene);
 }
 
-Scene multisampled_grid_line_scene(std::uint64_t seed, Surface, std::uint64_t index) {
-  Scene scene = grid_line_scene(seed, Surface::fbo, index);
-  scene.target.samples = 4;
+Scene wide_grid_line_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
+  Scene scene = grid_line_scene(seed, surface, index);
+  for (Draw& draw : scene.draws) draw.line_width = Fixed::from_integer(2);
   return scene;
 }
 
 std::uint64_t grid_line_scenes() {
   return (kReadableLines.count() + kGridLinesOfScene - 1) / kGridLinesOfScene;
+}
+
+Scene multisampled_grid_line_scene(std::uint64_t seed, Surface, std::uint64_t index) {
+  Scene scene = scene_of_lines(seed, Surface::fbo, index, 1);
+  scene.target.samples = 4;
+  return scene;
+}
+
+std::uint64_t multisampled_grid_line_scenes() {
+  return kReadableLines.count();
 }
 
 }  // namespace edgecase

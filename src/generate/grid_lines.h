@@ -42,9 +42,14 @@ inline constexpr GridLines kReadableLines{16, 16};
 inline constexpr std::uint64_t kGridLinesOfScene = 32;
 
 // Lines of kReadableLines, as many in each scene. Scenes 0 to grid_line_scenes() - 1 of one seed
-// hold every line once. The second draws them with 4 samples a pixel, on framebuffer objects.
+// hold every line once. The second draws them 2 pixels wide.
 Scene grid_line_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
-Scene multisampled_grid_line_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
+Scene wide_grid_line_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
 std::uint64_t grid_line_scenes();
+
+// The same with 4 samples a pixel, on framebuffer objects, one line in each scene: renderers answer
+// sample by sample, and take as long for it as for a scene of 32 lines without.
+Scene multisampled_grid_line_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
+std::uint64_t multisampled_grid_line_scenes();
 
 }  // namespace edgecase

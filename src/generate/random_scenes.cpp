@@ -51,7 +51,7 @@ CoverageChoice all_boundaries(const char* name) {
 
 }  // namespace
 
-Scene random_scene(const RandomScenes& of, std::uint64_t index) {
+Scene random_scene(const PrimitiveScenes& of, std::uint64_t index) {
   switch (of.kind) {
     case PrimitiveKind::point: {
       RandomSource random(of.seed, kPoints, index);

@@ -24,7 +24,7 @@ constexpr int kMostRandomExtent = 256;  // pixels, of the rectangle that holds a
 // Of multisampled targets, whose answers tell every sample.
 constexpr int kMostMultisampledTarget = 64;  // pixels
 
-struct RandomScenes {
+struct PrimitiveScenes {
   std::uint64_t seed = 1;
   PrimitiveKind kind = PrimitiveKind::triangle;
   Surface surface = Surface::fbo;
@@ -39,7 +39,7 @@ struct RandomScenes {
 // owned: none and any truncation to 2^-5 or finer; rounding half up and half even to 2^-6 or finer.
 // With left and bottom sides owned: rounding half up to 2^-b and truncation to 2^-(b+1), b at
 // least 5.
-Scene random_scene(const RandomScenes& of, std::uint64_t index);
+Scene random_scene(const PrimitiveScenes& of, std::uint64_t index);
 
 // One line, 1.25 to 16 pixels wide, a multiple of 1/4.
 Scene random_wide_line(std::uint64_t seed, Surface surface, std::uint64_t index);

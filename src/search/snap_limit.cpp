@@ -25,17 +25,15 @@ const Snap* named_in(std::string_view cause, std::string_view rule) {
   return nullptr;
 }
 
-// Are vertices all that is snapped, and where the scene has them?
-bool snaps_vertices_only(const Scene& scene) {
-  const auto is_thin = [](const Draw& draw) { return draw.line_width == Fixed::from_integer(1); };
-  return scene.target.samples == 1 && scene.supersampling.empty() &&
-         !has_clip_vertices(scene.draws) && std::ranges::all_of(scene.draws, is_thin);
+// Are vertices snapped where the scene has them?
+bool snaps_given_vertices(const Scene& scene) {
+  return scene.supersampling.empty() && !has_clip_vertices(scene.draws);
 }
 
 }  // namespace
 
 int least_fraction_bits(const Signature& signature, const Policy& policy, const Scene& scene) {
-  if (!snaps_vertices_only(scene)) return 0;
+  if (!snaps_given_vertices(scene)) return 0;
   const RuleChoices choices = resolve(policy, scene.target.surface);
   int least = 0;
   for (const PrimitiveKind kind :

@@ -5,8 +5,8 @@
 // A grid of b bits leaves a coordinate of at most b fraction bits where it is. So where the cause
 // of a find is another snapping than the policy's, the two treat coarser scenes alike: nothing is
 // explained there by that cause, and no such scene can show the find. No search is needed to know.
-// Of primitives that get corners of their own, wide lines and all on multisampled targets, the
-// corners are snapped as well, wherever the vertices lie: of them nothing is said.
+// Vertices are all that snap rules snap: the corners of wide lines, of points and of multisampled
+// lines are made of snapped vertices, and those that implementations round have rules of their own.
 #pragma once
 
 #include "model/policy.h"
@@ -16,8 +16,8 @@
 namespace edgecase {
 
 // Fraction bits, 0 to 16; 0 where nothing is known: the cause does not speak of snapping, or what
-// is snapped is more than the vertices (see above), or other than they are given: clip coordinates,
-// and passes that are shifted.
+// is snapped is other than the vertices that are given: clip coordinates, and passes that are
+// shifted.
 int least_fraction_bits(const Signature& signature, const Policy& policy, const Scene& scene);
 
 }  // namespace edgecase

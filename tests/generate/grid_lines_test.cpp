@@ -78,8 +78,23 @@ TEST(GridLines, ScenesHoldThemOneAfterAnother) {
       EXPECT_EQ(vertices[2 * i].position, line[0]);
       EXPECT_EQ(vertices[2 * i + 1].position, line[1]);
     }
-    EXPECT_EQ(multisampled_grid_line_scene(5, Surface::fbo, index).target.samples, 4);
+    const Scene wide = wide_grid_line_scene(5, Surface::window, index);
+    EXPECT_EQ(wide.target.surface, Surface::window);
+    for (const Draw& draw : wide.draws) EXPECT_EQ(draw.line_width, Fixed::from_integer(2));
   }
+}
+
+TEST(GridLines, OfFourSamplesAreOneInAScene) {
+  EXPECT_EQ(multisampled_grid_line_scenes(), kReadableLines.count());
+  const std::uint64_t index = 4711;
+  const Scene scene = multisampled_grid_line_scene(5, Surface::window, index);
+  EXPECT_EQ(fault_of(scene), "");
+  EXPECT_EQ(scene.target.samples, 4);
+  EXPECT_EQ(scene.target.surface, Surface::fbo);
+  const auto line = kReadableLines.line(kReadableLines.strewn(5, index));
+  ASSERT_EQ(scene.draws.at(0).vertices.size(), 2u);
+  EXPECT_EQ(scene.draws[0].vertices[0].position, line[0]);
+  EXPECT_EQ(scene.draws[0].vertices[1].position, line[1]);
 }
 
 }  // namespace

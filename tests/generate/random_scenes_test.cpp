@@ -58,11 +58,11 @@ class Octaves {
   std::array<int, 9> counts_{};
 };
 
-TEST(RandomScenes, AreAFunctionOfSeedKindAndIndex) {
+TEST(PrimitiveScenes, AreAFunctionOfSeedKindAndIndex) {
   std::set<std::uint64_t> seen;
   for (PrimitiveKind kind : kKinds)
     for (std::uint64_t index = 0; index < 500; ++index) {
-      const RandomScenes of{kSeed, kind, Surface::fbo};
+      const PrimitiveScenes of{kSeed, kind, Surface::fbo};
       const std::uint64_t print = fingerprint_of(random_scene(of, index));
       ASSERT_EQ(print, fingerprint_of(random_scene(of, index)));
       ASSERT_NE(print, fingerprint_of(random_scene({kSeed + 1, kind, Surface::fbo}, index)));
@@ -90,11 +90,11 @@ std::uint64_t fingerprint_of_all() {
 
 // Counter-examples are named by seed and index: these scenes change on purpose or not at all, and
 // compilers agree on them.
-TEST(RandomScenes, AreTheSameOnEveryMachine) {
+TEST(PrimitiveScenes, AreTheSameOnEveryMachine) {
   EXPECT_EQ(fingerprint_of_all(), 15701094226826227543u);
 }
 
-TEST(RandomScenes, HoldOnePrimitiveThatReachesOpenGlExactly) {
+TEST(PrimitiveScenes, HoldOnePrimitiveThatReachesOpenGlExactly) {
   for (PrimitiveKind kind : kKinds)
     for (std::uint64_t index = 0; index < kScenes; ++index) {
       const Scene scene = random_scene({kSeed, kind, Surface::fbo}, index);
@@ -110,7 +110,7 @@ TEST(RandomScenes, HoldOnePrimitiveThatReachesOpenGlExactly) {
     }
 }
 
-TEST(RandomScenes, AThirdOfThemHoldsATie) {
+TEST(PrimitiveScenes, AThirdOfThemHoldsATie) {
   for (PrimitiveKind kind : kKinds) {
     std::uint64_t ties = 0;
     for (std::uint64_t index = 0; index < kScenes; ++index)
@@ -121,7 +121,7 @@ TEST(RandomScenes, AThirdOfThemHoldsATie) {
   }
 }
 
-TEST(RandomScenes, AreOfEverySizeFrom1To256) {
+TEST(PrimitiveScenes, AreOfEverySizeFrom1To256) {
   for (PrimitiveKind kind : kKinds) {
     Octaves targets;
     Octaves extents;
@@ -151,7 +151,7 @@ TEST(RandomScenes, AreOfEverySizeFrom1To256) {
   }
 }
 
-TEST(RandomScenes, FewHaveNoLengthOrArea) {
+TEST(PrimitiveScenes, FewHaveNoLengthOrArea) {
   int points = 0;
   int flat = 0;
   for (std::uint64_t index = 0; index < kScenes; ++index) {

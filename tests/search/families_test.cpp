@@ -113,8 +113,9 @@ TEST(Families, AreSelectedByNameRuleAndGlob) {
   EXPECT_EQ(selected({}).size(), all_families().size());
   EXPECT_THAT(selected({"shared-edges", "lines"}), ElementsAre("lines", "shared-edges"));
   EXPECT_THAT(selected({"line.joint"}), ElementsAre("joints"));
-  EXPECT_THAT(selected({"line.*"}), ElementsAre("lines", "grid-lines", "joints", "snapping",
-                                                "samples", "grid-lines-of-4-samples"));
+  EXPECT_THAT(selected({"line.*"}),
+              ElementsAre("lines", "grid-lines", "grid-lines-2-wide", "joints", "snapping",
+                          "samples", "grid-lines-of-4-samples"));
   EXPECT_THAT(selected({"texture.*", "clip*"}), ElementsAre("lod", "clipping"));
 }
 

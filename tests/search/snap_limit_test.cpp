@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 
 #include "generate/random_compounds.h"
+#include "generate/random_scenes.h"
 #include "rules/coverage/snap.h"
+#include "rules/samples/sample_placement.h"
 #include "search/scene_size.h"
 #include "tests/search/faulty_renderer.h"
 
@@ -35,9 +37,9 @@ TEST(SnapLimit, AGridLeavesWhatIsAsCoarseAsItself) {
     const std::int64_t step = Fixed::kOne >> snap.bits;
     for (std::int64_t raw = -Fixed::kOne; raw <= Fixed::kOne; raw += step)
       ASSERT_EQ(snap(Fixed::from_raw(raw)).raw(), raw) << name_of(snap);
+    if (snap.is_none()) continue;
     // And moves something of one bit more.
-    if (!snap.is_none())
-      EXPECT_NE(snap(Fixed::from_raw(3 * step / 2)).raw(), 3 * step / 2) << name_of(snap);
+    EXPECT_NE(snap(Fixed::from_raw(3 * step / 2)).raw(), 3 * step / 2) << name_of(snap);
   }
 }
 
@@ -59,17 +61,20 @@ TEST(SnapLimit, IsABitMoreThanTheCoarserGridHas) {
   EXPECT_EQ(least_fraction_bits(caused_by("line.snap=8-truncate"), all, scene), 7);
 }
 
+TEST(SnapLimit, IsTheSameOfWideAndOfMultisampledLines) {
+  const Signature snapped = caused_by("line.snap=8-truncate");
+  Scene wide = thin_line();
+  wide.draws[0].line_width = Fixed::from_integer(3);
+  EXPECT_EQ(least_fraction_bits(snapped, snapping_lines("none"), wide), 9);
+  wide.target.samples = 4;
+  EXPECT_EQ(least_fraction_bits(snapped, snapping_lines("none"), wide), 9);
+}
+
 TEST(SnapLimit, IsNotKnownOfOtherCausesAndOtherScenes) {
   const Policy policy = snapping_lines("none");
   const Signature snapped = caused_by("line.snap=8-truncate");
   EXPECT_EQ(least_fraction_bits(caused_by(""), policy, thin_line()), 0);
   EXPECT_EQ(least_fraction_bits(caused_by("line.algorithm=bresenham"), policy, thin_line()), 0);
-  Scene wide = thin_line();
-  wide.draws[0].line_width = Fixed::from_integer(3);
-  EXPECT_EQ(least_fraction_bits(snapped, policy, wide), 0);
-  Scene sampled = thin_line();
-  sampled.target.samples = 4;
-  EXPECT_EQ(least_fraction_bits(snapped, policy, sampled), 0);
   Scene shifted = thin_line();
   shifted.supersampling.resize(1);
   EXPECT_EQ(least_fraction_bits(snapped, policy, shifted), 0);
@@ -78,9 +83,25 @@ TEST(SnapLimit, IsNotKnownOfOtherCausesAndOtherScenes) {
   EXPECT_EQ(least_fraction_bits(snapped, policy, clipped), 0);
 }
 
+// A thin line or triangle, a wide line, or a line of 4 samples a pixel, thin or wide, its vertices
+// on a grid of 2 to 13 bits.
+Scene scene_on_a_grid(std::uint64_t index) {
+  const std::uint64_t round = index / 4;
+  if (index % 4 == 0) return random_snap_scene(3, Surface::fbo, round);
+  Scene scene = index % 4 == 1
+                    ? random_wide_line(3, Surface::fbo, round)
+                    : random_multisampled_scene(
+                          3, index % 4 == 2 ? MultisampledKind::line : MultisampledKind::wide_line,
+                          standard_pattern(4), round);
+  const Snap grid{static_cast<int>(2 + round % 12), Snap::Rounding::truncate};
+  for (Draw& draw : scene.draws)
+    for (Vertex& vertex : draw.vertices) vertex.position = grid(vertex.position);
+  return scene;
+}
+
 // Random scenes at and beside the steps of grids, drawn as each snap has them.
 TEST(SnapLimit, NoCoarserSceneShowsASnap) {
-  int shown = 0, at_the_limit = 0;
+  int shown = 0, at_the_limit = 0, wide_or_multisampled = 0;
   for (const char* snap :
        {"4-half-even", "6-truncate", "8-half-up", "8-truncate", "11-half-even"}) {
     Policy other;
@@ -90,12 +111,12 @@ TEST(SnapLimit, NoCoarserSceneShowsASnap) {
       TrialOptions options;
       options.policy.rules["subpixel.snap"] = ours;
       Trial trial(snapping, options);
-      for (std::uint64_t index = 0; index < 400; ++index) {
-        const Scene scene = random_snap_scene(3, Surface::fbo, index);
+      for (std::uint64_t index = 0; index < 1600; ++index) {
+        const Scene scene = scene_on_a_grid(index);
         for (const Signature& signature : trial.ask(scene).signatures) {
           const int least = least_fraction_bits(signature, options.policy, scene);
           if (least == 0) continue;
-          ++shown;
+          ++(index % 4 == 0 ? shown : wide_or_multisampled);
           at_the_limit += fraction_bits_of(scene) == least;
           EXPECT_GE(fraction_bits_of(scene), least) << signature.cause << " " << index;
         }
@@ -104,6 +125,7 @@ TEST(SnapLimit, NoCoarserSceneShowsASnap) {
   }
   EXPECT_GT(shown, 300);
   EXPECT_GT(at_the_limit, 20);
+  EXPECT_GT(wide_or_multisampled, 300);
 }
 
 // Nothing coarser is asked, and the search is finished at the limit.
