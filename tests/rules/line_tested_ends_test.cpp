@@ -98,19 +98,20 @@ bool literally_covers(const Segment& segment, int width, PixelPosition pixel) {
   if (a.x == b.x && a.y == b.y) return false;
   const bool x_major = std::fabs(a.x - b.x) >= std::fabs(a.y - b.y);
   const Moves moves = x_major ? moves_if_x_major(a, b) : moves_if_y_major(a, b);
-  const float half = static_cast<float>(width) * 0.5F;
+  const long half = 128L * width;
   const auto major = [&](Vector v, Vector by) {
     return x_major ? snapped(v.x + by.x - 0.5F) : snapped(v.y + by.y - 0.5F);
   };
-  const auto minor = [&](Vector v, Vector by, float side) {
-    return x_major ? snapped(v.y + by.y + side - 0.5F) : snapped(v.x + by.x + side - 0.5F);
+  const auto minor = [&](Vector v, Vector by, long side) {
+    return side + (x_major ? snapped(v.y + by.y - 0.5F) : snapped(v.x + by.x - 0.5F));
   };
   long m0 = major(a, moves.start), m1 = major(b, moves.end);
   long low0 = minor(a, moves.start, -half), low1 = minor(b, moves.end, -half);
   long high0 = minor(a, moves.start, half), high1 = minor(b, moves.end, half);
-  if (m0 > m1) std::swap(m0, m1), std::swap(low0, low1), std::swap(high0, high1);
+  const bool runs_up = x_major ? a.x < b.x : a.y < b.y;
+  if (!runs_up) std::swap(m0, m1), std::swap(low0, low1), std::swap(high0, high1);
   const long m = 256L * (x_major ? pixel.x : pixel.y), n = 256L * (x_major ? pixel.y : pixel.x);
-  if (m0 == m1 || m < m0 || m >= m1) return false;
+  if (m0 >= m1 || m < m0 || m >= m1) return false;
   // Of the row (column) through the centre: below it low0 + (low1 - low0) t, t = (m - m0) / (m1 -
   // m0).
   const long run = m1 - m0;
@@ -191,6 +192,19 @@ TEST(LineTestedEnds, DrawnExamples) {
   // As wide as three: a column of three pixels for each.
   EXPECT_EQ(drawn({at(2.5, 4.5), at(4.5, 4.5)}, 3),
             (Pixels{{2, 3}, {2, 4}, {2, 5}, {3, 3}, {3, 4}, {3, 5}}));
+}
+
+// The end is moved to the right border of its pixel, to 1, past the start.
+TEST(LineTestedEnds, NothingIsDrawnWhereAnEndPassesTheOther) {
+  EXPECT_EQ(drawn({at(1025 / 2048., 0.5), at(1 / 2048., 0.5)}), Pixels());
+  EXPECT_EQ(drawn({at(0.75, 0.5), at(-1 / 2048., 0.5)}), (Pixels{{0, 0}}));
+}
+
+// The start lies 64 1/2 steps to the right of a centre, and is rounded to 65. Its left side, 128
+// steps before it, would be rounded to -64 by itself, and the side meet the centre of (1, 2).
+TEST(LineTestedEnds, AnEndIsRoundedOnceForBothSides) {
+  EXPECT_EQ(drawn({at(385 / 512., 3.75), at(2 + 65 / 256., 2 + 63 / 256.)}),
+            (Pixels{{1, 3}, {2, 2}}));
 }
 
 }  // namespace

@@ -68,6 +68,10 @@ class Search {
     return preferred(std::move(found));
   }
 
+  Changes of_profile() const {
+    return !profile_.empty() && reproduces(profile_) ? needed(profile_) : Changes();
+  }
+
  private:
   bool reproduces(const Changes& changes) const {
     return covered_samples(question_.primitive, question_.target,
@@ -245,6 +249,10 @@ std::vector<std::string> find_causes(const CauseQuestion& question,
       is_interior_gap(question.primitive, coverage))
     causes.push_back(kInteriorGap);
   return causes;
+}
+
+std::string cause_in_profile(const CauseQuestion& question, const PrimitiveCoverage& coverage) {
+  return text_of(Search(question, coverage).of_profile());
 }
 
 void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,

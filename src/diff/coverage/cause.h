@@ -36,6 +36,10 @@ struct CauseQuestion {
 std::vector<std::string> find_causes(const CauseQuestion& question,
                                      const PrimitiveCoverage& coverage);
 
+// What the profile differs in from the policy, without what can be left out, where that draws the
+// primitive as `coverage.drawn` has it; else nothing.
+std::string cause_in_profile(const CauseQuestion& question, const PrimitiveCoverage& coverage);
+
 // Evidence against alternatives: the renderer draws this primitive as exact does, so what would
 // draw it otherwise is not what the renderer follows. Marks those in `refuted` (see
 // Result::refuted).

@@ -255,15 +255,17 @@ class CoverageComparison {
     result_.disagreements.push_back(std::move(d));
   }
 
-  // Which of the policy's alternatives draw the primitive so.
+  // Which of the policy's alternatives draw the primitive so; where it is drawn otherwise
+  // elsewhere, any that draw it so.
   const std::string& cause_of_excused(const ScenePrimitive& primitive) {
     const auto [place, is_new] = excused_causes_.try_emplace(primitive.index);
-    if (is_new) {
-      const auto causes = find_causes({primitive, target(), standard_.of(primitive.kind),
-                                       &context_.choices.of(primitive.kind), context_.reported},
-                                      coverage_of(primitive));
-      if (!causes.empty()) place->second = causes.front();
-    }
+    if (!is_new) return place->second;
+    const CauseQuestion question{primitive, target(), standard_.of(primitive.kind),
+                                 &context_.choices.of(primitive.kind), context_.reported};
+    place->second = cause_in_profile(question, coverage_of(primitive));
+    if (!place->second.empty()) return place->second;
+    const auto causes = find_causes(question, coverage_of(primitive));
+    if (!causes.empty()) place->second = causes.front();
     return place->second;
   }
 

@@ -63,6 +63,8 @@ class TestedLine {
 
   const Frame& frame() const { return frame_; }
 
+  bool runs_along() const { return back_along_.is_negative(); }
+
   // Start and end, moved where the tests say so.
   std::pair<Pair, Pair> moved_ends() const {
     Pair start = start_, end = end_;
@@ -159,21 +161,18 @@ std::vector<PixelPosition> tested_ends_pixels(const Segment& segment, int width,
   };
   const TestedLine line(pair_of(segment.a), pair_of(segment.b));
   const auto [start, end] = line.moved_ends();
-  const Binary32 half_width = Binary32::from_integer(width) * kHalf;
-  const auto corner = [&](Pair p, Binary32 across) {
-    return line.frame().x_major ? Corner{snapped(p.x - kHalf), snapped(p.y + across - kHalf)}
-                                : Corner{snapped(p.x + across - kHalf), snapped(p.y - kHalf)};
+  // Ends are snapped, not corners: a tie is away from zero on either side of the line.
+  const std::int64_t half_width = width * kGrid / 2;
+  const auto corner = [&](Pair p, std::int64_t across) {
+    const std::int64_t x = snapped(p.x - kHalf), y = snapped(p.y - kHalf);
+    return line.frame().x_major ? Corner{x, y + across} : Corner{x + across, y};
   };
   const std::array<Corner, 4> corners{corner(start, -half_width), corner(end, -half_width),
                                       corner(end, half_width), corner(start, half_width)};
-  // Twice the area, positive where the corners run counter-clockwise.
-  Int128 area = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Corner& a = corners[i];
-    const Corner& b = corners[(i + 1) % 4];
-    area += Int128{a.x} * b.y - Int128{b.x} * a.y;
-  }
-  const Int128 turn = area < 0 ? -1 : 1;
+  // The corners run counter-clockwise where the line runs along. Where ends have moved past each
+  // other they run the other way round, and every side has the inside at its back: nothing is
+  // drawn.
+  const Int128 turn = line.runs_along() ? 1 : -1;
   // Moved ends lie up to a pixel farther off.
   std::vector<PixelPosition> pixels =
       pixels_near_line(segment, Fixed::from_integer(width + 2), bounds);

@@ -7,8 +7,9 @@
 // high as the line is wide, rounded to an integer. Alone it would draw the pixels whose centres the
 // segment passes along its major axis. So each end is asked, in single precision, whether the
 // diamond-exit rule has its pixel drawn and whether the parallelogram has; where the two answers
-// differ, the end is moved along the line to the border of its pixel. Then the corners are snapped to
-// a grid of 1/256 pixel, ties away from zero, and what is inside is decided exactly.
+// differ, the end is moved along the line to the border of its pixel. Then the ends are snapped,
+// from the centre of pixel 0, to a grid of 1/256 pixel, ties away from zero, and what is inside is
+// decided exactly: nothing where the ends have moved past each other.
 //
 // The tests are right but for some ties, for which of the diamond's sides a line crosses, and for
 // wide lines, whose ends are tested where the segment lies and not where its lowest fragments do.
