@@ -153,6 +153,14 @@ Result::ToldFragment to_fragment(const Json& json) {
   return told;
 }
 
+// What the renderer drew: stored, as the difference from exact's picture, or the same as that.
+std::vector<std::uint8_t> to_picture(const Json& json, const CaseResults& exact) {
+  if (json.contains("difference"))
+    return difference_of(to_pixels(json.at("difference"), exact.width, exact.height), exact.pixels);
+  const Json& pixels = json.at("pixels");
+  return pixels == "exact" ? exact.pixels : to_pixels(pixels, exact.width, exact.height);
+}
+
 // Of one side; none where there is no such member.
 std::vector<Result::ToldFragment> to_fragments(const Json& json, const char* member) {
   if (!json.contains(member)) return {};
@@ -195,7 +203,11 @@ KnownResult to_result(const Json& json, const CaseResults& exact) {
         Failure{to_enum(failure.at("kind"), FailureKind::unsupported, FailureKind::unavailable),
                 failure.at("reason")};
   }
-  if (json.contains("pixel_counts")) result.pixel_counts = to_pixel_counts(json.at("pixel_counts"));
+  // Who failed has drawn nothing; of all others a picture must be there, and what is said of it.
+  if (!result.failure) {
+    result.pixel_counts = to_pixel_counts(json.at("pixel_counts"));
+    result.pixels = to_picture(json, exact);
+  }
   result.disagreements = to_list<Disagreement>(unfolded(json.at("disagreements")), to_disagreement);
   result.values = to_list<ValueAggregate>(json.at("values"), to_values);
   result.evidence = to_list<Result::Evidence>(unfolded(json.at("evidence")), to_evidence);
@@ -204,13 +216,6 @@ KnownResult to_result(const Json& json, const CaseResults& exact) {
   result.exact_fragments = to_fragments(json, "exact_fragments");
   result.rendered_fragments = to_fragments(json, "rendered_fragments");
   if (json.contains("ramp")) result.ramp = to_list<Result::LevelPoint>(json.at("ramp"), to_level);
-  if (json.contains("pixels"))
-    result.pixels = json.at("pixels") == "exact"
-                        ? exact.pixels
-                        : to_pixels(json.at("pixels"), exact.width, exact.height);
-  if (json.contains("difference"))
-    result.pixels =
-        difference_of(to_pixels(json.at("difference"), exact.width, exact.height), exact.pixels);
   if (json.contains("exact_pixels"))
     result.exact_pixels = to_pixels(json.at("exact_pixels"), exact.width, exact.height);
   if (json.contains("samples"))

@@ -71,6 +71,8 @@ TEST(BrokenResults, DamageIsNamedWithItsCase) {
       {"\"pixels\":\"000102ff10204080\"", "\"pixels\":\"000102ff1020408x\"", "'x'"},
       {"\"pixels\":\"000102ff10204080\"", "\"pixels\":\"000102ff\"", "pixels"},
       {"\"pixels\":\"09080706050403ff\"", "\"pixels\":\"09080706\"", "pixels"},
+      {"\"pixels\":\"09080706050403ff\"", "\"picture\":\"09080706050403ff\"", "pixels"},
+      {"\"pixel_counts\":{", "\"counts\":{", "pixel_counts"},
       {"\"width\":2", "\"width\":-2", "pixels"},
       {"\"width\":2", "\"width\":\"2\"", "number"},
       {"\"-1074\":1", "\"often\":1", "\"often\""},
