@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
@@ -16,6 +17,7 @@
 
 #include "recording/block.h"
 #include "recording/bytes.h"
+#include "wire/reading.h"
 
 namespace edgecase {
 
@@ -53,7 +55,9 @@ RecordingHead to_head(const json& line) {
   head.renderer.vendor = renderer.at("vendor");
   head.renderer.version = renderer.at("version");
   head.renderer.device = renderer.at("device");
-  head.renderer.subpixel_bits = renderer.at("subpixel_bits");
+  head.renderer.subpixel_bits =
+      wire::read_int(renderer.at("subpixel_bits"), wire::Path({}, "subpixel_bits"),
+                     std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
   head.renderer.traits = renderer.at("traits").get<std::map<std::string, std::string>>();
   return head;
 }
@@ -79,11 +83,15 @@ std::string index_text(std::string_view head, const std::vector<RecordedBlock>& 
 
 // The stretch of a file that an entry of its index describes, beginning at `begin`.
 std::string_view checked(std::string_view bytes, std::size_t begin, const json& entry) {
-  const std::size_t size = entry.at("size");
+  const auto whole = [&](const char* key, std::int64_t high) {
+    return wire::read_integer(entry.at(key), wire::Path({}, key), 0, high);
+  };
+  const auto size =
+      static_cast<std::size_t>(whole("size", std::numeric_limits<std::int64_t>::max()));
   if (begin > bytes.size() || size > bytes.size() - begin)
     throw std::runtime_error("it is cut off");
   const std::string_view stretch = bytes.substr(begin, size);
-  if (checksum(stretch) != entry.at("crc").get<std::uint32_t>())
+  if (checksum(stretch) != whole("crc", std::numeric_limits<std::uint32_t>::max()))
     throw std::runtime_error(
         fmt::format("its bytes {} to {} are not what was written", begin, begin + size));
   return stretch;

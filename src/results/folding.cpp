@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "results/folding.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -9,6 +11,7 @@
 
 #include "results/base64.h"
 #include "results/deflate.h"
+#include "results/whole_number.h"
 
 namespace edgecase {
 namespace {
@@ -17,6 +20,8 @@ using Json = nlohmann::ordered_json;
 using Place = ValueAggregate::Place;
 
 constexpr std::string_view kMark = "zlib:";
+constexpr int kLongestRun = 4096;                           // columns of the largest target
+constexpr std::size_t kMostOfAList = std::size_t{1} << 24;  // places: its pixels
 
 auto in_reading_order(const Place& p) {
   return std::tie(p.y, p.x, p.primitive);
@@ -80,9 +85,13 @@ std::vector<Place> to_places(const nlohmann::json& json) {
   std::vector<Place> places;
   bool has_runs = false;
   for (const nlohmann::json& item : json) {
-    Place place{item.at(0), item.at(1), item.at(2)};
+    Place place{WholeNumber(item.at(0)), WholeNumber(item.at(1)), WholeNumber(item.at(2))};
     has_runs = has_runs || item.size() > 3;
-    const int count = item.size() > 3 ? item.at(3).get<int>() : 1;
+    const int count = item.size() > 3 ? WholeNumber(item.at(3)) : 1;
+    if (count < 1 || count > kLongestRun || place.x > kLongestRun ||
+        places.size() + static_cast<std::size_t>(count) > kMostOfAList)
+      throw std::runtime_error(
+          fmt::format("{} stands for more places than there can be", item.dump()));
     for (int i = 0; i < count; ++i, ++place.x) places.push_back(place);
   }
   if (has_runs)

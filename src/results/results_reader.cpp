@@ -11,6 +11,7 @@
 #include "results/picture_difference.h"
 #include "results/results_json.h"
 #include "results/samples_json.h"
+#include "results/whole_number.h"
 
 namespace edgecase {
 namespace {
@@ -79,10 +80,10 @@ Figure to_figure(const Json& json) {
 
 Disagreement to_disagreement(const Json& json) {
   Disagreement d;
-  d.x = json.at("pixel").at(0);
-  d.y = json.at("pixel").at(1);
-  d.sample = json.at("sample");
-  d.primitive = json.at("primitive");
+  d.x = WholeNumber(json.at("pixel").at(0));
+  d.y = WholeNumber(json.at("pixel").at(1));
+  d.sample = WholeNumber(json.at("sample"));
+  d.primitive = WholeNumber(json.at("primitive"));
   d.kind = to_enum(json.at("kind"), DisagreementKind::missing, DisagreementKind::value);
   d.rule = json.at("rule");
   d.legal = json.at("legal");
@@ -103,7 +104,7 @@ Disagreement to_disagreement(const Json& json) {
 }
 
 ValueAggregate::Place to_place(const Json& json) {
-  return {json.at(0), json.at(1), json.at(2)};
+  return {WholeNumber(json.at(0)), WholeNumber(json.at(1)), WholeNumber(json.at(2))};
 }
 
 ValueAggregate to_values(const Json& json) {
@@ -112,25 +113,25 @@ ValueAggregate to_values(const Json& json) {
   values.rule = json.at("rule");
   values.ruling = json.at("ruling");
   values.cause = json.value("cause", "");
-  values.compared = json.at("compared");
-  values.components = json.at("components");
+  values.compared = WholeNumber(json.at("compared"));
+  values.components = WholeNumber(json.at("components"));
   values.worst = to_place(json.at("worst"));
-  values.worst_component = json.at("worst_component");
+  values.worst_component = WholeNumber(json.at("worst_component"));
   values.worst_exact = to_number(json.at("worst_exact"));
   values.worst_rendered = to_number(json.at("worst_rendered"));
   values.worst_ulp = to_number(json.at("worst_ulp"));
   values.mean_ulp = to_number(json.at("mean_ulp"));
   values.worst_relative = to_number(json.at("worst_relative"));
   for (const auto& [bucket, count] : json.at("ulp_histogram").items())
-    values.ulp_histogram[to_integer(bucket)] = count;
+    values.ulp_histogram[to_integer(bucket)] = WholeNumber(count);
   values.differing = to_places(unfolded(json.at("differing")));
   return values;
 }
 
 Result::Evidence to_evidence(const Json& json) {
   Result::Evidence evidence;
-  evidence.primitive = json.at("primitive");
-  evidence.pass = json.value("pass", -1);
+  evidence.primitive = WholeNumber(json.at("primitive"));
+  if (json.contains("pass")) evidence.pass = WholeNumber(json.at("pass"));
   evidence.causes = json.at("causes").get<std::vector<std::string>>();
   evidence.illegal_line_snaps = json.value("illegal_line_snaps", std::vector<std::string>{});
   evidence.broken_clause = json.value("broken_clause", "");
@@ -140,16 +141,16 @@ Result::Evidence to_evidence(const Json& json) {
 Result::ToldFragment to_fragment(const Json& json) {
   Result::ToldFragment told;
   Fragment& f = told.fragment;
-  f.x = json.at(0);
-  f.y = json.at(1);
-  f.primitive = json.at(2);
-  f.coverage = json.at(3);
+  f.x = WholeNumber(json.at(0));
+  f.y = WholeNumber(json.at(1));
+  f.primitive = WholeNumber(json.at(2));
+  f.coverage = WholeNumber(json.at(3));
   f.has_depth = !json.at(4).is_null();
   f.has_color = !json.at(5).is_null();
   if (f.has_depth) f.depth = to_number(json.at(4));
   for (std::size_t i = 0; f.has_color && i < f.color.size(); ++i)
     f.color[i] = to_number(json.at(5).at(i));
-  if (json.size() > 6) told.pass = json.at(6);
+  if (json.size() > 6) told.pass = WholeNumber(json.at(6));
   return told;
 }
 
@@ -168,17 +169,14 @@ std::vector<Result::ToldFragment> to_fragments(const Json& json, const char* mem
 }
 
 Result::LevelPoint to_level(const Json& json) {
-  return {json.at(0),
-          json.at(1),
-          to_number(json.at(2)),
-          to_number(json.at(3)),
-          to_number(json.at(4)),
-          to_number(json.at(5))};
+  return {WholeNumber(json.at(0)), WholeNumber(json.at(1)), to_number(json.at(2)),
+          to_number(json.at(3)),   to_number(json.at(4)),   to_number(json.at(5))};
 }
 
 PixelCounts to_pixel_counts(const Json& json) {
-  return {json.at("agree"), json.at("convention"), json.at("permitted"), json.at("violation"),
-          json.at("same")};
+  return {WholeNumber(json.at("agree")), WholeNumber(json.at("convention")),
+          WholeNumber(json.at("permitted")), WholeNumber(json.at("violation")),
+          WholeNumber(json.at("same"))};
 }
 
 Judgement to_answer(const Json& json) {
@@ -227,7 +225,8 @@ KnownResult to_result(const Json& json, const CaseResults& exact) {
 }
 
 Viewport to_viewport(const Json& json) {
-  return {json.at(0), json.at(1), json.at(2), json.at(3)};
+  return {WholeNumber(json.at(0)), WholeNumber(json.at(1)), WholeNumber(json.at(2)),
+          WholeNumber(json.at(3))};
 }
 
 CaseResults to_case(const Json& json, const std::vector<RendererInfo>& renderers) {
@@ -242,10 +241,10 @@ CaseResults to_case(const Json& json, const std::vector<RendererInfo>& renderers
   one.file = json.at("file");
   one.file_digest = json.at("file_digest");
   one.surface = json.at("surface");
-  one.width = json.at("width");
-  one.height = json.at("height");
+  one.width = WholeNumber(json.at("width"));
+  one.height = WholeNumber(json.at("height"));
   if (json.contains("viewport")) one.viewport = to_viewport(json.at("viewport"));
-  one.fragments = json.at("fragments");
+  one.fragments = WholeNumber(json.at("fragments"));
   one.pixels = to_pixels(json.at("pixels"), one.width, one.height);
   if (json.contains("samples"))
     one.samples = to_samples(unfolded(json.at("samples")), one.width, one.height);
@@ -262,22 +261,21 @@ RendererInfo to_renderer(const Json& json) {
   info.vendor = json.at("vendor");
   info.version = json.at("version");
   info.device = json.at("device");
-  info.subpixel_bits = json.at("subpixel_bits");
+  info.subpixel_bits = WholeNumber(json.at("subpixel_bits"));
   info.traits = json.at("traits").get<std::map<std::string, std::string>>();
   return info;
 }
 
 ShareOfRun to_shard(const Json& json) {
-  const ShareOfRun shard{json.at("index").get<int>() - 1, json.at("count"), json.at("cases"),
-                         json.at("selection")};
-  if (shard.index < 0 || shard.index >= shard.count)
-    throw std::runtime_error(
-        fmt::format("there is no share {} of {}", shard.index + 1, shard.count));
-  return shard;
+  const int number = WholeNumber(json.at("index"));
+  const int count = WholeNumber(json.at("count"));
+  if (number < 1 || number > count)
+    throw std::runtime_error(fmt::format("there is no share {} of {}", number, count));
+  return {number - 1, count, WholeNumber(json.at("cases")), json.at("selection")};
 }
 
 Diagnostic to_diagnostic(const Json& json) {
-  return {json.at("file"), json.at("line"), json.at("pointer"), json.at("message"),
+  return {json.at("file"), WholeNumber(json.at("line")), json.at("pointer"), json.at("message"),
           json.at("remedy")};
 }
 
@@ -293,7 +291,7 @@ std::variant<Results, std::string> read_results(const std::string& text) {
     results.latitude = to_enum(json.at("latitude"), Latitude::opengl, Latitude::none);
     results.policy_digest = json.at("policy_digest");
     results.interrupted = json.at("interrupted");
-    results.left_out = json.value("left_out", std::size_t{0});
+    if (json.contains("left_out")) results.left_out = WholeNumber(json.at("left_out"));
     results.whole_suite = json.at("whole_suite");
     if (json.contains("shard")) results.shard = to_shard(json.at("shard"));
     results.renderers = to_list<RendererInfo>(json.at("renderers"), to_renderer);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "results/hex.h"
+#include "results/whole_number.h"
 
 namespace edgecase {
 namespace {
@@ -17,8 +18,20 @@ void check_size(const char* what, std::size_t found, std::size_t wanted) {
         fmt::format("\"{}\" of samples has {} items instead of {}", what, found, wanted));
 }
 
+// Of a place within a pixel.
 Fixed to_fixed(const nlohmann::json& json) {
-  return Fixed::from_raw(static_cast<std::int64_t>(json.get<double>() * Fixed::kOne));
+  const double value = json.get<double>();
+  if (!(value >= 0 && value <= 1))
+    throw std::runtime_error(fmt::format("{} is no place within a pixel", json.dump()));
+  return Fixed::from_raw(static_cast<std::int64_t>(value * Fixed::kOne));
+}
+
+// Numbers of samples or of fragments, or masks; none where there is no such member.
+std::vector<std::uint32_t> to_counts(const nlohmann::json& json, const char* member) {
+  std::vector<std::uint32_t> counts;
+  if (!json.contains(member)) return counts;
+  for (const nlohmann::json& item : json.at(member)) counts.push_back(WholeNumber(item));
+  return counts;
 }
 
 }  // namespace
@@ -36,14 +49,14 @@ nlohmann::ordered_json samples_json(const SampleImage& image) {
 
 SampleImage to_samples(const nlohmann::json& json, int width, int height) {
   SampleImage image;
-  image.samples = json.at("count");
+  image.samples = WholeNumber(json.at("count"));
   if (image.samples <= 1 || image.samples > kMaxSamples)
     throw std::runtime_error(fmt::format("{} is no number of samples", image.samples));
   for (const nlohmann::json& at : json.value("positions", nlohmann::json::array()))
     image.positions.push_back({to_fixed(at.at(0)), to_fixed(at.at(1))});
   image.pixels = from_hex(json.value("pixels", ""));
-  image.hits = json.value("hits", std::vector<std::uint32_t>{});
-  image.coverage = json.value("coverage", std::vector<std::uint32_t>{});
+  image.hits = to_counts(json, "hits");
+  image.coverage = to_counts(json, "coverage");
   const auto samples = static_cast<std::size_t>(image.samples);
   const std::size_t area = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   check_size("positions", image.positions.size(), samples);

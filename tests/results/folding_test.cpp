@@ -115,6 +115,20 @@ TEST(Folding, ReadsBackAnyPlaces) {
 }
 
 // A large picture, and one that differs from it in a single byte.
+// A few characters must not ask for more memory than there is.
+TEST(Folding, RefusesRunsThatNoTargetHas) {
+  const auto places = [](const std::string& text) {
+    return to_places(nlohmann::json::parse(text)).size();
+  };
+  EXPECT_EQ(places("[[0, 0, 0, 4096]]"), 4096U);
+  for (const char* text : {"[[0, 0, 0, 4097]]", "[[0, 0, 0, 0]]", "[[0, 0, 0, -1]]",
+                           "[[2147483647, 0, 0, 2]]", "[[0, 0, 0, 2000000000]]", "[[0.5, 0, 0]]"})
+    EXPECT_THROW(places(text), std::runtime_error) << text;
+  std::string many = "[[0, 0, 0, 4096]";
+  for (int i = 0; i < 4096; ++i) many += ", [0, 0, 0, 4096]";
+  EXPECT_THROW(places(many + "]"), std::runtime_error);
+}
+
 TEST(Folding, KeepsLargeResultsSmall) {
   Results results = results_with({Verdict::permitted});
   CaseResults& one = results.cases[0];
