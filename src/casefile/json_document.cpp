@@ -19,6 +19,10 @@
 namespace edgecase {
 namespace {
 
+// Values of any kind in a file: 16 for each vertex that a case may have. In memory one is as large
+// as 100 characters.
+constexpr std::size_t kMaxValues = std::size_t{1} << 20;
+
 // Reads characters and counts them in a place that outlives the parser's copies of it.
 class CountingIterator {
  public:
@@ -54,17 +58,20 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   std::size_t* count() { return &consumed_; }
 
-  bool null() override { return add(JsonKind::null) != nullptr; }
+  bool null() override {
+    add(JsonKind::null);
+    return room();
+  }
   bool boolean(bool value) override {
     add(JsonKind::boolean)->truth = value;
-    return true;
+    return room();
   }
   bool number_integer(number_integer_t) override { return number(); }
   bool number_unsigned(number_unsigned_t) override { return number(); }
   bool number_float(number_float_t, const string_t&) override { return number(); }
   bool string(string_t& value) override {
     add(JsonKind::string)->text = std::move(value);
-    return true;
+    return room();
   }
   bool binary(binary_t&) override { return false; }
   bool start_object(std::size_t) override { return open(JsonKind::object); }
@@ -94,6 +101,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   std::size_t last_read() const { return std::max<std::size_t>(consumed_, 1) - 1; }
 
   JsonNode* add(JsonKind kind);
+  bool room();  // for the value that was added last; else it is refused
   bool number();
   bool open(JsonKind kind);
   bool close() {
@@ -111,6 +119,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   JsonDocument& document_;
   std::vector<std::size_t> breaks_;  // offsets of line breaks
   std::size_t consumed_ = 0;         // characters read by the parser
+  std::size_t values_ = 0;           // in the tree
   std::vector<Open> open_;
   JsonNode pending_;  // name, line and duplicate flag of the member that comes next
 };
@@ -125,6 +134,15 @@ JsonNode* TreeBuilder::add(JsonKind kind) {
   return &open_.back().node->children.emplace_back(std::move(node));
 }
 
+bool TreeBuilder::room() {
+  if (++values_ <= kMaxValues) return true;
+  diagnose(line_at(last_read()), "", fmt::format("more than {} values", kMaxValues),
+           "split the file into several cases, and give large pictures and meshes files of their "
+           "own");
+  document_.root.reset();
+  return false;
+}
+
 bool TreeBuilder::number() {
   const auto is_part = [](char c) {
     return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E';
@@ -136,13 +154,13 @@ bool TreeBuilder::number() {
   JsonNode* node = add(JsonKind::number);
   node->line = line_at(start);
   node->text = text_.substr(start, end - start);
-  return true;
+  return room();
 }
 
 bool TreeBuilder::open(JsonKind kind) {
   JsonNode* node = add(kind);
   open_.push_back({node, {}});
-  if (open_.size() <= kMaxNesting) return true;
+  if (open_.size() <= kMaxNesting) return room();
   diagnose(node->line, "", fmt::format("nested deeper than {} levels", kMaxNesting),
            "flatten the file: a case needs about six levels");
   document_.root.reset();

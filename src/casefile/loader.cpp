@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "casefile/loader.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "casefile/expansion.h"
@@ -8,6 +10,20 @@
 #include "casefile/text_file.h"
 
 namespace edgecase {
+namespace {
+
+// Faults that are listed; more help nobody.
+constexpr std::size_t kMostFaults = 1000;
+
+void shorten(std::vector<Diagnostic>& faults) {
+  if (faults.size() <= kMostFaults) return;
+  const std::size_t more = faults.size() - kMostFaults;
+  faults.resize(kMostFaults);
+  faults.push_back({faults.back().file, faults.back().line, "",
+                    fmt::format("{} more faults are not listed", more), "put these right first"});
+}
+
+}  // namespace
 
 LoadedCases load_cases(const std::filesystem::path& file, const std::string& id,
                        std::span<const std::string> known_rules) {
@@ -29,6 +45,7 @@ LoadedCases load_cases_text(const std::string& text, const std::filesystem::path
     loaded.cases = expand_cases(*document.root, {file, id, text, known_rules}, findings);
   loaded.notes = findings.take_notes();
   loaded.diagnostics = findings.take();
+  shorten(loaded.diagnostics);
   if (!loaded.diagnostics.empty()) loaded.cases.clear();
   for (Case& one : loaded.cases) one.source = text;
   return loaded;

@@ -12,6 +12,8 @@
 namespace edgecase {
 namespace {
 
+// Of all pixels of a target: the largest one with one each.
+constexpr int kMaxTargetSamples = 1 << 24;
 // Within a pixel: 0 to below 1.
 constexpr FixedRange kWithinPixel{Fixed(), Fixed::from_raw(Fixed::kOne - 1)};
 
@@ -67,6 +69,13 @@ void read_samples(const ObjectReader& object, TargetFields& fields, Findings& fi
   Target& target = fields.target;
   if (const auto samples = object.find("samples"))
     target.samples = read_integer(*samples, "samples", {1, kMaxSamples}, findings).value_or(0);
+  const int all = target.width * target.height * target.samples;  // at most 2^28
+  if (all > kMaxTargetSamples)
+    findings.add(*object.find("samples"),
+                 fmt::format("{} x {} pixels of {} samples are {} samples", target.width,
+                             target.height, target.samples, all),
+                 fmt::format("use fewer samples or a smaller target: {} samples at most in all",
+                             kMaxTargetSamples));
   const auto surface = object.find("surface");
   if (surface && target.samples > 1 && target.surface == Surface::window)
     findings.add(*surface, "a window's samples cannot be chosen",

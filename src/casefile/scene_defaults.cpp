@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "casefile/clip_space.h"
+#include "casefile/draw_work.h"
 #include "casefile/salted_colors.h"
 #include "casefile/scene_reader.h"
 #include "casefile/supersample_reader.h"
@@ -202,6 +203,7 @@ Scene complete_scene(const TargetFields& target, const std::vector<DrawFields>& 
   scene.viewport = *viewport;
   place_vertices(draws, scene, findings);
   if (findings.empty()) check_cut_lines(draws, scene, findings);
+  if (findings.empty()) check_draw_work(scene, draws_place, findings);
   return scene;
 }
 

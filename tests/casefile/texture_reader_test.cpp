@@ -293,5 +293,39 @@ TEST(ImageFile, WhatIsWrittenIsReadBack) {
   EXPECT_NE(read_image(file, 37).error, "");
 }
 
+TEST(TextureReader, FilesStayInsideTheSuiteWhateverLinksSay) {
+  const fs::path root = fs::temp_directory_path() / "edgecase-texture-test";
+  fs::remove_all(root);
+  fs::create_directories(root / "cases" / "deep");
+  fs::create_directories(root / "other");
+  for (const fs::path& folder : {root / "cases" / "deep", root / "other"})
+    fs::copy_file(kGood / "images" / "codes.png", folder / "a.png");
+  fs::create_symlink("../other/a.png", root / "cases" / "link.png");
+  fs::create_symlink("deep/a.png", root / "cases" / "inside.png");
+  fs::create_directory_symlink("../other", root / "cases" / "folder");
+  const auto load = [&](const std::string& file) {
+    return load_cases_text(
+        R"({"title": "t", "rules": ["a.b"], "target": {"width": 4, "height": 4}, "textures": )"
+        R"([{"file": ")" +
+            file +
+            R"("}], "draws": [{"primitive": "points", "vertices": )"
+            R"([{"at": [1, 1], "uv": [0, 0]}], "state": {"texture": 0}}]})",
+        root / "cases" / "deep" / "a.json", "deep/a");
+  };
+  for (const char* path : {"a.png", "../deep/a.png", "../inside.png"})
+    EXPECT_EQ(load(path).cases.size(), 1U) << path;
+  const std::string absolute = (root / "cases" / "deep" / "a.png").string();
+  for (const std::string& path :
+       {std::string("../link.png"), std::string("../folder/a.png"),
+        std::string("../../other/a.png"), std::string("../../cases/../other/a.png"), absolute}) {
+    const LoadedCases loaded = load(path);
+    ASSERT_EQ(loaded.diagnostics.size(), 1U) << path;
+    EXPECT_EQ(loaded.diagnostics[0].pointer, "/textures/0/file");
+    EXPECT_EQ(loaded.diagnostics[0].message, "\"" + path + "\" leaves the folder of the cases");
+    EXPECT_FALSE(loaded.diagnostics[0].remedy.empty());
+  }
+  fs::remove_all(root);
+}
+
 }  // namespace
 }  // namespace edgecase
