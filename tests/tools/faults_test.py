@@ -105,6 +105,8 @@ FAILING = {
     "die": ("crashed", "exit status 7"),
     "die-by-signal": ("crashed", "signal 9"),
     "crash": ("crashed", "signal 6"),
+    "stop": ("timed-out", "no answer within"),
+    "out-of-memory": ("crashed", "MemoryError"),
     "late": ("timed-out", "no answer within"),
     "half-an-answer": ("timed-out", "no answer within"),
     "garbage": ("garbage", "JSON"),

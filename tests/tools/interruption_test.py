@@ -3,7 +3,6 @@
 Progress is told on a terminal, and only there."""
 import json
 import os
-import pathlib
 import pty
 import signal
 import subprocess
@@ -12,20 +11,9 @@ import unittest
 import xml.etree.ElementTree
 
 from support import (EDGECASE, PATIENCE, PROBES, SUITE, UNEXPECTED, CommandTest, environment,
-                     verdicts)
+                     processes_that_mention, verdicts)
 
 SOON = 10  # seconds
-
-
-def processes_that_mention(text):
-    found = []
-    for entry in pathlib.Path("/proc").iterdir():
-        try:
-            if entry.name.isdigit() and text.encode() in (entry / "cmdline").read_bytes():
-                found.append(int(entry.name))
-        except OSError:
-            pass  # it ended meanwhile
-    return found
 
 
 class Interruption(CommandTest):

@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import signal
 import sys
 import time
@@ -153,6 +154,16 @@ def crash(*_):
     os.abort()
 
 
+def stop(*_):
+    os.kill(os.getpid(), signal.SIGSTOP)
+
+
+def out_of_memory(*_):
+    """Wants more than it is allowed to have."""
+    resource.setrlimit(resource.RLIMIT_AS, (1 << 28, 1 << 28))
+    return bytearray(1 << 30)
+
+
 def garbage(*_):
     print("this is no JSON", flush=True)
     return None
@@ -225,9 +236,9 @@ def nap(_, answer):
 
 
 FAILURES = {function.__name__.replace("_", "-"): function for function in (
-    hang, await_death, late, die, die_by_signal, crash, garbage, bytes_of_no_text, endless_line,
-    half_an_answer, number_that_is_none, twice, close_output, refuse, another_digest, wrong_size,
-    far_fragment, wrong_hits, nan_colors, infinite_depths, nap)}
+    hang, await_death, late, die, die_by_signal, crash, stop, out_of_memory, garbage,
+    bytes_of_no_text, endless_line, half_an_answer, number_that_is_none, twice, close_output, refuse,
+    another_digest, wrong_size, far_fragment, wrong_hits, nan_colors, infinite_depths, nap)}
 
 
 # Waverers: a case answered in one way the first time that anyone asks for it, in TRUTH.asked, and

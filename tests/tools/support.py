@@ -138,9 +138,9 @@ class CommandTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def command(self, *arguments, expect=AS_EXPECTED, **variables):
+    def command(self, *arguments, expect=AS_EXPECTED, program=EDGECASE, **variables):
         """Runs the command; its exit code must be the expected one, or any if that is None."""
-        run = subprocess.run([EDGECASE, *map(str, arguments)], cwd=self.folder,
+        run = subprocess.run([program, *map(str, arguments)], cwd=self.folder,
                              env=environment(**variables), stdin=subprocess.DEVNULL,
                              capture_output=True, text=True, timeout=PATIENCE)
         if expect is not None:
@@ -185,6 +185,18 @@ class CommandTest(unittest.TestCase):
             self.command("render", cases, "--json", truth, expect=None)
         words = [sys.executable, str(HERE / "odd_renderer.py"), behaviour, str(truth)]
         return "exec:" + " ".join(map(shlex.quote, words + ([victim] if victim else [])))
+
+
+def processes_that_mention(text):
+    """The numbers of processes with the text in their command line."""
+    found = []
+    for entry in pathlib.Path("/proc").iterdir():
+        try:
+            if entry.name.isdigit() and text.encode() in (entry / "cmdline").read_bytes():
+                found.append(int(entry.name))
+        except OSError:
+            pass  # it ended meanwhile
+    return found
 
 
 REPORTS = ("json", "junit", "html")
