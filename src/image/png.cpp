@@ -40,6 +40,9 @@ std::string write_png(const std::filesystem::path& path, const ImageView& image,
   const int width = image.width * scale;
   const int height = image.height * scale;
   if (write(path.c_str(), width, height, pixels.data(), error, sizeof error) == 0) return "";
+  // Half a picture is none.
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path, ignored)) std::filesystem::remove(path, ignored);
   return fmt::format("cannot write {}: {}", path.string(), error);
 }
 

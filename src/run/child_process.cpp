@@ -100,7 +100,7 @@ struct SpawnSettings {
     sigemptyset(&none);
     sigset_t defaults;
     sigemptyset(&defaults);
-    for (int signal : {SIGPIPE, SIGINT, SIGTERM, SIGQUIT}) sigaddset(&defaults, signal);
+    for (int signal : {SIGPIPE, SIGINT, SIGTERM, SIGQUIT, SIGXFSZ}) sigaddset(&defaults, signal);
     posix_spawnattr_setflags(
         &attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
     posix_spawnattr_setpgroup(&attributes, 0);

@@ -19,6 +19,7 @@
 #include "run/recording_renderer.h"
 #include "run/sharding.h"
 #include "tools/edgecase/default_suite.h"
+#include "tools/edgecase/output/whole_file.h"
 
 namespace edgecase {
 namespace {
@@ -267,15 +268,9 @@ bool write_file(const std::filesystem::path& path, const std::string& text) {
 
 bool write_file(const std::filesystem::path& path,
                 const std::function<void(std::ostream&)>& write) {
-  std::error_code error;
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  errno = 0;
-  std::ofstream out(path, std::ios::binary);
-  if (out) write(out);
-  out.close();
-  if (out) return true;
-  print_error(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
-  return false;
+  const std::string fault = write_whole_file(path, write);
+  if (!fault.empty()) print_error(fault);
+  return fault.empty();
 }
 
 bool use_color(const std::string& choice, int descriptor) {

@@ -94,7 +94,8 @@ void print_no_pixel(const std::string& text, const Target& target);
 // be read.
 std::optional<std::string> read_file(const std::filesystem::path& path);
 
-// Writes a file, its folder made if need be; false, with the error printed, when it cannot be.
+// Writes a file that is whole at any time (output/whole_file.h), its folder made if need be; false,
+// with the error printed, when it cannot be.
 bool write_file(const std::filesystem::path& path, const std::string& text);
 
 // The same for what is too long to be held as one text: `write` writes into the file.

@@ -2,7 +2,6 @@
 //
 // edgecase record: what a renderer answers to cases, in a file that recording:FILE replays.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -30,20 +29,6 @@ struct RecordCommand {
   double timeout = 10;
   std::string progress = "auto";
 };
-
-// Written beside the file and renamed, so that nobody ever sees half of it.
-bool replace_file(const std::filesystem::path& path, const std::string& bytes) {
-  std::filesystem::path beside = path;
-  beside += fmt::format(".{}.part", getpid());
-  std::error_code error;
-  if (write_file(beside, bytes)) {
-    std::filesystem::rename(beside, path, error);
-    if (!error) return true;
-    print_error(fmt::format("cannot write {}: {}", path.string(), error.message()));
-  }
-  std::filesystem::remove(beside, error);
-  return false;
-}
 
 Recorded record_with_progress(const RecordCommand& command, const Suite& suite,
                               const Policy& policy) {
@@ -90,7 +75,7 @@ ExitCode record(const RecordCommand& command) {
     print_error("no case was answered; nothing was written");
     return worse(exit, recorded.is_complete ? ExitCode::renderer : ExitCode::unexpected);
   }
-  if (!replace_file(command.file, recorded.bytes)) return worse(exit, ExitCode::internal);
+  if (!write_file(command.file, recorded.bytes)) return worse(exit, ExitCode::internal);
   print_recorded(command, recorded);
   if (recorded.is_complete) return exit;
   print_error("interrupted; the recording has the cases that were finished");

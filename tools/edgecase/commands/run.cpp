@@ -9,6 +9,7 @@
 
 #include "run/last_failed.h"
 #include "tools/edgecase/commands/commands.h"
+#include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/output/delivery.h"
 #include "tools/edgecase/suite_run.h"
 
@@ -78,6 +79,8 @@ ExitCode run(const RunCommand& command) {
   if (!profiles) return ExitCode::usage;
   const ExpectantRun expectant{*expectations, command.max_failures, !command.no_rerun,
                                is_whole_suite(selection)};
+  // What was found is written although somebody asks to stop meanwhile.
+  const InterruptGuard guard;
   const auto results = run_expecting(suite, *policy, *profiles, command.run, expectant);
   if (!results) return ExitCode::usage;
   return deliver_results(*results, command.files, command.color);

@@ -20,6 +20,7 @@
 #include "reports/summary_markdown.h"
 #include "results/results_json.h"
 #include "tools/edgecase/options.h"
+#include "tools/edgecase/output/folder_lock.h"
 #include "tools/edgecase/output/html_report.h"
 #include "tools/edgecase/output/triptych_files.h"
 
@@ -98,11 +99,30 @@ bool ReportFiles::use_standard_output() const {
                      [](const std::string* path) { return *path == "-"; });
 }
 
+std::string ReportFiles::json_path() const {
+  if (is_none_given()) return kDefaultJson;
+  return json == "-" ? "" : json;
+}
+
 std::string ReportFiles::html_path() const {
   return is_none_given() ? "out/report.html" : html;
 }
 
+// Of all files that are no standard output.
+std::set<std::filesystem::path> ReportFiles::folders() const {
+  std::set<std::filesystem::path> found;
+  if (!triptychs.empty()) found.insert(triptychs);
+  for (const std::string& path :
+       {json_path(), html_path(), junit, ctrf, markdown, annotations, csv}) {
+    if (path.empty() || path == "-") continue;
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    found.insert(folder.empty() ? "." : folder);
+  }
+  return found;
+}
+
 bool ReportFiles::write(const Results& results) const {
+  const FolderLock lock(folders());
   const bool none = is_none_given();
   bool wrote = true;
   const auto add = [&wrote](const std::string& path,

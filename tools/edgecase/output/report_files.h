@@ -4,7 +4,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "results/comparison.h"
@@ -40,11 +42,14 @@ struct ReportFiles {
   bool write(const Results& results) const;
   // Is anything written to standard output?
   bool use_standard_output() const;
-  // The HTML file that write() makes, or empty.
+  // The files that write() makes of results and as HTML; empty where there is none, and for results
+  // on standard output.
+  std::string json_path() const;
   std::string html_path() const;
 
  private:
   bool is_none_given() const;
+  std::set<std::filesystem::path> folders() const;
 };
 
 }  // namespace edgecase
