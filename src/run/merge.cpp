@@ -13,75 +13,13 @@
 #include <utility>
 
 #include "run/judging.h"
+#include "run/run_difference.h"
 
 namespace edgecase {
 namespace {
 
 // Why parts cannot be merged; nothing where they can.
 using Fault = std::optional<std::string>;
-
-std::string words_of(const Results& results) {
-  return fmt::format("policy {}{}", results.policy,
-                     results.latitude == Latitude::none ? " without latitude" : "");
-}
-
-std::string renderer_names(const Results& results) {
-  std::vector<std::string> names;
-  for (const RendererInfo& info : results.renderers) names.push_back(info.name);
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-// What a renderer says of itself, without what judging says of it.
-auto claims_of(const RendererInfo& info) {
-  auto traits = info.traits;
-  std::erase_if(traits, [](const auto& trait) { return is_of_judging(trait.first); });
-  return std::tuple(info.vendor, info.version, info.device, info.subpixel_bits, std::move(traits));
-}
-
-// A renderer that never answered says nothing.
-bool never_answered(const RendererInfo& info) {
-  return info.device.empty();
-}
-
-std::string words_of(const RendererInfo& info) {
-  std::string text = fmt::format("{}, version {}, vendor {}, {} subpixel bits", info.device,
-                                 info.version, info.vendor, info.subpixel_bits);
-  for (const auto& [name, value] : info.traits)
-    if (!is_of_judging(name)) text += fmt::format(", {}: {}", name, value);
-  return text;
-}
-
-Fault compare_renderers(const MergePart& a, const MergePart& b) {
-  if (renderer_names(a.results) != renderer_names(b.results))
-    return fmt::format("{} holds results of {}, {} of {}; merge shards of one run", a.name,
-                       renderer_names(a.results), b.name, renderer_names(b.results));
-  for (std::size_t r = 0; r < a.results.renderers.size(); ++r) {
-    const RendererInfo& one = a.results.renderers[r];
-    const RendererInfo& other = b.results.renderers[r];
-    if (never_answered(one) || never_answered(other) || claims_of(one) == claims_of(other))
-      continue;
-    return fmt::format(
-        "the renderer {} is not the same: in {} it is {}; in {} it is {}; run all shards against "
-        "one version",
-        one.name, a.name, words_of(one), b.name, words_of(other));
-  }
-  return std::nullopt;
-}
-
-Fault compare_options(const MergePart& a, const MergePart& b) {
-  if (a.results.tool != b.results.tool)
-    return fmt::format("{} was written by {}, {} by {}; run all shards with one version", a.name,
-                       a.results.tool, b.name, b.results.tool);
-  if (words_of(a.results) != words_of(b.results))
-    return fmt::format("{} was judged by {}, {} by {}; run all shards with one policy", a.name,
-                       words_of(a.results), b.name, words_of(b.results));
-  if (a.results.policy_digest != b.results.policy_digest)
-    return fmt::format(
-        "{} and {} were judged by policies or profiles that differ, though their names do not; run "
-        "all shards with the same files",
-        a.name, b.name);
-  return compare_renderers(a, b);
-}
 
 Fault compare_shares(const MergePart& a, const MergePart& b) {
   const auto& one = a.results.shard;
@@ -151,7 +89,8 @@ Fault find_missing_shares(const std::vector<MergePart>& parts) {
 
 Fault find_fault(const std::vector<MergePart>& parts, bool partial) {
   for (const MergePart& part : parts) {
-    if (Fault fault = compare_options(parts.front(), part)) return fault;
+    if (const auto found = difference_of_runs(parts.front(), part))
+      return found->what + "; " + found->remedy;
     if (Fault fault = compare_shares(parts.front(), part)) return fault;
   }
   if (Fault fault = find_twins(parts)) return fault;
@@ -172,7 +111,7 @@ void unite(const std::vector<Diagnostic>& from, std::vector<Diagnostic>& to) {
 
 void add_part(Results part, Results& whole) {
   for (std::size_t r = 0; r < whole.renderers.size(); ++r)
-    if (never_answered(whole.renderers[r])) whole.renderers[r] = std::move(part.renderers[r]);
+    if (has_never_answered(whole.renderers[r])) whole.renderers[r] = std::move(part.renderers[r]);
   std::ranges::move(part.cases, std::back_inserter(whole.cases));
   unite(part.diagnostics, whole.diagnostics);
   whole.interrupted = whole.interrupted || part.interrupted;

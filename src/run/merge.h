@@ -13,13 +13,9 @@
 #include <vector>
 
 #include "results/results.h"
+#include "run/run_difference.h"
 
 namespace edgecase {
-
-struct MergePart {
-  std::string name;  // of its file, for messages
-  Results results;
-};
 
 // Merges at least one part. A sentence instead where parts do not belong together: another version
 // of the tool, policy, renderer or suite, a case or a share that two of them have. A share that is

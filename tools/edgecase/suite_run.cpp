@@ -11,8 +11,10 @@
 #include <thread>
 
 #include "model/recorded.h"
+#include "run/merge.h"
 #include "run/renderer_names.h"
 #include "run/rerun.h"
+#include "run/resume.h"
 #include "run/run.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/output/progress_line.h"
@@ -58,6 +60,37 @@ Results run_with_progress(const Suite& suite, RunOptions& run, const SuiteRunOpt
   run.progress = nullptr;
   results.tool = kToolName;
   return results;
+}
+
+constexpr const char* kThisRun = "this run";
+
+// The first case of the rest, asked for what the renderers are: nobody should wait for the others
+// to learn that they do not belong to the earlier run.
+std::optional<RunDifference> difference_at_once(const MergePart& earlier, const Suite& rest,
+                                                const RunOptions& run) {
+  Suite first;
+  if (!rest.cases.empty()) first.cases = {rest.cases.front()};
+  MergePart asked{kThisRun, run_suite(first, run)};
+  asked.results.tool = kToolName;
+  return difference_of_runs(earlier, asked);
+}
+
+// Runs what the earlier results do not hold, and merges.
+std::variant<Results, std::string> run_rest(const Suite& suite, RunOptions& run,
+                                            const SuiteRunOptions& options, MergePart earlier) {
+  const std::string name = earlier.name;
+  auto resumed = resume(suite, std::move(earlier));
+  if (auto* fault = std::get_if<std::string>(&resumed)) return std::move(*fault);
+  auto& [held, rest] = std::get<Resumption>(resumed);
+  MergePart first{name, std::move(held)};
+  if (const auto found = difference_at_once(first, rest, run))
+    return found->what + "; run as then, or without --resume";
+  print_error(fmt::format("{} of {} cases are taken over from {}", first.results.cases.size(),
+                          suite.cases.size(), name));
+  MergePart second{kThisRun, run_with_progress(rest, run, options)};
+  auto merged = merge_results({std::move(first), std::move(second)}, false);
+  if (auto* results = std::get_if<Results>(&merged)) results->shard = suite.share;
+  return merged;
 }
 
 }  // namespace
@@ -112,14 +145,20 @@ std::optional<Results> run_against(const Suite& suite, const Policy& policy,
 
 std::optional<Results> run_expecting(const Suite& suite, const Policy& policy,
                                      const std::map<std::string, Policy>& profiles,
-                                     SuiteRunOptions options, const ExpectantRun& expectant) {
+                                     SuiteRunOptions options, ExpectantRun expectant) {
   options.renderers = options.named();
   if (!are_known(options.renderers)) return std::nullopt;
   RunOptions run = run_options(policy, profiles, options);
   run.max_unexpected = expectant.max_unexpected;
   run.expectations = expectant.expectations;
   const InterruptGuard guard;
-  Results results = run_with_progress(suite, run, options);
+  auto ran = expectant.earlier ? run_rest(suite, run, options, std::move(*expectant.earlier))
+                               : run_with_progress(suite, run, options);
+  if (const auto* fault = std::get_if<std::string>(&ran)) {
+    print_error(*fault);
+    return std::nullopt;
+  }
+  Results results = std::move(std::get<Results>(ran));
   results.whole_suite = expectant.whole_suite;
   apply_all_expectations(expectant.expectations, results);
   if (!expectant.reruns || interrupted()) return results;

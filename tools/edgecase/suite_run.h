@@ -11,6 +11,7 @@
 
 #include "results/expectations.h"
 #include "results/results.h"
+#include "run/run_difference.h"
 #include "run/selection.h"
 #include "tools/edgecase/exit_code.h"
 #include "tools/edgecase/options.h"
@@ -44,16 +45,18 @@ std::optional<Results> run_against(const Suite& suite, const Policy& policy,
 // What `run` does beyond drawing: expectations, and what hangs on them.
 struct ExpectantRun {
   std::vector<Expectations> expectations;
-  std::size_t max_unexpected = 0;  // RunOptions has it
-  bool reruns = true;              // ask for unexpected answers again (run/rerun.h)
-  bool whole_suite = false;        // as Results have it
+  std::size_t max_unexpected = 0;    // RunOptions has it
+  bool reruns = true;                // ask for unexpected answers again (run/rerun.h)
+  bool whole_suite = false;          // as Results have it
+  std::optional<MergePart> earlier;  // a run to go on with (run/resume.h)
 };
 
 // The same, with the expectations applied. Says on standard error where not all unexpected answers
-// were asked for again.
+// were asked for again, and of an earlier run how much was taken over; one that is not the same in
+// policy, renderers or selection is an error, printed.
 std::optional<Results> run_expecting(const Suite& suite, const Policy& policy,
                                      const std::map<std::string, Policy>& profiles,
-                                     SuiteRunOptions options, const ExpectantRun& expectant);
+                                     SuiteRunOptions options, ExpectantRun expectant);
 
 // The expectations of the results' renderers, read from `folder` or from the files named; a file
 // that is missing in the folder is no error. Nothing, with the error printed, when one is broken.

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <variant>
 
 #include "run/last_failed.h"
 #include "tools/edgecase/commands/commands.h"
@@ -25,6 +27,7 @@ struct RunCommand {
   std::string color = "auto";
   bool list = false;
   bool last_failed = false;
+  bool resume = false;
   bool no_rerun = false;
   std::size_t max_failures = 0;
 };
@@ -54,6 +57,33 @@ std::optional<ExitCode> narrow_to_last_failed(const RunCommand& command, Selecti
   return ExitCode::nothing_selected;
 }
 
+// The run to go on with, where there is one; otherwise the exit code that asking for it deserves,
+// with the reason printed.
+std::variant<std::optional<MergePart>, ExitCode> earlier_run(const RunCommand& command) {
+  std::optional<MergePart> earlier;
+  if (!command.resume) return earlier;
+  const std::string path = command.files.json_path();
+  if (path.empty()) {
+    print_error("--resume goes on with a file and writes it anew; name it with --json");
+    return ExitCode::usage;
+  }
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return earlier;
+  auto results = load_results(path);
+  if (!results) return ExitCode::usage;
+  return earlier.emplace(path, std::move(*results));
+}
+
+// Says how to go on where not all was done, and the file to go on with is there.
+void print_way_on(const RunCommand& command, const Results& results) {
+  const std::string path = command.files.json_path();
+  std::error_code error;
+  if (!results.interrupted || path.empty() || !std::filesystem::is_regular_file(path, error))
+    return;
+  print_error(fmt::format(
+      "{} has what was finished; the same command with --resume goes on with the rest", path));
+}
+
 ExitCode print_list(const Suite& suite) {
   for (const Case& one : suite.cases) fmt::print("{}\n", one.id);
   if (!suite.diagnostics.empty()) return ExitCode::usage;
@@ -77,13 +107,18 @@ ExitCode run(const RunCommand& command) {
   if (command.list) return print_list(suite);
   const auto profiles = load_profiles(selection, command.run.named());
   if (!profiles) return ExitCode::usage;
-  const ExpectantRun expectant{*expectations, command.max_failures, !command.no_rerun,
-                               is_whole_suite(selection)};
+  auto earlier = earlier_run(command);
+  if (const auto* exit = std::get_if<ExitCode>(&earlier)) return *exit;
+  ExpectantRun expectant{*expectations, command.max_failures, !command.no_rerun,
+                         is_whole_suite(selection),
+                         std::move(std::get<std::optional<MergePart>>(earlier))};
   // What was found is written although somebody asks to stop meanwhile.
   const InterruptGuard guard;
-  const auto results = run_expecting(suite, *policy, *profiles, command.run, expectant);
+  const auto results = run_expecting(suite, *policy, *profiles, command.run, std::move(expectant));
   if (!results) return ExitCode::usage;
-  return deliver_results(*results, command.files, command.color);
+  const ExitCode exit = deliver_results(*results, command.files, command.color);
+  if (exit != ExitCode::internal) print_way_on(command, *results);
+  return exit;
 }
 
 }  // namespace
@@ -104,6 +139,11 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
   command->add_flag("--last-failed", options->last_failed,
                     "Only the cases that were not as expected in the last results: those in the "
                     "file that --json names, or in out/results.json");
+  command
+      ->add_flag("--resume", options->resume,
+                 "Go on with a run that ended early: take over what the file that --json names, or "
+                 "out/results.json, holds of unchanged cases, and run the rest")
+      ->excludes("--last-failed");
   command
       ->add_option("--max-failures", options->max_failures,
                    "End after so many unexpected cases; what was finished is reported")

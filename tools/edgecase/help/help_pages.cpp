@@ -25,12 +25,14 @@ constexpr HelpPage kPages[] = {
     {"run",
      "Every case is rendered exactly and by each renderer, compared, and judged by the "
      "specification. Each answer is held against the expectations that are committed for its "
-     "renderer. With no file named, results.json, junit.xml and report.html go to out/.",
+     "renderer. With no file named, results.json, junit.xml and report.html go to out/. A run that "
+     "is interrupted keeps what was finished, and --resume goes on with the rest.",
      "012345", "an answer is not as expected, an unexpected agreement included",
      "edgecase run\n"
      "edgecase run cases/lines --against osmesa:softpipe --html lines.html\n"
      "edgecase run --against \"exec:python3 my_rasterizer.py\" --filter \"triangles/*\"\n"
-     "edgecase run --shard 2/4 --json 2.json"},
+     "edgecase run --shard 2/4 --json 2.json\n"
+     "edgecase run --json results.json --resume"},
     {"render",
      "Writes a rendering of each case, pixels and every fragment, or a picture of it. Nothing is "
      "compared or judged.",
