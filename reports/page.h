@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The report's page, and a gallery's, without what is put in, as embed_viewer.py makes them from
-// reports/viewer.
+// The report's page, a gallery's and the rule book's, without what is put in, as embed_viewer.py
+// makes them from reports/viewer.
 #pragma once
 
 #include <string_view>
@@ -19,5 +19,10 @@ extern const std::string_view kPageAfterBlocks;
 extern const std::string_view kGalleryBeforeTitle;
 extern const std::string_view kGalleryBeforeBody;
 extern const std::string_view kGalleryAfterBody;
+
+// The same of the rule book's pages.
+extern const std::string_view kBookBeforeTitle;
+extern const std::string_view kBookBeforeBody;
+extern const std::string_view kBookAfterBody;
 
 }  // namespace edgecase

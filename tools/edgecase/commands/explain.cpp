@@ -7,13 +7,13 @@
 #include <memory>
 #include <sstream>
 
-#include "diff/compare.h"
 #include "raster/rasterizer.h"
 #include "reports/text.h"
 #include "rules/all_rules.h"
 #include "run/expectation_check.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/output/block_walks.h"
+#include "tools/edgecase/output/pixel_words.h"
 #include "tools/edgecase/suite_run.h"
 
 namespace edgecase {
@@ -54,20 +54,6 @@ void print_coverage(const Scene& scene, const Policy& policy) {
   fmt::print("{}", draw_hits(hits_of(exact), exact.width, exact.height));
 }
 
-void print_exact_pixel(const Scene& scene, const Policy& policy, Pixel pixel) {
-  for (std::size_t k = 0; k < scene.supersampling.size(); ++k) {
-    fmt::print("In {}:\n", words_of_pass(scene.supersampling, k));
-    print_exact_pixel(pass_of(scene, k), policy, pixel);
-  }
-  if (!scene.supersampling.empty()) return;
-  fmt::print("Pixel ({}, {}), centre ({}, {}), by policy {}:\n", pixel.x, pixel.y, pixel.x + .5,
-             pixel.y + .5, policy.name);
-  for (const PixelExplanation& why : explain_pixel(scene, policy, pixel.x, pixel.y))
-    fmt::print("  primitive {} {} {} ({}): {}.\n", why.primitive,
-               why.covered ? "draws" : "does not draw",
-               why.sample < 0 ? "it" : fmt::format("sample {}", why.sample), why.rule, why.text);
-}
-
 void print_blocks(const Scene& scene, const Policy& policy, const BlockSizes& sizes) {
   if (scene.supersampling.empty()) {
     fmt::print("{}", block_text(scene, policy, sizes));
@@ -93,6 +79,26 @@ ExitCode draw_blocks(const Case& one, const Policy& policy, const BlockSizes& si
   std::ostringstream text;
   write_blocks_svg(picture, text);
   return write_file(file, text.str()) ? ExitCode::as_expected : ExitCode::internal;
+}
+
+ExitCode draw_pixel(const Case& one, const Policy& policy, const std::string& pixel,
+                    const std::string& file) {
+  const auto place = parse_pixel(pixel, one.scene.target);
+  if (!place) {
+    print_no_pixel(pixel, one.scene.target);
+    return ExitCode::usage;
+  }
+  std::ostringstream text;
+  write_pixel_svg(pixel_picture(one, policy, *place), text);
+  return write_file(file, text.str()) ? ExitCode::as_expected : ExitCode::internal;
+}
+
+ExitCode draw_picture(const Case& one, const Policy& policy, const BlockSizes& sizes,
+                      const ExplainCommand& command) {
+  if (command.has_blocks) return draw_blocks(one, policy, sizes, command.svg);
+  if (!command.pixel.empty()) return draw_pixel(one, policy, command.pixel, command.svg);
+  print_error("--svg draws blocks or a pixel; add --blocks, or --pixel X,Y");
+  return ExitCode::usage;
 }
 
 void print_disagreement(const Disagreement& d, int samples) {
@@ -167,7 +173,7 @@ ExitCode explain(const ExplainCommand& command) {
   }
   // Of a case that expands to several, the base case, or the first that the filters select.
   if (!command.svg.empty())
-    if (const ExitCode drawn = draw_blocks(suite.cases.front(), *policy, *sizes, command.svg);
+    if (const ExitCode drawn = draw_picture(suite.cases.front(), *policy, *sizes, command);
         drawn != ExitCode::as_expected)
       return drawn;
   ExitCode exit = ExitCode::as_expected;
@@ -180,7 +186,7 @@ ExitCode explain(const ExplainCommand& command) {
     fmt::print("{}: {}\n{}\n", one.id, one.title, one.why);
     print_coverage(one.scene, *policy);
     if (command.has_blocks) print_blocks(one.scene, *policy, *sizes);
-    if (pixel) print_exact_pixel(one.scene, *policy, *pixel);
+    if (pixel) fmt::print("{}", pixel_words(one.scene, *policy, *pixel));
     if (command.run.renderers.empty()) continue;
     exit = worse(exit, print_results(one, *policy, selection, command, pixel));
     // A case that does not run leaves the others; a mistake or an interruption ends it all.
@@ -205,8 +211,8 @@ void add_explain_command(CLI::App& app, ExitCode& exit) {
                        "Show how a walk by blocks of so many pixels a side (8, or a list such as "
                        "32,8) accepts, rejects or tests each block of a triangle")
           ->expected(0, 1);
-  command->add_option("--svg", options->svg, "File for an SVG picture of the blocks")
-      ->needs(blocks);
+  command->add_option("--svg", options->svg,
+                      "File for an SVG picture of the blocks, or of the pixel");
   options->policy.add_to(*command);
   options->run.add_to(*command);
   command->callback([options, blocks, &exit] {

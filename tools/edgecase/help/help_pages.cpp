@@ -44,6 +44,7 @@ constexpr HelpPage kPages[] = {
      "--against also where the renderer differs, the cause, and the ruling that it is judged by.",
      "012345", kInterrupted,
      "edgecase explain cases/lines/short/between-diamonds.json --pixel 3,3\n"
+     "edgecase explain cases/triangles/ties/flat-top.json --pixel 3,3 --svg pixel.svg\n"
      "edgecase explain cases/lines/short/between-diamonds.json --against osmesa:softpipe\n"
      "edgecase explain cases/triangles/single/across-blocks.json --blocks 4 --svg blocks.svg"},
     {"profile",
@@ -60,10 +61,12 @@ constexpr HelpPage kPages[] = {
      "edgecase record cases/lines --against osmesa:softpipe -o lines.rec"},
     {"rules",
      "Each rule with its section of the specification, the latitude that this grants, the "
-     "alternatives, and the numbered rulings that verdicts cite.",
-     "03", nullptr,
+     "alternatives, and the numbered rulings that verdicts cite. --book writes pages that teach "
+     "them, with scenes in the words of explain.",
+     "023", nullptr,
      "edgecase rules\n"
-     "edgecase rules --json"},
+     "edgecase rules --json\n"
+     "edgecase rules --book out/book"},
     {"backends",
      "Believes nothing that a renderer says of itself: each is asked to render. Programs behind "
      "exec: are also held against the protocol, well-formed and malformed requests alike.",

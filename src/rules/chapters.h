@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// The rules in the order in which they are taught: chapters by family, and in them a section for
+// each essay, which is the comment on top of the header where its rules are declared.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace edgecase {
+
+struct Section {
+  std::string_view title;
+  std::string_view header;              // path below src/rules without suffix: "coverage/snap"
+  std::vector<std::string_view> rules;  // ids, at least one
+};
+
+struct Chapter {
+  std::string_view name;  // of its page: lower case, no spaces
+  std::string_view title;
+  std::string_view about;  // one sentence
+  std::vector<Section> sections;
+};
+
+// Every rule of the catalogue stands in exactly one section.
+std::span<const Chapter> chapters();
+
+// Lines without the marks of a comment; a line that starts with a space belongs to a table, formula
+// or drawing.
+std::string_view essay_of(const Section& section);
+
+}  // namespace edgecase
