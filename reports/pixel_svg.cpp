@@ -22,7 +22,7 @@ using Style = std::initializer_list<std::pair<const char*, const char*>>;
 // Layout, in SVG units.
 constexpr double kPanel = 336;  // wanted size of the target's longer side
 constexpr double kLeastCell = 3;
-constexpr double kMostCell = 48;
+constexpr double kMostCell = 84;
 constexpr double kLeft = 26;      // for the rows' numbers
 constexpr double kBelow = 22;     // for the columns'
 constexpr double kMargin = 10;    // in which outlines still show

@@ -176,10 +176,10 @@ void add_scene(Node section, const BookScene& scene) {
   add_words(about, "b", nullptr, sentence(scene.title) + " ");
   append_words(about, scene.why);
   add_words(told, "pre", "lines words", scene.words);
-  if (scene.drawn_by.size() + scene.left_out_by.size() > 1) {
-    Node others = add_words(told, "p", "about", "Of the alternatives of ");
+  if (!scene.drawn_by.empty() && !scene.left_out_by.empty()) {
+    Node others = add_words(told, "p", "about", "The alternatives of ");
     add_link(others, "#" + scene.rule, scene.rule);
-    append_words(others, ":");
+    append_words(others, " differ here.");
     add_names(told, "Drawing it:", scene.drawn_by);
     add_names(told, "Leaving it out:", scene.left_out_by);
   }

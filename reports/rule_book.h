@@ -49,7 +49,8 @@ struct BookScene {
   std::string command;  // as one would type it
   PixelPicture picture;
   std::string rule;  // whose alternatives are compared
-  // Alternatives of the rule, the standard one among them, that draw the pixel and that do not.
+  // Alternatives of the rule, the standard one among them, that draw the pixel and that do not;
+  // shown where there are both.
   std::vector<std::string> drawn_by;
   std::vector<std::string> left_out_by;
 };

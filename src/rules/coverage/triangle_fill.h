@@ -9,6 +9,11 @@
 // left edges, then top edges, y up. Mind the sense of the words: where y points down, `left-bottom`
 // is what is usually called the top-left rule.
 //
+//   E(s) = (b - a) x (s - a)    of the edge a -> b, vertices counter-clockwise
+//   above 0: inside; below 0: outside; 0: exactly on the edge
+//
+// A tie rule moves every sample by as little as you like in one direction, and by much less in the
+// other: `left-top` by (e, -e^2), right and very little down. No sample then lies on an edge.
 // Both windings are drawn alike; a triangle without area draws nothing.
 #pragma once
 

@@ -2,6 +2,12 @@
 //
 // The stencil test (GL 4.6 core, 17.3.3): the draw's reference against what is stored, both under a
 // mask; and what becomes of the stored value. All of it is integers: nothing is open.
+//
+//   the test fails                      the value becomes what `fail` makes of it
+//   it passes, and the depth test fails what `depth_fail` makes of it
+//   both pass                           what `pass` makes of it
+//
+// Of the new value only bits of the write mask are stored.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "rules/chapters.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "rules/all_rules.h"
+
+namespace edgecase {
+namespace {
+
+std::string content_of(const std::string& path) {
+  std::ifstream stream(EDGECASE_ROOT "/src/rules/" + path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+// The comment that an essay was, line for line.
+std::string as_comment(std::string_view essay) {
+  std::istringstream lines{std::string(essay)};
+  std::string comment;
+  for (std::string line; std::getline(lines, line);)
+    comment += (line.empty() ? "//" : "// " + line) + "\n";
+  return comment;
+}
+
+TEST(Chapters, HoldEveryRuleOnce) {
+  std::multiset<std::string> taught;
+  for (const Chapter& chapter : chapters())
+    for (const Section& section : chapter.sections) {
+      EXPECT_FALSE(section.rules.empty()) << section.title;
+      taught.insert(section.rules.begin(), section.rules.end());
+    }
+  std::multiset<std::string> known;
+  for (const Rule& rule : all_rules()) known.insert(rule.id);
+  EXPECT_EQ(taught, known);
+}
+
+// An essay belongs to the rules below it: the header or the file beside it names each of them, but
+// where one function makes several, by their ids.
+TEST(Chapters, HaveTheEssayOfTheirRules) {
+  std::set<std::string_view> headers;
+  for (const Chapter& chapter : chapters())
+    for (const Section& section : chapter.sections) {
+      const std::string header(section.header);
+      EXPECT_TRUE(headers.insert(section.header).second) << header;
+      const std::string text = content_of(header + ".h");
+      EXPECT_TRUE(text.find(as_comment(essay_of(section)) + "#pragma once") != std::string::npos)
+          << header;
+      EXPECT_GE(essay_of(section).size(), 200u) << header << " has hardly an essay";
+      if (text.find("_rule(const std::string&") != std::string::npos) continue;
+      const std::string both = text + content_of(header + ".cpp");
+      for (const std::string_view id : section.rules)
+        EXPECT_NE(both.find('"' + std::string(id) + '"'), std::string::npos) << header << " " << id;
+    }
+}
+
+TEST(Chapters, HaveNamesOfTheirOwn) {
+  std::set<std::string_view> names = {"index"};
+  for (const Chapter& chapter : chapters()) {
+    EXPECT_TRUE(names.insert(chapter.name).second) << chapter.name;
+    EXPECT_EQ(chapter.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz-"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace edgecase
