@@ -15,9 +15,9 @@
 namespace edgecase {
 
 // The point (x/w, y/w) in pixels, y up. 0 < w <= 2^32, |x| and |y| <= 2^14 w. A point that `moved`
-// returns has a larger w, of at most 2^35; predicates that take one say so. A vertex outside the clip
-// volume has a w of either sign, or 0, of at most 2^32, and coordinates of at most 2^46: of those
-// below only `cross` and predicates that say so take it.
+// returns has a larger w, of at most 2^35; predicates that take one say so. A vertex outside the
+// clip volume has a w of either sign, or 0, of at most 2^32, and coordinates of at most 2^46: of
+// those below only `cross` and predicates that say so take it.
 struct HomogeneousPoint {
   std::int64_t x = 0;
   std::int64_t y = 0;

@@ -242,7 +242,7 @@ Parsed parse_fraction(std::string_view text) {
   if (!cursor.rest.empty() || !is_whole(whole) || !is_whole(numerator) || !is_whole(denominator))
     return malformed(text);
   if (whole.size() + numerator.size() + denominator.size() > kMaxDigits) return too_long(text);
-  const Parsed fraction = ratio(numerator, denominator, text);
+  Parsed fraction = ratio(numerator, denominator, text);
   if (std::holds_alternative<NumeralError>(fraction)) return fraction;
   const std::optional<std::int64_t> ones = whole_value(whole);
   if (!ones || *ones > kMaxRaw / Fixed::kOne) return too_large(text);

@@ -21,7 +21,7 @@ constexpr int kMaxSamples = 16;
 // below 1, multiples of 2^-16.
 using SamplePositions = std::vector<Point>;
 
-// What a primitive covers, by sample index: the pixels whose sample it covers, sorted by row, column.
+// What a primitive covers, by sample index: the pixels whose sample it covers, by row and column.
 // As many lists as the target has samples; without multisampling, all but the first are empty.
 using SampleCoverage = std::vector<std::vector<PixelPosition>>;
 

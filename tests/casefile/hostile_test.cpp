@@ -58,7 +58,9 @@ void spoil(std::string& text, std::mt19937& random) {
 }
 
 void check_vertex(const Vertex& vertex) {
-  if (!vertex.clip) EXPECT_GE(vertex.w, kMinW);
+  if (!vertex.clip) {
+    EXPECT_GE(vertex.w, kMinW);
+  }
   EXPECT_LE(std::fabs(vertex.w), kMaxW);
   EXPECT_TRUE(vertex.position.x.in_coordinate_range());
   EXPECT_TRUE(vertex.position.y.in_coordinate_range());

@@ -52,7 +52,9 @@ TEST(ClipJudging, IllegalWaysAreNamedAndConvicted) {
     EXPECT_EQ(causes_in(result), Names{std::string("clip.volume=") + name}) << told(result);
     EXPECT_EQ(rules_in(result), Names{"clip.volume"});
     for (const Disagreement& d : result.disagreements)
-      if (!d.legal) EXPECT_EQ(d.ruling, 42);
+      if (!d.legal) {
+        EXPECT_EQ(d.ruling, 42);
+      }
   }
 }
 
@@ -110,7 +112,7 @@ TEST(ClipJudging, CullingFollowsTheTriangleSeenFromTheEye) {
   // Counter-clockwise in clip space, with a vertex behind the eye.
   Scene scene = scene_of(Primitive::triangles, {{-1, -1, 0, 2}, {1, -1, 0, 2}, {0, -1, -2, -1}});
   const ScenePrimitive triangle = primitives_of(scene).front();
-  const FacingLatitude facing = permitted_facing(triangle, kViewport, 8);
+  const FacingLatitude facing = permitted_facing(triangle, 8);
   const bool front = facing.may_face_front;
   EXPECT_NE(facing.may_face_front, facing.may_face_back);
   scene.draws[0].cull = front ? CullMode::back : CullMode::front;

@@ -96,8 +96,7 @@ TEST(CutScene, EveryPermittedWayDrawsItWithinTheBound) {
           coverage.drawn = {drawn(*half, choice)};
           for (const CoverageDifference& difference : differences(coverage)) {
             ++differing;
-            const Legality legality =
-                judge_sample(triangle, difference, centre_of_pixel(), kViewport, bits);
+            const Legality legality = judge_sample(triangle, difference, centre_of_pixel(), bits);
             EXPECT_TRUE(legality.legal) << legality.reason << " round " << round << " " << snap;
             EXPECT_EQ(legality.ruling, 42);
           }
@@ -126,7 +125,7 @@ TEST(CutScene, WaysThatAreNotPermittedBreakTheBound) {
       if (!triangle.is_clipped) continue;
       for (const CoverageDifference& difference : differences(coverage)) {
         ++differing;
-        illegal += !judge_sample(triangle, difference, centre_of_pixel(), kViewport, 8).legal;
+        illegal += !judge_sample(triangle, difference, centre_of_pixel(), 8).legal;
       }
     }
   }

@@ -78,7 +78,7 @@ TEST(OutputFacing, ASliverMayFaceEitherWay) {
   const Scene front = sliver(CullMode::front);
   const Scene back = sliver(CullMode::back);
   const ScenePrimitive triangle = primitives_of(back).front();
-  const FacingLatitude facing = permitted_facing(triangle, back.viewport, 8);
+  const FacingLatitude facing = permitted_facing(triangle, 8);
   EXPECT_TRUE(facing.may_face_front && facing.may_face_back);
   // Drawn where it should be culled, and the other way round.
   const Rendering drawn = rasterize(sliver(CullMode::none), {});
@@ -98,17 +98,17 @@ TEST(OutputFacing, LatitudeByTheSignOfTheArea) {
   Scene scene = two_ways(CullMode::back);
   const auto all = primitives_of(scene);
   for (std::size_t i = 0; i < 2; ++i) {
-    const FacingLatitude facing = permitted_facing(all[i], scene.viewport, 4);
+    const FacingLatitude facing = permitted_facing(all[i], 4);
     EXPECT_EQ(facing.may_face_front, i == 1);
     EXPECT_EQ(facing.may_face_back, i == 0);
-    const CullingLatitude culling = permitted_culling(all[i], scene.viewport, 4);
+    const CullingLatitude culling = permitted_culling(all[i], 4);
     EXPECT_EQ(culling.may_be_culled, i == 0);
     EXPECT_EQ(culling.may_be_drawn, i == 1);
   }
   scene.draws[0].cull = CullMode::front_and_back;
-  EXPECT_FALSE(permitted_culling(all[0], scene.viewport, 4).may_be_drawn);
+  EXPECT_FALSE(permitted_culling(all[0], 4).may_be_drawn);
   scene.draws[0].cull = CullMode::none;
-  EXPECT_FALSE(permitted_culling(all[0], scene.viewport, 4).may_be_culled);
+  EXPECT_FALSE(permitted_culling(all[0], 4).may_be_culled);
 }
 
 // The stencil state of either face may hold for the sliver, and of a proper triangle one.

@@ -28,7 +28,7 @@ std::size_t counted_one_by_one(const Picture& a, const Picture& b) {
 }
 
 TEST(SamePixels, AreAllOfAPictureAndItself) {
-  for (const std::size_t pixels : {0, 1, 1023, 1024, 1025, 2048, 5000})
+  for (const std::size_t pixels : {0U, 1U, 1023U, 1024U, 1025U, 2048U, 5000U})
     EXPECT_EQ(count_same_pixels(picture_of(pixels), picture_of(pixels)), pixels);
 }
 

@@ -183,7 +183,7 @@ TEST(Ruling15, ConvictsWhatErrsByMore) {
     }
     return verdict(scene, seen, {}, 8);
   };
-  const Fixed error = division_error(primitives_of(scene)[0], scene.viewport);
+  const Fixed error = division_error(primitives_of(scene)[0]);
   EXPECT_GT(error, Fixed());
   // A sample on the edge may always go either way; those one row further are 1/2 pixel off.
   EXPECT_NE(moved_by(Fixed::kOne / 256 + error.raw() - 1), Verdict::violation);
@@ -192,7 +192,6 @@ TEST(Ruling15, ConvictsWhatErrsByMore) {
 
 // A sample just beyond the step of ruling 4 is still within ruling 15, and beyond both it is not.
 TEST(Ruling15, AddsToTheStepOfRuling4) {
-  const Viewport viewport{0, 0, kSize, kSize};
   const auto judged = [&](std::int64_t beyond) {
     // A point of size 1 whose right side lies `beyond` raw units left of the centre (8.5, 4.5).
     Scene scene = clip_scene(Primitive::points, {{0, 0, 0, 2}});
@@ -201,7 +200,7 @@ TEST(Ruling15, AddsToTheStepOfRuling4) {
     vertex.position = {Fixed::from_raw(8 * Fixed::kOne - beyond),
                        Fixed::from_raw(9 * Fixed::kOne / 2)};
     const ScenePrimitive point = primitives_of(scene)[0];
-    return judge_sample(point, {{8, 4}, 0, 0, 1}, centre_of_pixel(), viewport, 8);
+    return judge_sample(point, {{8, 4}, 0, 0, 1}, centre_of_pixel(), 8);
   };
   // Of y: 2 |4.5 - 8| + 4.5 = 11.5 parts; of x 8 and a little.
   const std::int64_t reach = Fixed::kOne / 256 + (23 * Fixed::kOne / 2 + 99999) / 100000 + 1;
@@ -217,13 +216,13 @@ TEST(SnappedSegment, ReachesTheGridLinesThatAnErrorReaches) {
   const Scene scene = clip_scene(Primitive::lines, {{0.25F, 0, 0, 3}, {0.5F, 1, 0, 1.5F}});
   const ScenePrimitive line = primitives_of(scene)[0];
   // (8 + 2/3, 8) and (13 + 1/3, 13 + 1/3): thirds of a step of 4 bits lie far from the middle.
-  const LooseSegment coarse = snapped_segment(line, *find_snap("4-half-even"), scene.viewport);
+  const LooseSegment coarse = snapped_segment(line, *find_snap("4-half-even"));
   EXPECT_EQ(coarse.reach, Fixed());
   EXPECT_EQ(coarse.segment.a.x, Fixed::from_raw(139 * Fixed::kOne / 16));
   // Truncated, the coordinate that lies on a grid line may fall below it.
-  EXPECT_EQ(snapped_segment(line, *find_snap("4-truncate"), scene.viewport).reach, grid_step(4));
-  const LooseSegment given = snapped_segment(line, Snap{}, scene.viewport);
-  EXPECT_EQ(given.reach, division_error(line, scene.viewport));
+  EXPECT_EQ(snapped_segment(line, *find_snap("4-truncate")).reach, grid_step(4));
+  const LooseSegment given = snapped_segment(line, Snap{});
+  EXPECT_EQ(given.reach, division_error(line));
 }
 
 // Two triangles share an edge when its ends are given by the same clip coordinates.

@@ -113,10 +113,12 @@ TEST(ClippedLine, CarriesTheValuesOfItsPlacesInClipSpace) {
         const auto part_of = [&](const Rational RationalClip::*axis) {
           return Rational((clip.*axis / clip.w - a.*axis / a.w) / (b.*axis / b.w - a.*axis / a.w));
         };
-        if (a.x / a.w != b.x / b.w)
+        if (a.x / a.w != b.x / b.w) {
           EXPECT_TRUE(holds(window[end], 3 - 8 * part_of(&RationalClip::x)));
-        if (a.y / a.w != b.y / b.w)
+        }
+        if (a.y / a.w != b.y / b.w) {
           EXPECT_TRUE(holds(window[end], 3 - 8 * part_of(&RationalClip::y)));
+        }
       }
     }
     if (HasFailure()) return;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/reports/sample.h"
+#include "tests/results/missing_case.h"
 
 namespace edgecase {
 namespace {
@@ -160,7 +161,8 @@ TEST(Junit, AFlakeIsAFailureOrAnError) {
 
 TEST(Junit, AnExpectationWithoutACaseIsAFailure) {
   Results results = single(result_of(Verdict::agree, Standing::expected));
-  results.missing = {{"osmesa:llvmpipe", "lines/gone", {Verdict::permitted, "p"}, "was so"}};
+  results.missing.push_back(
+      missing_case("osmesa:llvmpipe", "lines/gone", {Verdict::permitted, "p"}, "was so"));
   const pugi::xml_document document = parse(junit_of(results));
   const pugi::xml_node root = document.child("testsuites");
   EXPECT_EQ(root.attribute("failures").as_int(), 1);

@@ -9,6 +9,7 @@
 
 #include "reports/explain_command.h"
 #include "tests/reports/sample.h"
+#include "tests/results/missing_case.h"
 
 namespace edgecase {
 namespace {
@@ -38,7 +39,8 @@ TEST(Summary, WithoutColourThereIsNoEscape) {
 TEST(Summary, SaysWhatIsMissing) {
   Results results = sample::results();
   EXPECT_THAT(summary_of(results, false), Not(HasSubstr("has no more")));
-  results.missing = {{"osmesa:softpipe", "lines/gone", {Verdict::permitted, "p"}, "was so"}};
+  results.missing.push_back(
+      missing_case("osmesa:softpipe", "lines/gone", {Verdict::permitted, "p"}, "was so"));
   EXPECT_THAT(summary_of(results, false),
               HasSubstr("  lines/gone osmesa:softpipe, expected permitted"));
   results.interrupted = true;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/results/missing_case.h"
 #include "tests/results/sample_results.h"
 
 namespace edgecase {
@@ -172,8 +173,8 @@ TEST(MissingCases, AreKnownOfWholeResultsOnly) {
   expectations.renderer = "fake";
   expectations.cases = {{"a", {Verdict::violation, "p", "now agrees", ""}},
                         {"gone", {Verdict::permitted, "q", "was so", ""}}};
-  const std::vector<MissingCase> gone = {{"fake", "gone", {Verdict::permitted, "q"}, "was so"}};
-  EXPECT_EQ(missing_cases(results, expectations), gone);
+  const MissingCase gone = missing_case("fake", "gone", {Verdict::permitted, "q"}, "was so");
+  EXPECT_EQ(missing_cases(results, expectations), std::vector{gone});
 
   const auto spoil = [&](auto change) {
     Results other = results;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/results/sample_results.h"
+#include "tests/results/missing_case.h"
 
 #include <limits>
 
@@ -152,8 +153,10 @@ Results full_results() {
   results.left_out = 12;
   results.whole_suite = true;
   results.shard = {2, 4, 123, "8899aabbccddeeff"};
-  results.missing = {{"osmesa:llvmpipe", "gone/a", {Verdict::permitted, "0f"}, kHostile},
-                     {"exec:./a \"b\"", "gone/b", {Verdict::not_run, "crashed"}, "why"}};
+  results.missing.push_back(
+      missing_case("osmesa:llvmpipe", "gone/a", {Verdict::permitted, "0f"}, kHostile));
+  results.missing.push_back(
+      missing_case("exec:./a \"b\"", "gone/b", {Verdict::not_run, "crashed"}, "why"));
   results.renderers = {
       {"osmesa:llvmpipe", "Mesa", "4.5", "llvmpipe", 8, {{"a", "b"}, {"c d", kHostile}}},
       {"exec:./a \"b\"", "", "", "", 4, {}}};

@@ -258,7 +258,7 @@ TEST(Blending, ShiftedProductsOfAllCodes) {
       const Rgba8 stored = {as_code(b), 0, 0, 0};
       ASSERT_EQ(written({product, product, {}}, source, stored, shifted)[0], expected);
       ASSERT_TRUE(expected == p / 255 || expected == (p + 254) / 255) << a << " " << b;
-      other_than_nearest += expected != oracle::nearest_code(Fraction(p, 255 * 255)) ? 1 : 0;
+      other_than_nearest += expected != oracle::nearest_code(Fraction(p) / (255 * 255)) ? 1 : 0;
     }
   EXPECT_EQ(other_than_nearest, 24);
 }

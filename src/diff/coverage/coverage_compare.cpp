@@ -209,10 +209,10 @@ class CoverageComparison {
   }
 
   Legality judge(const ScenePrimitive& primitive, const CoverageDifference& difference) const {
-    Legality legality = judge_sample(primitive, difference, within(primitive, difference),
-                                     scene().viewport, context_.bits);
+    Legality legality =
+        judge_sample(primitive, difference, within(primitive, difference), context_.bits);
     return judge_facing(primitive, difference, is_missing(primitive), std::move(legality),
-                        scene().viewport, context_.bits);
+                        context_.bits);
   }
 
   // Was nothing of it drawn?

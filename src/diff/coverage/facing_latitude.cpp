@@ -55,30 +55,28 @@ Signs signs_of_seen_area(const LoosePolygon& polygon) {
   return {area + change > 0, area - change < 0};
 }
 
-Signs signs_of(const ScenePrimitive& triangle, const Viewport& viewport, int bits) {
+Signs signs_of(const ScenePrimitive& triangle, int bits) {
   if (triangle.is_clipped) return signs_of_seen_area(loose_polygon(triangle, bits));
   // Of quotients, the nearest: reach_of knows how far off they are.
-  return signs_of_area(nearest_triangle(triangle.positions), reach_of(triangle, viewport, bits));
+  return signs_of_area(nearest_triangle(triangle.positions), reach_of(triangle, bits));
 }
 
 }  // namespace
 
-FacingLatitude permitted_facing(const ScenePrimitive& primitive, const Viewport& viewport,
-                                int bits) {
+FacingLatitude permitted_facing(const ScenePrimitive& primitive, int bits) {
   if (primitive.kind != PrimitiveKind::triangle) return {};
-  const Signs signs = signs_of(primitive, viewport, bits);
+  const Signs signs = signs_of(primitive, bits);
   if (primitive.state->front_face == FrontFace::ccw)
     return {signs.may_be_positive, signs.may_be_negative};
   return {signs.may_be_negative, signs.may_be_positive};
 }
 
-CullingLatitude permitted_culling(const ScenePrimitive& primitive, const Viewport& viewport,
-                                  int bits) {
+CullingLatitude permitted_culling(const ScenePrimitive& primitive, int bits) {
   const CullMode cull = primitive.state->cull;
   if (primitive.kind != PrimitiveKind::triangle || cull == CullMode::none) return {};
   const bool drops_front = cull == CullMode::front || cull == CullMode::front_and_back;
   const bool drops_back = cull == CullMode::back || cull == CullMode::front_and_back;
-  const auto [front, back] = permitted_facing(primitive, viewport, bits);
+  const auto [front, back] = permitted_facing(primitive, bits);
   return {(front && drops_front) || (back && drops_back),
           (front && !drops_front) || (back && !drops_back)};
 }

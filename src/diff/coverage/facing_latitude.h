@@ -15,15 +15,13 @@ struct FacingLatitude {
 };
 
 // `bits` as in ruling 4. Points and lines face the front.
-FacingLatitude permitted_facing(const ScenePrimitive& primitive, const Viewport& viewport,
-                                int bits);
+FacingLatitude permitted_facing(const ScenePrimitive& primitive, int bits);
 
 // Of a primitive: may it be dropped, may it be drawn, as its draw culls?
 struct CullingLatitude {
   bool may_be_culled = false;
   bool may_be_drawn = true;
 };
-CullingLatitude permitted_culling(const ScenePrimitive& primitive, const Viewport& viewport,
-                                  int bits);
+CullingLatitude permitted_culling(const ScenePrimitive& primitive, int bits);
 
 }  // namespace edgecase

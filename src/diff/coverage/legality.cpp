@@ -33,7 +33,7 @@ SizedPoint point_of(const ScenePrimitive& primitive) {
 }
 
 SeenLine seen_line(const ScenePrimitive& line, Snap snap, const Scene& scene) {
-  const auto [segment, reach] = snapped_segment(line, snap, scene.viewport);
+  const auto [segment, reach] = snapped_segment(line, snap);
   return {segment, rounded_width(line.state->line_width),
           drawable_bounds(*line.state, scene.target), reach};
 }
@@ -119,8 +119,7 @@ Legality judge_clipped(const ScenePrimitive& primitive, bool extra, Point sample
   return {legal, kRuling, kClipVolume,
           fmt::format("{} move of the vertices of what is seen, by less than 1/{} pixel and {:.2g} "
                       "by clipping and the division by w, {} the sample {}",
-                      legal ? "some" : "no", 1 << bits,
-                      division_error(primitive, primitive.viewport).to_double(),
+                      legal ? "some" : "no", 1 << bits, division_error(primitive).to_double(),
                       legal ? "puts" : "could put",
                       extra ? "inside or on the boundary" : "outside or on the boundary")};
 }
@@ -128,7 +127,7 @@ Legality judge_clipped(const ScenePrimitive& primitive, bool extra, Point sample
 }  // namespace
 
 Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      Point within, const Viewport& viewport, int bits) {
+                      Point within, int bits) {
   if (auto judged = judge_mask(primitive, difference)) return *judged;
   const bool point = primitive.kind == PrimitiveKind::point;
   const bool line = primitive.kind == PrimitiveKind::line;
@@ -138,30 +137,29 @@ Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference&
   Legality result;
   result.rule = line ? kMultisampledLine : coverage_rule_of(primitive.kind);
   result.ruling = point ? 6 : line ? 28 : 4;
-  const Fixed reach = reach_of(primitive, viewport, bits);
+  const Fixed reach = reach_of(primitive, bits);
   result.legal = extra ? possibly_covered(primitive, sample, reach)
                        : possibly_uncovered(primitive, sample, reach);
   result.reason =
       fmt::format("{} move of the {} by {} {} the sample {}", result.legal ? "some" : "no",
-                  point ? "vertex" : "vertices", move_of(division_error(primitive, viewport), bits),
+                  point ? "vertex" : "vertices", move_of(division_error(primitive), bits),
                   result.legal ? "puts" : "could put",
                   extra ? "inside or on the boundary" : "outside or on the boundary");
   return result;
 }
 
 Legality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      bool whole, Legality otherwise, const Viewport& viewport, int bits) {
+                      bool whole, Legality otherwise, int bits) {
   constexpr const char* kRule = "polygon.facing";
   constexpr int kRuling = 40;
   if (primitive.kind != PrimitiveKind::triangle || primitive.state->cull == CullMode::none)
     return otherwise;
-  const auto [may_be_culled, may_be_drawn] = permitted_culling(primitive, viewport, bits);
+  const auto [may_be_culled, may_be_drawn] = permitted_culling(primitive, bits);
   const bool extra = difference.drawn > difference.exact;
   const bool turns = extra ? may_be_drawn : may_be_culled;
-  const std::string reason =
-      fmt::format("{} move of the vertices by {} turns the triangle so that it is {}culled",
-                  turns ? "some" : "no", move_of(division_error(primitive, viewport), bits),
-                  extra ? "not " : "");
+  const std::string reason = fmt::format(
+      "{} move of the vertices by {} turns the triangle so that it is {}culled",
+      turns ? "some" : "no", move_of(division_error(primitive), bits), extra ? "not " : "");
   if (extra && !turns) return {false, kRuling, kRule, reason};
   if (extra && is_culled(primitive, primitive.positions, FacingMethod::as_set))
     return {otherwise.legal, kRuling, kRule,

@@ -35,12 +35,12 @@ struct Legality {
 // Points, triangles and multisampled lines: `difference` judged by itself. `within`: where in its
 // pixel the sample lies.
 Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      Point within, const Viewport& viewport, int bits);
+                      Point within, int bits);
 
 // The same of triangles of draws that cull: which way they face may be what differs (ruling 40).
 // `whole`: nothing of the triangle was drawn. `otherwise`: what judge_sample says.
 Legality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      bool whole, Legality otherwise, const Viewport& viewport, int bits);
+                      bool whole, Legality otherwise, int bits);
 
 // Lines: names of the catalogued snaps under which the segment's drawn pixels break a ruling.
 std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,

@@ -113,9 +113,8 @@ struct Facts {
 };
 
 Facts facts_of(const ScenePrimitive& primitive, const Scene& scene, int bits) {
-  return {permitted_culling(primitive, scene.viewport, bits).may_be_culled,
-          is_multisampled(*primitive.state, scene.target),
-          reach_of(primitive, scene.viewport, bits),
+  return {permitted_culling(primitive, bits).may_be_culled,
+          is_multisampled(*primitive.state, scene.target), reach_of(primitive, bits),
           drawable_bounds(*primitive.state, scene.target)};
 }
 

@@ -87,9 +87,7 @@ void Arrivals::set_facing(Arrival& arrival, const FateChoice& choice) const {
 
 FacingLatitude Arrivals::facing_of(const Fragment& fragment) const {
   std::optional<FacingLatitude>& facing = facings_[static_cast<std::size_t>(fragment.primitive)];
-  if (!facing)
-    facing =
-        permitted_facing(context_.primitive_of(fragment), context_.scene.viewport, context_.bits());
+  if (!facing) facing = permitted_facing(context_.primitive_of(fragment), context_.bits());
   return *facing;
 }
 

@@ -83,7 +83,7 @@ std::vector<Point> ValueContext::permitted_places(const Fragment& fragment) cons
   const ScenePrimitive& primitive = primitive_of(fragment);
   const auto sample = static_cast<std::size_t>(std::countr_zero(fragment.coverage));
   return permitted_locations(primitive, {fragment.x, fragment.y}, positions_.at(sample),
-                             reach_of(primitive, scene.viewport, bits_));
+                             reach_of(primitive, bits_));
 }
 
 const PrimitiveValues& ValueContext::values_of(const Fragment& fragment) const {
@@ -91,7 +91,7 @@ const PrimitiveValues& ValueContext::values_of(const Fragment& fragment) const {
   if (!values) {
     const ScenePrimitive& primitive = primitive_of(fragment);
     const RuleChoices lawful = lawful_choices(choices);
-    const double reach = reach_of(primitive, scene.viewport, bits_).to_double();
+    const double reach = reach_of(primitive, bits_).to_double();
     values = {attributes_of(primitive, choices, scene.target),
               attributes_of(primitive, lawful, scene.target),
               depth_with_permitted_offset(primitive, lawful, scene.target, reach),

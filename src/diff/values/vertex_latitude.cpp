@@ -80,7 +80,7 @@ Fixed division_error(const Vertex& vertex, Point position, const Viewport& viewp
   return error_of_position(position, viewport);
 }
 
-Fixed division_error(const ScenePrimitive& primitive, const Viewport& viewport) {
+Fixed division_error(const ScenePrimitive& primitive) {
   if (primitive.is_clipped)
     return primitive.kind == PrimitiveKind::triangle ? error_of_seen(primitive) : Fixed();
   Fixed largest;
@@ -89,18 +89,18 @@ Fixed division_error(const ScenePrimitive& primitive, const Viewport& viewport) 
   return largest;
 }
 
-Fixed reach_of(const ScenePrimitive& primitive, const Viewport& viewport, int bits) {
-  return grid_step(bits) + division_error(primitive, viewport);
+Fixed reach_of(const ScenePrimitive& primitive, int bits) {
+  return grid_step(bits) + division_error(primitive);
 }
 
 LoosePolygon loose_polygon(const ScenePrimitive& triangle, int bits) {
-  LoosePolygon polygon{{}, reach_of(triangle, triangle.viewport, bits), triangle.viewport};
+  LoosePolygon polygon{{}, reach_of(triangle, bits), triangle.viewport};
   for (const ClipPolygonVertex& vertex : seen_polygon(triangle, kParts))
     polygon.vertices.push_back(vertex.position);
   return polygon;
 }
 
-LooseSegment snapped_segment(const ScenePrimitive& line, Snap snap, const Viewport& viewport) {
+LooseSegment snapped_segment(const ScenePrimitive& line, Snap snap) {
   LooseSegment result{{snap(line.positions[0]), snap(line.positions[1])}, {}};
   const Point* ends[] = {&result.segment.a, &result.segment.b};
   for (std::size_t i = 0; i < 2; ++i) {

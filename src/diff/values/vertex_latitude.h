@@ -21,16 +21,16 @@ Fixed division_error(const Vertex& vertex, Point position, const Viewport& viewp
 
 // The largest of those of a primitive's vertices. Of what is seen of a clipped triangle and of a
 // cut line, of the vertices that clipping makes too, which are off by more (ruling 42).
-Fixed division_error(const ScenePrimitive& primitive, const Viewport& viewport);
+Fixed division_error(const ScenePrimitive& primitive);
 
 // Rulings 4 and 15 together: each vertex may move by less than this. `bits` as in ruling 4.
-Fixed reach_of(const ScenePrimitive& primitive, const Viewport& viewport, int bits);
+Fixed reach_of(const ScenePrimitive& primitive, int bits);
 
 // What is seen of a clipped triangle, and how it may move (ruling 42).
 LoosePolygon loose_polygon(const ScenePrimitive& triangle, int bits);
 
 // A line whose exact ends are snapped, and how far from there ends that erred may be snapped to.
-LooseSegment snapped_segment(const ScenePrimitive& line, Snap snap, const Viewport& viewport);
+LooseSegment snapped_segment(const ScenePrimitive& line, Snap snap);
 
 // Are two vertices given by the same numbers, so that whatever is done to one is done to the other?
 bool is_bit_identical(const Vertex& a, const Vertex& b);

@@ -253,7 +253,7 @@ void ValueErrorTable::add(const ValueMode& mode, const std::string& id, const Sc
   for (const ScenePrimitive& primitive : primitives)
     known.push_back({attributes_of(primitive, lawful_, scene.target),
                      attributes_of(primitive, found_, scene.target),
-                     reach_of(primitive, scene.viewport, bits_).to_double()});
+                     reach_of(primitive, bits_).to_double()});
   const bool found_differs = !same_values(found_.values, lawful_.values);
   for (const ValueKind kind : {ValueKind::color, ValueKind::depth, ValueKind::inverse_w}) {
     if (!is_compared(mode, kind)) continue;

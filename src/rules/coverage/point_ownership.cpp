@@ -101,8 +101,8 @@ Explanation explain_point(const SizedPoint& point, Point sample, const TieRule& 
   result.text = fmt::format(
       "the {} {} lies {} the square of side {} round the point {} ({} from it along the axis where "
       "it is farther; {} is the boundary)",
-      centred ? "pixel's centre" : "sample", format_point(sample), where, to_decimal(point.size), format_point(point.vertex),
-      to_decimal(Fixed::from_raw(distance)), half);
+      centred ? "pixel's centre" : "sample", format_point(sample), where, to_decimal(point.size),
+      format_point(point.vertex), to_decimal(Fixed::from_raw(distance)), half);
   if (2 * distance == size)
     result.text += fmt::format("; the tie is decided by {}, so the {} counts as {}", ties.name,
                                centred ? "centre" : "sample",
