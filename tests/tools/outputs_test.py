@@ -216,11 +216,13 @@ class Outputs(CommandTest):
                 self.assertEqual((x, y) in listed, len({red, green, blue}) > 1)
 
     def test_nothing_to_tell(self):
-        self.command("run", "cases", "--against", "exact", *self.options, "--triptychs", "none")
-        self.assertEqual(self.text("run.txt"), "")
-        self.assertEqual(len(self.text("run.csv").splitlines()), 1)
-        self.assertFalse((self.folder / "none").exists())
-        self.assertNotIn("<failure", self.text("run.xml"))
+        for triptychs in ("none", "none/"):
+            self.command("run", "cases", "--against", "exact", *self.options,
+                         "--triptychs", triptychs)
+            self.assertEqual(self.text("run.txt"), "")
+            self.assertEqual(len(self.text("run.csv").splitlines()), 1)
+            self.assertFalse((self.folder / "none").exists())
+            self.assertNotIn("<failure", self.text("run.xml"))
 
     def test_every_option_is_told(self):
         for subcommand in ("run", "report", "merge"):

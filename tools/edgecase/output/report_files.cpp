@@ -108,14 +108,17 @@ std::string ReportFiles::html_path() const {
   return is_none_given() ? "out/report.html" : html;
 }
 
-// Of all files that are no standard output.
+// Of all that is no standard output. The folder of triptychs is one entry of its own folder: it is
+// made only when there is a triptych.
 std::set<std::filesystem::path> ReportFiles::folders() const {
   std::set<std::filesystem::path> found;
-  if (!triptychs.empty()) found.insert(triptychs);
   for (const std::string& path :
-       {json_path(), html_path(), junit, ctrf, markdown, annotations, csv}) {
+       {json_path(), html_path(), junit, ctrf, markdown, annotations, csv, triptychs}) {
     if (path.empty() || path == "-") continue;
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    const std::filesystem::path written = path;
+    const std::filesystem::path entry =
+        written.has_filename() ? written : written.parent_path();  // "pictures/" is "pictures"
+    const std::filesystem::path folder = entry.parent_path();
     found.insert(folder.empty() ? "." : folder);
   }
   return found;
