@@ -10,6 +10,7 @@
 #include <set>
 
 #include "casefile/blend_presets.h"
+#include "generate/grid_joints.h"
 #include "generate/grid_lines.h"
 #include "generate/random_compounds.h"
 #include "generate/random_output.h"
@@ -155,6 +156,12 @@ std::span<const Family> all_families() {
        true,
        true,
        random_joint_scene},
+      {"grid-joints",
+       "joints of lines between multiples of 1/16 within 16x16 pixels, 16 in a scene",
+       {"line.joint"},
+       true,
+       true,
+       grid_joint_scene},
       {"shared-edges",
        "two triangles on opposite sides of one edge",
        {"triangle.shared-edge", "triangle.fill-rule"},

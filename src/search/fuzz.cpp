@@ -72,6 +72,7 @@ class Search {
         if (round >= kWarmUp) minimize_candidates([&] { return minimize_asks_ < report_.scenes; });
       }
       minimize_candidates([] { return true; });
+      minimize_others();
     } catch (const SearchStopped&) {
     }
     return finished();
@@ -231,19 +232,38 @@ class Search {
       while (!waiting.empty() && !is_full() && goes_on()) {
         // No more at once than may be wanted.
         const std::size_t wanted = options_.finds ? *options_.finds - finds() : kUnlimited;
-        const std::size_t count = std::min({waiting.size(), wanted, kChunk});
-        const MinimizeOptions options = affordable();
-        std::vector<Find> found(count);
-        in_parallel(
-            count,
-            [&](std::size_t i, std::size_t w) { found[i] = minimized(r, waiting[i], w, options); },
-            [] { return false; });
-        waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count));
-        for (Find& find : found) {
-          minimize_asks_ += find.asks;
-          add(r, std::move(find));
-        }
+        minimize_first(r, std::min({waiting.size(), wanted, kChunk}));
       }
+    }
+  }
+
+  // What is left of a time that is given is for finds that could be easier to read: others of the
+  // scenes that show them may lead there.
+  void minimize_others() {
+    for (bool any = options_.time.has_value(); any;) {
+      any = false;
+      for (std::size_t r = 0; r < renderers_.size(); ++r) {
+        for (Candidate& candidate : ledgers_[r].take_others())
+          waiting_[r].push_back(std::move(candidate));
+        for (; !waiting_[r].empty() && elapsed() < time(); any = true)
+          minimize_first(r, std::min(waiting_[r].size(), kChunk));
+      }
+    }
+  }
+
+  // The first that wait, side by side.
+  void minimize_first(std::size_t r, std::size_t count) {
+    std::deque<Candidate>& waiting = waiting_[r];
+    const MinimizeOptions options = affordable();
+    std::vector<Find> found(count);
+    in_parallel(
+        count,
+        [&](std::size_t i, std::size_t w) { found[i] = minimized(r, waiting[i], w, options); },
+        [] { return false; });
+    waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count));
+    for (Find& find : found) {
+      minimize_asks_ += find.asks;
+      add(r, std::move(find));
     }
   }
 

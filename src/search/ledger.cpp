@@ -14,6 +14,8 @@ namespace edgecase {
 namespace {
 
 constexpr std::size_t kMostRead = 4096;  // results of a surface: then the reading stands
+constexpr std::size_t kReadablePrimitives = 2;
+constexpr std::size_t kMostOthers = 16;  // scenes of a find that are kept beside the one taken
 
 void judge_one(Result& result, Latitude latitude, const RunReading* reading) {
   const std::array<Result* const, 1> one{&result};
@@ -35,6 +37,16 @@ Result stripped(const Result& result) {
 
 bool is_readable(const Scene& scene) {
   return fraction_bits_of(scene) <= kReadableBits;
+}
+
+// What of a scene is beyond what people read at once: primitives, then fraction bits.
+std::pair<std::size_t, int> beyond_readable(const Scene& scene, int least_bits) {
+  const std::size_t primitives = primitives_of(scene).size();
+  return {std::max(primitives, kReadablePrimitives) - kReadablePrimitives,
+          std::max(fraction_bits_of(scene) - std::max(kReadableBits, least_bits), 0)};
+}
+bool is_easier(const Find& a, const Find& b) {
+  return beyond_readable(a.scene, 0) < beyond_readable(b.scene, 0);
 }
 
 // Is one the better to start from? Coordinates that people read do not get finer again.
@@ -107,22 +119,46 @@ std::vector<Candidate> Ledger::take_candidates() {
     for (const Shown& what : shown(pending)) {
       const bool is_new = seen_[what.key]++ == 0;
       const auto place = places.find(what.key);
+      const auto candidate = [&] {
+        return Candidate{what.key, what.verdict, pending.sourced, pending.result};
+      };
       if (place == places.end()) {
         const bool is_better = readable && !readable_.contains(what.key);
-        if ((!is_new && !is_better) || is_known(what.key)) continue;
-        places[what.key] = candidates.size();
-        candidates.push_back({what.key, what.verdict, pending.sourced, pending.result});
+        if (is_known(what.key)) continue;
+        if (is_new || is_better) {
+          places[what.key] = candidates.size();
+          candidates.push_back(candidate());
+        } else if (lacks_others(what.key)) {
+          others_[what.key].push_back(candidate());
+        }
         continue;
       }
-      Candidate& candidate = candidates[place->second];
-      if (!is_smaller(pending.sourced.scene, candidate.sourced.scene)) continue;
-      candidate.sourced = pending.sourced;
-      candidate.result = pending.result;
+      Candidate& taken = candidates[place->second];
+      const bool is_better = is_smaller(pending.sourced.scene, taken.sourced.scene);
+      if (lacks_others(what.key)) others_[what.key].push_back(is_better ? taken : candidate());
+      if (is_better) taken = candidate();
     }
   }
   pending_.clear();
   for (const Candidate& candidate : candidates)
     if (is_readable(candidate.sourced.scene)) readable_.insert(candidate.key);
+  return candidates;
+}
+
+bool Ledger::lacks_others(const FindKey& key) const {
+  const auto others = others_.find(key);
+  return others == others_.end() || others->second.size() < kMostOthers;
+}
+
+std::vector<Candidate> Ledger::take_others() {
+  std::vector<Candidate> candidates;
+  for (const Find& find : finds_) {
+    if (beyond_readable(find.scene, find.least_bits) == beyond_readable({}, 0)) continue;
+    const auto others = others_.find(find.key);
+    if (others == others_.end() || others->second.empty()) continue;
+    candidates.push_back(std::move(others->second.front()));
+    others->second.pop_front();
+  }
   return candidates;
 }
 
@@ -132,7 +168,7 @@ bool Ledger::add_find(Find find) {
   if (is_readable(find.scene)) readable_.insert(find.key);
   const auto same = std::ranges::find(finds_, find.key, &Find::key);
   if (same != finds_.end()) {
-    if (is_readable(find.scene) && !is_readable(same->scene)) *same = std::move(find);
+    if (is_easier(find, *same)) *same = std::move(find);
     return false;
   }
   // What a minimised scene shows need not be looked for again.
@@ -164,7 +200,7 @@ void Ledger::merge_finds() {
     const auto same = std::ranges::find(kept, find.key, &Find::key);
     if (same == kept.end())
       kept.push_back(std::move(find));
-    else if (is_readable(find.scene) && !is_readable(same->scene))
+    else if (is_easier(find, *same))
       *same = std::move(find);
   }
   finds_ = std::move(kept);

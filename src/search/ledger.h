@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -47,6 +48,10 @@ class Ledger {
   // coordinates of kReadableBits (search/grid_search.h) shows it that had none before.
   std::vector<Candidate> take_candidates();
 
+  // For each find that could still be easier to read, another scene that shows it, if there is one
+  // that was not taken yet. Of each find a few are kept.
+  std::vector<Candidate> take_others();
+
   // Is it new? Then it is kept; it takes the place of one that is the same and cannot be read as
   // easily. `find.result` must be judged under the reading.
   bool add_find(Find find);
@@ -75,6 +80,7 @@ class Ledger {
   void judge_under_reading(const Scene& scene, Result& result) const;
   bool is_known(const FindKey& key);
   std::vector<Shown> shown(const Pending& pending) const;
+  bool lacks_others(const FindKey& key) const;
   void merge_finds();
 
   Latitude latitude_;
@@ -84,6 +90,7 @@ class Ledger {
   std::map<Surface, RunReading> readings_;
   std::map<FindKey, std::size_t> seen_;  // scenes that showed it
   std::set<FindKey> readable_;           // of which a scene of kReadableBits was taken, or kept
+  std::map<FindKey, std::deque<Candidate>> others_;  // that show it, and were not taken
   std::vector<Pending> known_;
   std::set<FindKey> known_keys_;
   std::set<FindKey> keys_of_known_;  // of `known_`, under the reading

@@ -112,10 +112,10 @@ TEST(Families, OfAttributesHaveEachInterpolationProvokingVertexAndW) {
 TEST(Families, AreSelectedByNameRuleAndGlob) {
   EXPECT_EQ(selected({}).size(), all_families().size());
   EXPECT_THAT(selected({"shared-edges", "lines"}), ElementsAre("lines", "shared-edges"));
-  EXPECT_THAT(selected({"line.joint"}), ElementsAre("joints"));
+  EXPECT_THAT(selected({"line.joint"}), ElementsAre("joints", "grid-joints"));
   EXPECT_THAT(selected({"line.*"}),
-              ElementsAre("lines", "grid-lines", "grid-lines-2-wide", "joints", "snapping",
-                          "samples", "grid-lines-of-4-samples"));
+              ElementsAre("lines", "grid-lines", "grid-lines-2-wide", "joints", "grid-joints",
+                          "snapping", "samples", "grid-lines-of-4-samples"));
   EXPECT_THAT(selected({"texture.*", "clip*"}), ElementsAre("lod", "clipping"));
 }
 

@@ -87,5 +87,37 @@ TEST(Ledger, PrefersReadableScenesAmongThoseOfARound) {
   EXPECT_EQ(fraction_bits_of(stray_of(candidates).sourced.scene), 4);
 }
 
+TEST(Ledger, HasOtherScenesOfAFindThatIsHardToRead) {
+  Ledger ledger(Latitude::opengl, Verdict::convention);
+  add(ledger, 256 + 3);
+  ledger.add_find(find_of(stray_of(ledger.take_candidates())));
+  add(ledger, 256 + 5);
+  add(ledger, 256 + 6);
+  EXPECT_TRUE(ledger.take_candidates().empty());
+  const auto others = ledger.take_others();
+  ASSERT_EQ(others.size(), 1u) << "one at a time";
+  EXPECT_EQ(fraction_bits_of(others[0].sourced.scene), 8);
+  EXPECT_FALSE(ledger.add_find(find_of(others[0]))) << "no easier";
+  const auto better = ledger.take_others();
+  ASSERT_EQ(better.size(), 1u);
+  EXPECT_EQ(fraction_bits_of(better[0].sourced.scene), 7);
+  EXPECT_FALSE(ledger.add_find(find_of(better[0]))) << "it is known";
+  EXPECT_TRUE(ledger.take_others().empty()) << "all were taken";
+  const std::vector<Find> finds = ledger.take_finds();
+  ASSERT_EQ(finds.size(), 1u);
+  EXPECT_EQ(fraction_bits_of(finds[0].scene), 7);
+}
+
+TEST(Ledger, LooksForNothingEasierThanNeeded) {
+  Ledger ledger(Latitude::opengl, Verdict::convention);
+  add(ledger, 256 + 3);
+  Find find = find_of(stray_of(ledger.take_candidates()));
+  find.least_bits = 8;
+  ledger.add_find(std::move(find));
+  add(ledger, 256 + 5);
+  ledger.take_candidates();
+  EXPECT_TRUE(ledger.take_others().empty());
+}
+
 }  // namespace
 }  // namespace edgecase
