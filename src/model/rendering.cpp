@@ -3,18 +3,53 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace edgecase {
 
+namespace {
+
+// Stable, by pixels alone, in time linear in fragments and pixels.
+void distribute_to_pixels(Rendering& rendering) {
+  std::vector<std::size_t> first(rendering.pixel_index(0, rendering.height) + 1);
+  for (const Fragment& f : rendering.fragments) ++first[rendering.pixel_index(f.x, f.y) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Fragment> sorted(rendering.fragments.size());
+  for (const Fragment& f : rendering.fragments)
+    sorted[first[rendering.pixel_index(f.x, f.y)]++] = f;
+  rendering.fragments = std::move(sorted);
+}
+
+// Are there enough fragments for counting them at each pixel, and all of them at pixels?
+bool can_distribute(const Rendering& rendering) {
+  const std::size_t pixels = rendering.pixel_index(0, rendering.height);
+  return pixels <= 16 * rendering.fragments.size() &&
+         std::all_of(
+             rendering.fragments.begin(), rendering.fragments.end(), [&](const Fragment& f) {
+               return f.x >= 0 && f.x < rendering.width && f.y >= 0 && f.y < rendering.height;
+             });
+}
+
+}  // namespace
+
 bool precedes(const Fragment& a, const Fragment& b) {
-  return std::tie(a.y, a.x, a.primitive, a.coverage) < std::tie(b.y, b.x, b.primitive, b.coverage);
+  if (a.y != b.y) return a.y < b.y;
+  if (a.x != b.x) return a.x < b.x;
+  return std::tie(a.primitive, a.coverage) < std::tie(b.primitive, b.coverage);
 }
 
 void sort_fragments(Rendering& rendering) {
-  // Most come sorted, and looking is much cheaper than sorting.
-  if (std::is_sorted(rendering.fragments.begin(), rendering.fragments.end(), precedes)) return;
-  std::stable_sort(rendering.fragments.begin(), rendering.fragments.end(), precedes);
+  std::vector<Fragment>& fragments = rendering.fragments;
+  const auto are_sorted = [&] {
+    return std::is_sorted(fragments.begin(), fragments.end(), precedes);
+  };
+  // Most come sorted, or primitive by primitive, and looking is much cheaper than sorting.
+  if (are_sorted()) return;
+  if (can_distribute(rendering)) distribute_to_pixels(rendering);
+  if (!are_sorted()) std::stable_sort(fragments.begin(), fragments.end(), precedes);
 }
 
 std::uint8_t to_unorm8(double component) {

@@ -2,7 +2,6 @@
 //
 // The exact rasterizer's coverage stage: the pixels and samples of one primitive.
 #include <algorithm>
-#include <tuple>
 
 #include "raster/clipped_coverage.h"
 #include "raster/facing.h"
@@ -185,6 +184,15 @@ Pixels clipped_pixels_of(const ScenePrimitive& primitive,
   return clipped_pixels({{positions, primitive.z}, viewport}, view.bounds, view.within, choice);
 }
 
+// Most are found row by row, and looking is much cheaper than sorting.
+void sort_by_rows(Pixels& pixels) {
+  const auto reads_before = [](PixelPosition a, PixelPosition b) {
+    return a.y != b.y ? a.y < b.y : a.x < b.x;
+  };
+  if (!std::is_sorted(pixels.begin(), pixels.end(), reads_before))
+    std::sort(pixels.begin(), pixels.end(), reads_before);
+}
+
 // The same, sorted, of a target that is seen as the choice sees it.
 Pixels viewed_pixels(const ScenePrimitive& primitive, const Target& target, CoverageChoice choice,
                      View view) {
@@ -203,9 +211,7 @@ Pixels viewed_pixels(const ScenePrimitive& primitive, const Target& target, Cove
                                        : snapped_pixels(primitive, p, view, choice);
   if (turned)
     for (PixelPosition& pixel : pixels) pixel.y = target.height - 1 - pixel.y;
-  std::sort(pixels.begin(), pixels.end(), [](PixelPosition a, PixelPosition b) {
-    return std::tie(a.y, a.x) < std::tie(b.y, b.x);
-  });
+  sort_by_rows(pixels);
   return pixels;
 }
 

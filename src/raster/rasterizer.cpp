@@ -15,9 +15,13 @@
 namespace edgecase {
 namespace {
 
-void write_color(std::vector<std::uint8_t>& pixels, std::size_t pixel,
-                 const std::array<double, 4>& color) {
-  for (std::size_t i = 0; i < 4; ++i) pixels[4 * pixel + i] = to_unorm8(color[i]);
+// All samples hold the clear colour.
+void clear_colors(const Target& target, std::vector<std::uint8_t>& planes) {
+  std::array<std::uint8_t, 4> code{};
+  for (std::size_t i = 0; i < code.size(); ++i)
+    code[i] = to_unorm8(static_cast<double>(target.clear[i]));
+  for (auto at = planes.begin(); at != planes.end(); at += 4)
+    std::copy(code.begin(), code.end(), at);
 }
 
 // Nothing drawn yet.
@@ -37,11 +41,7 @@ Rendering cleared(const Target& target) {
   if (target.stencil != StencilFormat::none)
     rendering.stencils.assign(samples, target.clear_stencil);
   if (target.samples > 1) rendering.sample_pixels.resize(4 * samples);
-  std::vector<std::uint8_t>& planes =
-      target.samples > 1 ? rendering.sample_pixels : rendering.pixels;
-  std::array<double, 4> clear{};
-  std::copy(target.clear.begin(), target.clear.end(), clear.begin());
-  for (std::size_t sample = 0; sample < samples; ++sample) write_color(planes, sample, clear);
+  clear_colors(target, target.samples > 1 ? rendering.sample_pixels : rendering.pixels);
   return rendering;
 }
 

@@ -3,10 +3,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 namespace edgecase {
 namespace {
+
+// The two digits of each byte.
+constexpr auto kDigitsOfBytes = [] {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::array<std::array<char, 2>, 256> digits{};
+  for (std::size_t byte = 0; byte < digits.size(); ++byte)
+    digits[byte] = {kDigits[byte >> 4], kDigits[byte & 15]};
+  return digits;
+}();
 
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -17,12 +28,9 @@ int hex_digit(char c) {
 }  // namespace
 
 std::string to_hex(const std::vector<std::uint8_t>& bytes) {
-  constexpr char kDigits[] = "0123456789abcdef";
   std::string text(2 * bytes.size(), '0');
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    text[2 * i] = kDigits[bytes[i] >> 4];
-    text[2 * i + 1] = kDigits[bytes[i] & 15];
-  }
+  auto at = text.begin();
+  for (const std::uint8_t byte : bytes) at = std::copy_n(kDigitsOfBytes[byte].begin(), 2, at);
   return text;
 }
 

@@ -54,6 +54,7 @@ struct CoverageChoice {
   MultisampledLine multisampled_line = MultisampledLine::rectangle;  // of lines alone
   MultisampleSwitch multisample_switch = MultisampleSwitch::honoured;
   SampleMask sample_mask = SampleMask::applied;
+  friend bool operator==(const CoverageChoice&, const CoverageChoice&) = default;
 };
 
 // What a policy says of attributes.

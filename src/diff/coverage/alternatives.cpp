@@ -142,25 +142,6 @@ RuleAlternatives masks_beside(SampleMask chosen) {
   return result;
 }
 
-// Does the choice already hold what the change would make of it?
-bool holds(const CoverageChoice& choice, const Change& change) {
-  const CoverageChoice changed = change.applied_to(choice);
-  return changed.snap == choice.snap && std::string_view(changed.ties.name) == choice.ties.name &&
-         changed.line.algorithm == choice.line.algorithm &&
-         changed.line.boundary == choice.line.boundary && changed.line.wide == choice.line.wide &&
-         changed.rows == choice.rows && changed.point_offset == choice.point_offset &&
-         changed.triangle_algorithm == choice.triangle_algorithm &&
-         changed.facing == choice.facing && changed.clip == choice.clip &&
-         changed.placement == choice.placement &&
-         changed.multisampled_line == choice.multisampled_line &&
-         changed.multisample_switch == choice.multisample_switch &&
-         changed.sample_mask == choice.sample_mask;
-}
-
-}  // namespace
-
-namespace {
-
 std::vector<RuleAlternatives> line_alternatives(const ScenePrimitive& line,
                                                 const CoverageChoice& chosen) {
   std::vector<RuleAlternatives> rules = {
@@ -221,7 +202,7 @@ std::vector<Change> changes_between(const ScenePrimitive& primitive, const Targe
   std::vector<Change> changes;
   for (const RuleAlternatives& rule : rules)
     for (const Change& change : rule)
-      if (holds(to, change)) changes.push_back(change);
+      if (change.applied_to(to) == to) changes.push_back(change);
   return changes;
 }
 

@@ -224,9 +224,10 @@ class CoverageComparison {
   // What the specification's own choice and the renderer differ in where the policy sides with the
   // renderer.
   std::vector<CoverageDifference> excused_by_policy(const ScenePrimitive& primitive) const {
+    const CoverageChoice& standard = standard_.of(primitive.kind);
+    if (!is_multisampled(primitive) && standard == context_.choices.of(primitive.kind)) return {};
     const PrimitiveCoverage& coverage = coverage_of(primitive);
-    const auto own =
-        covered_samples(primitive, target(), standard_.of(primitive.kind), context_.reported);
+    const auto own = covered_samples(primitive, target(), standard, context_.reported);
     if (own == coverage.exact) return {};
     auto found = differences({own, coverage.drawn});
     std::erase_if(found, [&](const CoverageDifference& difference) {

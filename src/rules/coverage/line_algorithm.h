@@ -63,6 +63,7 @@ struct LineChoice {
   LineAlgorithm algorithm = LineAlgorithm::diamond_exit;
   const DiamondBoundary* boundary = nullptr;  // never null in a resolved choice
   WideLine wide = WideLine::replicate;
+  friend bool operator==(const LineChoice&, const LineChoice&) = default;
 };
 
 // Is a line of that width an area of its own, with borders that belong to one side or the other?

@@ -46,6 +46,11 @@ struct TieRule {
     if (first != 0) return first > 0;
     return gradient_x * second_x + gradient_y * second_y > 0;
   }
+
+  friend constexpr bool operator==(const TieRule& a, const TieRule& b) {
+    return std::string_view(a.name) == b.name && a.kind == b.kind && a.first_x == b.first_x &&
+           a.first_y == b.first_y && a.second_x == b.second_x && a.second_y == b.second_y;
+  }
 };
 
 // The rule of a target that is seen upside down, as it is seen upright; it keeps its name.
