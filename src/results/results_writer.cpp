@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <future>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <string_view>
+#include <span>
+#include <thread>
 
 #include "results/clusters.h"
 #include "results/folding.h"
@@ -286,16 +291,48 @@ std::string dump(const Json& json) {
 
 // A case as one JSON object. Its digits need no escapes, and are most of the text.
 void write_case(const CaseResults& one, const std::vector<RendererInfo>& renderers,
-                std::ostream& out) {
+                std::string& text) {
   const Keeping keep{one.pixels.size() > 4 * kMostPixels};
   const std::string head = dump(case_head(one));
   const std::string tail = dump(case_tail(one, renderers, keep));
-  out << std::string_view(head).substr(0, head.size() - 1) << ",\"pixels\":";
+  text.append(head, 0, head.size() - 1).append(",\"pixels\":");
   if (keep.is_large)
-    out << dump(keep(to_hex(one.pixels)));
+    text += dump(keep(to_hex(one.pixels)));
   else
-    out << '"' << to_hex(one.pixels) << '"';
-  out << ',' << std::string_view(tail).substr(1);
+    text.append(1, '"').append(to_hex(one.pixels)).append(1, '"');
+  text.append(1, ',').append(tail, 1);
+}
+
+// Some cases, each on a line of its own.
+std::string cases_text(std::span<const CaseResults> cases,
+                       const std::vector<RendererInfo>& renderers, bool are_first) {
+  std::string text;
+  const char* separator = are_first ? "\n" : ",\n";
+  for (const CaseResults& one : cases) {
+    text += separator;
+    write_case(one, renderers, text);
+    separator = ",\n";
+  }
+  return text;
+}
+
+// Text is made on all processors, a few parts ahead of what is written.
+void write_cases(const Results& results, std::ostream& out) {
+  constexpr std::size_t kCasesOfPart = 64;
+  const std::size_t most_ahead = 2 * std::max(std::thread::hardware_concurrency(), 1u);
+  std::deque<std::future<std::string>> parts;
+  const auto write_first = [&] {
+    out << parts.front().get();
+    parts.pop_front();
+  };
+  const std::span<const CaseResults> cases = results.cases;
+  for (std::size_t first = 0; first < cases.size(); first += kCasesOfPart) {
+    if (parts.size() >= most_ahead) write_first();
+    const auto part = cases.subspan(first, std::min(kCasesOfPart, cases.size() - first));
+    parts.push_back(
+        std::async(std::launch::async, cases_text, part, std::cref(results.renderers), first == 0));
+  }
+  while (!parts.empty()) write_first();
 }
 
 }  // namespace
@@ -313,12 +350,7 @@ void write_results(const Results& results, std::ostream& out) {
       << ",\n\"missing\":" << dump(list(results.missing, missing_json))
       << ",\n\"summary\":" << dump(summary_json(results))
       << ",\n\"clusters\":" << dump(clusters_json(results)) << ",\n\"cases\":[";
-  const char* separator = "\n";
-  for (const CaseResults& one : results.cases) {
-    out << separator;
-    write_case(one, results.renderers, out);
-    separator = ",\n";
-  }
+  write_cases(results, out);
   out << "\n]\n}\n";
 }
 

@@ -176,9 +176,9 @@ class SingleChanges {
   bool draw_so(const CoverageChoice& changed) {
     const CoverageChoice& chosen = question_.chosen;
     if (changed.snap != chosen.snap && decides_by_vertices()) return snapped_so(changed);
-    if (std::string_view(changed.ties.name) != chosen.ties.name && decides_by_edges() &&
-        !has_ties())
-      return true;
+    const bool only_ties_differ = std::string_view(changed.ties.name) != chosen.ties.name ||
+                                  (changed.rows != chosen.rows && is_seen_alike());
+    if (only_ties_differ && decides_by_edges() && !has_ties()) return true;
     return covers_so(changed);
   }
 
@@ -216,6 +216,11 @@ class SingleChanges {
     return question_.target.samples == 1 && !question_.primitive.is_clipped &&
            question_.primitive.kind == PrimitiveKind::triangle &&
            question_.chosen.triangle_algorithm == TriangleAlgorithm::edge_functions;
+  }
+
+  // Is it the same triangle in a target that is seen upside down, but for ties?
+  bool is_seen_alike() const {
+    return question_.chosen.snap.is_none() && question_.primitive.state->cull == CullMode::none;
   }
 
   // Does a sample lie on an edge, and in the triangle? Open edges draw the least that any rule on

@@ -26,7 +26,7 @@ struct Component {
   double exact = 0;    // the double nearest to the exact value
   Interval permitted;  // float32 values that the specification allows
   double rendered = 0;
-  double range = 0;  // of the attribute over the vertices
+  double range = 0;  // of the attribute over the vertices; of a correct one not needed
 
   // Equal to what exact itself would answer. Halfway between two float32 numbers the other one is
   // told, half a unit off.
@@ -75,10 +75,10 @@ class Judge {
     Component result;
     result.exact = middle(exact);
     result.rendered = rendered;
-    result.range = range_of(chosen);
     result.permitted = rounded_to_float(exact);
     // Under a policy without latitude what is correct is permitted, whatever its formula.
     if (result.is_correct() && (forgiving_ || !values_.differ)) return result;
+    result.range = range_of(chosen);
     // What lies near enough without moving any vertex needs no search over their moves.
     result.permitted = rounded_to_float(interpolate_inexact(lawful, place));
     if (result.is_permitted()) return result;

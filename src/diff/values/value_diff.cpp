@@ -47,6 +47,7 @@ const ScenePrimitive& ValueContext::primitive_of(const Fragment& fragment) const
 
 // None where the draw is not multisampled, or the renderer tells of a fragment without samples.
 std::optional<Invocation> ValueContext::invocation_of(const Fragment& fragment) const {
+  if (scene.target.samples == 1) return std::nullopt;
   const ScenePrimitive& primitive = primitive_of(fragment);
   if (!is_multisampled(*primitive.state, scene.target) || fragment.coverage == 0)
     return std::nullopt;
