@@ -8,7 +8,8 @@
 // Rounds of some hundred scenes are cut into pieces, which a few threads take, each with renderers
 // of its own; what a round shows is judged, minimised and added to the corpus before the next one
 // begins. So the same renderers, seed, corpus and number of scenes give the same finds, whatever
-// the number of threads. A search that is ended by the clock ends between two pieces.
+// the number of threads. A search that is ended by the clock ends between two pieces; what is
+// left of its time goes to finds that are hard to read.
 #pragma once
 
 #include <atomic>

@@ -142,13 +142,12 @@ RuleAlternatives masks_beside(SampleMask chosen) {
   return result;
 }
 
-std::vector<RuleAlternatives> line_alternatives(const ScenePrimitive& line,
+std::vector<RuleAlternatives> line_alternatives(const CoverageTraits& traits,
                                                 const CoverageChoice& chosen) {
   std::vector<RuleAlternatives> rules = {
       algorithms_beside(chosen.line.algorithm), boundaries_beside(*chosen.line.boundary),
-      snaps_beside(line.kind, chosen.snap), row_orders_beside(line.kind, chosen.rows)};
-  if (line.state->line_width != Fixed::from_integer(1))
-    rules.push_back(wide_lines_beside(chosen.line.wide));
+      snaps_beside(traits.kind, chosen.snap), row_orders_beside(traits.kind, chosen.rows)};
+  if (traits.is_wide) rules.push_back(wide_lines_beside(chosen.line.wide));
   return rules;
 }
 
@@ -162,35 +161,53 @@ std::vector<RuleAlternatives> rectangle_alternatives(const CoverageChoice& chose
 
 }  // namespace
 
+CoverageTraits coverage_traits(const ScenePrimitive& primitive, const Target& target) {
+  const Multisampling& use = primitive.state->multisampling;
+  CoverageTraits traits;
+  traits.kind = primitive.kind;
+  traits.samples = target.samples;
+  traits.is_multisampled = is_multisampled(*primitive.state, target);
+  traits.is_switched_off = target.samples > 1 && !use.enabled;
+  traits.heeds_mask =
+      traits.is_multisampled && writable_samples(use, target.samples, SampleMask::applied) !=
+                                    writable_samples(use, target.samples, SampleMask::ignored);
+  traits.is_wide = primitive.kind == PrimitiveKind::line &&
+                   primitive.state->line_width != Fixed::from_integer(1);
+  traits.is_clipped = primitive.is_clipped;
+  traits.is_culled_by_facing = primitive.state->cull != CullMode::none;
+  return traits;
+}
+
+std::vector<RuleAlternatives> alternatives_beside(const CoverageTraits& traits,
+                                                  const CoverageChoice& chosen) {
+  std::vector<RuleAlternatives> rules;
+  switch (traits.kind) {
+    case PrimitiveKind::point:
+      rules = {ties_beside(traits.kind, chosen.ties), snaps_beside(traits.kind, chosen.snap),
+               offsets_beside(chosen.point_offset), row_orders_beside(traits.kind, chosen.rows)};
+      break;
+    case PrimitiveKind::line:
+      rules = traits.is_multisampled ? rectangle_alternatives(chosen)
+                                     : line_alternatives(traits, chosen);
+      break;
+    case PrimitiveKind::triangle:
+      rules = {ties_beside(traits.kind, chosen.ties), snaps_beside(traits.kind, chosen.snap),
+               triangle_algorithms_beside(chosen.triangle_algorithm),
+               row_orders_beside(traits.kind, chosen.rows)};
+      if (traits.is_clipped) rules.push_back(clip_methods_beside(chosen.clip));
+      if (traits.is_culled_by_facing) rules.push_back(facings_beside(chosen.facing));
+      break;
+  }
+  if (traits.is_multisampled) rules.push_back(placements_beside(traits.samples, chosen.placement));
+  if (traits.heeds_mask) rules.push_back(masks_beside(chosen.sample_mask));
+  if (traits.is_switched_off) rules.push_back(switches_beside(chosen.multisample_switch));
+  return rules;
+}
+
 std::vector<RuleAlternatives> alternatives_beside(const ScenePrimitive& primitive,
                                                   const Target& target,
                                                   const CoverageChoice& chosen) {
-  const bool multisampled = is_multisampled(*primitive.state, target);
-  std::vector<RuleAlternatives> rules;
-  switch (primitive.kind) {
-    case PrimitiveKind::point:
-      rules = {ties_beside(primitive.kind, chosen.ties), snaps_beside(primitive.kind, chosen.snap),
-               offsets_beside(chosen.point_offset), row_orders_beside(primitive.kind, chosen.rows)};
-      break;
-    case PrimitiveKind::line:
-      rules = multisampled ? rectangle_alternatives(chosen) : line_alternatives(primitive, chosen);
-      break;
-    case PrimitiveKind::triangle:
-      rules = {ties_beside(primitive.kind, chosen.ties), snaps_beside(primitive.kind, chosen.snap),
-               triangle_algorithms_beside(chosen.triangle_algorithm),
-               row_orders_beside(primitive.kind, chosen.rows)};
-      if (primitive.is_clipped) rules.push_back(clip_methods_beside(chosen.clip));
-      if (primitive.state->cull != CullMode::none) rules.push_back(facings_beside(chosen.facing));
-      break;
-  }
-  if (multisampled) rules.push_back(placements_beside(target.samples, chosen.placement));
-  const Multisampling& use = primitive.state->multisampling;
-  if (multisampled && writable_samples(use, target.samples, SampleMask::applied) !=
-                          writable_samples(use, target.samples, SampleMask::ignored))
-    rules.push_back(masks_beside(chosen.sample_mask));
-  if (target.samples > 1 && !use.enabled)
-    rules.push_back(switches_beside(chosen.multisample_switch));
-  return rules;
+  return alternatives_beside(coverage_traits(primitive, target), chosen);
 }
 
 std::vector<Change> changes_between(const ScenePrimitive& primitive, const Target& target,

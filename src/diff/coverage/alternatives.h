@@ -29,7 +29,23 @@ struct Change {
 // The alternatives of one rule, but for the one that is chosen.
 using RuleAlternatives = std::vector<Change>;
 
+// What decides which rules have a say in a primitive's coverage.
+struct CoverageTraits {
+  PrimitiveKind kind = PrimitiveKind::point;
+  int samples = 1;  // of the target
+  bool is_multisampled = false;
+  bool is_switched_off = false;  // GL_MULTISAMPLE, on a target of several samples
+  bool heeds_mask = false;
+  bool is_wide = false;  // a line that is not 1 pixel wide
+  bool is_clipped = false;
+  bool is_culled_by_facing = false;
+  friend bool operator==(const CoverageTraits&, const CoverageTraits&) = default;
+};
+CoverageTraits coverage_traits(const ScenePrimitive& primitive, const Target& target);
+
 // The alternatives of every rule that has a say in the primitive's coverage.
+std::vector<RuleAlternatives> alternatives_beside(const CoverageTraits& traits,
+                                                  const CoverageChoice& chosen);
 std::vector<RuleAlternatives> alternatives_beside(const ScenePrimitive& primitive,
                                                   const Target& target,
                                                   const CoverageChoice& chosen);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -244,6 +245,44 @@ class SingleChanges {
   Ties ties_ = Ties::unknown;
 };
 
+// A single alternative, and its place among alternative_names().
+struct PlacedChange {
+  std::size_t place;
+  Change change;
+};
+
+std::vector<PlacedChange> placed(const std::vector<RuleAlternatives>& rules) {
+  static const auto places = [] {
+    std::map<std::string, std::size_t> map;
+    for (const std::string& name : alternative_names()) map.emplace(name, map.size());
+    return map;
+  }();
+  std::vector<PlacedChange> changes;
+  for (const RuleAlternatives& rule : rules)
+    for (const Change& change : rule) changes.push_back({places.at(change.cause), change});
+  return changes;
+}
+
+// The alternatives beside what is chosen. Nearly all primitives of a run ask for one of a few
+// lists, which are made once.
+const std::vector<PlacedChange>& placed_alternatives(const CauseQuestion& question) {
+  struct Known {
+    CoverageTraits traits;
+    CoverageChoice chosen;
+    std::vector<PlacedChange> changes;
+  };
+  constexpr std::size_t kMostKnown = 32;
+  thread_local std::deque<Known> lists;
+  const CoverageTraits traits = coverage_traits(question.primitive, question.target);
+  const auto found = std::find_if(lists.begin(), lists.end(), [&](const Known& known) {
+    return known.traits == traits && known.chosen == question.chosen;
+  });
+  if (found != lists.end()) return found->changes;
+  if (lists.size() == kMostKnown) lists.pop_back();
+  lists.push_front({traits, question.chosen, placed(alternatives_beside(traits, question.chosen))});
+  return lists.front().changes;
+}
+
 }  // namespace
 
 std::vector<std::string> find_causes(const CauseQuestion& question,
@@ -262,24 +301,16 @@ std::string cause_in_profile(const CauseQuestion& question, const PrimitiveCover
 
 void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
                   std::string& refuted) {
-  static const auto places = [] {
-    std::map<std::string, std::size_t> map;
-    for (const std::string& name : alternative_names()) map.emplace(name, map.size());
-    return map;
-  }();
   // Several changes may bear one name, as all swapped pairs of samples do: it is refuted where none
   // of them draws so.
   enum class Tried : char { no, draws_otherwise, draws_so };
-  std::vector<Tried> tried(places.size(), Tried::no);
+  std::vector<Tried> tried(alternative_names().size(), Tried::no);
   SingleChanges changes(question, coverage.drawn);
-  for (const RuleAlternatives& rule :
-       alternatives_beside(question.primitive, question.target, question.chosen))
-    for (const Change& change : rule) {
-      const std::size_t place = places.at(change.cause);
-      if (refuted[place] == '1' || tried[place] == Tried::draws_so) continue;
-      const bool same = changes.draw_so(change.applied_to(question.chosen));
-      tried[place] = same ? Tried::draws_so : Tried::draws_otherwise;
-    }
+  for (const auto& [place, change] : placed_alternatives(question)) {
+    if (refuted[place] == '1' || tried[place] == Tried::draws_so) continue;
+    const bool same = changes.draw_so(change.applied_to(question.chosen));
+    tried[place] = same ? Tried::draws_so : Tried::draws_otherwise;
+  }
   for (std::size_t i = 0; i < tried.size(); ++i)
     if (tried[i] == Tried::draws_otherwise) refuted[i] = '1';
 }

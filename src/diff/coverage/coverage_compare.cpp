@@ -318,6 +318,7 @@ class CoverageComparison {
     const PrimitiveCoverage& coverage = coverage_of(line);
     const auto& drawn = coverage.drawn.front();
     const auto illegal = illegal_line_snaps(line, drawn, scene());
+    if (illegal.empty() && evidence_of(line) == nullptr) return;
     merge_snaps(illegal, result_.illegal_line_snaps);
     const int ruling = ruling_on_line(line, scene());
     const std::string clause = broken_clause_unsnapped(line, drawn, scene());
