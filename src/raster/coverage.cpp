@@ -2,6 +2,7 @@
 //
 // The exact rasterizer's coverage stage: the pixels and samples of one primitive.
 #include <algorithm>
+#include <tuple>
 
 #include "raster/clipped_coverage.h"
 #include "raster/facing.h"
@@ -187,7 +188,7 @@ Pixels clipped_pixels_of(const ScenePrimitive& primitive,
 // Most are found row by row, and looking is much cheaper than sorting.
 void sort_by_rows(Pixels& pixels) {
   const auto reads_before = [](PixelPosition a, PixelPosition b) {
-    return a.y != b.y ? a.y < b.y : a.x < b.x;
+    return std::tie(a.y, a.x) < std::tie(b.y, b.x);
   };
   if (!std::is_sorted(pixels.begin(), pixels.end(), reads_before))
     std::sort(pixels.begin(), pixels.end(), reads_before);

@@ -41,8 +41,8 @@ TEST(Choices, DefaultsAreThoseOfTheCatalogue) {
   const RuleChoices choices = resolve(Policy{}, Surface::fbo);
   EXPECT_EQ(choices.lines.line.boundary->name, "left-bottom");
   EXPECT_EQ(choices.lines.line.algorithm, LineAlgorithm::diamond_exit);
-  EXPECT_STREQ(choices.triangles.ties.name, "left-top");
-  EXPECT_STREQ(choices.points.ties.name, "right-top");
+  EXPECT_EQ(choices.triangles.ties.name, "left-top");
+  EXPECT_EQ(choices.points.ties.name, "right-top");
   EXPECT_TRUE(choices.lines.snap.is_none());
 }
 
@@ -92,7 +92,7 @@ TEST(Choices, ASurfaceOverridesThePolicy) {
   Policy policy;
   policy.rules = {{"triangle.fill-rule", "right-top"}};
   policy.surfaces[Surface::fbo] = {{"triangle.fill-rule", "bottom-left"}};
-  EXPECT_STREQ(resolve(policy, Surface::fbo).triangles.ties.name, "bottom-left");
+  EXPECT_EQ(resolve(policy, Surface::fbo).triangles.ties.name, "bottom-left");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace edgecase {
 namespace {
 
-std::string draw(const Triangle& triangle, const char* ties, int size) {
+std::string draw(const Triangle& triangle, std::string_view ties, int size) {
   std::string rows;
   for (int y = size - 1; y >= 0; --y) {
     for (int x = 0; x < size; ++x)

@@ -26,7 +26,7 @@ RuleAlternatives ties_beside(PrimitiveKind kind, const TieRule& chosen) {
   RuleAlternatives result;
   const auto rules = kind == PrimitiveKind::point ? point_tie_rules() : all_tie_rules();
   for (const TieRule& ties : rules)
-    if (std::string_view(ties.name) != chosen.name)
+    if (ties.name != chosen.name)
       result.push_back({fmt::format("{}={}", coverage_rule_of(kind), ties.name),
                         [&ties](CoverageChoice& choice) { choice.ties = ties; }});
   return result;
@@ -225,7 +225,8 @@ std::vector<Change> changes_between(const ScenePrimitive& primitive, const Targe
 
 std::string choice_of(const CoverageChoice& choice, std::string_view rule) {
   if (rule.ends_with(".snap")) return name_of(choice.snap);
-  if (rule == "point.ownership" || rule == "triangle.fill-rule") return choice.ties.name;
+  if (rule == "point.ownership" || rule == "triangle.fill-rule")
+    return std::string(choice.ties.name);
   if (rule == "line.algorithm") return name_of(choice.line.algorithm);
   if (rule == "line.diamond-exit") return std::string(choice.line.boundary->name);
   if (rule == "line.width") return name_of(choice.line.wide);

@@ -177,8 +177,8 @@ class SingleChanges {
   bool draw_so(const CoverageChoice& changed) {
     const CoverageChoice& chosen = question_.chosen;
     if (changed.snap != chosen.snap && decides_by_vertices()) return snapped_so(changed);
-    const bool only_ties_differ = std::string_view(changed.ties.name) != chosen.ties.name ||
-                                  (changed.rows != chosen.rows && is_seen_alike());
+    const bool only_ties_differ =
+        changed.ties.name != chosen.ties.name || (changed.rows != chosen.rows && is_seen_alike());
     if (only_ties_differ && decides_by_edges() && !has_ties()) return true;
     return covers_so(changed);
   }

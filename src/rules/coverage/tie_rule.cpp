@@ -51,8 +51,9 @@ std::vector<Alternative> tie_alternatives(std::span<const TieRule> rules, Openne
                                           Openness open_and_closed) {
   std::vector<Alternative> result;
   for (const TieRule& rule : rules)
-    result.push_back(
-        {rule.name, rule.kind == Kind::perturbed ? perturbed : open_and_closed, meaning_of(rule)});
+    result.push_back({std::string(rule.name),
+                      rule.kind == Kind::perturbed ? perturbed : open_and_closed,
+                      meaning_of(rule)});
   return result;
 }
 

@@ -32,7 +32,7 @@ namespace edgecase {
 struct TieRule {
   enum class Kind { perturbed, open, closed };
 
-  const char* name = "";
+  std::string_view name;
   Kind kind = Kind::perturbed;
   // Direction of the sample's move: e * (first_x, first_y) + e^2 * (second_x, second_y).
   int first_x = 0, first_y = 0, second_x = 0, second_y = 0;
@@ -47,10 +47,7 @@ struct TieRule {
     return gradient_x * second_x + gradient_y * second_y > 0;
   }
 
-  friend constexpr bool operator==(const TieRule& a, const TieRule& b) {
-    return std::string_view(a.name) == b.name && a.kind == b.kind && a.first_x == b.first_x &&
-           a.first_y == b.first_y && a.second_x == b.second_x && a.second_y == b.second_y;
-  }
+  friend constexpr bool operator==(const TieRule&, const TieRule&) = default;
 };
 
 // The rule of a target that is seen upside down, as it is seen upright; it keeps its name.
