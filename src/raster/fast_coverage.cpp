@@ -5,17 +5,19 @@
 
 #include "kernels/covered_pixels_kernel.h"
 #include "kernels/edge_functions.h"
+#include "kernels/kernel_use.h"
 
 namespace edgecase {
 
 bool walks_triangles(const CoverageChoice& choice) {
-  return choice.triangle_algorithm == TriangleAlgorithm::edge_functions;
+  return kernels_are_used() && choice.triangle_algorithm == TriangleAlgorithm::edge_functions;
 }
 
 bool walks_lines(const CoverageChoice& choice, Fixed width) {
   const TieRule* ties = choice.line.boundary->ties;
-  return width == Fixed::from_integer(1) && choice.line.algorithm == LineAlgorithm::diamond_exit &&
-         ties != nullptr && ties->kind == TieRule::Kind::perturbed;
+  return kernels_are_used() && width == Fixed::from_integer(1) &&
+         choice.line.algorithm == LineAlgorithm::diamond_exit && ties != nullptr &&
+         ties->kind == TieRule::Kind::perturbed;
 }
 
 bool is_walked(const ScenePrimitive& primitive, const CoverageChoice& choice) {

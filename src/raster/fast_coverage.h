@@ -12,7 +12,7 @@
 
 namespace edgecase {
 
-// Do kernels know the choice's triangles, and its lines of width 1?
+// Do kernels know the choice's triangles, and its lines of width 1, and are they used?
 bool walks_triangles(const CoverageChoice& choice);
 bool walks_lines(const CoverageChoice& choice, Fixed width);
 

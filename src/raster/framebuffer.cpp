@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 
+#include "kernels/kernel_use.h"
 #include "kernels/tile_bins.h"
 #include "raster/attributes.h"
 #include "raster/rasterizer.h"
@@ -48,6 +49,7 @@ std::size_t Framebuffer::plane_size() const {
 }
 
 std::optional<FastScene> Framebuffer::prepared(const Scene& scene) const {
+  if (!kernels_are_used()) return std::nullopt;
   return fast_scene(scene, choices_);
 }
 

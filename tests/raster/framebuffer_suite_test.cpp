@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// The cases of the suite, as the framebuffer draws them: to the bit what the plain rasterizer puts
-// into their pixels. Every eighth of them, another eighth where EDGECASE_KERNEL_SCENES says so: 8
-// and more asks all.
+// The cases of the suite, as the framebuffer draws them on each SIMD target of the machine: to the
+// bit what the plain rasterizer, without a kernel, puts into their pixels. Every eighth of them,
+// another eighth where EDGECASE_KERNEL_SCENES says so: 8 and more asks all.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "casefile/loader.h"
 #include "casefile/suite.h"
+#include "kernels/kernel_use.h"
 #include "raster/exact_drawing.h"
 #include "raster/framebuffer.h"
 #include "raster/rasterizer.h"
@@ -23,19 +26,28 @@ TEST(FramebufferSuite, DrawsItsCasesAsThePlainPath) {
   const int eighths = std::clamp(text ? std::atoi(text) : 1, 1, 8);
   Policy snapped;
   snapped.rules = {{"subpixel.snap", "8-half-even"}, {"triangle.fill-rule", "left-bottom"}};
+  std::vector<std::string> targets = kernel_names();
+  targets.pop_back();
   const std::filesystem::path suite[] = {std::filesystem::path(EDGECASE_ROOT) / "cases"};
   int count = 0, drawn = 0;
   for (const CaseFile& file : find_cases(suite).cases)
     for (const Case& one : load_cases(file.file, file.id).cases) {
       if (count++ % 8 >= eighths) continue;
       for (const Policy& policy : {Policy(), snapped}) {
-        ExactDrawing drawing(std::span(&one.scene, 1), policy);
-        drawing.draw();
-        ASSERT_EQ(drawing.pixels(), rasterize(one.scene, policy).pixels) << one.id;
+        use_kernels("none");
+        const auto plain = rasterize(one.scene, policy).pixels;
+        for (const std::string& target : targets) {
+          use_kernels(target);
+          ExactDrawing drawing(std::span(&one.scene, 1), policy);
+          drawing.draw();
+          ASSERT_EQ(drawing.pixels(), plain) << one.id << " on " << target;
+        }
         if (Framebuffer(one.scene.target, policy).prepared(one.scene)) ++drawn;
       }
     }
-  std::printf("%d of %d renderings by the framebuffer\n", drawn, count * eighths / 8 * 2);
+  use_kernels(targets.front());
+  std::printf("%d of %d renderings by the framebuffer, on %zu SIMD targets\n", drawn,
+              count * eighths / 8 * 2, targets.size());
   EXPECT_GT(drawn, count * eighths / 8);
 }
 

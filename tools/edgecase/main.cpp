@@ -1,22 +1,43 @@
 // SPDX-License-Identifier: MIT
 //
 // The `edgecase` command: one file per subcommand, nothing but arguments and output here.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <iostream>
 
+#include "kernels/kernel_use.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/help/help_pages.h"
 #include "tools/edgecase/options.h"
+
+namespace edgecase {
+namespace {
+
+// False, with the error printed, where EDGECASE_KERNELS asks for what there is not.
+bool use_kernels_of_environment() {
+  const char* const name = std::getenv("EDGECASE_KERNELS");
+  if (name == nullptr || *name == '\0' || use_kernels(name)) return true;
+  print_error(fmt::format("EDGECASE_KERNELS=\"{}\" is nothing to draw with; this machine has {}",
+                          name, fmt::join(kernel_names(), ", ")));
+  return false;
+}
+
+}  // namespace
+}  // namespace edgecase
 
 int main(int argc, char** argv) {
   using edgecase::ExitCode;
   // A limit on the size of files is an error of what is written, to be told, and no death.
   std::signal(SIGXFSZ, SIG_IGN);
+  if (!edgecase::use_kernels_of_environment()) return static_cast<int>(ExitCode::usage);
   CLI::App app{
       "Renders JSON-described test cases exactly and with real OpenGL, and says for every "
       "disagreement which rule it is about, why, and whether the specification allows it."};
@@ -26,7 +47,9 @@ int main(int argc, char** argv) {
   app.require_subcommand(0, 1);
   app.footer(
       "Exit codes: 0 as expected, 1 something unexpected, 2 usage or case error,\n"
-      "3 input, output or internal error, 4 renderer missing or failing, 5 nothing selected.");
+      "3 input, output or internal error, 4 renderer missing or failing, 5 nothing selected.\n"
+      "Results do not depend on the processor; EDGECASE_KERNELS names the SIMD target to draw on\n"
+      "all the same, or none where no faster decision shall stand for the plain one.");
   ExitCode exit = ExitCode::as_expected;
   edgecase::add_run_command(app, exit);
   edgecase::add_render_command(app, exit);

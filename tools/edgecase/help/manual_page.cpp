@@ -89,6 +89,8 @@ std::string manual_page(const std::string& description, std::span<const CommandW
       kToolName, literal(description));
   for (const CommandWords& command : commands) text += section(command);
   text +=
+      ".SH ENVIRONMENT\n.TP\nEDGECASE_KERNELS\nThe SIMD target to draw on, or none where no faster "
+      "decision shall stand for the plain one; results are the same.\n"
       ".SH FILES\n.TP\nPREFIX/share/edgecase/cases\nThe suite, with its schema, policies, profiles "
       "and expectations.\n.TP\nPREFIX/share/doc/edgecase\nHow cases are written, and the protocol "
       "of exec: programs.\n";
