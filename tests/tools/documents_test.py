@@ -29,6 +29,7 @@ NOT_RUN = {
     "tools/build": "builds; CI does",
     "ctest": "runs this test",
     "tools/lint": "asks all files for many minutes; tests/lint asks a sample",
+    "tools/determinism": "builds four times; determinism_test asks one program about a sample",
     "tools/fuzz": "builds with clang; the test `fuzz` runs it for a while",
     "tools/mutate": "builds hundreds of times; mutation_sample plants a few",
     "cmake --install": "tests/package installs",
