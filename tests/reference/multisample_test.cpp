@@ -149,6 +149,7 @@ TEST_P(SamplesTest, AreAllWrittenWithoutMultisampling) {
   single.target.samples = 1;
   single.draws[0].multisampling = {};
   const Rendering ordinary = render(renderer(), single);
+  ASSERT_EQ(ordinary.hits.size(), 32u);
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 8; ++x)
       EXPECT_EQ(hit_mask(*rendering, x, y),

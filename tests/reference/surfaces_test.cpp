@@ -108,6 +108,7 @@ TEST_P(SurfacesTest, EveryHitCountUpTo255IsExact) {
         make_draw(Primitive::lines, {{layer * 256 + 128, 128}, {257 * 256, 128}}));
   scene.viewport = {0, 0, 512, 1};
   const Rendering rendering = render(renderer(), scene);
+  ASSERT_EQ(rendering.hits.size(), 256u);
   for (std::uint32_t column = 0; column < 256; ++column) ASSERT_EQ(rendering.hits[column], column);
 }
 
