@@ -31,6 +31,7 @@ NOT_RUN = {
     "tools/lint": "asks all files for many minutes; tests/lint asks a sample",
     "tools/determinism": "builds four times; determinism_test asks one program about a sample",
     "tools/coverage": "builds and runs all tests; coverage_test asks it of a small program",
+    "tools/sanitize": "builds all that is ours with a sanitizer, and runs all tests with it",
     "tools/fuzz": "builds with clang; the test `fuzz` runs it for a while",
     "tools/mutate": "builds hundreds of times; mutation_sample plants a few",
     "cmake --install": "tests/package installs",
