@@ -89,7 +89,7 @@ bool draws_nothing(const Rendering& rendering, int primitive) {
                       [&](const Fragment& f) { return f.primitive == primitive; });
 }
 
-std::string describe(const Joint& joint, const char* wrong) {
+std::string describe(const Joint& joint, std::string_view wrong) {
   return std::string(wrong) + " at " + std::to_string(joint.i) + "/8, " + std::to_string(joint.j) +
          "/8, direction " + std::to_string(joint.direction) + ", shape " +
          std::to_string(joint.shape) + (joint.form == Form::strip ? ", strip" : ", lines") +

@@ -46,7 +46,7 @@ std::vector<NamedChoice> snap_choices() {
 std::vector<NamedChoice> tie_choices(std::span<const TieRule> rules) {
   std::vector<NamedChoice> result;
   for (const TieRule& rule : rules) {
-    result.push_back({rule.name, standard_choice()});
+    result.push_back({std::string(rule.name), standard_choice()});
     result.back().choice.ties = rule;
   }
   return result;
