@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cstring>
 #include <tuple>
+#include <vector>
 
+#include "model/distribute.h"
 #include "reference/programs.h"
 #include "reference/read_back.h"
 
@@ -48,6 +50,29 @@ bool comes_before(const AnyRecord& a, const AnyRecord& b) {
   const auto place = [](const Record& r) { return std::tie(r.y, r.x, r.primitive); };
   if (place(a) != place(b)) return place(a) < place(b);
   return std::memcmp(&a, &b, sizeof(AnyRecord)) < 0;
+}
+
+// Of each pixel's records few have to be compared, where there are enough records to make counting
+// them at each pixel worth it, and all lie at pixels.
+template <class AnyRecord>
+void sort_records(std::vector<AnyRecord>& records, const Rendering& target) {
+  const std::size_t pixels = target.pixel_index(0, target.height);
+  const auto column = [&](const Record& r) { return target.samples > 1 ? r.x & 0xffff : r.x; };
+  const bool are_at_pixels = std::ranges::all_of(records, [&](const Record& r) {
+    return column(r) >= 0 && column(r) < target.width && r.y >= 0 && r.y < target.height;
+  });
+  if (!are_at_pixels || pixels > 16 * records.size()) {
+    std::sort(records.begin(), records.end(), comes_before<AnyRecord>);
+    return;
+  }
+  const auto pixel = [&](const Record& r) { return target.pixel_index(column(r), r.y); };
+  distribute(records, pixels, pixel);
+  for (auto first = records.begin(); first != records.end();) {
+    const auto end = std::find_if(
+        first, records.end(), [&, at = pixel(*first)](const Record& r) { return pixel(r) != at; });
+    std::sort(first, end, comes_before<AnyRecord>);
+    first = end;
+  }
 }
 
 Fragment to_fragment(const Record& record, bool multisampled) {
@@ -139,11 +164,11 @@ std::size_t Capture::record_size() const {
 }
 
 template <class AnyRecord>
-std::vector<AnyRecord> Capture::read_records(std::uint32_t count) {
+std::vector<AnyRecord> Capture::read_records(std::uint32_t count, const Rendering& target) {
   std::vector<AnyRecord> records(count);
   if (count > 0 && !read_storage(gl_, kHeaderSize, count * sizeof(AnyRecord), records.data()))
     lost_ = true;
-  std::sort(records.begin(), records.end(), comes_before<AnyRecord>);
+  sort_records(records, target);
   return records;
 }
 
@@ -151,7 +176,7 @@ template <class AnyRecord>
 void Capture::read_details(std::uint32_t count, Rendering& rendering) {
   const bool multisampled = rendering.samples > 1;
   rendering.details.reserve(count);
-  for (const AnyRecord& record : read_records<AnyRecord>(count)) {
+  for (const AnyRecord& record : read_records<AnyRecord>(count, rendering)) {
     rendering.fragments.push_back(to_fragment(record, multisampled));
     rendering.fragments.back().detail = static_cast<int>(rendering.details.size());
     rendering.details.push_back(to_detail(record));
@@ -163,7 +188,7 @@ void Capture::read(std::uint32_t count, Rendering& rendering) {
   rendering.fragments.reserve(count);
   switch (form_) {
     case Form::plain:
-      for (const Record& record : read_records<Record>(count))
+      for (const Record& record : read_records<Record>(count, rendering))
         rendering.fragments.push_back(to_fragment(record, multisampled));
       break;
     case Form::detailed:

@@ -50,7 +50,7 @@ class Capture {
  private:
   std::size_t record_size() const;
   template <class Record>
-  std::vector<Record> read_records(std::uint32_t count);
+  std::vector<Record> read_records(std::uint32_t count, const Rendering& target);
   template <class Record>
   void read_details(std::uint32_t count, Rendering& rendering);
 

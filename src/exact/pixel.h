@@ -4,6 +4,7 @@
 // where within a pixel a sample lies.
 #pragma once
 
+#include <algorithm>
 #include <compare>
 
 namespace edgecase {
@@ -26,5 +27,11 @@ struct PixelBounds {
   }
   PixelBounds grown(int by) const { return {x_min - by, y_min - by, x_max + by, y_max + by}; }
 };
+
+// May be empty: with a maximum below its minimum.
+constexpr PixelBounds common_part(const PixelBounds& a, const PixelBounds& b) {
+  return {std::max(a.x_min, b.x_min), std::max(a.y_min, b.y_min), std::min(a.x_max, b.x_max),
+          std::min(a.y_max, b.y_max)};
+}
 
 }  // namespace edgecase

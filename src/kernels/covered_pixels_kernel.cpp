@@ -19,6 +19,35 @@ std::vector<PixelPosition> walked_triangle_pixels(const Triangle& triangle,
   return pixels;
 }
 
+std::vector<PixelPosition> walked_tied_pixels(const Triangle& triangle, const PixelBounds& bounds) {
+  struct Span {
+    int y, first, last;
+  };
+  const auto spans_of = [&](std::int64_t owned) {
+    std::vector<Span> spans;
+    const TriangleSetup setup(raw_point(triangle[0]), raw_point(triangle[1]),
+                              raw_point(triangle[2]), {0, 0, owned});
+    const PixelBounds box = common_part(setup.box_at(kCentrePlace), bounds);
+    if (!setup.has_area() || is_empty(box)) return spans;
+    walk_spans(setup.edges_at(kCentrePlace), box, [&](int y, int first, int last) {
+      spans.push_back({y, first, last});
+    });
+    return spans;
+  };
+  const std::vector<Span> open = spans_of(0);
+  std::vector<PixelPosition> pixels;
+  auto inner = open.begin();
+  for (const Span& outer : spans_of(1)) {
+    while (inner != open.end() && inner->y < outer.y) ++inner;
+    const bool has_inner = inner != open.end() && inner->y == outer.y;
+    for (int x = outer.first; x <= outer.last; ++x) {
+      if (has_inner && x == inner->first) x = inner->last + 1;
+      if (x <= outer.last) pixels.push_back({x, outer.y});
+    }
+  }
+  return pixels;
+}
+
 std::vector<PixelPosition> walked_line_pixels(const Segment& segment, const PixelBounds& bounds,
                                               const TieRule& ties) {
   std::vector<PixelPosition> pixels;

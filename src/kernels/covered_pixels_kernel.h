@@ -16,6 +16,9 @@ namespace edgecase {
 std::vector<PixelPosition> walked_triangle_pixels(const Triangle& triangle,
                                                   const PixelBounds& bounds, const TieRule& ties);
 
+// The pixels whose samples lie in the triangle, but not off its edges, likewise.
+std::vector<PixelPosition> walked_tied_pixels(const Triangle& triangle, const PixelBounds& bounds);
+
 // Those of diamond_exit_covers, along the segment's major axis in ascending order. The tie rule is
 // a perturbed one.
 std::vector<PixelPosition> walked_line_pixels(const Segment& segment, const PixelBounds& bounds,

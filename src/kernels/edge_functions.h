@@ -132,10 +132,6 @@ class TriangleSetup {
 constexpr bool is_empty(const PixelBounds& box) {
   return box.x_min > box.x_max || box.y_min > box.y_max;
 }
-constexpr PixelBounds common_part(const PixelBounds& a, const PixelBounds& b) {
-  return {std::max(a.x_min, b.x_min), std::max(a.y_min, b.y_min), std::min(a.x_max, b.x_max),
-          std::min(a.y_max, b.y_max)};
-}
 constexpr bool holds(const PixelBounds& outer, const PixelBounds& inner) {
   return inner.x_min >= outer.x_min && inner.x_max <= outer.x_max && inner.y_min >= outer.y_min &&
          inner.y_max <= outer.y_max;

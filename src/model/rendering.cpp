@@ -3,25 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
-#include <utility>
 #include <vector>
+
+#include "model/distribute.h"
 
 namespace edgecase {
 
 namespace {
-
-// Stable, by pixels alone, in time linear in fragments and pixels.
-void distribute_to_pixels(Rendering& rendering) {
-  std::vector<std::size_t> first(rendering.pixel_index(0, rendering.height) + 1);
-  for (const Fragment& f : rendering.fragments) ++first[rendering.pixel_index(f.x, f.y) + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Fragment> sorted(rendering.fragments.size());
-  for (const Fragment& f : rendering.fragments)
-    sorted[first[rendering.pixel_index(f.x, f.y)]++] = f;
-  rendering.fragments = std::move(sorted);
-}
 
 // Are there enough fragments for counting them at each pixel, and all of them at pixels?
 bool can_distribute(const Rendering& rendering) {
@@ -48,7 +37,9 @@ void sort_fragments(Rendering& rendering) {
   };
   // Most come sorted, or primitive by primitive, and looking is much cheaper than sorting.
   if (are_sorted()) return;
-  if (can_distribute(rendering)) distribute_to_pixels(rendering);
+  if (can_distribute(rendering))
+    distribute(fragments, rendering.pixel_index(0, rendering.height),
+               [&](const Fragment& f) { return rendering.pixel_index(f.x, f.y); });
   if (!are_sorted()) std::stable_sort(fragments.begin(), fragments.end(), precedes);
 }
 

@@ -14,6 +14,7 @@
 
 #include "exact/fixed.h"
 #include "exact/homogeneous.h"
+#include "exact/pixel.h"
 #include "model/fragment_operations.h"
 #include "model/sampling.h"
 #include "model/supersampling.h"
@@ -84,6 +85,10 @@ struct Viewport {
   int width = 0;
   int height = 0;
 };
+constexpr PixelBounds pixels_in(const Viewport& viewport) {
+  return {viewport.x, viewport.y, viewport.x + viewport.width - 1,
+          viewport.y + viewport.height - 1};
+}
 
 struct Target {
   int width = 0;    // 1 to 4096 pixels

@@ -20,12 +20,6 @@ ClipPlanes planes_of(const Viewport& viewport, ClipMethod method) {
   return {true, viewport.x, viewport.y, viewport.x + viewport.width, viewport.y + viewport.height};
 }
 
-PixelBounds common(const PixelBounds& bounds, const Viewport& viewport) {
-  return {std::max(bounds.x_min, viewport.x), std::max(bounds.y_min, viewport.y),
-          std::min(bounds.x_max, viewport.x + viewport.width - 1),
-          std::min(bounds.y_max, viewport.y + viewport.height - 1)};
-}
-
 Point centred(Point vertex, Point within) {
   const Point centre = centre_of_pixel();
   return {vertex.x + centre.x - within.x, vertex.y + centre.y - within.y};
@@ -62,7 +56,7 @@ Pixels clipped_pixels(const ClippedTriangle& clipped, const PixelBounds& bounds,
     case ClipMethod::polygon:
     case ClipMethod::guard_band:
       return fan_pixels(clip_polygon(triangle, planes_of(viewport, choice.clip), 1),
-                        common(bounds, viewport), within, choice);
+                        common_part(bounds, pixels_in(viewport)), within, choice);
     case ClipMethod::discarded:
       break;
   }

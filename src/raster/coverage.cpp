@@ -219,20 +219,24 @@ Pixels viewed_pixels(const ScenePrimitive& primitive, const Target& target, Cove
 }  // namespace
 
 PixelBounds drawable_bounds(const Draw& draw, const Target& target) {
-  PixelBounds bounds{0, 0, target.width - 1, target.height - 1};
+  const PixelBounds bounds{0, 0, target.width - 1, target.height - 1};
   if (!draw.scissor) return bounds;
-  const Viewport& scissor = *draw.scissor;
-  bounds.x_min = std::max(bounds.x_min, scissor.x);
-  bounds.y_min = std::max(bounds.y_min, scissor.y);
-  bounds.x_max = std::min(bounds.x_max, scissor.x + scissor.width - 1);
-  bounds.y_max = std::min(bounds.y_max, scissor.y + scissor.height - 1);
-  return bounds;
+  return common_part(bounds, pixels_in(*draw.scissor));
 }
 
 std::vector<PixelPosition> covered_pixels(const ScenePrimitive& primitive, const Target& target,
                                           const CoverageChoice& choice) {
+  return covered_pixels_within(drawable_bounds(*primitive.state, target), primitive, target,
+                               choice);
+}
+
+std::vector<PixelPosition> covered_pixels_within(const PixelBounds& part,
+                                                 const ScenePrimitive& primitive,
+                                                 const Target& target,
+                                                 const CoverageChoice& choice) {
   if (is_culled(primitive, target, choice)) return {};
-  return viewed_pixels(primitive, target, choice, {drawable_bounds(*primitive.state, target)});
+  return viewed_pixels(primitive, target, choice,
+                       {common_part(part, drawable_bounds(*primitive.state, target))});
 }
 
 SamplePositions positions_of(const Target& target, const CoverageChoice& choice,

@@ -42,6 +42,12 @@ std::vector<PixelPosition> found_triangle_pixels(const Triangle& triangle,
   return triangle_pixels(triangle, bounds, choice.triangle_algorithm, choice.ties);
 }
 
+std::vector<PixelPosition> found_tied_pixels(const Triangle& triangle, const PixelBounds& bounds) {
+  if (kernels_are_used() && std::all_of(triangle.begin(), triangle.end(), is_raw_point))
+    return walked_tied_pixels(triangle, bounds);
+  return tied_triangle_pixels(triangle, bounds);
+}
+
 std::vector<PixelPosition> found_line_pixels(const Segment& segment, Fixed width,
                                              const PixelBounds& bounds,
                                              const CoverageChoice& choice) {

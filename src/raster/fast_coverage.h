@@ -25,6 +25,7 @@ bool is_walked(const ScenePrimitive& primitive, const CoverageChoice& choice);
 std::vector<PixelPosition> found_triangle_pixels(const Triangle& triangle,
                                                  const PixelBounds& bounds,
                                                  const CoverageChoice& choice);
+std::vector<PixelPosition> found_tied_pixels(const Triangle& triangle, const PixelBounds& bounds);
 std::vector<PixelPosition> found_line_pixels(const Segment& segment, Fixed width,
                                              const PixelBounds& bounds,
                                              const CoverageChoice& choice);

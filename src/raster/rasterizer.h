@@ -31,6 +31,12 @@ PixelBounds drawable_bounds(const Draw& draw, const Target& target);
 std::vector<PixelPosition> covered_pixels(const ScenePrimitive& primitive, const Target& target,
                                           const CoverageChoice& choice);
 
+// The same of the pixels within a part of the target alone.
+std::vector<PixelPosition> covered_pixels_within(const PixelBounds& part,
+                                                 const ScenePrimitive& primitive,
+                                                 const Target& target,
+                                                 const CoverageChoice& choice);
+
 // Where the samples of a target's pixels lie under a choice of rules: those that a renderer
 // reports, or, where `reported` is empty, those of the case, or the standard ones; moved as the
 // choice moves them. The centre alone where the target is not multisampled.

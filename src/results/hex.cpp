@@ -27,10 +27,16 @@ int hex_digit(char c) {
 
 }  // namespace
 
-std::string to_hex(const std::vector<std::uint8_t>& bytes) {
-  std::string text(2 * bytes.size(), '0');
-  auto at = text.begin();
+void append_hex(const std::vector<std::uint8_t>& bytes, std::string& text) {
+  const std::size_t before = text.size();
+  text.resize(before + 2 * bytes.size());
+  char* at = text.data() + before;
   for (const std::uint8_t byte : bytes) at = std::copy_n(kDigitsOfBytes[byte].begin(), 2, at);
+}
+
+std::string to_hex(const std::vector<std::uint8_t>& bytes) {
+  std::string text;
+  append_hex(bytes, text);
   return text;
 }
 

@@ -10,6 +10,7 @@
 namespace edgecase {
 
 std::string to_hex(const std::vector<std::uint8_t>& bytes);
+void append_hex(const std::vector<std::uint8_t>& bytes, std::string& text);
 
 // The inverse. Throws std::runtime_error where `text` is anything else.
 std::vector<std::uint8_t> from_hex(const std::string& text);

@@ -296,17 +296,24 @@ void write_case(const CaseResults& one, const std::vector<RendererInfo>& rendere
   const std::string head = dump(case_head(one));
   const std::string tail = dump(case_tail(one, renderers, keep));
   text.append(head, 0, head.size() - 1).append(",\"pixels\":");
-  if (keep.is_large)
+  if (keep.is_large) {
     text += dump(keep(to_hex(one.pixels)));
-  else
-    text.append(1, '"').append(to_hex(one.pixels)).append(1, '"');
+  } else {
+    text += '"';
+    append_hex(one.pixels, text);
+    text += '"';
+  }
   text.append(1, ',').append(tail, 1);
 }
 
 // Some cases, each on a line of its own.
 std::string cases_text(std::span<const CaseResults> cases,
                        const std::vector<RendererInfo>& renderers, bool are_first) {
+  constexpr std::size_t kBesidePixels = 4096;  // at least, mostly
+  std::size_t size = 0;
+  for (const CaseResults& one : cases) size += 2 * one.pixels.size() + kBesidePixels;
   std::string text;
+  text.reserve(size);
   const char* separator = are_first ? "\n" : ",\n";
   for (const CaseResults& one : cases) {
     text += separator;

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "diff/coverage/alternatives.h"
-#include "diff/coverage/cause.h"
+#include "diff/coverage/refutation.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/random_scenes.h"
 
@@ -44,16 +44,20 @@ const Policy kPolicies[] = {
     policy_of({{"subpixel.snap", "4-truncate"}, {"triangle.fill-rule", "open"}}),
     policy_of({{"triangle.fill-rule", "closed"}, {"triangle.row-order", "top-down"}}),
     policy_of({{"triangle.algorithm", "scan"}, {"line.row-order", "top-down"}}),
+    policy_of({{"line.diamond-exit", "direct3d"}, {"triangle.row-order", "top-down"}}),
+    policy_of({{"line.diamond-exit", "closed"}, {"line.row-order", "top-down"}}),
+    policy_of({{"line.algorithm", "walk-ends-tested"}, {"subpixel.snap", "8-half-even"}}),
 };
 
 TEST(Refuted, IsWhatIsDrawnOtherwise) {
   std::size_t primitives = 0;
   std::size_t refuted = 0;
   RandomScenes scenes(5);
-  // Whole pixels, pixel centres, grids of drivers, and finer than any.
+  // Whole pixels, pixel centres, grids of drivers, and finer than any; small, and large enough for
+  // long lines.
   for (const std::int64_t step : {65536, 32768, 4096, 256, 1})
     for (int i = 0; i < 60; ++i) {
-      Scene scene = scenes.next({8, step, 3, false});
+      Scene scene = scenes.next({i % 2 == 0 ? 8 : 24, step, 3, false});
       // Of some, the facing has a say.
       for (Draw& draw : scene.draws)
         if (scenes.below(3) == 0) draw.cull = CullMode::back;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "kernels/covered_pixels_kernel.h"
+#include "rules/coverage/triangle_algorithm.h"
 #include "tests/kernels/kernel_canvas.h"
 
 namespace edgecase {
@@ -40,6 +41,10 @@ Pixels filled_pixels(Canvas& canvas, const Triangle& t, const TieRule& ties,
   return canvas.take();
 }
 
+const TieRule& open_ties() {
+  return *find_tie_rule("open");
+}
+
 std::string described(const Triangle& t, const TieRule& ties) {
   return explain_triangle(t, 0, 0, ties).text;
 }
@@ -55,7 +60,7 @@ TEST_F(TriangleKernel, EveryTriangleOfASmallGrid) {
   Canvas canvas(3, 3);
   for (const std::int64_t target : kernel_targets()) {
     use_kernel_target(target);
-    int covered = 0;
+    int covered = 0, ties_of_all = 0;
     for (int i = 0; i < kPoints * kPoints * kPoints; ++i) {
       const Triangle t{point(i % kPoints), point(i / kPoints % kPoints),
                        point(i / kPoints / kPoints)};
@@ -65,8 +70,12 @@ TEST_F(TriangleKernel, EveryTriangleOfASmallGrid) {
         ASSERT_EQ(walked_triangle_pixels(t, canvas.bounds(), ties), plain) << described(t, ties);
         covered += static_cast<int>(plain.size());
       }
+      const Pixels tied = tied_triangle_pixels(t, canvas.bounds());
+      ASSERT_EQ(walked_tied_pixels(t, canvas.bounds()), tied) << described(t, open_ties());
+      ties_of_all += static_cast<int>(tied.size());
     }
     EXPECT_GT(covered, 100000);
+    EXPECT_GT(ties_of_all, 20000);
   }
   EXPECT_FALSE(canvas.has_spilled());
 }
@@ -89,6 +98,7 @@ TEST_F(TriangleKernel, RandomTrianglesOfEveryGrid) {
     const PixelBounds bounds = canvas.bounds();
     const Pixels plain = plain_pixels(t, bounds, ties);
     ASSERT_EQ(walked_triangle_pixels(t, bounds, ties), plain) << described(t, ties);
+    ASSERT_EQ(walked_tied_pixels(t, bounds), tied_triangle_pixels(t, bounds)) << described(t, ties);
     for (const std::int64_t target : targets) {
       use_kernel_target(target);
       ASSERT_EQ(filled_pixels(canvas, t, ties, bounds), plain) << described(t, ties);
@@ -141,6 +151,7 @@ TEST_F(TriangleKernel, TheLargestTriangles) {
     const PixelBounds bounds{x, y, x + 6, y + 6};
     ASSERT_EQ(walked_triangle_pixels(t, bounds, ties), plain_pixels(t, bounds, ties))
         << described(t, ties);
+    ASSERT_EQ(walked_tied_pixels(t, bounds), tied_triangle_pixels(t, bounds)) << described(t, ties);
   }
 }
 

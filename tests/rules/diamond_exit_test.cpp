@@ -5,6 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
 #include "tests/rules/support.h"
 
 namespace edgecase {
@@ -69,6 +74,40 @@ TEST(DiamondExit, CoordinatesAtTheEndOfTheRangeDoNotOverflow) {
   EXPECT_TRUE(meets_diamond(segment, 0, 0, gl()));
   EXPECT_FALSE(meets_diamond(segment, 8191, -8192, gl()));
   EXPECT_EQ(diamond_exit_pixels(segment, {0, 0, 99, 99}, gl()).size(), 100u);
+}
+
+// All segments between quarters of pixels in 3x3 pixels.
+TEST(DiamondExit, BoundariesMatterAtTiedPixelsAlone) {
+  constexpr int kSteps = 12;
+  const PixelBounds bounds{-1, -1, 3, 3};
+  std::size_t tied = 0;
+  for (int i = 0; i <= kSteps; ++i)
+    for (int j = 0; j <= kSteps; ++j)
+      for (int k = 0; k <= kSteps; ++k)
+        for (int l = 0; l <= kSteps; ++l) {
+          const Segment segment{at(i / 4., j / 4.), at(k / 4., l / 4.)};
+          const std::vector<PixelPosition> found = tied_line_pixels(segment, bounds);
+          tied += found.size();
+          for (int y = bounds.y_min; y <= bounds.y_max; ++y)
+            for (int x = bounds.x_min; x <= bounds.x_max; ++x) {
+              if (std::ranges::find(found, PixelPosition{x, y}) != found.end()) continue;
+              const bool drawn = diamond_exit_covers(segment, x, y, gl());
+              for (const DiamondBoundary& boundary : all_diamond_boundaries())
+                ASSERT_EQ(diamond_exit_covers(segment, x, y, boundary), drawn) << boundary.name;
+            }
+        }
+  std::printf("%zu tied pixels\n", tied);
+  EXPECT_GT(tied, 10'000u);
+}
+
+// Nothing is tied where nothing lies on a quarter.
+TEST(DiamondExit, FewPixelsAreTied) {
+  EXPECT_TRUE(tied_line_pixels({at(.53125, .59375), at(3.40625, 1.8125)}, {0, 0, 4, 4}).empty());
+  const std::vector<PixelPosition> expected = {{0, 0}, {1, 0}, {2, 0}, {3, 0},
+                                               {0, 1}, {1, 1}, {2, 1}, {3, 1}};
+  std::vector<PixelPosition> found = tied_line_pixels({at(.5, 1), at(3.5, 1)}, {0, 0, 4, 4});
+  std::ranges::sort(found, {}, [](PixelPosition p) { return std::pair{p.y, p.x}; });
+  EXPECT_EQ(found, expected);
 }
 
 TEST(DiamondExit, ExplanationNamesTheTieAndTheNumbers) {

@@ -60,6 +60,33 @@ class RandomTriangles {
   std::mt19937 engine_{11};
 };
 
+// Of all triangles between halves of pixels in 3x3 pixels.
+TEST(TiedPixels, AreTheOnlyOnesAtWhichTieRulesDiffer) {
+  constexpr int kSide = 7, kPoints = kSide * kSide;
+  const auto point = [](int i) {
+    const auto at = [](int n) { return Fixed::from_raw(n * Fixed::kOne / 2); };
+    return Point{at(i % kSide), at(i / kSide)};
+  };
+  const PixelBounds bounds{0, 0, 2, 2};
+  const TieRule& open = *find_tie_rule("open");
+  const TieRule& closed = *find_tie_rule("closed");
+  for (int i = 0; i < kPoints; ++i)
+    for (int j = 0; j < kPoints; ++j)
+      for (int k = 0; k < kPoints; ++k) {
+        const Triangle t{point(i), point(j), point(k)};
+        ASSERT_EQ(tied_triangle_pixels(t, bounds), covered(bounds, [&](int x, int y) {
+                    return triangle_covers(t, x, y, closed) && !triangle_covers(t, x, y, open);
+                  }));
+        for (const TieRule& ties : all_tie_rules())
+          covered(bounds, [&](int x, int y) {
+            const bool drawn = triangle_covers(t, x, y, ties);
+            EXPECT_LE(triangle_covers(t, x, y, open), drawn) << ties.name;
+            EXPECT_LE(drawn, triangle_covers(t, x, y, closed)) << ties.name;
+            return drawn;
+          });
+      }
+}
+
 TEST(EdgeWalk, CoversWhatThePredicateDoesOfAllTrianglesOfAGrid) {
   constexpr PixelBounds kBounds{0, 0, 2, 2};
   Pixels corners;

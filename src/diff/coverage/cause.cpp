@@ -5,9 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <deque>
-#include <map>
 #include <string_view>
 #include <utility>
 
@@ -166,123 +163,6 @@ class Search {
   Changes profile_;
 };
 
-// Would single changes of what is chosen draw what exact draws? Most answers agree, and are held
-// against all alternatives: what cannot differ is not drawn.
-class SingleChanges {
- public:
-  // `drawn` must be what the choice draws.
-  SingleChanges(const CauseQuestion& question, const SampleCoverage& drawn)
-      : question_(question), drawn_(drawn) {}
-
-  bool draw_so(const CoverageChoice& changed) {
-    const CoverageChoice& chosen = question_.chosen;
-    if (changed.snap != chosen.snap && decides_by_vertices()) return snapped_so(changed);
-    const bool only_ties_differ =
-        changed.ties.name != chosen.ties.name || (changed.rows != chosen.rows && is_seen_alike());
-    if (only_ties_differ && decides_by_edges() && !has_ties()) return true;
-    return covers_so(changed);
-  }
-
- private:
-  using Positions = std::array<Point, 3>;
-
-  bool covers_so(const CoverageChoice& choice) const {
-    return covered_samples(question_.primitive, question_.target, choice, question_.reported) ==
-           drawn_;
-  }
-
-  // Does snapping decide on where vertices are, and on nothing else?
-  bool decides_by_vertices() const {
-    return question_.target.samples == 1 && !question_.primitive.is_clipped &&
-           !has_clip_positions(question_.primitive) && question_.chosen.rows == RowOrder::bottom_up;
-  }
-
-  Positions snapped(Snap snap) const {
-    const auto& p = question_.primitive.positions;
-    return {snap(p[0]), snap(p[1]), snap(p[2])};
-  }
-
-  // Grids that take the vertices to the same places draw the same.
-  bool snapped_so(const CoverageChoice& changed) {
-    if (known_.empty()) known_.emplace_back(snapped(question_.chosen.snap), true);
-    const Positions positions = snapped(changed.snap);
-    const auto found = std::find_if(known_.begin(), known_.end(),
-                                    [&](const auto& known) { return known.first == positions; });
-    if (found != known_.end()) return found->second;
-    return known_.emplace_back(positions, covers_so(changed)).second;
-  }
-
-  // Is a sample covered where all edge functions are positive?
-  bool decides_by_edges() const {
-    return question_.target.samples == 1 && !question_.primitive.is_clipped &&
-           question_.primitive.kind == PrimitiveKind::triangle &&
-           question_.chosen.triangle_algorithm == TriangleAlgorithm::edge_functions;
-  }
-
-  // Is it the same triangle in a target that is seen upside down, but for ties?
-  bool is_seen_alike() const {
-    return question_.chosen.snap.is_none() && question_.primitive.state->cull == CullMode::none;
-  }
-
-  // Does a sample lie on an edge, and in the triangle? Open edges draw the least that any rule on
-  // ties does, closed ones the most.
-  bool has_ties() {
-    if (ties_ == Ties::unknown) {
-      CoverageChoice open = question_.chosen;
-      open.ties = *find_tie_rule("open");
-      CoverageChoice closed = question_.chosen;
-      closed.ties = *find_tie_rule("closed");
-      ties_ = covers_so(open) && covers_so(closed) ? Ties::none : Ties::some;
-    }
-    return ties_ == Ties::some;
-  }
-
-  enum class Ties { unknown, none, some };
-
-  const CauseQuestion& question_;
-  const SampleCoverage& drawn_;
-  std::vector<std::pair<Positions, bool>> known_;
-  Ties ties_ = Ties::unknown;
-};
-
-// A single alternative, and its place among alternative_names().
-struct PlacedChange {
-  std::size_t place;
-  Change change;
-};
-
-std::vector<PlacedChange> placed(const std::vector<RuleAlternatives>& rules) {
-  static const auto places = [] {
-    std::map<std::string, std::size_t> map;
-    for (const std::string& name : alternative_names()) map.emplace(name, map.size());
-    return map;
-  }();
-  std::vector<PlacedChange> changes;
-  for (const RuleAlternatives& rule : rules)
-    for (const Change& change : rule) changes.push_back({places.at(change.cause), change});
-  return changes;
-}
-
-// The alternatives beside what is chosen. Nearly all primitives of a run ask for one of a few
-// lists, which are made once.
-const std::vector<PlacedChange>& placed_alternatives(const CauseQuestion& question) {
-  struct Known {
-    CoverageTraits traits;
-    CoverageChoice chosen;
-    std::vector<PlacedChange> changes;
-  };
-  constexpr std::size_t kMostKnown = 32;
-  thread_local std::deque<Known> lists;
-  const CoverageTraits traits = coverage_traits(question.primitive, question.target);
-  const auto found = std::find_if(lists.begin(), lists.end(), [&](const Known& known) {
-    return known.traits == traits && known.chosen == question.chosen;
-  });
-  if (found != lists.end()) return found->changes;
-  if (lists.size() == kMostKnown) lists.pop_back();
-  lists.push_front({traits, question.chosen, placed(alternatives_beside(traits, question.chosen))});
-  return lists.front().changes;
-}
-
 }  // namespace
 
 std::vector<std::string> find_causes(const CauseQuestion& question,
@@ -297,22 +177,6 @@ std::vector<std::string> find_causes(const CauseQuestion& question,
 
 std::string cause_in_profile(const CauseQuestion& question, const PrimitiveCoverage& coverage) {
   return text_of(Search(question, coverage).of_profile());
-}
-
-void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
-                  std::string& refuted) {
-  // Several changes may bear one name, as all swapped pairs of samples do: it is refuted where none
-  // of them draws so.
-  enum class Tried : char { no, draws_otherwise, draws_so };
-  std::vector<Tried> tried(alternative_names().size(), Tried::no);
-  SingleChanges changes(question, coverage.drawn);
-  for (const auto& [place, change] : placed_alternatives(question)) {
-    if (refuted[place] == '1' || tried[place] == Tried::draws_so) continue;
-    const bool same = changes.draw_so(change.applied_to(question.chosen));
-    tried[place] = same ? Tried::draws_so : Tried::draws_otherwise;
-  }
-  for (std::size_t i = 0; i < tried.size(); ++i)
-    if (tried[i] == Tried::draws_otherwise) refuted[i] = '1';
 }
 
 std::vector<std::string> parts_of(const std::string& cause) {

@@ -40,12 +40,6 @@ std::vector<std::string> find_causes(const CauseQuestion& question,
 // primitive as `coverage.drawn` has it; else nothing.
 std::string cause_in_profile(const CauseQuestion& question, const PrimitiveCoverage& coverage);
 
-// Evidence against alternatives: the renderer draws this primitive as exact does, so what would
-// draw it otherwise is not what the renderer follows. Marks those in `refuted` (see
-// Result::refuted).
-void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
-                  std::string& refuted);
-
 // The alternatives of a cause: what stands between " + ".
 std::vector<std::string> parts_of(const std::string& cause);
 

@@ -12,6 +12,7 @@
 #include "diff/coverage/explanation.h"
 #include "diff/coverage/joint_faults.h"
 #include "diff/coverage/legality.h"
+#include "diff/coverage/refutation.h"
 #include "diff/coverage/shared_edge_faults.h"
 #include "diff/coverage/situation.h"
 #include "raster/attributes.h"

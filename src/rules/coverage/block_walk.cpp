@@ -47,11 +47,6 @@ class Edge {
 using EdgeNumbers = std::vector<int>;
 const EdgeNumbers kAllEdges = {0, 1, 2};
 
-PixelBounds common(const PixelBounds& a, const PixelBounds& b) {
-  return {std::max(a.x_min, b.x_min), std::max(a.y_min, b.y_min), std::min(a.x_max, b.x_max),
-          std::min(a.y_max, b.y_max)};
-}
-
 // The largest pixel whose place does not lie beyond the coordinate: floor(coordinate/w - place).
 // The coordinate is at most 2^14 w and w at most 2^32.
 int last_pixel(std::int64_t coordinate, std::int64_t w, Fixed place) {
@@ -77,7 +72,7 @@ PixelBounds box_of(const HomogeneousTriangle& triangle, const BlockGrid& grid) {
     box.x_max = std::max(box.x_max, last_pixel(p.x, p.w, left->x));
     box.y_max = std::max(box.y_max, last_pixel(p.y, p.w, low->y));
   }
-  return common(box, bounds);
+  return common_part(box, bounds);
 }
 
 class Walker {
@@ -106,7 +101,7 @@ class Walker {
     const int size = grid_.sizes[level];
     for (int y = some.y_min - some.y_min % size; y <= some.y_max; y += size)
       for (int x = some.x_min - some.x_min % size; x <= some.x_max; x += size)
-        visit(common({x, y, x + size - 1, y + size - 1}, grid_.bounds), level, open);
+        visit(common_part({x, y, x + size - 1, y + size - 1}, grid_.bounds), level, open);
   }
 
   void visit(const PixelBounds& pixels, std::size_t level, const EdgeNumbers& open) {
@@ -129,11 +124,11 @@ class Walker {
                                   : BlockDecision::divided;
     if (block.decision == BlockDecision::tested) block.covered = tested(pixels, left);
     walk_.blocks.push_back(std::move(block));
-    if (!left.empty() && !is_last) walk_within(common(pixels, walk_.box), level + 1, left);
+    if (!left.empty() && !is_last) walk_within(common_part(pixels, walk_.box), level + 1, left);
   }
 
   std::vector<PixelSamples> tested(const PixelBounds& pixels, const EdgeNumbers& open) {
-    const PixelBounds some = common(pixels, walk_.box);
+    const PixelBounds some = common_part(pixels, walk_.box);
     std::vector<PixelSamples> covered;
     for (int y = some.y_min; y <= some.y_max; ++y)
       for (int x = some.x_min; x <= some.x_max; ++x) {

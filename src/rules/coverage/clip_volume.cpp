@@ -86,9 +86,7 @@ std::vector<PixelPosition> clipped_triangle_pixels(const UnclippedTriangle& tria
                                                    const Viewport& viewport,
                                                    const PixelBounds& bounds, const TieRule& ties,
                                                    Point within, bool depth) {
-  PixelBounds some{std::max(bounds.x_min, viewport.x), std::max(bounds.y_min, viewport.y),
-                   std::min(bounds.x_max, viewport.x + viewport.width - 1),
-                   std::min(bounds.y_max, viewport.y + viewport.height - 1)};
+  PixelBounds some = common_part(bounds, pixels_in(viewport));
   // Only what lies in front of the eye is where its quotients say.
   if (all_in_front(triangle)) some = sample_bounds(nearest_triangle(triangle.positions), some);
   std::vector<PixelPosition> pixels;

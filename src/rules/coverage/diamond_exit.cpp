@@ -204,6 +204,19 @@ std::vector<PixelPosition> diamond_exit_pixels(const Segment& segment, const Pix
   return result;
 }
 
+std::vector<PixelPosition> tied_line_pixels(const Segment& segment, const PixelBounds& bounds) {
+  static const DiamondBoundary& closed = boundary_named("closed");
+  static const DiamondBoundary& open = boundary_named("open");
+  std::vector<PixelPosition> result;
+  visit_pixels_near(segment, bounds, [&](PixelPosition p) {
+    // Whoever ends on a boundary meets it.
+    if (!meets_diamond(segment, p.x, p.y, closed)) return;
+    if (!meets_diamond(segment, p.x, p.y, open) || ends_on_boundary(segment, p.x, p.y))
+      result.push_back(p);
+  });
+  return result;
+}
+
 Explanation explain_line(const Segment& segment, int x, int y, const DiamondBoundary& boundary) {
   Explanation result;
   if (segment.a == segment.b) {

@@ -52,6 +52,11 @@ bool ends_in(const Segment& segment, const SizedDiamond& diamond);
 std::vector<PixelPosition> diamond_exit_pixels(const Segment& segment, const PixelBounds& bounds,
                                                const DiamondBoundary& boundary);
 
+// The pixels within `bounds` at which it matters whom boundaries belong to: the segment meets their
+// diamond in its boundary alone, or ends on it. At others all DiamondBoundaries decide alike. Along
+// the major axis in ascending order.
+std::vector<PixelPosition> tied_line_pixels(const Segment& segment, const PixelBounds& bounds);
+
 // Why, in a sentence with numbers.
 Explanation explain_line(const Segment& segment, int x, int y, const DiamondBoundary& boundary);
 

@@ -39,4 +39,9 @@ PixelBounds sample_bounds(const Triangle& triangle, const PixelBounds& bounds);
 std::vector<PixelPosition> triangle_pixels(const Triangle& triangle, const PixelBounds& bounds,
                                            TriangleAlgorithm algorithm, const TieRule& ties);
 
+// The pixels within `bounds` at which it matters whom edges belong to: the sample lies in the
+// triangle, on an edge of it. At others all TieRules decide alike.
+std::vector<PixelPosition> tied_triangle_pixels(const Triangle& triangle,
+                                                const PixelBounds& bounds);
+
 }  // namespace edgecase

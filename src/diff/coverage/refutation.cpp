@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "diff/coverage/refutation.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "diff/coverage/alternatives.h"
+#include "raster/facing.h"
+#include "raster/fast_coverage.h"
+#include "raster/rasterizer.h"
+#include "rules/coverage/diamond_exit.h"
+#include "rules/coverage/triangle_fill.h"
+
+namespace edgecase {
+namespace {
+
+using Pixels = std::vector<PixelPosition>;
+
+// Would single changes of what is chosen draw what exact draws? Most answers agree, and are held
+// against all alternatives: what cannot differ is not drawn, and what differs at a line's ends not
+// wholly.
+class SingleChanges {
+ public:
+  // `drawn` must be what the choice draws.
+  SingleChanges(const CauseQuestion& question, const SampleCoverage& drawn)
+      : question_(question), drawn_(drawn) {}
+
+  bool draw_so(const CoverageChoice& changed) {
+    if (changed.snap != chosen().snap && decides_by_vertices()) return snapped_so(changed);
+    if (only_ties_differ(changed)) return decides_ties_so(changed);
+    return !differs_at_ends(changed) && covers_so(changed);
+  }
+
+ private:
+  using Positions = std::array<Point, 3>;
+
+  const CoverageChoice& chosen() const { return question_.chosen; }
+  const ScenePrimitive& primitive() const { return question_.primitive; }
+
+  bool covers_so(const CoverageChoice& choice) const {
+    return covered_samples(primitive(), question_.target, choice, question_.reported) == drawn_;
+  }
+
+  // Are there pixels with one sample each, the vertices multiples of 2^-16 once they are snapped?
+  bool is_plain() const {
+    return question_.target.samples == 1 && !primitive().is_clipped &&
+           !(chosen().snap.is_none() && has_clip_positions(primitive()));
+  }
+
+  // Does snapping decide on where vertices are, and on nothing else?
+  bool decides_by_vertices() const {
+    return question_.target.samples == 1 && !primitive().is_clipped &&
+           !has_clip_positions(primitive()) && chosen().rows == RowOrder::bottom_up;
+  }
+
+  Positions snapped(Snap snap) const {
+    const auto& p = primitive().positions;
+    return {snap(p[0]), snap(p[1]), snap(p[2])};
+  }
+
+  // Grids that take the vertices to the same places draw the same.
+  bool snapped_so(const CoverageChoice& changed) {
+    if (known_.empty()) known_.emplace_back(snapped(chosen().snap), true);
+    const Positions positions = snapped(changed.snap);
+    const auto found = std::find_if(known_.begin(), known_.end(),
+                                    [&](const auto& known) { return known.first == positions; });
+    if (found != known_.end()) return found->second;
+    const bool draws_so = !differs_at_ends(changed) && covers_so(changed);
+    return known_.emplace_back(positions, draws_so).second;
+  }
+
+  bool is_plain_triangle() const {
+    return is_plain() && primitive().kind == PrimitiveKind::triangle &&
+           chosen().triangle_algorithm == TriangleAlgorithm::edge_functions;
+  }
+  bool is_thin_line() const {
+    return is_plain() && primitive().kind == PrimitiveKind::line &&
+           primitive().state->line_width == Fixed::from_integer(1);
+  }
+  bool is_diamond_line() const {
+    return is_thin_line() && chosen().line.algorithm == LineAlgorithm::diamond_exit;
+  }
+
+  // Can only the samples differ that lie on an edge, or the diamonds that a line only touches? From
+  // the other side a target looks the same, but for them, where nothing is snapped or culled.
+  bool only_ties_differ(const CoverageChoice& changed) const {
+    const bool turns = changed.rows != chosen().rows;
+    const bool seen_alike = chosen().snap.is_none() && primitive().state->cull == CullMode::none;
+    if (is_plain_triangle())
+      return changed.ties.name != chosen().ties.name || (turns && seen_alike);
+    if (!is_diamond_line()) return false;
+    return changed.line.boundary != chosen().line.boundary ||
+           (turns && seen_alike && chosen().line.boundary->ties != nullptr);
+  }
+
+  bool decides_ties_so(const CoverageChoice& changed) {
+    if (!tied_) tied_ = tied_pixels();
+    if (tied_->empty()) return true;
+    return primitive().kind == PrimitiveKind::line ? decides_diamonds_so(changed)
+                                                   : decides_edges_so(changed);
+  }
+
+  // The vertices and the pixels as the choice sees them.
+  Positions seen_vertices() const {
+    const auto seen = [&](HomogeneousPoint p) {
+      return chosen().snap(sees_turned() ? turned_over(p, question_.target.height) : p);
+    };
+    const auto& p = primitive().positions;
+    return {seen(p[0]), seen(p[1]), seen(p[2])};
+  }
+  Segment seen_segment() const {
+    const Positions p = seen_vertices();
+    return {p[0], p[1]};
+  }
+  PixelBounds seen_bounds() const {
+    const PixelBounds bounds = drawable_bounds(*primitive().state, question_.target);
+    return sees_turned() ? turned_over(bounds, question_.target.height) : bounds;
+  }
+  bool sees_turned() const { return chosen().rows == RowOrder::top_down; }
+
+  // Where ties are to be decided.
+  Pixels tied_pixels() const {
+    if (primitive().kind == PrimitiveKind::line)
+      return tied_line_pixels(seen_segment(), seen_bounds());
+    if (is_culled(primitive(), question_.target, chosen())) return {};
+    return found_tied_pixels(seen_vertices(), seen_bounds());
+  }
+
+  bool decides_edges_so(const CoverageChoice& changed) const {
+    const Triangle triangle = seen_vertices();
+    const TieRule ties = changed.rows != chosen().rows ? turned_over(changed.ties) : changed.ties;
+    return std::all_of(tied_->begin(), tied_->end(), [&](PixelPosition p) {
+      return triangle_covers(triangle, p.x, p.y, ties) ==
+             triangle_covers(triangle, p.x, p.y, chosen().ties);
+    });
+  }
+
+  bool decides_diamonds_so(const CoverageChoice& changed) const {
+    const Segment segment = seen_segment();
+    DiamondBoundary boundary = *changed.line.boundary;
+    TieRule turned;
+    if (changed.rows != chosen().rows) {
+      turned = turned_over(*boundary.ties);
+      boundary.ties = &turned;
+    }
+    return std::all_of(tied_->begin(), tied_->end(), [&](PixelPosition p) {
+      return diamond_exit_covers(segment, p.x, p.y, boundary) ==
+             diamond_exit_covers(segment, p.x, p.y, *chosen().line.boundary);
+    });
+  }
+
+  // Is a line drawn otherwise near one of its ends, where nearly all algorithms differ first? False
+  // says nothing.
+  bool differs_at_ends(const CoverageChoice& changed) const {
+    constexpr std::size_t kLong = 8;
+    if (!is_thin_line() || drawn_[0].size() < kLong) return false;
+    const PixelBounds all = drawable_bounds(*primitive().state, question_.target);
+    return std::any_of(
+        primitive().positions.begin(), primitive().positions.begin() + 2,
+        [&](const HomogeneousPoint& end) {
+          const Point near = nearest_point(end);
+          const auto x = static_cast<int>(near.x.floor()), y = static_cast<int>(near.y.floor());
+          const PixelBounds box = common_part({x - 1, y - 1, x + 1, y + 1}, all);
+          Pixels drawn;
+          std::copy_if(drawn_[0].begin(), drawn_[0].end(), std::back_inserter(drawn),
+                       [&](PixelPosition p) { return box.contains(p); });
+          return covered_pixels_within(box, primitive(), question_.target, changed) != drawn;
+        });
+  }
+
+  const CauseQuestion& question_;
+  const SampleCoverage& drawn_;
+  std::vector<std::pair<Positions, bool>> known_;
+  std::optional<Pixels> tied_;
+};
+
+// A single alternative, and its place among alternative_names().
+struct PlacedChange {
+  std::size_t place;
+  Change change;
+};
+
+std::vector<PlacedChange> placed(const std::vector<RuleAlternatives>& rules) {
+  static const auto places = [] {
+    std::map<std::string, std::size_t> map;
+    for (const std::string& name : alternative_names()) map.emplace(name, map.size());
+    return map;
+  }();
+  std::vector<PlacedChange> changes;
+  for (const RuleAlternatives& rule : rules)
+    for (const Change& change : rule) changes.push_back({places.at(change.cause), change});
+  return changes;
+}
+
+// The alternatives beside what is chosen. Nearly all primitives of a run ask for one of a few
+// lists, which are made once.
+const std::vector<PlacedChange>& placed_alternatives(const CauseQuestion& question) {
+  struct Known {
+    CoverageTraits traits;
+    CoverageChoice chosen;
+    std::vector<PlacedChange> changes;
+  };
+  constexpr std::size_t kMostKnown = 32;
+  thread_local std::deque<Known> lists;
+  const CoverageTraits traits = coverage_traits(question.primitive, question.target);
+  const auto found = std::find_if(lists.begin(), lists.end(), [&](const Known& known) {
+    return known.traits == traits && known.chosen == question.chosen;
+  });
+  if (found != lists.end()) return found->changes;
+  if (lists.size() == kMostKnown) lists.pop_back();
+  lists.push_front({traits, question.chosen, placed(alternatives_beside(traits, question.chosen))});
+  return lists.front().changes;
+}
+
+}  // namespace
+
+void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
+                  std::string& refuted) {
+  // Several changes may bear one name, as all swapped pairs of samples do: it is refuted where none
+  // of them draws so.
+  enum class Tried : char { no, draws_otherwise, draws_so };
+  std::vector<Tried> tried(alternative_names().size(), Tried::no);
+  SingleChanges changes(question, coverage.drawn);
+  for (const auto& [place, change] : placed_alternatives(question)) {
+    if (refuted[place] == '1' || tried[place] == Tried::draws_so) continue;
+    const bool same = changes.draw_so(change.applied_to(question.chosen));
+    tried[place] = same ? Tried::draws_so : Tried::draws_otherwise;
+  }
+  for (std::size_t i = 0; i < tried.size(); ++i)
+    if (tried[i] == Tried::draws_otherwise) refuted[i] = '1';
+}
+
+}  // namespace edgecase
