@@ -256,8 +256,9 @@ void SceneRenderer::count_hits(const Scene& scene, const Surfaces& surfaces, Ren
   draw_all(scene, {&Programs::count, false, nullptr, surfaces.step});
   const std::vector<float> sums = read_sums(surfaces, rendering);
   rendering.hits.resize(sums.size());
+  // Most samples of most scenes are never written.
   std::transform(sums.begin(), sums.end(), rendering.hits.begin(), [&](float sum) {
-    return static_cast<std::uint32_t>(std::lround(sum / surfaces.step));
+    return sum == 0 ? 0 : static_cast<std::uint32_t>(std::lround(sum / surfaces.step));
   });
 }
 

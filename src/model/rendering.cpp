@@ -2,7 +2,6 @@
 #include "model/rendering.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -46,7 +45,9 @@ void sort_fragments(Rendering& rendering) {
 std::uint8_t to_unorm8(double component) {
   if (!(component > 0)) return 0;
   if (component >= 1) return 255;
-  return static_cast<std::uint8_t>(std::nearbyint(component * 255));
+  // Where the last bit of a double is worth 1, adding rounds to the nearest even integer.
+  constexpr double kIntegers = 0x1p52;
+  return static_cast<std::uint8_t>(component * 255 + kIntegers - kIntegers);
 }
 
 }  // namespace edgecase

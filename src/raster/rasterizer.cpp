@@ -2,7 +2,9 @@
 #include "raster/rasterizer.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "raster/attributes.h"
 #include "raster/facing.h"
@@ -45,6 +47,12 @@ Rendering cleared(const Target& target) {
   return rendering;
 }
 
+// For so many more, and for as many again as there are.
+void make_room(std::size_t count, std::vector<Fragment>& fragments) {
+  const std::size_t needed = fragments.size() + count;
+  if (needed > fragments.capacity()) fragments.reserve(std::max(needed, 2 * fragments.size()));
+}
+
 void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleChoices& choices) {
   const Target& target = scene.target;
   const FragmentStage stage(rendering, target, choices.output);
@@ -56,7 +64,9 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
     const PrimitiveAttributes attributes = attributes_of(primitive, choices, target);
     std::optional<TexturedPrimitive> textured;
     if (primitive.state->texture) textured.emplace(textures.value(), primitive, attributes);
-    for (PixelPosition pixel : covered_pixels(primitive, target, choice)) {
+    const std::vector<PixelPosition> pixels = covered_pixels(primitive, target, choice);
+    make_room(pixels.size(), rendering.fragments);
+    for (PixelPosition pixel : pixels) {
       std::optional<ExactLookup> lookup;
       if (textured) lookup = textured->look_up(pixel);
       const ExactLookup* shown = lookup ? &*lookup : nullptr;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "rules/choices.h"
 
+#include <cstddef>
+#include <deque>
+
 #include "rules/all_rules.h"
 
 namespace edgecase {
@@ -119,6 +122,16 @@ OutputChoice resolve_output(const Policy& policy, Surface surface) {
   return result;
 }
 
+RuleChoices resolve_anew(const Policy& policy, Surface surface) {
+  return {resolve_primitive(policy, surface, PrimitiveKind::point),
+          resolve_primitive(policy, surface, PrimitiveKind::line),
+          resolve_primitive(policy, surface, PrimitiveKind::triangle),
+          resolve_values(policy, surface),
+          resolve_textures(policy, surface),
+          resolve_samples(policy, surface),
+          resolve_output(policy, surface)};
+}
+
 }  // namespace
 
 const CoverageChoice& RuleChoices::of(PrimitiveKind kind) const {
@@ -169,14 +182,22 @@ const char* row_order_rule_of(PrimitiveKind kind) {
   return "?";
 }
 
+// All cases of a run are drawn by one policy or a few: what it chooses is looked up once.
 RuleChoices resolve(const Policy& policy, Surface surface) {
-  return {resolve_primitive(policy, surface, PrimitiveKind::point),
-          resolve_primitive(policy, surface, PrimitiveKind::line),
-          resolve_primitive(policy, surface, PrimitiveKind::triangle),
-          resolve_values(policy, surface),
-          resolve_textures(policy, surface),
-          resolve_samples(policy, surface),
-          resolve_output(policy, surface)};
+  struct Known {
+    Choices rules, overrides;
+    RuleChoices choices;
+  };
+  constexpr std::size_t kMostKnown = 8;
+  thread_local std::deque<Known> known;
+  static const Choices kNone;
+  const auto found = policy.surfaces.find(surface);
+  const Choices& overrides = found == policy.surfaces.end() ? kNone : found->second;
+  for (const Known& one : known)
+    if (one.rules == policy.rules && one.overrides == overrides) return one.choices;
+  if (known.size() == kMostKnown) known.pop_back();
+  known.push_front({policy.rules, overrides, resolve_anew(policy, surface)});
+  return known.front().choices;
 }
 
 }  // namespace edgecase

@@ -2,8 +2,6 @@
 //
 // Scenes and renderings as bytes (wire/binary.h): what their members are, in which order. For
 // src/wire alone.
-//
-// Fragments are the bulk of a rendering. What one does not tell takes no room.
 #pragma once
 
 #include <memory>
@@ -172,15 +170,6 @@ void carry(Io& io, T& detail) {
     carry_told(detail.has_derivative[i], detail.derivatives[i]);
   carry_told(detail.has_texture_coordinates, detail.texture_coordinates);
   carry_told(detail.has_level_of_detail, detail.level_of_detail);
-}
-
-// Without its detail.
-template <class Io, Of<Fragment> T>
-void carry(Io& io, T& fragment) {
-  carry_all(io, fragment.x, fragment.y, fragment.primitive, fragment.coverage, fragment.has_depth,
-            fragment.has_color);
-  if (fragment.has_depth) carry(io, fragment.depth);
-  if (fragment.has_color) carry(io, fragment.color);
 }
 
 }  // namespace edgecase::wire

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -34,17 +36,46 @@ std::uint64_t digest_of_bytes(std::string_view bytes) {
   return hash;
 }
 
-// Fragments with their details: one that tells nothing is none.
+// A fragment as it is sent, without its detail: as many bytes as any other, since fragments are the
+// bulk of a rendering and many go at once.
+struct SentFragment {
+  // What is told, beside where it is.
+  static constexpr std::uint64_t kDepth = 1, kColor = 2, kDetail = 4;
+
+  double depth = 0;
+  std::array<double, 4> color{};
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  std::int32_t primitive = 0;
+  std::uint32_t coverage = 0;
+  std::uint64_t told = 0;
+};
+static_assert(sizeof(SentFragment) == 64);
+
+bool has_detail(const Rendering& rendering, const Fragment& fragment) {
+  return fragment.detail >= 0 &&
+         tells_something(rendering.details[static_cast<std::size_t>(fragment.detail)]);
+}
+
+SentFragment sent(const Rendering& rendering, const Fragment& fragment) {
+  const std::uint64_t told = (fragment.has_depth ? SentFragment::kDepth : 0) |
+                             (fragment.has_color ? SentFragment::kColor : 0) |
+                             (has_detail(rendering, fragment) ? SentFragment::kDetail : 0);
+  return {fragment.depth,     fragment.color,    fragment.x, fragment.y,
+          fragment.primitive, fragment.coverage, told};
+}
+
+// All fragments, then their details: one that tells nothing is none.
 void write_fragments(Writer& io, const Rendering& rendering) {
-  io.size(rendering.fragments.size());
-  for (const Fragment& fragment : rendering.fragments) {
-    carry(io, fragment);
-    const bool has_detail =
-        fragment.detail >= 0 &&
-        tells_something(rendering.details[static_cast<std::size_t>(fragment.detail)]);
-    carry(io, has_detail);
-    if (has_detail) carry(io, rendering.details[static_cast<std::size_t>(fragment.detail)]);
-  }
+  std::vector<SentFragment> fragments;
+  fragments.reserve(rendering.fragments.size());
+  for (const Fragment& fragment : rendering.fragments)
+    fragments.push_back(sent(rendering, fragment));
+  io.size(fragments.size());
+  io.bytes(fragments.data(), fragments.size() * sizeof(SentFragment));
+  for (const Fragment& fragment : rendering.fragments)
+    if (has_detail(rendering, fragment))
+      carry(io, rendering.details[static_cast<std::size_t>(fragment.detail)]);
 }
 
 // The lines of recordings tell no sign of zero, and what is recorded is to be what was seen: -0
@@ -61,22 +92,33 @@ void drop_signs_of_zero(FragmentDetail& detail) {
   drop_signs_of_zero(detail.level_of_detail);
 }
 
+Fragment received(const SentFragment& sent) {
+  Fragment fragment;
+  fragment.x = sent.x;
+  fragment.y = sent.y;
+  fragment.primitive = sent.primitive;
+  fragment.coverage = sent.coverage;
+  fragment.has_depth = (sent.told & SentFragment::kDepth) != 0;
+  fragment.has_color = (sent.told & SentFragment::kColor) != 0;
+  if (fragment.has_depth) fragment.depth = sent.depth + 0.0;
+  if (fragment.has_color) fragment.color = sent.color;
+  drop_signs_of_zero(fragment.color);
+  return fragment;
+}
+
 void read_fragments(Reader& io, Rendering& rendering) {
-  const std::size_t count = io.size(1);
+  const std::size_t count = io.size(sizeof(SentFragment));
   rendering.fragments.reserve(count);
+  int details = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    Fragment fragment;
-    carry(io, fragment);
-    fragment.depth += 0.0;
-    drop_signs_of_zero(fragment.color);
-    bool has_detail = false;
-    carry(io, has_detail);
-    if (has_detail) {
-      fragment.detail = static_cast<int>(rendering.details.size());
-      carry(io, rendering.details.emplace_back());
-      drop_signs_of_zero(rendering.details.back());
-    }
-    rendering.fragments.push_back(fragment);
+    SentFragment sent;
+    io.bytes(&sent, sizeof(sent));
+    rendering.fragments.push_back(received(sent));
+    if ((sent.told & SentFragment::kDetail) != 0) rendering.fragments.back().detail = details++;
+  }
+  for (; details > 0; --details) {
+    carry(io, rendering.details.emplace_back());
+    drop_signs_of_zero(rendering.details.back());
   }
 }
 

@@ -59,12 +59,15 @@ class Judge {
   Judge(const ValueContext& context, const Fragment& fragment)
       : primitive_(context.primitive_of(fragment)),
         values_(context.values_of(fragment)),
-        place_(context.place_of(fragment, context.choices.values.locations)),
-        depth_place_(context.depth_place_of(fragment, context.choices.values.locations)),
+        place_(pixel_centre(fragment.x, fragment.y)),
+        depth_place_(place_),
         pixel_{fragment.x, fragment.y},
         depth_is_zero_(fragment_depth_is_zero(primitive_.state->multisampling,
                                               context.choices.values.locations)),
         forgiving_(context.latitude == Latitude::none) {
+    if (context.scene.target.samples == 1) return;
+    place_ = context.place_of(fragment, context.choices.values.locations);
+    depth_place_ = context.depth_place_of(fragment, context.choices.values.locations);
     for (const Point corner : context.permitted_places(fragment))
       corners_.emplace_back(values_.moved(), corner);
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "diff/samples/sample_planes.h"
@@ -67,9 +68,7 @@ class PixelComparison {
                const std::uint8_t* stored, Result& result) {
     aggregator_.count_compared(4);
     // Nothing was drawn, and nothing is there: most pixels of most scenes.
-    if (fragments.empty() && is_clear_permitted_ &&
-        std::equal(clear_code_.begin(), clear_code_.end(), stored))
-      return;
+    if (fragments.empty() && is_clear_permitted_ && is_clear(stored)) return;
     if (holds_last_color(fragments, stored)) return;
     const auto all = last_writers(context_, fragments, sample);
     // Which of them alpha to coverage kept from writing is held against hits where they are told.
@@ -88,6 +87,13 @@ class PixelComparison {
       result.disagreements.back().rule = "sample.alpha-to-coverage";
       result.disagreements.back().ruling = 33;
     }
+  }
+
+  // Compared as one word.
+  bool is_clear(const std::uint8_t* stored) const {
+    std::array<std::uint8_t, 4> code;
+    std::copy_n(stored, code.size(), code.begin());
+    return std::bit_cast<std::uint32_t>(code) == std::bit_cast<std::uint32_t>(clear_code_);
   }
 
   // Does a pixel hold what its last fragment's told colour is rounded to? Then nothing is to be
