@@ -36,9 +36,9 @@ struct SizedCase {
 
   friend bool operator<(const SizedCase& a, const SizedCase& b) {
     const auto size = [](const SizedCase& sized) {
-      const CaseResults& one = *sized.one;
-      const auto pixels = static_cast<long>(one.width) * one.height;
-      return std::tuple(sized.primitives, pixels, one.id.size(), std::string_view(one.id));
+      const CaseResults& results = *sized.one;
+      const auto pixels = static_cast<long>(results.width) * results.height;
+      return std::tuple(sized.primitives, pixels, results.id.size(), std::string_view(results.id));
     };
     return size(a) < size(b);
   }

@@ -32,7 +32,7 @@ TEST(LatitudeBits, DecideWhetherACoarseSnapIsAViolation) {
   Policy coarse;
   coarse.rules["subpixel.snap"] = "4-half-even";
   const Rendering rendered = rasterize(scene, coarse);
-  EXPECT_EQ(compare_and_judge(scene, rendered, {8}).verdict, Verdict::violation);
+  EXPECT_EQ(compare_and_judge(scene, rendered, 8).verdict, Verdict::violation);
   EXPECT_EQ(compare_and_judge(scene, rendered, 4).verdict, Verdict::convention);
 }
 

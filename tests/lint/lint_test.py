@@ -32,8 +32,8 @@ class Lint(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
 
-    def lint(self, step, text, name="file.cpp"):
-        """(exit code, what it says) of a file with this text."""
+    def lint(self, step, text, asked="file.cpp"):
+        """(exit code, what it says) of a file with this text, or of another name."""
         path = self.folder / "file.cpp"
         path.write_text(text, encoding="utf-8")
         entry = {"directory": str(self.folder), "file": "file.cpp",
@@ -42,7 +42,7 @@ class Lint(unittest.TestCase):
         build = self.folder / "build"
         build.mkdir(exist_ok=True)
         (build / "compile_commands.json").write_text(json.dumps([entry]), encoding="utf-8")
-        done = subprocess.run([ROOT / "tools/lint", step, self.folder / name],
+        done = subprocess.run([ROOT / "tools/lint", step, self.folder / asked],
                               env={**os.environ, "EDGECASE_BUILD": str(build)},
                               capture_output=True, text=True, check=False)
         return done.returncode, done.stdout + done.stderr
@@ -63,6 +63,12 @@ class Lint(unittest.TestCase):
     def test_warnings(self):
         self.check("warnings", NARROWING, "-Wfloat-conversion")
         self.assertEqual(self.lint("warnings", SHADOWING_ELSEWHERE)[0], 0)
+
+    def test_a_folder_is_all_sources_below_it(self):
+        code, text = self.lint("format", UNFORMATTED, ".")
+        self.assertEqual(code, 1, text)
+        self.assertIn("file.cpp:", text)
+        self.assertEqual(self.lint("format", CLEAN, ".")[0], 0)
 
     def test_what_cannot_be_read_is_no_success(self):
         code, text = self.lint("tidy", CLEAN, "other.cpp")

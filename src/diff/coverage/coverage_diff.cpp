@@ -16,8 +16,11 @@ std::vector<CoverageDifference> differences(const std::vector<PixelPosition>& ex
                                             const std::vector<PixelPosition>& drawn, int sample) {
   // Keyed by row, then column: the order of the result.
   std::map<std::pair<int, int>, CoverageDifference> hits;
-  for (PixelPosition p : exact) ++hits.try_emplace({p.y, p.x}, p, sample).first->second.exact;
-  for (PixelPosition p : drawn) ++hits.try_emplace({p.y, p.x}, p, sample).first->second.drawn;
+  const auto entry_of = [&](PixelPosition p) -> CoverageDifference& {
+    return hits.try_emplace({p.y, p.x}, CoverageDifference{p, sample}).first->second;
+  };
+  for (PixelPosition p : exact) ++entry_of(p).exact;
+  for (PixelPosition p : drawn) ++entry_of(p).drawn;
   std::vector<CoverageDifference> result;
   for (const auto& [key, entry] : hits)
     if (entry.exact != entry.drawn) result.push_back(entry);

@@ -80,8 +80,7 @@ class LookupComparison {
  public:
   LookupComparison(const ValueContext& context, TextureLookups& lookups, const Subject& subject,
                    const TextureChoice* profile)
-      : context_(context),
-        lookups_(lookups),
+      : lookups_(lookups),
         subject_(subject),
         profile_(profile),
         chosen_(context.choices.textures),
@@ -329,7 +328,6 @@ class LookupComparison {
     result.disagreements.push_back(std::move(d));
   }
 
-  const ValueContext& context_;
   TextureLookups& lookups_;
   const Subject& subject_;
   const TextureChoice* profile_;

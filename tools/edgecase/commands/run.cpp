@@ -71,7 +71,7 @@ std::variant<std::optional<MergePart>, ExitCode> earlier_run(const RunCommand& c
   if (!std::filesystem::exists(path, error)) return earlier;
   auto results = load_results(path);
   if (!results) return ExitCode::usage;
-  return earlier.emplace(path, std::move(*results));
+  return MergePart{path, std::move(*results)};
 }
 
 // Says how to go on where not all was done, and the file to go on with is there.

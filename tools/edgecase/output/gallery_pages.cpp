@@ -75,7 +75,8 @@ std::optional<std::vector<Case>> load_cases_of(const Gallery& gallery, const fs:
 bool check_choices(const Gallery& gallery, const Policy& policy, const fs::path& file) {
   bool fine = true;
   for (const auto* words : {&gallery.choices, &gallery.not_shown})
-    for (const auto& [rule, text] : *words) {
+    for (const auto& word : *words) {
+      const std::string& rule = word.first;
       const bool chosen =
           policy.rules.contains(rule) ||
           std::any_of(policy.surfaces.begin(), policy.surfaces.end(),
