@@ -29,6 +29,68 @@ Expectation parse_entry(const Json& json) {
   return entry;
 }
 
+// Entries are taken as they are read, and no tree of all of them is ever made: a suite's are tens
+// of thousands.
+class ExpectationsReader {
+ public:
+  explicit ExpectationsReader(const WantedRenderer& wanted) : wanted_(wanted) {}
+
+  // Throws std::runtime_error, naming the place.
+  Expectations read(const std::string& text) {
+    try {
+      const Json rest = Json::parse(text, [this](int depth, Json::parse_event_t event, Json& json) {
+        return take(depth, event, json);
+      });
+      result_.renderer = rest.at("renderer");
+      result_.measured = rest.at("measured");
+      for (const auto& [key, value] : rest.items())
+        if (key != "renderer" && key != "measured" && key != "expectations")
+          throw std::runtime_error(fmt::format("unknown key \"{}\"", key));
+      if (!rest.at("expectations").is_array())
+        throw std::runtime_error("\"expectations\" is no list");
+      for (const Json& item : rest.at("expectations")) add(item);
+    } catch (const Unwanted&) {
+      result_.cases.clear();
+    } catch (const std::exception& error) {
+      throw std::runtime_error(fmt::format("{}: {}", where_, error.what()));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  struct Unwanted {};
+
+  // Whether what was read is to be kept in the tree.
+  bool take(int depth, Json::parse_event_t event, const Json& json) {
+    using Event = Json::parse_event_t;
+    if (depth == 1 && event == Event::key) key_ = json.get<std::string>();
+    if (depth == 1 && event == Event::value && key_ == "renderer" && json.is_string()) {
+      result_.renderer = json.get<std::string>();
+      if (wanted_ && !wanted_(result_.renderer)) throw Unwanted();
+    }
+    if (depth == 1 && event == Event::array_start) is_list_ = key_ == "expectations";
+    if (depth == 1 && event == Event::array_end) is_list_ = false;
+    if (!is_list_ || depth != 2 || event != Event::object_end) return true;
+    add(json);
+    return false;
+  }
+
+  void add(const Json& item) {
+    where_ = fmt::format("expectation {}", result_.cases.size());
+    const std::string id = item.at("case");
+    where_ = fmt::format("expectation of {}", id);
+    if (!result_.cases.emplace(id, parse_entry(item)).second)
+      throw std::runtime_error("the case has two entries");
+    where_ = "the file";
+  }
+
+  const WantedRenderer& wanted_;
+  Expectations result_;
+  std::string where_ = "the file";
+  std::string key_;  // of the file's object, the latest
+  bool is_list_ = false;
+};
+
 // Bytes that are no UTF-8 are replaced, never fatal.
 std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -101,28 +163,12 @@ std::string reason_from(const Result& result) {
   return text;
 }
 
-std::variant<Expectations, std::string> parse_expectations(const std::string& text) {
-  std::string where = "the file";
+std::variant<Expectations, std::string> parse_expectations(const std::string& text,
+                                                           const WantedRenderer& wanted) {
   try {
-    const Json json = Json::parse(text);
-    Expectations result;
-    result.renderer = json.at("renderer");
-    result.measured = json.at("measured");
-    for (const auto& [key, value] : json.items())
-      if (key != "renderer" && key != "measured" && key != "expectations")
-        throw std::runtime_error(fmt::format("unknown key \"{}\"", key));
-    if (!json.at("expectations").is_array())
-      throw std::runtime_error("\"expectations\" is no list");
-    for (const Json& item : json.at("expectations")) {
-      where = fmt::format("expectation {}", result.cases.size());
-      const std::string id = item.at("case");
-      where = fmt::format("expectation of {}", id);
-      if (!result.cases.emplace(id, parse_entry(item)).second)
-        throw std::runtime_error("the case has two entries");
-    }
-    return result;
+    return ExpectationsReader(wanted).read(text);
   } catch (const std::exception& error) {
-    return fmt::format("{}: {}", where, error.what());
+    return std::string(error.what());
   }
 }
 

@@ -9,6 +9,7 @@
 // red as a new one, and so is one that is gone.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -33,8 +34,13 @@ struct Expectations {
   std::map<std::string, Expectation> cases;  // by case id
 };
 
-// Reads a file's text; a sentence that says what is wrong and where, otherwise.
-std::variant<Expectations, std::string> parse_expectations(const std::string& text);
+// Is anything asked of a renderer? Empty: of every one.
+using WantedRenderer = std::function<bool(const std::string& renderer)>;
+
+// Reads a file's text; a sentence that says what is wrong and where, otherwise. Of a renderer that
+// is not wanted only the name is returned, and what follows it is not read.
+std::variant<Expectations, std::string> parse_expectations(const std::string& text,
+                                                           const WantedRenderer& wanted = {});
 
 // The file's text: an entry on a line each, sorted by case id.
 std::string expectations_text(const Expectations& expectations);

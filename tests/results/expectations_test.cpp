@@ -52,6 +52,40 @@ TEST(Expectations, TextHasOneSortedEntryPerLine) {
   EXPECT_EQ(refusal(expectations_text({"r", "m", {}})), "");
 }
 
+// What follows the name of a renderer that nobody asks about is not even looked at.
+TEST(Expectations, OfARendererThatIsNotWantedAreLeftOut) {
+  const auto none = [](const std::string& name) { return name != "fake"; };
+  const auto read = [&](const std::string& text, const WantedRenderer& wanted) {
+    const auto outcome = parse_expectations(text, wanted);
+    EXPECT_TRUE(std::holds_alternative<Expectations>(outcome)) << std::get<std::string>(outcome);
+    return std::get<Expectations>(outcome);
+  };
+  const std::string text = expectations_text(some_expectations());
+  EXPECT_EQ(read(text, none).renderer, "fake");
+  EXPECT_TRUE(read(text, none).cases.empty());
+  EXPECT_EQ(read(text, [](const std::string& name) { return name == "fake"; }).cases.size(), 3u);
+  const std::string renderer = "\"renderer\": \"fake\"";
+  EXPECT_TRUE(read("{" + renderer + ", broken", none).cases.empty());
+  const std::string entry =
+      R"({"case": "a", "verdict": "violation", "fingerprint": "", "reason": "r"})";
+  EXPECT_TRUE(read("{\"expectations\": [" + entry + "], " + renderer + "}", none).cases.empty());
+}
+
+// Of lists within lists, and of objects that are no list, nothing is taken for an entry.
+TEST(Expectations, AreEntriesOfOneListAlone) {
+  const std::string head = R"({"renderer": "r", "measured": "m", "expectations": )";
+  const std::string entry =
+      R"({"case": "a", "verdict": "violation", "fingerprint": "", "reason": "r"})";
+  EXPECT_EQ(refusal(head + "[" + entry + "]}"), "");
+  EXPECT_EQ(refusal(head + "{\"a\": " + entry + "}}"), "the file: \"expectations\" is no list");
+  EXPECT_NE(refusal(head + "[[" + entry + "]]}"), "");
+  EXPECT_NE(refusal(head + "[7]}"), "");
+  EXPECT_NE(refusal(head + "[" + entry + "," + entry + "]}").find("two entries"),
+            std::string::npos);
+  EXPECT_EQ(refusal(R"({"renderer": "r", "measured": "m", "more": [)" + entry + "]}"),
+            "the file: unknown key \"more\"");
+}
+
 TEST(Expectations, TextOfInvalidUtf8IsStillWritten) {
   Expectations expectations = some_expectations();
   expectations.renderer = "exec:\xff";

@@ -150,7 +150,7 @@ std::optional<Results> run_expecting(const Suite& suite, const Policy& policy,
   if (!are_known(options.renderers)) return std::nullopt;
   RunOptions run = run_options(policy, profiles, options);
   run.max_unexpected = expectant.max_unexpected;
-  run.expectations = expectant.expectations;
+  if (run.max_unexpected > 0) run.expectations = expectant.expectations;
   const InterruptGuard guard;
   auto ran = expectant.earlier ? run_rest(suite, run, options, std::move(*expectant.earlier))
                                : run_with_progress(suite, run, options);
@@ -173,8 +173,15 @@ std::optional<Results> run_expecting(const Suite& suite, const Policy& policy,
   return results;
 }
 
-std::optional<std::vector<Expectations>> load_expectations(const std::filesystem::path& folder,
-                                                           const std::vector<std::string>& files) {
+std::optional<std::vector<Expectations>> load_expectations(
+    const std::filesystem::path& folder, const std::vector<std::string>& files,
+    const std::vector<std::string>& renderers) {
+  // What a recording was made of is known when it is opened.
+  const bool all = std::ranges::any_of(
+      renderers, [](const std::string& name) { return name.starts_with(kRecordingPrefix); });
+  const auto is_wanted = [&](const std::string& renderer) {
+    return all || std::ranges::find(renderers, renderer) != renderers.end();
+  };
   std::vector<std::filesystem::path> paths(files.begin(), files.end());
   std::error_code error;
   if (files.empty())
@@ -184,13 +191,14 @@ std::optional<std::vector<Expectations>> load_expectations(const std::filesystem
   for (const auto& path : paths) {
     const auto text = read_file(path);
     if (!text) return std::nullopt;
-    auto parsed = parse_expectations(*text);
+    auto parsed = parse_expectations(*text, is_wanted);
     if (const auto* message = std::get_if<std::string>(&parsed)) {
       print_error(fmt::format("{}: {}; put it right, or make it anew with `edgecase bless`",
                               path.string(), *message));
       return std::nullopt;
     }
-    result.push_back(std::move(std::get<Expectations>(parsed)));
+    auto& expectations = std::get<Expectations>(parsed);
+    if (is_wanted(expectations.renderer)) result.push_back(std::move(expectations));
   }
   return result;
 }

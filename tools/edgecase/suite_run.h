@@ -58,10 +58,12 @@ std::optional<Results> run_expecting(const Suite& suite, const Policy& policy,
                                      const std::map<std::string, Policy>& profiles,
                                      SuiteRunOptions options, ExpectantRun expectant);
 
-// The expectations of the results' renderers, read from `folder` or from the files named; a file
-// that is missing in the folder is no error. Nothing, with the error printed, when one is broken.
-std::optional<std::vector<Expectations>> load_expectations(const std::filesystem::path& folder,
-                                                           const std::vector<std::string>& files);
+// The expectations of these renderers, read from `folder` or from the files named; a file that is
+// missing in the folder is no error, and one of another renderer is not read. Nothing, with the
+// error printed, when one is broken.
+std::optional<std::vector<Expectations>> load_expectations(
+    const std::filesystem::path& folder, const std::vector<std::string>& files,
+    const std::vector<std::string>& renderers);
 
 // Applies the expectations to the renderers that they belong to, and finds their missing cases.
 void apply_all_expectations(const std::vector<Expectations>& expectations, Results& results);

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "diff/values/vertex_latitude.h"
@@ -88,17 +89,16 @@ std::vector<Point> ValueContext::permitted_places(const Fragment& fragment) cons
 }
 
 const PrimitiveValues& ValueContext::values_of(const Fragment& fragment) const {
-  std::optional<PrimitiveValues>& values = values_[static_cast<std::size_t>(fragment.primitive)];
-  if (!values) {
+  std::unique_ptr<PrimitiveValues>& values = values_[static_cast<std::size_t>(fragment.primitive)];
+  if (values == nullptr) {
     const ScenePrimitive& primitive = primitive_of(fragment);
     const RuleChoices lawful = lawful_choices(choices);
     const double reach = reach_of(primitive, bits_).to_double();
-    values = {attributes_of(primitive, choices, scene.target),
-              attributes_of(primitive, lawful, scene.target),
-              depth_with_permitted_offset(primitive, lawful, scene.target, reach),
-              !interpolates_lawfully(choices.values),
-              reach,
-              std::nullopt};
+    values = std::make_unique<PrimitiveValues>(
+        PrimitiveValues{attributes_of(primitive, choices, scene.target),
+                        attributes_of(primitive, lawful, scene.target),
+                        depth_with_permitted_offset(primitive, lawful, scene.target, reach),
+                        !interpolates_lawfully(choices.values), reach, std::nullopt});
   }
   return *values;
 }

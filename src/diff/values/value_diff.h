@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -80,7 +81,8 @@ class ValueContext {
   int bits_;
   ShadingRate rate_;
   SamplePositions positions_;
-  mutable std::vector<std::optional<PrimitiveValues>> values_;
+  // Worked out for a primitive when it is first asked for; some kilobytes each.
+  mutable std::vector<std::unique_ptr<PrimitiveValues>> values_;
 };
 
 // Each appends disagreements (beyond what is permitted) and aggregates (inside it) to `result`.

@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "model/recorded.h"
 #include "run/merge.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/output/delivery.h"
@@ -45,8 +49,10 @@ ExitCode merge(const MergeCommand& command) {
     return ExitCode::usage;
   }
   Results& results = std::get<Results>(merged);
+  std::vector<std::string> renderers;
+  for (const RendererInfo& info : results.renderers) renderers.push_back(known_as(info));
   const auto expectations =
-      load_expectations(suite_folder_of(results) / "expectations", command.expectations);
+      load_expectations(suite_folder_of(results) / "expectations", command.expectations, renderers);
   if (!expectations) return ExitCode::usage;
   load_sources(results);
   apply_all_expectations(*expectations, results);

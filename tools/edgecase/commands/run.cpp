@@ -98,8 +98,8 @@ ExitCode run(const RunCommand& command) {
     if (const auto exit = narrow_to_last_failed(command, selection)) return *exit;
   const auto policy = command.policy.load(selection, command.run.renderers);
   if (!policy) return ExitCode::usage;
-  const auto expectations =
-      load_expectations(suite_folder(selection) / "expectations", command.expectations);
+  auto expectations = load_expectations(suite_folder(selection) / "expectations",
+                                        command.expectations, command.run.named());
   if (!expectations) return ExitCode::usage;
 
   const Suite suite = load_suite(selection);
@@ -109,7 +109,7 @@ ExitCode run(const RunCommand& command) {
   if (!profiles) return ExitCode::usage;
   auto earlier = earlier_run(command);
   if (const auto* exit = std::get_if<ExitCode>(&earlier)) return *exit;
-  ExpectantRun expectant{*expectations, command.max_failures, !command.no_rerun,
+  ExpectantRun expectant{std::move(*expectations), command.max_failures, !command.no_rerun,
                          is_whole_suite(selection),
                          std::move(std::get<std::optional<MergePart>>(earlier))};
   // What was found is written although somebody asks to stop meanwhile.
