@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "exact/elementary.h"
 #include "exact/wide.h"
 
 namespace edgecase {
@@ -48,14 +49,14 @@ AffineStep turn_step(Fixed degrees) {
   if (turn % kQuarter == 0) {
     constexpr std::int64_t kCosines[] = {kUnit, 0, -kUnit, 0};
     const auto quarters = static_cast<std::size_t>(turn / kQuarter);
-    const std::int64_t cosine = kCosines[quarters];
-    const std::int64_t sine = kCosines[(quarters + 3) % 4];
-    return {{cosine, sine, -sine, cosine}, {}, true};
+    const std::int64_t c = kCosines[quarters];
+    const std::int64_t s = kCosines[(quarters + 3) % 4];
+    return {{c, s, -s, c}, {}, true};
   }
   const double angle = Fixed::from_raw(turn).to_double() * std::numbers::pi / 180;
-  const std::int64_t cosine = std::llround(std::ldexp(std::cos(angle), kFineBits));
-  const std::int64_t sine = std::llround(std::ldexp(std::sin(angle), kFineBits));
-  return {{cosine, sine, -sine, cosine}, {}, false};
+  const std::int64_t c = std::llround(std::ldexp(cosine(angle), kFineBits));
+  const std::int64_t s = std::llround(std::ldexp(sine(angle), kFineBits));
+  return {{c, s, -s, c}, {}, false};
 }
 
 std::optional<MovedPoint> move_point(Point point, std::span<const AffineStep> steps) {

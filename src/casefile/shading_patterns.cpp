@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "casefile/split_mix.h"
+#include "exact/elementary.h"
 
 namespace edgecase {
 namespace {
@@ -53,7 +54,7 @@ std::int64_t weight_of(Point at, const ReconstructionFilter& filter) {
       return rounded_quotient((r - x) * (r - y) * kUnitWeight, r * r);
     case Kernel::gaussian:
       return std::llrint(
-          std::exp(-2 * static_cast<double>(x * x + y * y) / static_cast<double>(r * r)) *
+          exponential(-2 * static_cast<double>(x * x + y * y) / static_cast<double>(r * r)) *
           static_cast<double>(kUnitWeight));
   }
   return 0;

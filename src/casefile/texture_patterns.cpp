@@ -9,6 +9,7 @@
 
 #include "casefile/exact_quotient.h"
 #include "casefile/split_mix.h"
+#include "exact/elementary.h"
 
 namespace edgecase {
 namespace {
@@ -71,7 +72,7 @@ double raised_cosine(std::int64_t turned, std::int64_t quarter) {
   if (3 * at == 2 * quarter) return 0.5 + 0.25 * sign;
   const double angle =
       std::numbers::pi * static_cast<double>(at) / (2 * static_cast<double>(quarter));
-  return 0.5 + 0.5 * sign * std::cos(angle);
+  return 0.5 + 0.5 * sign * cosine(angle);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ FLOATING = {
     "src/rules/coverage/point_ownership.cpp": {"explain_point": "figure"},
     "src/rules/coverage/triangle_fill.cpp": {"distance_inside": "people"},
 }
-FLOATING_FILES = {"src/exact/interval.h", "src/exact/neighbour.h", "src/exact/rational.h",
+FLOATING_FILES = {"src/exact/elementary.h", "src/exact/interval.h", "src/exact/neighbour.h", "src/exact/rational.h",
                   "src/kernels/color_planes.h", "src/kernels/color_planes.cpp",
                   "src/kernels/smooth_fill_kernel.cpp", "src/kernels/textured_fill.h",
                   "src/kernels/textured_fill_kernel.cpp", "src/kernels/code_words-inl.h"}
@@ -78,6 +78,8 @@ CODE = {".h", ".cpp", ".js", ".py"}
 UNWANTED = re.compile(r"\b((?i:epsi" r"lon)|TO" r"DO|FIX" r"ME)\b")
 FLOATING_WORD = re.compile(
     r"\b(float|double|to_double)\b|(?<![\w.])(\d+\.\d*|\.\d+)([eE][+-]?\d+)?[fFlL]?(?![\w.])")
+# glibc's have variants that differ in the last bit, and takes one by the processor.
+ELEMENTARY = re.compile(r"\bstd::(exp2?|expm1|log(2|10|1p)?|pow|a?(sin|cos|tan)h?|atan2)\(")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.MULTILINE)
 TYPE = re.compile(r"^(?:struct|class|enum(?: class)?) (\w+)(?: final)?(?: : [^{;]*)? \{", re.MULTILINE)
@@ -154,10 +156,20 @@ def floating_faults(path, text):
             yield line, f"{match.group().strip()}: coverage and coordinates are integers"
 
 
+def elementary_faults(path, text):
+    """Functions whose last bit depends on the processor."""
+    if path.parts[0] != "src" or path.as_posix() == "src/exact/elementary.h":
+        return
+    for match in ELEMENTARY.finditer(without_noise(text)):
+        yield (line_of(text, match.start()),
+               f"{match.group()[:-1]}: exact/elementary.h's answer the same on every processor")
+
+
 def file_faults(path, text):
     if path.suffix in {".h", ".cpp"} and path.parts[0] != "tests":
         yield from include_faults(path, text)
         yield from floating_faults(path, text)
+        yield from elementary_faults(path, text)
     for match in UNWANTED.finditer(text):
         yield line_of(text, match.start()), f"the word {match.group()}"
     if path.suffix in CODE:

@@ -22,6 +22,7 @@ CLEAN = {
         "double distance_inside(int a) {\n  return .5 * a;\n}\n"
         'int decide() {\n  return 1;  // not 0.5, a double\n}\nconst char* kText = "double 0.5";\n',
     "src/rules/coverage/explain.h": "std::pair<double, double> position_of(Point point);\n",
+    "src/rules/textures/a.h": "auto x = std::ldexp(std::floor(y), std::ilogb(z));  // std::log2(y)\n",
     "src/results/results_json.cpp": '#include <nlohmann/json.hpp>\n#include "model/scene.h"\n',
     "reference/gl.cpp": '#include <EGL/egl.h>\n#include <glad/gl.h>\n#include "wire/a.h"\n',
     "reports/html.cpp": '#include "results/results.h"\n#include "reports/html.h"\n',
@@ -77,6 +78,7 @@ FAULTS = [
      "// for people only\ndouble distance_inside() {\n  return 1;\n}\nint f() { return 0.5; }\n",
      "0.5: coverage"),
     ("src/rules/coverage/triangle_fill.cpp", "int f();", "not here"),
+    ("src/rules/values/a.cpp", "auto x = std::log2(y);", "std::log2: exact/elementary.h"),
     ("src/diff/a.cpp", "// close within EPSI" "LON", "the word"),
     ("tests/diff/a.cpp", "// TO" "DO: later", "the word"),
     ("src/wire/z.h", "namespace edgecase {\nstruct Answer {\n};\n}", "is in src/wire/answer.h, too"),

@@ -179,7 +179,7 @@ std::optional<std::vector<Expectations>> load_expectations(
   // What a recording was made of is known when it is opened.
   const bool all = std::ranges::any_of(
       renderers, [](const std::string& name) { return name.starts_with(kRecordingPrefix); });
-  const auto is_wanted = [&](const std::string& renderer) {
+  const WantedRenderer is_wanted = [&](const std::string& renderer) {
     return all || std::ranges::find(renderers, renderer) != renderers.end();
   };
   std::vector<std::filesystem::path> paths(files.begin(), files.end());
@@ -191,7 +191,8 @@ std::optional<std::vector<Expectations>> load_expectations(
   for (const auto& path : paths) {
     const auto text = read_file(path);
     if (!text) return std::nullopt;
-    auto parsed = parse_expectations(*text, is_wanted);
+    // What somebody names is read to its end, whomever it is about.
+    auto parsed = parse_expectations(*text, files.empty() ? is_wanted : WantedRenderer());
     if (const auto* message = std::get_if<std::string>(&parsed)) {
       print_error(fmt::format("{}: {}; put it right, or make it anew with `edgecase bless`",
                               path.string(), *message));

@@ -202,7 +202,7 @@ void ValueAggregator::count_as(const ValueAggregator& whole) {
 
 void ValueAggregator::add_error(ValueAggregate::Place place, const Error& error) {
   // log2 of the least double stands for an error of zero: told apart by rounding alone.
-  const int bucket = error.ulp > 0 ? static_cast<int>(std::floor(std::log2(error.ulp))) : -1074;
+  const int bucket = error.ulp > 0 ? std::ilogb(error.ulp) : -1074;
   const bool first = aggregate_.ulp_histogram.empty();
   ++aggregate_.ulp_histogram[bucket];
   ulp_sum_ += error.ulp;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exact/elementary.h"
 #include "profile/textures/texture_parts.h"
 #include "profile/textures/texture_scenes.h"
 
@@ -38,8 +39,8 @@ TexelSteps swapped(const TexelSteps& steps) {
 
 // The axes of an ellipse, the first `ratio` times as long, turned by an angle.
 TexelSteps turned(double length, double ratio, double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
+  const double c = cosine(angle);
+  const double s = sine(angle);
   return {{length * c, length * s}, {-length / ratio * s, length / ratio * c}};
 }
 
@@ -55,7 +56,7 @@ TexelSteps steps_of(RandomSource& random, RampKind kind, double length) {
       steps = turned(length, 1, 2 * kPi * unit(random));
       break;
     case RampKind::anisotropic: {
-      const double ratio = std::exp2(static_cast<double>(random.between(1, 4)));
+      const double ratio = power_of_2(static_cast<double>(random.between(1, 4)));
       steps = turned(length, ratio, 2 * kPi * unit(random));
       if (random.one_in(2)) std::swap(steps.dx, steps.dy);
       break;
@@ -81,8 +82,8 @@ void add_cells(RandomSource& random, RampKind kind, ImageSize size, Draw& draw) 
   const double high = kind == RampKind::magnification ? last + 2 : last + 0.5;
   for (int n = 0; n < kCells; ++n) {
     const double level = low + (high - low) * (n + unit(random)) / kCells;
-    const TexelSteps steps = steps_of(random, kind, std::exp2(level));
-    const double reach = kCell * std::exp2(level);
+    const TexelSteps steps = steps_of(random, kind, power_of_2(level));
+    const double reach = kCell * power_of_2(level);
     const std::array<double, 2> origin{(unit(random) - 0.5) * reach / size.width,
                                        (unit(random) - 0.5) * reach / size.height};
     add_cell(draw, {n % kAcross * kCell, n / kAcross * kCell, kCell}, origin, steps, size);
@@ -95,16 +96,16 @@ void add_floor(RandomSource& random, bool along_both, ImageSize size, Draw& draw
   const auto octaves_y = static_cast<int>(random.between(along_both || octaves_x == 0 ? 2 : 0, 3));
   const bool from_right = random.one_in(2);
   const bool from_top = random.one_in(2);
-  const double repeats = std::exp2(4 * unit(random));
+  const double repeats = power_of_2(4 * unit(random));
   const double angle = random.one_in(2) ? 0 : 2 * std::numbers::pi * unit(random);
   const auto corner = [&](int right, int up) {
-    const double w = std::exp2(octaves_x * (from_right ? 1 - right : right) +
-                               octaves_y * (from_top ? 1 - up : up));
+    const double w = power_of_2(octaves_x * (from_right ? 1 - right : right) +
+                                octaves_y * (from_top ? 1 - up : up));
     // In the plane, what is far away is as much wider.
     const double wide = (right - 0.5) * w;
     const double deep = (up - 0.5) * w;
-    const double s = wide * std::cos(angle) - deep * std::sin(angle);
-    const double t = wide * std::sin(angle) + deep * std::cos(angle);
+    const double s = wide * cosine(angle) - deep * sine(angle);
+    const double t = wide * sine(angle) + deep * cosine(angle);
     const double scale = repeats * std::max(size.width, size.height) / 8;
     Vertex vertex = textured_vertex(right * kTarget, up * kTarget,
                                     {scale * s / size.width, scale * t / size.height});

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "exact/elementary.h"
 #include "profile/textures/texture_parts.h"
 
 namespace edgecase {
@@ -37,7 +38,7 @@ Lookup lod_of(double level) {
 // A multiple of 2^-bits, from `low` to below `high`.
 double grid_number(RandomSource& random, int low, int high, int bits) {
   return low +
-         static_cast<double>(random.below(std::int64_t{high - low} << bits)) * std::exp2(-bits);
+         static_cast<double>(random.below(std::int64_t{high - low} << bits)) * power_of_2(-bits);
 }
 
 Draw cells_draw(const Sampler& sampler, const Lookup& lookup) {
@@ -92,7 +93,7 @@ Scene implicit_tie_scene(RandomSource& random, const TextureProbes& of) {
   Scene scene = textured_scene(of.surface, {kTarget, kTarget}, numbered_levels(kLarge));
   Draw draw = cells_draw(sampler_of(Filter::nearest, Filter::nearest, MipFilter::nearest), {});
   for (int n = 0; n < kAcross * kAcross; ++n) {
-    const double size = std::exp2(static_cast<double>(random.below(6)));
+    const double size = power_of_2(static_cast<double>(random.below(6)));
     const double shorter = size / 4;
     TexelSteps steps{{sign(random) * size, sign(random) * size}, {-shorter, shorter}};
     if (n % 4 == 3) steps = {{sign(random) * 1.5 * size, 0}, {0, shorter}};
@@ -118,7 +119,7 @@ Scene bias_tie_scene(RandomSource& random, const TextureProbes& of) {
       lookup = {LookupKind::bias, bias, {}, {}};
     Draw draw = cells_draw(sampler, lookup);
     for (int column = 0; column < kAcross; ++column) {
-      const double size = std::exp2(static_cast<double>(random.between(0, 5)));
+      const double size = power_of_2(static_cast<double>(random.between(0, 5)));
       add_numbered_cell(draw, row * kAcross + column, {{size, 0}, {0, size}});
     }
     scene.draws.push_back(std::move(draw));
@@ -154,7 +155,7 @@ Scene bias_sum_scene(RandomSource& random, const TextureProbes& of) {
     const Lookup lookup{LookupKind::bias, static_cast<float>(random.between(5, 7)), {}, {}};
     Draw draw = cells_draw(sampler, lookup);
     for (int column = 0; column < kAcross; ++column) {
-      const double size = std::exp2(static_cast<double>(random.between(-15, -13)));
+      const double size = power_of_2(static_cast<double>(random.between(-15, -13)));
       add_numbered_cell(draw, row * kAcross + column, {{size, 0}, {0, size}});
     }
     scene.draws.push_back(std::move(draw));
@@ -242,10 +243,10 @@ Scene anisotropy_scene(RandomSource& random, const TextureProbes& of) {
   Draw draw = cells_draw(sampler, {});
   for (int n = 0; n < kAcross * kAcross; ++n) {
     const double ratio = static_cast<double>(random.between(1, 9)) + 0.125 + unit(random) * 0.75;
-    const double length = std::exp2(2 + 4 * unit(random));
+    const double length = power_of_2(2 + 4 * unit(random));
     const double angle = 2 * std::numbers::pi * unit(random);
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
+    const double c = cosine(angle);
+    const double s = sine(angle);
     TexelSteps steps{{length * c, length * s}, {-length / ratio * s, length / ratio * c}};
     if (random.one_in(2)) std::swap(steps.dx, steps.dy);
     add_numbered_cell(draw, n, steps);

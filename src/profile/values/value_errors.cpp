@@ -141,7 +141,7 @@ void compare(ValueErrors& row, const Place& place, const Interpolant& formula,
   } else {
     const double error = std::fabs(rendered - exact);
     const double ulp = error_in_ulp(exact, rendered);
-    ++row.histogram[static_cast<int>(std::floor(std::log2(ulp)))];
+    ++row.histogram[std::ilogb(ulp)];
     row.ulp_sum += ulp;
     const double span = range_of(formula);
     keep_worst(row, place, exact, rendered, ulp, span > 0 ? error / span : 0);

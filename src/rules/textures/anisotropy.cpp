@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/elementary.h"
 #include "rules/alternative_table.h"
 #include "rules/textures/directed.h"
 
@@ -65,7 +66,7 @@ ProbeRow gaussian_probes(const Axes& axes) {
                {}};
   Interval sum = 0;
   for (int i = -2; i <= 2; ++i) {
-    const Interval weight = around(std::exp(-8.0 * i * i / (kCount * kCount)), kPlacesOfLibrary);
+    const Interval weight = around(exponential(-8.0 * i * i / (kCount * kCount)), kPlacesOfLibrary);
     row.probes.push_back({static_cast<double>(i) / kCount, weight});
     sum = sum + weight;
   }

@@ -103,9 +103,8 @@ inline Interval known(Interval value) {
   return value;
 }
 
-// How far the C library's log2 and exp are taken to be off, in doubles. glibc lists errors of its
-// functions of a few doubles, of these of one or two (its manual, Known Maximum Errors in Math
-// Functions).
+// How far exact/elementary.h's functions are taken to be off, in doubles. glibc lists errors of its
+// functions of long doubles of a few of those (its manual, Known Maximum Errors in Math Functions).
 constexpr int kPlacesOfLibrary = 4;
 
 // So many doubles further at each end.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/elementary.h"
 #include "rules/alternative_table.h"
 #include "rules/textures/directed.h"
 
@@ -40,7 +41,7 @@ Parts parts_of(double value) {
 Interval exact_log2(double value) {
   const Parts parts = parts_of(value);
   if (parts.fraction == 0) return parts.exponent;
-  const Interval bounds = around(std::log2(value), kPlacesOfLibrary);
+  const Interval bounds = around(binary_logarithm(value), kPlacesOfLibrary);
   return {std::max<double>(bounds.low, parts.exponent),
           std::min<double>(bounds.high, parts.exponent + 1)};
 }

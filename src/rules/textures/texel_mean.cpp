@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "exact/elementary.h"
+
 namespace edgecase {
 namespace {
 
@@ -60,7 +62,7 @@ int between(int first, int second, int share) {
 long double linear_of(int half_codes) {
   constexpr int kLastOfLine = 20;
   if (half_codes <= kLastOfLine) return 2.5L * static_cast<long double>(half_codes) / 16473;
-  return std::pow((20 * static_cast<long double>(half_codes) + 561) / 10761, 2.4L);
+  return raised((20 * static_cast<long double>(half_codes) + 561) / 10761, 2.4L);
 }
 
 // The linear numbers of so many codes, each a whole one further, from half of `half_codes` on.

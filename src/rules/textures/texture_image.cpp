@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "exact/elementary.h"
 #include "rules/textures/directed.h"
 
 namespace edgecase {
@@ -59,7 +60,7 @@ Interval unorm8_to_number(int code) {
 //
 // The error of the power, in units of 2^-53 of the result: the quotient is off by 1, which the
 // power makes 2.4; the double next to 2.4 by 2^-53, times a logarithm of less than 2.4 in
-// magnitude: 2.4; the C library's pow by 2, one unit in the last place, as glibc's manual states.
+// magnitude: 2.4; the power itself by less than 2, one unit in the last place.
 // All of it is less than 8 of them, 2^-50.
 Interval srgb_to_linear(int code) {
   if (code == 255) return 1;
@@ -67,7 +68,7 @@ Interval srgb_to_linear(int code) {
   if (code <= kLastOfLine)
     return {Down::quotient(5.0 * code, 16473), Up::quotient(5.0 * code, 16473)};
   constexpr double kError = 0x1p-50;
-  const double power = std::pow((40.0 * code + 561) / 10761, 2.4);
+  const double power = raised((40.0 * code + 561) / 10761, 2.4);
   return {Down::product(power, 1 - kError), Up::product(power, 1 + kError)};
 }
 

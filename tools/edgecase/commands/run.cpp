@@ -98,13 +98,14 @@ ExitCode run(const RunCommand& command) {
     if (const auto exit = narrow_to_last_failed(command, selection)) return *exit;
   const auto policy = command.policy.load(selection, command.run.renderers);
   if (!policy) return ExitCode::usage;
-  auto expectations = load_expectations(suite_folder(selection) / "expectations",
-                                        command.expectations, command.run.named());
-  if (!expectations) return ExitCode::usage;
 
   const Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
   if (command.list) return print_list(suite);
+  // Which renderer is taken where none is named shows only when OpenGL is loaded.
+  auto expectations = load_expectations(suite_folder(selection) / "expectations",
+                                        command.expectations, command.run.named());
+  if (!expectations) return ExitCode::usage;
   const auto profiles = load_profiles(selection, command.run.named());
   if (!profiles) return ExitCode::usage;
   auto earlier = earlier_run(command);
