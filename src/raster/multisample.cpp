@@ -37,18 +37,19 @@ std::vector<PixelMask> masks_of(const SampleCoverage& coverage) {
 // The fragments of one primitive.
 class MultisampledPrimitive {
  public:
-  MultisampledPrimitive(Rendering& rendering, const Scene& scene, const ScenePrimitive& primitive,
-                        const RuleChoices& choices)
+  MultisampledPrimitive(Rendering& rendering, const Target& target, const ScenePrimitive& primitive,
+                        const RuleChoices& choices, Details details)
       : rendering_(rendering),
-        scene_(scene),
+        target_(target),
         primitive_(primitive),
         choices_(choices),
+        details_(details),
         use_(primitive.state->multisampling),
-        sampling_(sampling_of(primitive, scene.target, choices.of(primitive.kind))),
-        attributes_(attributes_of(primitive, choices, scene.target)),
+        sampling_(sampling_of(primitive, target, choices.of(primitive.kind))),
+        attributes_(attributes_of(primitive, choices, target)),
         told_(attributes_),
-        stage_(rendering, scene.target, choices.output),
-        front_facing_(is_front_facing(primitive, scene.target, choices.of(primitive.kind))) {
+        stage_(rendering, target, choices.output),
+        front_facing_(is_front_facing(primitive, target, choices.of(primitive.kind))) {
     use_.enabled = sampling_ == Unsampled::by_each_sample;
     if (fragment_depth_is_zero(primitive.state->multisampling, locations()))
       told_.depth.values.fill(0);
@@ -112,7 +113,7 @@ class MultisampledPrimitive {
   const Fragment& shaded(PixelPosition pixel, std::uint32_t coverage, const ShadingPlaces& places) {
     Fragment fragment = shade(primitive_, told_, pixel, places);
     fragment.coverage = coverage;
-    if (scene_.details.coordinates) {
+    if (details_.coordinates) {
       fragment.detail = static_cast<int>(rendering_.details.size());
       FragmentDetail& detail = rendering_.details.emplace_back();
       detail.has_coordinates = true;
@@ -124,7 +125,7 @@ class MultisampledPrimitive {
   // `location`: within the pixel, of the sample's depth.
   void write(const Fragment& fragment, int sample, Point location, bool writes_depth = true) {
     SampleFragment written{fragment.color, fragment.depth, front_facing_, writes_depth};
-    if (scene_.target.depth != DepthFormat::none)
+    if (target_.depth != DepthFormat::none)
       written.depth =
           middle(depth_exact(attributes_, place_in({fragment.x, fragment.y}, location)));
     stage_.draw(written, primitive_.state->operations,
@@ -132,9 +133,10 @@ class MultisampledPrimitive {
   }
 
   Rendering& rendering_;
-  const Scene& scene_;
+  const Target& target_;
   const ScenePrimitive& primitive_;
   const RuleChoices& choices_;
+  const Details details_;
   Multisampling use_;
   Unsampled sampling_;
   PrimitiveAttributes attributes_;
@@ -165,9 +167,10 @@ bool heeds_others(const Multisampling& use, int samples, const SampleChoice& cho
          runs_per_sample(use, samples, choice.rate);
 }
 
-void draw_multisampled(Rendering& rendering, const Scene& scene, const ScenePrimitive& primitive,
-                       const RuleChoices& choices, const SampleCoverage& coverage) {
-  MultisampledPrimitive drawn(rendering, scene, primitive, choices);
+void draw_multisampled(Rendering& rendering, const Target& target, const ScenePrimitive& primitive,
+                       const RuleChoices& choices, Details details,
+                       const SampleCoverage& coverage) {
+  MultisampledPrimitive drawn(rendering, target, primitive, choices, details);
   for (const auto& [pixel, mask] : masks_of(coverage)) drawn.draw(pixel, mask);
 }
 

@@ -29,9 +29,9 @@ std::vector<double> alphas_of_samples(const ScenePrimitive& primitive,
 bool heeds_others(const Multisampling& use, int samples, const SampleChoice& choice);
 
 // Draws the primitive's fragments into a rendering whose sample positions are set and whose planes
-// have been cleared. `coverage`: what covered_samples says.
-void draw_multisampled(Rendering& rendering, const Scene& scene, const ScenePrimitive& primitive,
-                       const RuleChoices& choices, const SampleCoverage& coverage);
+// have been cleared. `details`: what is told of them; `coverage`: what covered_samples says.
+void draw_multisampled(Rendering& rendering, const Target& target, const ScenePrimitive& primitive,
+                       const RuleChoices& choices, Details details, const SampleCoverage& coverage);
 
 // Fills the pixels from their samples.
 void resolve_samples(Rendering& rendering, ResolveMethod method);

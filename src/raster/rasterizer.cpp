@@ -53,7 +53,8 @@ void make_room(std::size_t count, std::vector<Fragment>& fragments) {
   if (needed > fragments.capacity()) fragments.reserve(std::max(needed, 2 * fragments.size()));
 }
 
-void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleChoices& choices) {
+void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleChoices& choices,
+                         Details details) {
   const Target& target = scene.target;
   const FragmentStage stage(rendering, target, choices.output);
   std::optional<TextureStage> textures;
@@ -71,11 +72,10 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
       if (textured) lookup = textured->look_up(pixel);
       const ExactLookup* shown = lookup ? &*lookup : nullptr;
       Fragment fragment = shade(primitive, attributes, pixel, shown);
-      if (scene.details.any()) {
+      if (details.any()) {
         fragment.detail = static_cast<int>(rendering.details.size());
-        rendering.details.push_back(shade_details(attributes,
-                                                  quad_of(pixel, choices.values, target),
-                                                  choices.values, scene.details, shown));
+        rendering.details.push_back(shade_details(
+            attributes, quad_of(pixel, choices.values, target), choices.values, details, shown));
       }
       stage.draw({fragment.color, fragment.depth, front_facing}, primitive.state->operations,
                  rendering.pixel_index(fragment.x, fragment.y));
@@ -85,29 +85,40 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
 }
 
 void draw_multisampled(Rendering& rendering, const Scene& scene, const RuleChoices& choices,
-                       const SamplePositions& reported) {
+                       Details details, const SamplePositions& reported) {
   const Target& target = scene.target;
   rendering.sample_positions = positions_of(target, choices.triangles, reported);
   for (const ScenePrimitive& primitive : primitives_of(scene)) {
     const CoverageChoice& choice = choices.of(primitive.kind);
-    draw_multisampled(rendering, scene, primitive, choices,
+    draw_multisampled(rendering, target, primitive, choices, details,
                       covered_samples(primitive, target, choice, reported));
   }
   resolve_samples(rendering, choices.samples.resolve);
 }
 
-}  // namespace
-
-Rendering rasterize(const Scene& scene, const Policy& policy, const SamplePositions& reported) {
-  if (!scene.supersampling.empty()) return draw_passes(scene, policy);
+Rendering drawn(const Scene& scene, const Policy& policy, const SamplePositions& reported,
+                Details details) {
   const RuleChoices choices = resolve(policy, scene.target.surface);
   Rendering rendering = cleared(scene.target);
   if (scene.target.samples > 1)
-    draw_multisampled(rendering, scene, choices, reported);
+    draw_multisampled(rendering, scene, choices, details, reported);
   else
-    draw_single_sampled(rendering, scene, choices);
+    draw_single_sampled(rendering, scene, choices, details);
   sort_fragments(rendering);
   return rendering;
+}
+
+}  // namespace
+
+Rendering rasterize(const Scene& scene, const Policy& policy, const SamplePositions& reported) {
+  if (!scene.supersampling.empty()) return draw_passes(scene, policy, rasterize);
+  return drawn(scene, policy, reported, scene.details);
+}
+
+Rendering rasterize_without_details(const Scene& scene, const Policy& policy,
+                                    const SamplePositions& reported) {
+  if (!scene.supersampling.empty()) return draw_passes(scene, policy, rasterize_without_details);
+  return drawn(scene, policy, reported, {});
 }
 
 }  // namespace edgecase

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "raster/rasterizer.h"
 #include "rules/choices.h"
 
 namespace edgecase {
@@ -63,12 +62,12 @@ std::vector<double> accumulated_image(const Scene& scene, std::span<const Render
   return image;
 }
 
-Rendering draw_passes(const Scene& scene, const Policy& policy) {
+Rendering draw_passes(const Scene& scene, const Policy& policy, DrawPass draw) {
   Rendering rendering;
   rendering.width = scene.target.width;
   rendering.height = scene.target.height;
   for (std::size_t k = 0; k < scene.supersampling.size(); ++k)
-    rendering.passes.push_back(rasterize(pass_of(scene, k), policy));
+    rendering.passes.push_back(draw(pass_of(scene, k), policy, {}));
   const RuleChoices choices = resolve(policy, scene.target.surface);
   rendering.accumulated = accumulated_image(scene, rendering.passes, choices.samples.accumulation);
   rendering.pixels.reserve(rendering.accumulated.size());

@@ -19,8 +19,12 @@
 
 namespace edgecase {
 
+// Draws one pass: a scene that is not supersampled.
+using DrawPass = Rendering (*)(const Scene& scene, const Policy& policy,
+                               const SamplePositions& reported);
+
 // The rendering of a supersampled scene under a policy: passes, accumulated image, pixels.
-Rendering draw_passes(const Scene& scene, const Policy& policy);
+Rendering draw_passes(const Scene& scene, const Policy& policy, DrawPass draw);
 
 // What passes show, whoever drew them: one for each of the scene's, fragments sorted, all with a
 // colour. Calls `visit` for each number of the accumulated image, in its order, with a value for

@@ -19,7 +19,7 @@ CaseComparison::CaseComparison(const Suite& suite, const RunOptions& options)
 
 const Rendering& CaseComparison::exact(std::size_t index) {
   std::call_once(made_[index], [&] {
-    renderings_[index] = rasterize(suite_.cases[index].scene, options_.policy);
+    renderings_[index] = rasterize_without_details(suite_.cases[index].scene, options_.policy);
   });
   return renderings_[index];
 }
@@ -50,7 +50,7 @@ Result CaseComparison::compare_with_exact(std::size_t index, const Rendering& re
     result.samples = sample_image(rendering);
     return result;
   }
-  Rendering own = rasterize(scene, options_.policy, reported);
+  Rendering own = rasterize_without_details(scene, options_.policy, reported);
   Result result = compare(scene, options_.policy, own, rendering, facts);
   tell_fragments(own, rendering, result);
   result.samples = sample_image(rendering);

@@ -92,7 +92,7 @@ std::optional<Result> Screen::screened(const Scene& scene, Outcome outcome, bool
   }
   const auto& rendering = std::get<Rendering>(outcome);
   if (coverage_only) return coverage_of(scene, rendering, bits);
-  const Rendering exact = rasterize(scene, policy_, rendering.sample_positions);
+  const Rendering exact = rasterize_without_details(scene, policy_, rendering.sample_positions);
   const RendererFacts facts{bits, profile_ ? &*profile_ : nullptr};
   Result result = compare(scene, policy_, exact, rendering, facts);
   if (result.disagreements.empty() && result.values.empty()) return std::nullopt;

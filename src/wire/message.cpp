@@ -116,6 +116,7 @@ void read_fragments(Reader& io, Rendering& rendering) {
     rendering.fragments.push_back(received(sent));
     if ((sent.told & SentFragment::kDetail) != 0) rendering.fragments.back().detail = details++;
   }
+  rendering.details.reserve(static_cast<std::size_t>(details));
   for (; details > 0; --details) {
     carry(io, rendering.details.emplace_back());
     drop_signs_of_zero(rendering.details.back());
