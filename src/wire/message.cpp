@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "wire/answer_checks.h"
 #include "wire/binary_values.h"
 #include "wire/coverage_runs.h"
+#include "wire/sent_fragments.h"
 
 namespace edgecase {
 
@@ -36,104 +36,18 @@ std::uint64_t digest_of_bytes(std::string_view bytes) {
   return hash;
 }
 
-// A fragment as it is sent, without its detail: as many bytes as any other, since fragments are the
-// bulk of a rendering and many go at once.
-struct SentFragment {
-  // What is told, beside where it is.
-  static constexpr std::uint64_t kDepth = 1, kColor = 2, kDetail = 4;
-
-  double depth = 0;
-  std::array<double, 4> color{};
-  std::int32_t x = 0;
-  std::int32_t y = 0;
-  std::int32_t primitive = 0;
-  std::uint32_t coverage = 0;
-  std::uint64_t told = 0;
-};
-static_assert(sizeof(SentFragment) == 64);
-
-bool has_detail(const Rendering& rendering, const Fragment& fragment) {
-  return fragment.detail >= 0 &&
-         tells_something(rendering.details[static_cast<std::size_t>(fragment.detail)]);
-}
-
-SentFragment sent(const Rendering& rendering, const Fragment& fragment) {
-  const std::uint64_t told = (fragment.has_depth ? SentFragment::kDepth : 0) |
-                             (fragment.has_color ? SentFragment::kColor : 0) |
-                             (has_detail(rendering, fragment) ? SentFragment::kDetail : 0);
-  return {fragment.depth,     fragment.color,    fragment.x, fragment.y,
-          fragment.primitive, fragment.coverage, told};
-}
-
-// All fragments, then their details: one that tells nothing is none.
-void write_fragments(Writer& io, const Rendering& rendering) {
-  std::vector<SentFragment> fragments;
-  fragments.reserve(rendering.fragments.size());
-  for (const Fragment& fragment : rendering.fragments)
-    fragments.push_back(sent(rendering, fragment));
-  io.size(fragments.size());
-  io.bytes(fragments.data(), fragments.size() * sizeof(SentFragment));
-  for (const Fragment& fragment : rendering.fragments)
-    if (has_detail(rendering, fragment))
-      carry(io, rendering.details[static_cast<std::size_t>(fragment.detail)]);
-}
-
-// The lines of recordings tell no sign of zero, and what is recorded is to be what was seen: -0
-// becomes 0.
-template <class Numbers>
-void drop_signs_of_zero(Numbers& numbers) {
-  for (double& number : numbers) number += 0.0;
-}
-
-void drop_signs_of_zero(FragmentDetail& detail) {
-  drop_signs_of_zero(detail.coordinates);
-  for (auto& derivative : detail.derivatives) drop_signs_of_zero(derivative);
-  drop_signs_of_zero(detail.texture_coordinates);
-  drop_signs_of_zero(detail.level_of_detail);
-}
-
-Fragment received(const SentFragment& sent) {
-  Fragment fragment;
-  fragment.x = sent.x;
-  fragment.y = sent.y;
-  fragment.primitive = sent.primitive;
-  fragment.coverage = sent.coverage;
-  fragment.has_depth = (sent.told & SentFragment::kDepth) != 0;
-  fragment.has_color = (sent.told & SentFragment::kColor) != 0;
-  if (fragment.has_depth) fragment.depth = sent.depth + 0.0;
-  if (fragment.has_color) fragment.color = sent.color;
-  drop_signs_of_zero(fragment.color);
-  return fragment;
-}
-
-void read_fragments(Reader& io, Rendering& rendering) {
-  const std::size_t count = io.size(sizeof(SentFragment));
-  rendering.fragments.reserve(count);
-  int details = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    SentFragment sent;
-    io.bytes(&sent, sizeof(sent));
-    rendering.fragments.push_back(received(sent));
-    if ((sent.told & SentFragment::kDetail) != 0) rendering.fragments.back().detail = details++;
-  }
-  rendering.details.reserve(static_cast<std::size_t>(details));
-  for (; details > 0; --details) {
-    carry(io, rendering.details.emplace_back());
-    drop_signs_of_zero(rendering.details.back());
-  }
-}
-
-// All but fragments and passes.
+// All but fragments, hits and passes.
 template <class Io, wire::Of<Rendering> T>
 void carry_planes(Io& io, T& rendering) {
   wire::carry_all(io, rendering.sample_positions, rendering.pixels, rendering.sample_pixels,
-                  rendering.hits, rendering.depths, rendering.stencils, rendering.mip_chains,
+                  rendering.depths, rendering.stencils, rendering.mip_chains,
                   rendering.accumulated);
 }
 
 void write_rendering(Writer& io, const Rendering& rendering) {
   carry_planes(io, rendering);
-  write_fragments(io, rendering);
+  wire::write_fragments(io, rendering);
+  wire::write_hits(io, rendering);
   io.size(rendering.passes.size());
   for (const Rendering& pass : rendering.passes) write_rendering(io, pass);
 }
@@ -145,9 +59,10 @@ Rendering read_rendering(Reader& io, const Scene& scene, bool may_have_passes) {
   rendering.height = scene.target.height;
   rendering.samples = scene.target.samples;
   carry_planes(io, rendering);
-  drop_signs_of_zero(rendering.depths);
-  drop_signs_of_zero(rendering.accumulated);
-  read_fragments(io, rendering);
+  wire::drop_signs_of_zero(rendering.depths);
+  wire::drop_signs_of_zero(rendering.accumulated);
+  wire::read_fragments(io, rendering);
+  wire::read_hits(io, rendering);
   for (std::size_t passes = io.size(1); passes > 0; --passes) {
     if (!may_have_passes) throw Refusal("a pass has passes");
     rendering.passes.push_back(read_rendering(io, scene, false));

@@ -102,6 +102,15 @@ Rendering two_fragments(int samples = 1) {
   return rendering;
 }
 
+// The same of values that a float32 holds.
+Rendering two_float_fragments() {
+  Rendering rendering = two_fragments();
+  rendering.fragments[0].depth = 0.125;
+  rendering.fragments[0].color = {static_cast<double>(0.1f), -0.0, kNaN,
+                                  static_cast<double>(3e38f)};
+  return rendering;
+}
+
 Rendering multisampled() {
   Rendering rendering = two_fragments(2);
   rendering.fragments[0].coverage = 2;
@@ -173,6 +182,7 @@ std::string all_of(const Answer& answer) {
 
 TEST(AnswerMessages, AreTheRenderingsThatLinesAre) {
   const std::pair<Scene, Rendering> answers[] = {{small_scene(), two_fragments()},
+                                                 {small_scene(), two_float_fragments()},
                                                  {multisampled_scene(), multisampled()},
                                                  {detailed_scene(), detailed()},
                                                  {supersampled_scene(), supersampled()}};
@@ -182,6 +192,19 @@ TEST(AnswerMessages, AreTheRenderingsThatLinesAre) {
     ASSERT_TRUE(std::holds_alternative<Answer>(line)) << std::get<WireError>(line).message;
     EXPECT_EQ(all_of(answer_by_message(scene, rendering, false)), all_of(std::get<Answer>(line)));
   }
+}
+
+TEST(AnswerMessages, AreShorterWhereValuesAreFloatsAndHitsCountFragments) {
+  const Rendering narrow = two_float_fragments();
+  const std::size_t length = answer_message(kDigest, narrow, false, nullptr).size();
+  for (const double value : {0.1, 1e39, 1e-50}) {
+    Rendering wide = narrow;
+    wide.fragments[1].color[2] = value;
+    EXPECT_EQ(answer_message(kDigest, wide, false, nullptr).size(), length + 2 * 24) << value;
+  }
+  Rendering discarding = narrow;
+  discarding.hits[5] = 0;  // which is told, since it does not count the fragments
+  EXPECT_EQ(answer_message(kDigest, discarding, false, nullptr).size(), length + 6 * 4 + 8);
 }
 
 TEST(AnswerMessages, OfCoverageAreTheRenderingsThatLinesAre) {
