@@ -80,6 +80,10 @@ PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleCho
   return result;
 }
 
+bool are_constant(const PrimitiveAttributes& attributes) {
+  return is_constant(attributes.depth) && std::ranges::all_of(attributes.color, is_constant);
+}
+
 Interpolant depth_with_permitted_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
                                         const Target& target, double reach) {
   const Interpolant depth = VertexAttributes(primitive, choices, target).depth();

@@ -39,6 +39,9 @@ Interval depth_exact(const PrimitiveAttributes& attributes, Point place);
 // Of a depth that was interpolated from `attributes.depth`, or from what takes its place.
 Interval clamped_depth(const PrimitiveAttributes& attributes, Interval interpolated);
 
+// Do colour and depth stay the same to the bit, wherever the sample lies?
+bool are_constant(const PrimitiveAttributes& attributes);
+
 PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleChoices& choices,
                                   const Target& target);
 

@@ -3,11 +3,21 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "rules/values/depth_buffer.h"
 
 namespace edgecase {
+namespace {
+
+// Is a fragment's colour stored whatever is there before? Then written_color does not look at it.
+bool replaces_color(const FragmentOperations& operations, const BlendChoice& choice) {
+  return !operations.blending && choice.mask == ColorMaskMethod::as_set &&
+         std::ranges::all_of(operations.color_mask, std::identity());
+}
+
+}  // namespace
 
 FragmentStage::FragmentStage(Rendering& rendering, const Target& target, const OutputChoice& choice)
     : rendering_(rendering), target_(target), choice_(choice) {}
@@ -50,7 +60,15 @@ void FragmentStage::write_color(const SampleFragment& fragment,
   std::vector<std::uint8_t>& plane =
       rendering_.samples > 1 ? rendering_.sample_pixels : rendering_.pixels;
   std::uint8_t* const stored = plane.data() + 4 * sample;
-  Rgba8 destination;
+  Rgba8 destination{};
+  if (replaces_color(operations, choice_.blend)) {
+    if (replacing_ != fragment.color) {
+      replacing_ = fragment.color;
+      replacement_ = written_color(operations, fragment.color, destination, choice_.blend);
+    }
+    std::ranges::copy(replacement_, stored);
+    return;
+  }
   std::copy_n(stored, destination.size(), destination.begin());
   std::ranges::copy(written_color(operations, fragment.color, destination, choice_.blend), stored);
 }

@@ -45,6 +45,10 @@ class FragmentStage {
   Rendering& rendering_;
   const Target& target_;
   const OutputChoice& choice_;
+  // The latest colour that was written over whatever was there, and as what: the next one is mostly
+  // the same.
+  mutable std::array<double, 4> replacing_{};
+  mutable Rgba8 replacement_{};
 };
 
 }  // namespace edgecase

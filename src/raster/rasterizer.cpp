@@ -67,11 +67,17 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
     if (primitive.state->texture) textured.emplace(textures.value(), primitive, attributes);
     const std::vector<PixelPosition> pixels = covered_pixels(primitive, target, choice);
     make_room(pixels.size(), rendering.fragments);
+    // Where all fragments have one colour and one depth, the first is shaded for them.
+    const bool are_alike = !textured && are_constant(attributes);
+    Fragment fragment;
     for (PixelPosition pixel : pixels) {
       std::optional<ExactLookup> lookup;
       if (textured) lookup = textured->look_up(pixel);
       const ExactLookup* shown = lookup ? &*lookup : nullptr;
-      Fragment fragment = shade(primitive, attributes, pixel, shown);
+      if (!are_alike || pixel == pixels.front())
+        fragment = shade(primitive, attributes, pixel, shown);
+      fragment.x = pixel.x;
+      fragment.y = pixel.y;
       if (details.any()) {
         fragment.detail = static_cast<int>(rendering.details.size());
         rendering.details.push_back(shade_details(

@@ -125,5 +125,30 @@ TEST(Rasterize, FragmentsHaveDetailsWhereASceneAsksForThem) {
   }
 }
 
+TEST(Rasterize, WithoutDetailsAllElseIsTheSame) {
+  Scene scene = blank_scene(4, 4);
+  scene.draws = {draw_of(Primitive::triangles, Interpolation::smooth, ProvokingVertex::last)};
+  scene.details = {true, true, false};
+  for (const int samples : {1, 4}) {
+    scene.target.samples = samples;
+    scene.details.derivatives = samples == 1;
+    Rendering all = rasterize(scene, {});
+    const Rendering bare = rasterize_without_details(scene, {});
+    EXPECT_FALSE(all.details.empty());
+    EXPECT_TRUE(bare.details.empty());
+    EXPECT_EQ(bare.pixels, all.pixels);
+    EXPECT_EQ(bare.hits, all.hits);
+    EXPECT_EQ(bare.sample_pixels, all.sample_pixels);
+    ASSERT_EQ(bare.fragments.size(), all.fragments.size());
+    for (std::size_t i = 0; i < all.fragments.size(); ++i) {
+      EXPECT_EQ(bare.fragments[i].detail, -1);
+      EXPECT_EQ(bare.fragments[i].x, all.fragments[i].x);
+      EXPECT_EQ(bare.fragments[i].y, all.fragments[i].y);
+      EXPECT_EQ(bare.fragments[i].color, all.fragments[i].color);
+      EXPECT_EQ(bare.fragments[i].depth, all.fragments[i].depth);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace edgecase

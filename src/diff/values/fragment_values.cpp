@@ -11,12 +11,12 @@
 #include <utility>
 
 #include "diff/samples/switched_off.h"
+#include "diff/values/flat_values.h"
 #include "diff/values/location_causes.h"
 #include "diff/values/offset_causes.h"
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
 #include "rules/coverage/line_algorithm.h"
-#include "rules/values/flat_attribute.h"
 
 namespace edgecase {
 namespace {
@@ -92,6 +92,11 @@ class Judge {
   Point place() const { return place_; }
   Point depth_place() const { return depth_place_; }
 
+  // Is what is correct here correct everywhere in the primitive, and all that is asked for?
+  bool asks_alike_everywhere() const {
+    return are_constant(values_.chosen) && (forgiving_ || !values_.differ);
+  }
+
   Component color(std::size_t c, double rendered) const {
     return component(color_exact(values_.chosen, c, place_, pixel_), values_.chosen.color[c],
                      values_.lawful.color[c], place_, rendered);
@@ -139,48 +144,6 @@ class Judge {
   mutable std::optional<std::pair<Point, PermittedPlace>> known_;
   bool forgiving_;
 };
-
-bool shows(const Fragment& fragment, const Color& color) {
-  return std::equal(color.begin(), color.end(), fragment.color.begin(),
-                    [](float a, double b) { return a == static_cast<float>(b); });
-}
-
-Color flat_attribute(const ScenePrimitive& primitive, ProvokingChoice choice) {
-  return interpolated_attribute(*primitive.state,
-                                *primitive.vertices[provoking_index(primitive, choice)]);
-}
-
-// The vertex whose colour a flat fragment shows against the scene's convention, as a cause.
-std::string wrong_provoking_vertex(const ScenePrimitive& primitive, const Fragment& fragment) {
-  for (const auto& [choice, name] :
-       {std::pair{ProvokingChoice::first, "first"}, std::pair{ProvokingChoice::last, "last"}}) {
-    if (shows(fragment, flat_attribute(primitive, choice)))
-      return fmt::format("attribute.provoking-vertex={}", name);
-  }
-  return "";
-}
-
-void compare_flat_color(const ValueContext& context, const Fragment& fragment, Result& result) {
-  const ScenePrimitive& primitive = context.primitive_of(fragment);
-  const Color color = flat_attribute(primitive, context.choices.values.provoking);
-  const bool legal = shows(fragment, flat_attribute(primitive, ProvokingChoice::as_set));
-  const bool agrees = shows(fragment, color);
-  if (agrees && (legal || context.latitude == Latitude::none)) return;
-  Disagreement d =
-      value_disagreement({fragment.x, fragment.y}, fragment.primitive, "attribute.flat", 8);
-  d.legal = legal;
-  d.policy_agrees = agrees;
-  d.exact.assign(color.begin(), color.end());
-  d.rendered.assign(fragment.color.begin(), fragment.color.end());
-  d.cause = wrong_provoking_vertex(primitive, fragment);
-  d.explanation = fmt::format(
-      "the flat {} of primitive {} is that of its {} vertex, ({:.9g}), copied without "
-      "computation; the renderer has ({:.9g}){}",
-      primitive.state->texture ? "texture coordinate" : "colour", fragment.primitive,
-      name_of(primitive.state->provoking_vertex), fmt::join(d.exact, ", "),
-      fmt::join(d.rendered, ", "), d.cause.empty() ? "" : ", that of another vertex");
-  result.disagreements.push_back(std::move(d));
-}
 
 // "the pixel's centre (2.5, 3.5)", "(2.375, 3.125)".
 std::string words_of_place(Point place) {
@@ -261,6 +224,12 @@ void blame_depth(const ValueContext& context, const Fragment& fragment, Disagree
     std::tie(d.rule, d.ruling) = std::pair(d.cause.substr(0, d.cause.find('=')), 38);
 }
 
+// Is another fragment of the primitive told with the same values?
+bool tells_the_same(const Fragment& a, const Fragment& b) {
+  return a.primitive == b.primitive && a.has_color == b.has_color && a.has_depth == b.has_depth &&
+         a.color == b.color && a.depth == b.depth;
+}
+
 // The fragment with what was interpolated in the colour's place.
 Fragment interpolated(const ValueContext& context, const Rendering& rendered, Fragment fragment) {
   if (!context.primitive_of(fragment).state->texture) return fragment;
@@ -285,15 +254,27 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
   ValueAggregator depths_elsewhere("depth", followed_z.rule, followed_z.ruling, followed_z.cause);
   const FollowedOffset followed_o = followed_offset(context, rendered);
   ValueAggregator depths_offset("depth", followed_o.rule, followed_o.ruling, followed_o.cause);
+  // The latest fragment that is correct and stands for all that tell the same.
+  const Fragment* correct = nullptr;
   for (const Fragment& told : rendered.fragments) {
+    const Draw& draw = *context.primitive_of(told).state;
+    const bool is_flat = draw.interpolation == Interpolation::flat;
+    if (correct != nullptr && tells_the_same(*correct, told)) {
+      if (told.has_color && !is_flat) colors.count_compared(told.color.size());
+      if (told.has_depth) depths.count_compared(1);
+      continue;
+    }
     const Fragment f = interpolated(context, rendered, told);
-    const bool textured = context.primitive_of(f).state->texture.has_value();
+    const bool textured = draw.texture.has_value();
     const Judge judge(context, f);
-    if (f.has_color && context.primitive_of(f).state->interpolation == Interpolation::flat) {
+    const std::size_t before = result.disagreements.size();
+    bool is_correct = !textured && judge.asks_alike_everywhere();
+    if (f.has_color && is_flat) {
       compare_flat_color(context, f, result);
     } else if (f.has_color) {
       std::array<Component, 4> components;
       for (std::size_t c = 0; c < 4; ++c) components[c] = judge.color(c, f.color[c]);
+      is_correct = is_correct && std::ranges::all_of(components, &Component::is_correct);
       Disagreement* d = compare_components(std::span(components).first(textured ? 2 : 4), f,
                                            judge.place(), "attribute.smooth",
                                            textured                        ? coordinates
@@ -304,6 +285,7 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
     }
     if (f.has_depth) {
       const Component depth = judge.depth(f.depth);
+      is_correct = is_correct && depth.is_correct();
       Disagreement* d = compare_components({&depth, 1}, f, judge.depth_place(), "fragment.depth",
                                            followed_z.explains(context, f)   ? depths_elsewhere
                                            : followed_o.explains(context, f) ? depths_offset
@@ -311,6 +293,8 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
                                            result);
       if (d != nullptr) blame_depth(context, f, *d);
     }
+    is_correct = is_correct && result.disagreements.size() == before;
+    correct = is_correct ? &told : nullptr;
   }
   colors.flush(result);
   elsewhere.flush(result);

@@ -24,11 +24,6 @@ bool is_one_number(const Interpolant& f, const std::array<Interval, 3>& numbers)
                      });
 }
 
-// Is the attribute the same at all vertices? Then it stays so to the bit, wherever the sample lies.
-bool is_constant(const Interpolant& f) {
-  return is_one_number(f, f.values);
-}
-
 // ------------------------------------------------------------------------------------------ exact
 
 bool is_small(Int128 value) {
@@ -149,6 +144,10 @@ HomogeneousPoint next_pixel(HomogeneousPoint p, Axis axis) {
 }
 
 }  // namespace
+
+bool is_constant(const Interpolant& f) {
+  return is_one_number(f, f.values);
+}
 
 bool has_perspective(const Interpolant& f) {
   return f.perspective && !is_one_number(f, f.w);

@@ -46,6 +46,9 @@ struct Interpolant {
   LineParameter line_parameter = LineParameter::projection;
 };
 
+// Is the attribute the same at all vertices? Then it stays so to the bit, wherever the sample lies.
+bool is_constant(const Interpolant& interpolant);
+
 // Are the weights divided by w, and does that change anything? Not where all w are equal.
 bool has_perspective(const Interpolant& interpolant);
 

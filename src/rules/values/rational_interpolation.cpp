@@ -25,11 +25,6 @@ bool are_single(const Interpolant& f, const std::array<Interval, 3>& numbers) {
                      [](Interval v) { return v.low == v.high && std::isfinite(v.low); });
 }
 
-bool is_constant(const Interpolant& f) {
-  return std::all_of(f.values.begin(), f.values.begin() + static_cast<std::ptrdiff_t>(count_of(f)),
-                     [&](Interval v) { return v.low == f.values[0].low; });
-}
-
 // The determinant of the rows a, b and the sample: positive to the left of a -> b.
 Coefficients side_of(const HomogeneousPoint& a, const HomogeneousPoint& b) {
   return {rational_of(cross(a, b, {1, 0, 0})), rational_of(cross(a, b, {0, 1, 0})),
