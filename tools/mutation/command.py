@@ -97,6 +97,10 @@ def run(options):
         print("tools/mutate: no mutant is selected", file=sys.stderr)
         return 2
     arguments = argued.load(ARGUMENTS)
+    stale = list(argued.faults(arguments, mutants, []))
+    if stale:  # said before anything is built
+        print("\n".join(stale))
+        return 1
     project.make(texts, options.jobs)
     tests = record(project, options.jobs)
     trial = Trial(project, tests)
