@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "wire/answer_checks.h"
@@ -28,9 +29,10 @@ struct SentFragment {
   std::int32_t y = 0;
   std::int32_t primitive = 0;
   std::uint32_t coverage = 0;
-  std::uint32_t told = 0;
+  // As wide as the numbers, so that no bytes between members are sent unset.
+  std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t> told = 0;
 };
-static_assert(sizeof(SentFragment<float>) == 40);
+static_assert(sizeof(SentFragment<float>) == 40 && sizeof(SentFragment<double>) == 64);
 
 bool fits_float(double value) {
   if (!std::isfinite(value)) return true;

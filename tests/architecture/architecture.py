@@ -65,10 +65,11 @@ FLOATING = {
     "src/rules/coverage/point_ownership.cpp": {"explain_point": "figure"},
     "src/rules/coverage/triangle_fill.cpp": {"distance_inside": "people"},
 }
-FLOATING_FILES = {"src/exact/elementary.h", "src/exact/interval.h", "src/exact/neighbour.h", "src/exact/rational.h",
-                  "src/kernels/color_planes.h", "src/kernels/color_planes.cpp",
-                  "src/kernels/smooth_fill_kernel.cpp", "src/kernels/textured_fill.h",
-                  "src/kernels/textured_fill_kernel.cpp", "src/kernels/code_words-inl.h"}
+FLOATING_FILES = {"src/exact/elementary.h", "src/exact/interval.h", "src/exact/neighbour.h",
+                  "src/exact/rational.h", "src/kernels/color_planes.h",
+                  "src/kernels/color_planes.cpp", "src/kernels/smooth_fill_kernel.cpp",
+                  "src/kernels/textured_fill.h", "src/kernels/textured_fill_kernel.cpp",
+                  "src/kernels/code_words-inl.h"}
 
 INTEGER_FOLDERS = ("src/exact/", "src/rules/coverage/", "src/kernels/")
 
@@ -78,7 +79,7 @@ CODE = {".h", ".cpp", ".js", ".py"}
 UNWANTED = re.compile(r"\b((?i:epsi" r"lon)|TO" r"DO|FIX" r"ME)\b")
 FLOATING_WORD = re.compile(
     r"\b(float|double|to_double)\b|(?<![\w.])(\d+\.\d*|\.\d+)([eE][+-]?\d+)?[fFlL]?(?![\w.])")
-# glibc's have variants that differ in the last bit, and takes one by the processor.
+# glibc has variants of these that differ in the last bit, and takes one by the processor.
 ELEMENTARY = re.compile(r"\bstd::(exp2?|expm1|log(2|10|1p)?|pow|a?(sin|cos|tan)h?|atan2)\(")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.MULTILINE)

@@ -65,6 +65,29 @@ TEST(OutputOffset, EveryAlternativeIsNamedAndJudgedByItsOpenness) {
     }
 }
 
+// What all depths with an offset follow counts those that it leaves as they are, too, though one
+// stands for many that tell the same.
+TEST(OutputOffset, WhatIsFollowedCountsFragmentsAlike) {
+  Scene scene = sloping(DepthFormat::depth24, {8, 0, 0});
+  Draw level = scene.draws[0];  // in the other half, where its fragments follow each other
+  level.vertices[0].position = at(8, 8);
+  for (Vertex& vertex : level.vertices) {
+    vertex.z = level.vertices[0].z;
+    vertex.color = level.vertices[0].color;
+  }
+  scene.draws.push_back(level);
+  std::size_t followed = 0;
+  for (const Alternative& alternative : find_rule("offset.slope")->alternatives) {
+    const Rendering rendered = rasterize(scene, policy_of("offset.slope", alternative.name));
+    for (const ValueAggregate& values : judge_output(scene, {}, rendered).values)
+      if (values.attribute == "depth" && values.cause == "offset.slope=" + alternative.name) {
+        EXPECT_EQ(values.compared, rendered.fragments.size()) << values.cause;
+        ++followed;
+      }
+  }
+  EXPECT_GT(followed, 0u);
+}
+
 TEST(OutputOffset, AnIgnoredOffsetIsAViolation) {
   const Scene scene = sloping(DepthFormat::depth24, {8, 0, 0});
   const Result result = under(scene, "offset.slope", "ignored");

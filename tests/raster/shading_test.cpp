@@ -132,7 +132,7 @@ TEST(Rasterize, WithoutDetailsAllElseIsTheSame) {
   for (const int samples : {1, 4}) {
     scene.target.samples = samples;
     scene.details.derivatives = samples == 1;
-    Rendering all = rasterize(scene, {});
+    const Rendering all = rasterize(scene, {});
     const Rendering bare = rasterize_without_details(scene, {});
     EXPECT_FALSE(all.details.empty());
     EXPECT_TRUE(bare.details.empty());

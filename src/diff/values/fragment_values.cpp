@@ -94,7 +94,8 @@ class Judge {
 
   // Is what is correct here correct everywhere in the primitive, and all that is asked for?
   bool asks_alike_everywhere() const {
-    return are_constant(values_.chosen) && (forgiving_ || !values_.differ);
+    return are_constant(values_.chosen) && are_constant(values_.lawful) &&
+           (forgiving_ || !values_.differ);
   }
 
   Component color(std::size_t c, double rendered) const {
@@ -254,14 +255,16 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
   ValueAggregator depths_elsewhere("depth", followed_z.rule, followed_z.ruling, followed_z.cause);
   const FollowedOffset followed_o = followed_offset(context, rendered);
   ValueAggregator depths_offset("depth", followed_o.rule, followed_o.ruling, followed_o.cause);
-  // The latest fragment that is correct and stands for all that tell the same.
+  // The latest fragment, if it is correct and stands for all that tell the same, and with what its
+  // values were counted.
   const Fragment* correct = nullptr;
+  ValueAggregator* counted_color = nullptr;
+  ValueAggregator* counted_depth = nullptr;
   for (const Fragment& told : rendered.fragments) {
     const Draw& draw = *context.primitive_of(told).state;
-    const bool is_flat = draw.interpolation == Interpolation::flat;
     if (correct != nullptr && tells_the_same(*correct, told)) {
-      if (told.has_color && !is_flat) colors.count_compared(told.color.size());
-      if (told.has_depth) depths.count_compared(1);
+      if (counted_color != nullptr) counted_color->count_compared(told.color.size());
+      if (counted_depth != nullptr) counted_depth->count_compared(1);
       continue;
     }
     const Fragment f = interpolated(context, rendered, told);
@@ -269,28 +272,29 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
     const Judge judge(context, f);
     const std::size_t before = result.disagreements.size();
     bool is_correct = !textured && judge.asks_alike_everywhere();
-    if (f.has_color && is_flat) {
+    counted_color = counted_depth = nullptr;
+    if (f.has_color && draw.interpolation == Interpolation::flat) {
       compare_flat_color(context, f, result);
     } else if (f.has_color) {
       std::array<Component, 4> components;
       for (std::size_t c = 0; c < 4; ++c) components[c] = judge.color(c, f.color[c]);
       is_correct = is_correct && std::ranges::all_of(components, &Component::is_correct);
-      Disagreement* d = compare_components(std::span(components).first(textured ? 2 : 4), f,
-                                           judge.place(), "attribute.smooth",
-                                           textured                        ? coordinates
-                                           : followed.explains(context, f) ? elsewhere
-                                                                           : colors,
-                                           result);
+      counted_color = textured                        ? &coordinates
+                      : followed.explains(context, f) ? &elsewhere
+                                                      : &colors;
+      Disagreement* d =
+          compare_components(std::span(components).first(textured ? 2 : 4), f, judge.place(),
+                             "attribute.smooth", *counted_color, result);
       if (d != nullptr) blame(*d, cause_of_color(context, f));
     }
     if (f.has_depth) {
       const Component depth = judge.depth(f.depth);
       is_correct = is_correct && depth.is_correct();
+      counted_depth = followed_z.explains(context, f)   ? &depths_elsewhere
+                      : followed_o.explains(context, f) ? &depths_offset
+                                                        : &depths;
       Disagreement* d = compare_components({&depth, 1}, f, judge.depth_place(), "fragment.depth",
-                                           followed_z.explains(context, f)   ? depths_elsewhere
-                                           : followed_o.explains(context, f) ? depths_offset
-                                                                             : depths,
-                                           result);
+                                           *counted_depth, result);
       if (d != nullptr) blame_depth(context, f, *d);
     }
     is_correct = is_correct && result.disagreements.size() == before;
