@@ -47,7 +47,8 @@ LoadedCases load_cases_text(const std::string& text, const std::filesystem::path
   loaded.diagnostics = findings.take();
   shorten(loaded.diagnostics);
   if (!loaded.diagnostics.empty()) loaded.cases.clear();
-  for (Case& one : loaded.cases) one.source = text;
+  const SharedText source(text);
+  for (Case& one : loaded.cases) one.source = source;
   return loaded;
 }
 

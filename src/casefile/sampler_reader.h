@@ -12,9 +12,7 @@
 namespace edgecase {
 
 constexpr float kMaxLod = 1000;          // largest magnitude of a level of detail
-constexpr float kMaxLodBias = 16;        // of a bias, of the sampler or the lookup
 constexpr int kMostLevel = 1000;         // largest base_level and max_level
-constexpr float kMaxAnisotropy = 16;     // from 1
 constexpr float kMaxGradient = 1048576;  // largest magnitude of a given gradient, per pixel
 
 // What a state says; `use` is none without a texture, and where its number is wrong.

@@ -34,7 +34,7 @@ TextureLevel image_of(PatternSize size, const TexelAt& texel_at) {
   auto next = level.texels.begin();
   for (int j = 0; j < size.height; ++j) {
     for (int i = 0; i < size.width; ++i) {
-      const Texel texel = texel_at(i, j);
+      const StoredTexel texel = texel_at(i, j);
       next = std::copy(texel.begin(), texel.end(), next);
     }
   }
@@ -77,36 +77,36 @@ double raised_cosine(std::int64_t turned, std::int64_t quarter) {
 
 }  // namespace
 
-Texel stored_texel(const std::array<float, 4>& color, TextureFormat format) {
+StoredTexel stored_texel(const std::array<float, 4>& color, TextureFormat format) {
   if (!is_coded(format)) return color;
-  Texel texel{};
+  StoredTexel texel{};
   for (std::size_t c = 0; c < texel.size(); ++c)  // 24 bits times 8: exact in a double
     texel[c] = static_cast<float>(std::nearbyint(static_cast<double>(color[c]) * kLargestCode));
   return texel;
 }
 
-Texel white_texel(TextureFormat format) {
+StoredTexel white_texel(TextureFormat format) {
   return stored_texel({1, 1, 1, 1}, format);
 }
 
-Texel black_texel(TextureFormat format) {
+StoredTexel black_texel(TextureFormat format) {
   return stored_texel({0, 0, 0, 1}, format);
 }
 
-TextureLevel checker_image(PatternSize size, int cell, const std::array<Texel, 2>& colors) {
+TextureLevel checker_image(PatternSize size, int cell, const std::array<StoredTexel, 2>& colors) {
   return image_of(size, [&](int i, int j) {
     return colors[static_cast<std::size_t>((i / cell + j / cell) % 2)];
   });
 }
 
-TextureLevel gradient_image(PatternSize size, const std::array<Texel, 4>& corners,
+TextureLevel gradient_image(PatternSize size, const std::array<StoredTexel, 4>& corners,
                             TextureFormat format) {
   const int columns = std::max(1, size.width - 1);
   const int rows = std::max(1, size.height - 1);
   return image_of(size, [&](int i, int j) {
     const std::array<int, 4> weights{(columns - i) * (rows - j), i * (rows - j), (columns - i) * j,
                                      i * j};
-    Texel texel{};
+    StoredTexel texel{};
     for (std::size_t c = 0; c < texel.size(); ++c) {
       const std::array<float, 4> values{corners[0][c], corners[1][c], corners[2][c], corners[3][c]};
       texel[c] = weighted_mean(values, weights, columns * rows, format);
@@ -124,10 +124,10 @@ TextureLevel zone_plate_image(PatternSize size, TextureFormat format) {
     const double grey = raised_cosine(x * x + y * y, 2 * larger);
     if (!is_coded(format)) {
       const auto value = static_cast<float>(grey);
-      return Texel{value, value, value, 1};
+      return StoredTexel{value, value, value, 1};
     }
     const auto code = static_cast<float>(std::nearbyint(grey * kLargestCode));
-    return Texel{code, code, code, kLargestCode};
+    return StoredTexel{code, code, code, kLargestCode};
   });
 }
 
@@ -141,13 +141,13 @@ TextureLevel noise_image(PatternSize size, TextureFormat format, std::uint64_t s
   return level;
 }
 
-TextureLevel flat_image(PatternSize size, const Texel& texel) {
+TextureLevel flat_image(PatternSize size, const StoredTexel& texel) {
   return image_of(size, [&](int, int) { return texel; });
 }
 
-std::vector<TextureLevel> flat_levels(PatternSize size, std::span<const Texel> colors) {
+std::vector<TextureLevel> flat_levels(PatternSize size, std::span<const StoredTexel> colors) {
   std::vector<TextureLevel> levels;
-  for (const Texel& color : colors) {
+  for (const StoredTexel& color : colors) {
     const auto level = static_cast<int>(levels.size());
     levels.push_back(
         flat_image({level_size(size.width, level), level_size(size.height, level)}, color));
@@ -155,16 +155,16 @@ std::vector<TextureLevel> flat_levels(PatternSize size, std::span<const Texel> c
   return levels;
 }
 
-std::vector<Texel> level_colors(int count, TextureFormat format) {
-  constexpr Texel kCodes[] = {{255, 0, 0, 255},     {0, 255, 0, 255},   {0, 0, 255, 255},
-                              {255, 255, 0, 255},   {0, 255, 255, 255}, {255, 0, 255, 255},
-                              {255, 128, 0, 255},   {0, 128, 255, 255}, {128, 255, 0, 255},
-                              {255, 255, 255, 255}, {0, 0, 0, 255}};
+std::vector<StoredTexel> level_colors(int count, TextureFormat format) {
+  constexpr StoredTexel kCodes[] = {{255, 0, 0, 255},     {0, 255, 0, 255},   {0, 0, 255, 255},
+                                    {255, 255, 0, 255},   {0, 255, 255, 255}, {255, 0, 255, 255},
+                                    {255, 128, 0, 255},   {0, 128, 255, 255}, {128, 255, 0, 255},
+                                    {255, 255, 255, 255}, {0, 0, 0, 255}};
   static_assert(std::size(kCodes) == 11);  // log2(kMaxTextureSize) + 1
-  std::vector<Texel> colors;
+  std::vector<StoredTexel> colors;
   for (int k = 0; k < count; ++k) {
     const auto level = static_cast<float>(k);
-    colors.push_back(is_coded(format) ? kCodes[k] : Texel{level, level / 2, 0.25F, 1});
+    colors.push_back(is_coded(format) ? kCodes[k] : StoredTexel{level, level / 2, 0.25F, 1});
   }
   return colors;
 }
@@ -176,7 +176,7 @@ TextureLevel box_level(const TextureLevel& level, TextureFormat format) {
   constexpr std::array<int, 4> kOnce{1, 1, 1, 1};
   const auto count = static_cast<std::size_t>(across * up);
   return image_of(size, [&](int i, int j) {
-    Texel texel{};
+    StoredTexel texel{};
     for (std::size_t c = 0; c < texel.size(); ++c) {
       std::array<float, 4> values{};
       for (int k = 0; k < across * up; ++k)

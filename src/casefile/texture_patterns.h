@@ -18,15 +18,15 @@
 namespace edgecase {
 
 // Red, green, blue, alpha as a texture's format stores them.
-using Texel = std::array<float, 4>;
+using StoredTexel = std::array<float, 4>;
 
 // A colour as the format stores it: of an 8-bit format, whose components are 0 to 1, the nearest
 // codes, ties to even.
-Texel stored_texel(const std::array<float, 4>& color, TextureFormat format);
+StoredTexel stored_texel(const std::array<float, 4>& color, TextureFormat format);
 
 // What is stored for 1, and for what is nothing.
-Texel white_texel(TextureFormat format);
-Texel black_texel(TextureFormat format);
+StoredTexel white_texel(TextureFormat format);
+StoredTexel black_texel(TextureFormat format);
 
 // One-dimensional images have height 1.
 struct PatternSize {
@@ -35,11 +35,11 @@ struct PatternSize {
 };
 
 // Squares of `cell` x `cell` texels: texel (i, j) is colors[(i / cell + j / cell) % 2].
-TextureLevel checker_image(PatternSize size, int cell, const std::array<Texel, 2>& colors);
+TextureLevel checker_image(PatternSize size, int cell, const std::array<StoredTexel, 2>& colors);
 
 // Between the texels at the corners, bottom left, bottom right, top left, top right: the nearest
 // stored numbers to the bilinear mean, ties to even. A side of one texel has its first corner.
-TextureLevel gradient_image(PatternSize size, const std::array<Texel, 4>& corners,
+TextureLevel gradient_image(PatternSize size, const std::array<StoredTexel, 4>& corners,
                             TextureFormat format);
 
 // Grey 1/2 + 1/2 cos(pi (x^2 + y^2) / larger side), x and y in texels from the centre; alpha 1.
@@ -49,14 +49,14 @@ TextureLevel zone_plate_image(PatternSize size, TextureFormat format);
 // upper 8 bits of each word, or, of rgba32f, the upper 24 as multiples of 2^-24.
 TextureLevel noise_image(PatternSize size, TextureFormat format, std::uint64_t seed);
 
-TextureLevel flat_image(PatternSize size, const Texel& texel);
+TextureLevel flat_image(PatternSize size, const StoredTexel& texel);
 
 // A whole chain of flat levels, of one colour each; `colors` has level_count of them.
-std::vector<TextureLevel> flat_levels(PatternSize size, std::span<const Texel> colors);
+std::vector<TextureLevel> flat_levels(PatternSize size, std::span<const StoredTexel> colors);
 
 // Colours of levels that a file leaves open. rgba32f: level k is (k, k/2, 1/4, 1), which tells it
 // in any mixture. The others: eleven codes that differ from their neighbours by 127 at least.
-std::vector<Texel> level_colors(int count, TextureFormat format);
+std::vector<StoredTexel> level_colors(int count, TextureFormat format);
 
 // The next level: each texel the mean of the 2 x 2 of `level` at 2i, 2i + 1 and 2j, 2j + 1 (where
 // there is but one row or column, of the two), the nearest stored number, ties to even. The last

@@ -63,7 +63,8 @@ void read_size(const Place& place, Findings& findings, Outline& outline) {
   outline.dimensions = static_cast<int>(count);
 }
 
-std::optional<Texel> read_texel(const Place& place, TextureFormat format, Findings& findings) {
+std::optional<StoredTexel> read_texel(const Place& place, TextureFormat format,
+                                      Findings& findings) {
   const bool coded = format != TextureFormat::rgba32f;
   const Float32Range range = coded ? Float32Range{0, 1} : Float32Range{-kMaxTexel, kMaxTexel};
   const auto color = read_color(place, "a texture's colour", range, findings);
@@ -72,21 +73,21 @@ std::optional<Texel> read_texel(const Place& place, TextureFormat format, Findin
 }
 
 // A list of colours; empty, and a finding, where one is faulty.
-std::vector<Texel> read_texels(const Place& place, TextureFormat format, Findings& findings) {
-  std::vector<Texel> texels;
+std::vector<StoredTexel> read_texels(const Place& place, TextureFormat format, Findings& findings) {
+  std::vector<StoredTexel> texels;
   if (!expect_kind(place, JsonKind::array, "a list of colours", findings)) return texels;
   const std::size_t before = findings.size();
   for (std::size_t i = 0; i < place.node->children.size(); ++i)
-    texels.push_back(read_texel(place.child(i), format, findings).value_or(Texel{}));
+    texels.push_back(read_texel(place.child(i), format, findings).value_or(StoredTexel{}));
   if (findings.size() != before) texels.clear();
   return texels;
 }
 
 // The same, but only so many; what is wrong is told once.
-std::vector<Texel> read_colors(const Place& place, std::span<const std::size_t> counts,
-                               TextureFormat format, Findings& findings) {
+std::vector<StoredTexel> read_colors(const Place& place, std::span<const std::size_t> counts,
+                                     TextureFormat format, Findings& findings) {
   const std::size_t before = findings.size();
-  std::vector<Texel> colors = read_texels(place, format, findings);
+  std::vector<StoredTexel> colors = read_texels(place, format, findings);
   if (findings.size() != before) return {};
   if (std::find(counts.begin(), counts.end(), colors.size()) != counts.end()) return colors;
   findings.add(place, fmt::format("a list has {} colours", colors.size()),
@@ -102,7 +103,7 @@ Levels read_checker(const Place& place, const Outline& outline, Findings& findin
   int cell = 1;
   if (const auto given = object.find("cell"))
     cell = read_integer(*given, "cell", {1, kMaxTextureSize}, findings).value_or(cell);
-  std::vector<Texel> colors{black_texel(outline.format), white_texel(outline.format)};
+  std::vector<StoredTexel> colors{black_texel(outline.format), white_texel(outline.format)};
   constexpr std::size_t kTwo[] = {2};
   if (const auto given = object.find("colors"))
     colors = read_colors(*given, kTwo, outline.format, findings);
@@ -132,7 +133,7 @@ Levels read_levels(const Place& place, const Outline& outline, Findings& finding
   const ObjectReader object(place, "levels", kLevelsKeys, findings);
   if (!object.valid() || !outline.size) return {};
   const int count = level_count(outline.size->width, outline.size->height);
-  std::vector<Texel> colors = level_colors(count, outline.format);
+  std::vector<StoredTexel> colors = level_colors(count, outline.format);
   const std::size_t counts[] = {static_cast<std::size_t>(count)};
   if (const auto given = object.find("colors"))
     colors = read_colors(*given, counts, outline.format, findings);
@@ -162,7 +163,7 @@ bool is_sized(const Place& place, PatternSize found, const Outline& outline, Fin
 // One row of a picture, as wide as those that `level` holds already.
 bool read_row(const Place& place, TextureFormat format, TextureLevel& level, Findings& findings) {
   const std::size_t before = findings.size();
-  const std::vector<Texel> row = read_texels(place, format, findings);
+  const std::vector<StoredTexel> row = read_texels(place, format, findings);
   if (findings.size() != before) return false;
   const auto width = static_cast<int>(std::min(row.size(), std::size_t{kMaxTextureSize} + 1));
   const bool first = level.texels.empty();
@@ -173,7 +174,7 @@ bool read_row(const Place& place, TextureFormat format, TextureLevel& level, Fin
     return false;
   }
   level.width = width;
-  for (const Texel& texel : row)
+  for (const StoredTexel& texel : row)
     level.texels.insert(level.texels.end(), texel.begin(), texel.end());
   return true;
 }

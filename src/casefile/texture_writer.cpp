@@ -22,28 +22,28 @@ PatternSize size_of(const TextureLevel& level) {
   return {level.width, level.height};
 }
 
-Texel texel_of(const TextureLevel& level, int i, int j) {
-  Texel texel{};
+StoredTexel texel_of(const TextureLevel& level, int i, int j) {
+  StoredTexel texel{};
   std::copy_n(level.texels.begin() + static_cast<std::ptrdiff_t>(level.index(i, j)), texel.size(),
               texel.begin());
   return texel;
 }
 
-JsonPiece texel_piece(Texel texel, TextureFormat format) {
+JsonPiece texel_piece(StoredTexel texel, TextureFormat format) {
   if (format != TextureFormat::rgba32f)
     for (float& number : texel) number /= 255;
   return color_piece(texel);
 }
 
-JsonPiece texels_piece(std::span<const Texel> texels, TextureFormat format) {
+JsonPiece texels_piece(std::span<const StoredTexel> texels, TextureFormat format) {
   Pieces items;
-  for (const Texel& texel : texels) items.push_back(texel_piece(texel, format));
+  for (const StoredTexel& texel : texels) items.push_back(texel_piece(texel, format));
   JsonPiece list = json_array(std::move(items));
   list.together = 4;
   return list;
 }
 
-JsonPiece colors_object(std::span<const Texel> colors, TextureFormat format) {
+JsonPiece colors_object(std::span<const StoredTexel> colors, TextureFormat format) {
   return json_object({named("colors", texels_piece(colors, format))});
 }
 
@@ -55,8 +55,8 @@ std::optional<JsonPiece> as_zone_plate(const TextureLevel& image, TextureFormat 
 std::optional<JsonPiece> as_gradient(const TextureLevel& image, TextureFormat format) {
   const int right = image.width - 1;
   const int top = image.height - 1;
-  const std::array<Texel, 4> corners{texel_of(image, 0, 0), texel_of(image, right, 0),
-                                     texel_of(image, 0, top), texel_of(image, right, top)};
+  const std::array<StoredTexel, 4> corners{texel_of(image, 0, 0), texel_of(image, right, 0),
+                                           texel_of(image, 0, top), texel_of(image, right, top)};
   if (image != gradient_image(size_of(image), corners, format)) return std::nullopt;
   const bool along_s = corners[0] == corners[2] && corners[1] == corners[3];
   return named("gradient", colors_object({corners.data(), along_s ? 2U : 4U}, format));
@@ -77,18 +77,18 @@ std::optional<JsonPiece> as_checker(const TextureLevel& image, TextureFormat for
   const auto width = static_cast<std::size_t>(image.width);
   const auto i = static_cast<int>(change % width);
   const auto j = static_cast<int>(change / width);
-  const std::array<Texel, 2> colors{texel_of(image, 0, 0), texel_of(image, i, j)};
+  const std::array<StoredTexel, 2> colors{texel_of(image, 0, 0), texel_of(image, i, j)};
   const int cell = change == 0 ? 1 : j == 0 ? i : j;
   if (image != checker_image(size_of(image), cell, colors)) return std::nullopt;
   Pieces members;
   if (cell != 1) members.push_back(named("cell", integer_piece(cell)));
-  const std::array<Texel, 2> standard{black_texel(format), white_texel(format)};
+  const std::array<StoredTexel, 2> standard{black_texel(format), white_texel(format)};
   if (colors != standard) members.push_back(named("colors", texels_piece(colors, format)));
   return named("checker", json_object(std::move(members)));
 }
 
 std::optional<JsonPiece> as_noise(const TextureLevel& image, TextureFormat format) {
-  const Texel first = texel_of(image, 0, 0);
+  const StoredTexel first = texel_of(image, 0, 0);
   for (int seed = 0; seed <= kMaxNoiseSeed; ++seed) {
     const auto word = static_cast<std::uint64_t>(seed);
     if (texel_of(noise_image({1, 1}, format, word), 0, 0) != first) continue;
@@ -101,7 +101,7 @@ std::optional<JsonPiece> as_noise(const TextureLevel& image, TextureFormat forma
 JsonPiece as_picture(const TextureLevel& image, TextureFormat format) {
   Pieces rows;
   for (int j = image.height; j-- > 0;) {
-    std::vector<Texel> row;
+    std::vector<StoredTexel> row;
     for (int i = 0; i < image.width; ++i) row.push_back(texel_of(image, i, j));
     rows.push_back(texels_piece(row, format));
   }
@@ -117,7 +117,7 @@ JsonPiece image_piece(const TextureLevel& image, TextureFormat format) {
 
 // Of a chain in which every level has one colour.
 std::optional<JsonPiece> as_flat_levels(const Texture& texture) {
-  std::vector<Texel> colors;
+  std::vector<StoredTexel> colors;
   for (const TextureLevel& level : texture.levels) colors.push_back(texel_of(level, 0, 0));
   const PatternSize size = size_of(texture.levels.front());
   if (texture.levels != flat_levels(size, colors)) return std::nullopt;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/scene.h"
+#include "model/shared_text.h"
 
 namespace edgecase {
 
@@ -37,7 +38,7 @@ struct Case {
   std::string origin;  // a link, where a bug led to the case
   std::vector<std::string> tags;
   std::filesystem::path file;
-  std::string source;  // the file's text
+  SharedText source;  // the file's
   Scene scene;
   std::vector<Expect> expect;
 };

@@ -51,19 +51,25 @@ struct Texture {
   friend bool operator==(const Texture&, const Texture&) = default;
 };
 
+// The largest bias of a sampler, of a lookup and of both together, either way. OpenGL asks for 2 at
+// least and lets a renderer say more (GL_MAX_TEXTURE_LOD_BIAS).
+constexpr double kMaxLodBias = 16;
+// The largest number of samples along a footprint, which is at least 1.
+constexpr double kMaxAnisotropy = 16;
+
 // The parameters of a texture and its sampler (GL 4.6 core, 8.10, table 23.18).
 struct Sampler {
   std::array<Wrap, 2> wrap{Wrap::repeat, Wrap::repeat};  // of s and t
   Filter magnify = Filter::linear;
   Filter minify = Filter::nearest;
   MipFilter mipmap = MipFilter::none;
-  float lod_bias = 0;  // -16 to 16
+  float lod_bias = 0;  // -kMaxLodBias to kMaxLodBias
   float min_lod = -1000;
   float max_lod = 1000;
   int base_level = 0;    // 0 to 10, a level of the texture
   int max_level = 1000;  // at least base_level
   std::array<float, 4> border{0, 0, 0, 0};
-  float max_anisotropy = 1;  // 1 to 16
+  float max_anisotropy = 1;  // 1 to kMaxAnisotropy
 
   friend bool operator==(const Sampler&, const Sampler&) = default;
 };

@@ -17,6 +17,7 @@
 #include "model/policy.h"
 #include "model/renderer.h"
 #include "model/result.h"
+#include "model/shared_text.h"
 
 namespace edgecase {
 
@@ -56,7 +57,7 @@ struct CaseResults {
   std::string origin;
   std::vector<std::string> tags;
   std::string file;         // path of the case file, as given
-  std::string source;       // its text
+  SharedText source;        // its text
   std::string file_digest;  // of its text (model/digest.h)
   std::string surface;
   int width = 0;

@@ -79,9 +79,11 @@ void ProcessRenderer::render(std::span<const Task> tasks, const OutcomeSink& sin
   }
 }
 
-// Has the child draw the next scenes while the last answer is looked at.
+// Has the child draw the next scenes while the last answer is looked at. Several at once: each time
+// that a child without work is woken costs as much as comparing some hundred fragments.
 void ProcessRenderer::send_ahead(std::span<const Task> tasks) {
   if (!spec_.takes_messages || child_ == nullptr || !child_answered_) return;
+  if (asked_.size() > kMostAsked / 2) return;
   std::size_t bytes = 0;
   for (const Asked& one : asked_) bytes += one.bytes;
   while (asked_.size() < std::min(kMostAsked, tasks.size()) && bytes < kMostAskedBytes) {

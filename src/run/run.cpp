@@ -215,7 +215,7 @@ class Run {
     result.tags = one.tags;
     result.file = one.file.generic_string();
     result.source = one.source;
-    result.file_digest = digest_of_text(one.source);
+    result.file_digest = digest_of_text(one.source.str());
     result.surface = name_of(one.scene.target.surface);
     result.width = exact.width;
     result.height = exact.height;

@@ -79,10 +79,10 @@ std::vector<std::string> known_rule_ids() {
 // Ids, and texts of files, each of which stands with all of its cases.
 std::string digest_of(const std::vector<Case>& cases) {
   Digest digest;
-  const std::string* text = nullptr;
+  const SharedText* text = nullptr;
   for (const Case& one : cases) {
     digest.add(one.id);
-    if (text == nullptr || *text != one.source) digest.add(one.source);
+    if (text == nullptr || *text != one.source) digest.add(one.source.str());
     text = &one.source;
   }
   return digest.text();

@@ -19,8 +19,6 @@ namespace {
 
 constexpr int kMaxCode = 255;
 constexpr int kMaxBaseLevel = 10;
-constexpr double kMaxLodBias = 16;
-constexpr double kMaxAnisotropy = 16;
 
 void write_texel(Output out, float value) {
   const bool is_code = value >= 0 && value <= static_cast<float>(kMaxCode) &&

@@ -67,7 +67,7 @@ TextureLevel random_level(std::mt19937& random, PatternSize size, TextureFormat 
 
 TEST(TexturePatterns, ColoursBecomeTheNearestCodes) {
   const std::array<float, 4> color{0.5F, 0.1F, 1.0F / 255, 0.7F};
-  const Texel expected{128, 26, 1, 178};  // 127.5 goes to the even one
+  const StoredTexel expected{128, 26, 1, 178};  // 127.5 goes to the even one
   EXPECT_EQ(stored_texel(color, TextureFormat::rgba8), expected);
   EXPECT_EQ(stored_texel(color, TextureFormat::srgb8), expected);
   EXPECT_EQ(stored_texel(color, TextureFormat::rgba32f), color);
@@ -78,8 +78,8 @@ TEST(TexturePatterns, ColoursBecomeTheNearestCodes) {
 }
 
 TEST(TexturePatterns, CheckersCountCellsFromTheLowerLeft) {
-  const Texel a{1, 2, 3, 4};
-  const Texel b{5, 6, 7, 8};
+  const StoredTexel a{1, 2, 3, 4};
+  const StoredTexel b{5, 6, 7, 8};
   const TextureLevel level = checker_image({7, 5}, 3, {a, b});
   const char* const rows[] = {"aaabbba", "aaabbba", "aaabbba", "bbbaaab", "bbbaaab"};
   for (int j = 0; j < 5; ++j)
@@ -93,7 +93,7 @@ TEST(TexturePatterns, GradientsAreRoundedOnce) {
   for (const TextureFormat format : kFormats) {
     for (const PatternSize size : {PatternSize{1, 1}, {2, 2}, {5, 1}, {1, 4}, {7, 6}, {16, 3}}) {
       const TextureLevel two = random_level(random, {2, 2}, format);
-      std::array<Texel, 4> corners{};
+      std::array<StoredTexel, 4> corners{};
       for (std::size_t k = 0; k < 4; ++k) std::copy_n(&two.texels[4 * k], 4, corners[k].begin());
       const TextureLevel level = gradient_image(size, corners, format);
       for (int j = 0; j < size.height; ++j) {
@@ -190,8 +190,8 @@ TEST(TexturePatterns, NoiseIsSplitMix64) {
 }
 
 TEST(TexturePatterns, FlatLevelsMakeAWholeChain) {
-  const std::vector<Texel> colors = level_colors(4, TextureFormat::rgba32f);
-  EXPECT_EQ(colors[3], (Texel{3, 1.5F, 0.25F, 1}));
+  const std::vector<StoredTexel> colors = level_colors(4, TextureFormat::rgba32f);
+  EXPECT_EQ(colors[3], (StoredTexel{3, 1.5F, 0.25F, 1}));
   const auto levels = flat_levels({5, 11}, colors);
   ASSERT_EQ(levels.size(), 4U);
   const int sizes[][2] = {{5, 11}, {2, 5}, {1, 2}, {1, 1}};
@@ -203,7 +203,7 @@ TEST(TexturePatterns, FlatLevelsMakeAWholeChain) {
       EXPECT_EQ(levels[k].texels[n], colors[k][n % 4]);
   }
   const auto codes = level_colors(level_count(kMaxTextureSize, 1), TextureFormat::rgba8);
-  EXPECT_EQ(std::set<Texel>(codes.begin(), codes.end()).size(), 11U);
+  EXPECT_EQ(std::set<StoredTexel>(codes.begin(), codes.end()).size(), 11U);
 }
 
 TEST(TexturePatterns, BoxesAreMeansRoundedOncePerLevel) {

@@ -50,8 +50,8 @@ TEST(TextureReader, DefaultsAreThoseOfTheModel) {
   EXPECT_EQ(texture.dimensions, 2);
   EXPECT_EQ(texture.format, TextureFormat::rgba8);
   EXPECT_FALSE(texture.generated);
-  const Texel black{0, 0, 0, 255};
-  const Texel white{255, 255, 255, 255};
+  const StoredTexel black{0, 0, 0, 255};
+  const StoredTexel white{255, 255, 255, 255};
   EXPECT_EQ(texture.levels, std::vector{checker_image({4, 2}, 1, {black, white})});
 }
 
@@ -78,8 +78,8 @@ TEST(TextureReader, AskForNothingWithoutTextures) {
 
 TEST(TextureReader, ReadsEveryPattern) {
   const auto level = [](const std::string& text) { return texture_of(text).levels; };
-  const Texel red{255, 0, 0, 255};
-  const Texel blue{0, 0, 255, 128};
+  const StoredTexel red{255, 0, 0, 255};
+  const StoredTexel blue{0, 0, 255, 128};
   EXPECT_EQ(
       level(R"({"size": [6, 4], "checker": {"cell": 2, "colors": [[1, 0, 0], [0, 0, 1, 0.5]]}})"),
       std::vector{checker_image({6, 4}, 2, {red, blue})});

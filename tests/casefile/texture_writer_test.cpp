@@ -77,10 +77,10 @@ TEST(TextureWriter, EveryTexturedCaseComesBack) {
 TEST(TextureWriter, PatternsAreWrittenAsPatterns) {
   for (const TextureFormat format :
        {TextureFormat::rgba8, TextureFormat::srgb8, TextureFormat::rgba32f}) {
-    const Texel a = stored_texel({0.25F, 0.5F, 0.75F, 0.1F}, format);
-    const Texel b = stored_texel({1, 0.3F, 0, 1}, format);
-    const Texel black = black_texel(format);
-    const Texel white = white_texel(format);
+    const StoredTexel a = stored_texel({0.25F, 0.5F, 0.75F, 0.1F}, format);
+    const StoredTexel b = stored_texel({1, 0.3F, 0, 1}, format);
+    const StoredTexel black = black_texel(format);
+    const StoredTexel white = white_texel(format);
     const std::pair<TextureLevel, const char*> patterns[] = {
         {checker_image({9, 7}, 1, {black, white}), R"("checker":{})"},
         {checker_image({9, 7}, 3, {a, b}), R"("checker":{"cell":3,"colors")"},

@@ -84,10 +84,6 @@ Interval scale_factor(const Footprint& footprint, ScaleFactor method);
 // What any f may yield: from max(m_u, m_v) to m_u + m_v.
 Interval permitted_scale_factor(const Footprint& footprint);
 
-// The largest sum of biases, either way. OpenGL asks for 2 at least and lets a renderer say more
-// (GL_MAX_TEXTURE_LOD_BIAS).
-constexpr double kMaxLodBias = 16;
-
 // lambda': with the sampler's bias, and with the lookup's where that is of kind `bias`; their sum
 // is clamped to kMaxLodBias. The sampler's also moves a lod that the shader gives, which stands in
 // the place of lambda_base.

@@ -57,13 +57,13 @@ std::optional<Results> load_results(const std::string& path) {
 }
 
 void load_sources(Results& results) {
-  std::map<std::string, std::string> texts;
+  std::map<std::string, SharedText> texts;
   for (CaseResults& one : results.cases) {
     const auto [found, is_new] = texts.try_emplace(one.file);
     std::error_code error;
     if (is_new && std::filesystem::is_regular_file(one.file, error))
       if (auto text = read_file(one.file)) found->second = std::move(*text);
-    const bool is_same = digest_of_text(found->second) == one.file_digest;
+    const bool is_same = digest_of_text(found->second.str()) == one.file_digest;
     if (is_same) one.source = found->second;
     if (is_new && !is_same && !found->second.empty())
       print_error(
