@@ -11,6 +11,7 @@
 #include "model/recorded.h"
 #include "recording/recording.h"
 #include "recording/stored_outcome.h"
+#include "run/case_slices.h"
 #include "run/recording_renderer.h"
 #include "wire/request_line.h"
 
@@ -21,45 +22,16 @@ namespace {
 // What a block holds, in samples of targets: some megabytes of answers. Larger blocks deflate
 // little better, and reading one case means reading its block.
 constexpr std::size_t kBlockWeight = std::size_t{1} << 16;
-// What a case weighs beside its samples.
-constexpr std::size_t kCaseWeight = 256;
-
 // Thrown out of a renderer's sink when recording should end.
 struct Stopped {};
-
-std::size_t weight_of(const Scene& scene) {
-  const Target& target = scene.target;
-  return kCaseWeight + static_cast<std::size_t>(target.width) *
-                           static_cast<std::size_t>(target.height) *
-                           static_cast<std::size_t>(target.samples) *
-                           std::max<std::size_t>(1, scene.supersampling.size());
-}
-
-// The cases of a block: [begin, end).
-struct Slice {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
-
-std::vector<Slice> cut(const std::vector<Case>& cases) {
-  std::vector<Slice> slices;
-  std::size_t weight = 0;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const std::size_t more = weight_of(cases[i].scene);
-    if (slices.empty() || weight + more > kBlockWeight) {
-      slices.push_back({i, i});
-      weight = 0;
-    }
-    weight += more;
-    slices.back().end = i + 1;
-  }
-  return slices;
-}
 
 class Recorder {
  public:
   Recorder(const Suite& suite, const RecordOptions& options)
-      : suite_(suite), options_(options), slices_(cut(suite.cases)), made_(slices_.size()) {}
+      : suite_(suite),
+        options_(options),
+        slices_(cut_cases(suite.cases, kBlockWeight)),
+        made_(slices_.size()) {}
 
   Recorded operator()() {
     const auto jobs = static_cast<std::size_t>(std::max(1, options_.jobs));
@@ -86,7 +58,7 @@ class Recorder {
       record(slices_[next], renderer, made_[next]);
   }
 
-  void record(const Slice& slice, Renderer& renderer, Made& made) {
+  void record(const CaseSlice& slice, Renderer& renderer, Made& made) {
     std::vector<Task> tasks;
     for (std::size_t i = slice.begin; i < slice.end; ++i)
       tasks.push_back({suite_.cases[i].id, &suite_.cases[i].scene});
@@ -145,7 +117,7 @@ class Recorder {
 
   const Suite& suite_;
   const RecordOptions& options_;
-  std::vector<Slice> slices_;
+  std::vector<CaseSlice> slices_;
   std::vector<Made> made_;  // by slice
   std::atomic<std::size_t> next_ = 0;
   std::atomic<std::size_t> done_ = 0;

@@ -13,6 +13,7 @@
 #include <variant>
 
 #include "model/digest.h"
+#include "run/case_slices.h"
 #include "run/comparing.h"
 #include "run/early_judgement.h"
 #include "run/expectation_check.h"
@@ -21,19 +22,17 @@
 namespace edgecase {
 namespace {
 
-// Starting a renderer costs as much as drawing some hundred cases.
-constexpr std::size_t kLeastSlice = 200;
-// Cases that each renderer of a run that may end early answers in turn.
-constexpr std::size_t kShortSlice = 50;
+// What a slice weighs at most: some fifty cases of 64x64. Threads end within one of each other, and
+// what a thread waits for at the end of each is a small part of it.
+constexpr std::size_t kSliceWeight = std::size_t{1} << 18;
 
 // Thrown out of a renderer's sink when the run should end.
 struct Stopped {};
 
-// A renderer's share of the cases: [begin, end).
-struct Slice {
+// Cases that one renderer is to draw.
+struct Share {
   std::size_t renderer = 0;
-  std::size_t begin = 0;
-  std::size_t end = 0;
+  CaseSlice cases;
 };
 
 void add_choices(const Choices& choices, Digest& digest) {
@@ -59,18 +58,17 @@ std::string digest_of(const Policy& policy, const std::map<std::string, Policy>&
   return digest.text();
 }
 
-// The cases in slices, one for each renderer. Of a run that may end early all renderers get a short
-// slice before any gets the next.
-std::vector<Slice> cut(std::size_t cases, std::size_t renderers, std::size_t jobs, bool may_end) {
-  const std::size_t length = may_end ? kShortSlice : kLeastSlice;
-  const std::size_t wanted = std::max<std::size_t>(1, (cases + length - 1) / length);
-  const std::size_t parts = may_end ? wanted : std::min(wanted, jobs);
-  std::vector<Slice> slices;
-  for (std::size_t r = 0; r < renderers; ++r)
-    for (std::size_t p = 0; p < parts; ++p)
-      slices.push_back({r, cases * p / parts, cases * (p + 1) / parts});
-  if (may_end) std::ranges::stable_sort(slices, {}, &Slice::begin);
-  return slices;
+// All renderers get some slices, as many as there are threads, before any gets the next: few exact
+// renderings wait for the last renderer, and no two threads for the same one.
+std::vector<Share> shares_of(const std::vector<Case>& cases, std::size_t renderers,
+                             std::size_t jobs) {
+  const std::vector<CaseSlice> slices = cut_cases(cases, kSliceWeight);
+  std::vector<Share> shares;
+  for (std::size_t begin = 0; begin < slices.size(); begin += jobs)
+    for (std::size_t r = 0; r < renderers; ++r)
+      for (std::size_t i = begin; i < std::min(begin + jobs, slices.size()); ++i)
+        shares.push_back({r, slices[i]});
+  return shares;
 }
 
 class Run {
@@ -89,10 +87,9 @@ class Run {
 
   Results operator()() {
     const auto jobs = static_cast<std::size_t>(std::max(1, options_.jobs));
-    slices_ =
-        cut(suite_.cases.size(), options_.renderers.size(), jobs, options_.max_unexpected > 0);
+    shares_ = shares_of(suite_.cases, options_.renderers.size(), jobs);
     std::vector<std::thread> threads;
-    for (std::size_t i = 0; i < std::min(jobs, slices_.size()); ++i)
+    for (std::size_t i = 0; i < std::min(jobs, shares_.size()); ++i)
       threads.emplace_back([this] { work(); });
     for (std::thread& thread : threads) thread.join();
     if (enough_) finish_begun_cases();
@@ -105,24 +102,22 @@ class Run {
   bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
   void work() {
-    Renderers kept;
-    for (std::size_t next = next_slice_++; next < slices_.size() && !stopped() && !enough_;
-         next = next_slice_++) {
-      const Slice& slice = slices_[next];
-      std::vector<std::size_t> cases(slice.end - slice.begin);
-      std::iota(cases.begin(), cases.end(), slice.begin);
+    Renderers own;
+    for (std::size_t next = next_share_++; next < shares_.size() && !stopped() && !enough_;
+         next = next_share_++) {
+      const Share& share = shares_[next];
+      std::vector<std::size_t> cases(share.cases.end - share.cases.begin);
+      std::iota(cases.begin(), cases.end(), share.cases.begin);
       try {
-        render_cases(slice.renderer, cases, renderer_of(slice.renderer, kept));
+        render_cases(share.renderer, cases, renderer_of(share.renderer, own));
       } catch (const Stopped&) {
         return;
       }
-      // Short slices share a renderer, long ones have one each.
-      if (options_.max_unexpected == 0) kept.clear();
     }
   }
 
-  Renderer& renderer_of(std::size_t index, Renderers& kept) const {
-    std::unique_ptr<Renderer>& renderer = kept[index];
+  Renderer& renderer_of(std::size_t index, Renderers& own) const {
+    std::unique_ptr<Renderer>& renderer = own[index];
     if (renderer == nullptr)
       renderer = std::get<std::unique_ptr<Renderer>>(
           make_renderer(options_.renderers[index], options_.renderer_options));
@@ -262,8 +257,8 @@ class Run {
   std::vector<std::vector<std::optional<Result>>> results_;  // by case, then renderer
   std::vector<std::atomic<std::size_t>> unanswered_;         // by case: renderers
   std::vector<CaseResults> described_;                       // cases that all have answered
-  std::vector<Slice> slices_;
-  std::atomic<std::size_t> next_slice_ = 0;
+  std::vector<Share> shares_;
+  std::atomic<std::size_t> next_share_ = 0;
   std::atomic<std::size_t> done_ = 0;
   std::atomic<bool> enough_ = false;  // cases are unexpected
   bool is_finishing_ = false;         // what was begun before that

@@ -2,11 +2,11 @@
 //
 // A run: every case of a suite, rendered exactly and by each renderer, compared and judged.
 //
-// Work is cut into (renderer, slice of the cases) and handed to a few threads. Each drives one
-// renderer of its own over its slice, while the exact rendering of a case is made once, by whoever
-// needs it first. Results go to places fixed beforehand, so neither the number of threads nor their
-// order can be seen in them. A run that ends after some unexpected cases is the exception: with
-// several threads, which cases were finished by then is a matter of chance.
+// Work is cut into (renderer, slice of the cases) and handed to a few threads. Each has renderers
+// of its own and drives them over slice after slice, while the exact rendering of a case is made
+// once, by whoever needs it first. Results go to places fixed beforehand, so neither the number of
+// threads nor their order can be seen in them. A run that ends after some unexpected cases is the
+// exception: with several threads, which cases were finished by then is a matter of chance.
 #pragma once
 
 #include <atomic>

@@ -54,6 +54,9 @@ class TextureLookups {
   // Of the level of detail only lambda'.
   Interval permitted_lambda(const Fragment& fragment, Reach reach = Reach::all);
 
+  // Drops what is kept of a fragment in case that it is asked for again.
+  void forget(const Fragment& fragment) { fragments_.erase(&fragment); }
+
   const TextureUse& use_of(const Fragment& fragment) const;
   const Texture& texture_of(const Fragment& fragment) const;
   const FragmentDetail* detail_of(const Fragment& fragment) const;
@@ -72,7 +75,7 @@ class TextureLookups {
     std::unique_ptr<TexturedPrimitive> exact;
     std::optional<PermittedDerivatives> permitted;  // of s and of t
   };
-  // What is worked out once for a fragment that does not agree exactly.
+  // What is worked out once for a fragment.
   struct OfFragment {
     std::vector<std::pair<DerivativeMethod, Gradients>> gradients;
   };

@@ -74,6 +74,12 @@ double error_of(double exact, double rendered) {
   return std::isfinite(exact) && std::isfinite(rendered) ? error_in_ulp(exact, rendered) : 0x1p24;
 }
 
+std::vector<double> middles(std::span<const Interval> values) {
+  std::vector<double> result;
+  for (const Interval value : values) result.push_back(middle(value));
+  return result;
+}
+
 using WaysOfLevels = std::map<const Fragment*, TextureWay>;
 
 class LookupComparison {
@@ -88,7 +94,9 @@ class LookupComparison {
         is_judged_(context.latitude != Latitude::none && !illegal_part(chosen_).empty()),
         aggregator_(subject.attribute, subject.rule, subject.ruling) {}
 
-  void add(Told told, Result& result) {
+  // Whether the policy's own way yields what the renderer tells.
+  bool add(const Fragment& fragment, std::span<const Interval> exact, Result& result) {
+    Told told{&fragment, middles(exact), rendered_of(fragment)};
     aggregator_.count_compared(told.exact.size());
     const bool is_correct = std::ranges::equal(told.exact, told.rendered, is_same);
     const bool agrees = is_correct || hold(under(told, chosen_, {}), told.rendered);
@@ -102,8 +110,10 @@ class LookupComparison {
       rounded_.push_back(std::move(told));
     } else {
       if (!is_correct) aggregate(told);
-      agreeing_.push_back(std::move(told));
+      agreeing_.push_back(&fragment);
+      return true;
     }
+    return false;
   }
 
   // `levels`: the ways of the same fragments' levels of detail.
@@ -130,6 +140,13 @@ class LookupComparison {
     bool rounding = false;
     bool as_told = false;
   };
+
+  // What the renderer tells.
+  std::vector<double> rendered_of(const Fragment& fragment) const {
+    if (!subject_.is_query) return {fragment.color.begin(), fragment.color.end()};
+    const auto& told = lookups_.detail_of(fragment)->level_of_detail;
+    return {told.begin(), told.end()};
+  }
 
   // All that a lookup may yield under a choice, and at most.
   Boxes under(const Told& told, const TextureChoice& choice, Terms terms) const {
@@ -221,7 +238,8 @@ class LookupComparison {
       return yields(lookups[i], choice, false, terms);
     };
     const auto yields_agreeing = [&](std::size_t i, const TextureChoice& choice) {
-      return yields(agreeing_[i], choice, true, terms);
+      const Fragment& fragment = *agreeing_[i];
+      return yields({&fragment, {}, rendered_of(fragment)}, choice, true, terms);
     };
     return TextureWaySearch(chosen_, profile_, kinds_of(lookups, terms.as_told))
         .explain({lookups.size(), agreeing_.size(), yields_other, yields_agreeing});
@@ -338,15 +356,9 @@ class LookupComparison {
   std::map<std::string, ValueAggregator> by_cause_;  // of open ways
   std::vector<Told> others_;                         // that the policy's own way does not yield
   std::vector<Told> rounded_;  // that it yields where means are rounded to codes
-  std::vector<Told> agreeing_;
+  std::vector<const Fragment*> agreeing_;
   WaysOfLevels ways_;
 };
-
-std::vector<double> middles(std::span<const Interval> values) {
-  std::vector<double> result;
-  for (const Interval value : values) result.push_back(middle(value));
-  return result;
-}
 
 }  // namespace
 
@@ -360,12 +372,11 @@ void compare_texture_lookups(const ValueContext& context, const Rendering& rende
     if (!context.primitive_of(f).state->texture) continue;
     const ExactLookup exact = lookups.exact(f);
     const FragmentDetail* detail = lookups.detail_of(f);
-    if (detail != nullptr && detail->has_level_of_detail) {
-      const auto& told = detail->level_of_detail;
-      levels.add({&f, middles(exact.queried), {told.begin(), told.end()}}, result);
-    }
-    if (f.has_color)
-      colors.add({&f, middles(exact.color), {f.color.begin(), f.color.end()}}, result);
+    bool agrees = true;
+    if (detail != nullptr && detail->has_level_of_detail)
+      agrees = levels.add(f, exact.queried, result);
+    if (f.has_color) agrees = colors.add(f, exact.color, result) && agrees;
+    if (agrees) lookups.forget(f);
   }
   levels.finish({}, result);
   colors.finish(levels.ways(), result);

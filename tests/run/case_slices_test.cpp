@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "run/case_slices.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+namespace edgecase {
+namespace {
+
+Case case_of(int width, int height, int samples = 1) {
+  Case one;
+  one.scene.target.width = width;
+  one.scene.target.height = height;
+  one.scene.target.samples = samples;
+  return one;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> slices_of(const std::vector<Case>& cases,
+                                                           std::size_t most_weight) {
+  std::vector<std::pair<std::size_t, std::size_t>> slices;
+  for (const CaseSlice& slice : cut_cases(cases, most_weight))
+    slices.emplace_back(slice.begin, slice.end);
+  return slices;
+}
+
+using Slices = std::vector<std::pair<std::size_t, std::size_t>>;
+
+TEST(CaseSlices, NoCaseNoSlice) {
+  EXPECT_TRUE(cut_cases({}, 1000).empty());
+}
+
+TEST(CaseSlices, ASliceIsFullWhenTheNextCaseWouldMakeItTooHeavy) {
+  const std::vector<Case> cases(5, case_of(8, 8));  // 64 samples and 256 each
+  EXPECT_EQ(slices_of(cases, 640), (Slices{{0, 2}, {2, 4}, {4, 5}}));
+  EXPECT_EQ(slices_of(cases, 639), (Slices{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}}));
+  EXPECT_EQ(slices_of(cases, 5 * 320), (Slices{{0, 5}}));
+}
+
+TEST(CaseSlices, ACaseThatIsTooHeavyHasASliceOfItsOwn) {
+  const std::vector<Case> cases{case_of(8, 8), case_of(512, 512), case_of(8, 8)};
+  EXPECT_EQ(slices_of(cases, 1000), (Slices{{0, 1}, {1, 2}, {2, 3}}));
+}
+
+TEST(CaseSlices, SamplesAndPassesWeigh) {
+  EXPECT_EQ(slices_of({case_of(8, 8), case_of(8, 8, 4)}, 2 * 320), (Slices{{0, 1}, {1, 2}}));
+  Case supersampled = case_of(8, 8);
+  supersampled.scene.supersampling.resize(2);
+  EXPECT_EQ(slices_of({case_of(8, 8), supersampled}, 2 * 320), (Slices{{0, 1}, {1, 2}}));
+}
+
+}  // namespace
+}  // namespace edgecase
