@@ -5,6 +5,7 @@
 #include "raster/texture_axis.h"
 #include "raster/texture_level.h"
 #include "raster/texture_stage.h"
+#include "rules/values/coordinate_derivatives.h"
 
 namespace edgecase {
 namespace {
@@ -105,8 +106,8 @@ RationalFootprint TexturedPrimitive::Lookups::texels(const RationalFootprint& de
 
 Footprint TexturedPrimitive::Lookups::footprint_at(const QuadPixel& at) const {
   const auto along = [&](Axis axis) {
-    return std::array{derivative_exact(axes_[0].coordinate(), at, axis, choice_.derivatives),
-                      derivative_exact(axes_[1].coordinate(), at, axis, choice_.derivatives)};
+    return derivatives_exact(axes_[0].coordinate(), axes_[1].coordinate(), at, axis,
+                             choice_.derivatives);
   };
   return footprint(along(Axis::x), along(Axis::y), base().width, base().height,
                    texture_.dimensions);

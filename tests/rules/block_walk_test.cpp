@@ -190,8 +190,8 @@ class Random {
     const std::int64_t w = 1 + (static_cast<std::int64_t>(random_()) >> below(32));
     const int reach = below(3) == 0 ? 1 << 14 : 48;
     const auto coordinate = [&] {
-      return (static_cast<std::int64_t>(random_()) - (std::int64_t{1} << 30)) * w / (1 << 26) *
-             reach / 64;
+      const Int128 steps = Int128{random_()} - (std::int64_t{1} << 30);
+      return static_cast<std::int64_t>(steps * w / (1 << 26) * reach / 64);
     };
     const std::int64_t x = coordinate();
     return {x, coordinate(), w};

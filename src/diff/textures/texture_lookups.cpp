@@ -6,6 +6,7 @@
 
 #include "raster/texture_level.h"
 #include "rules/textures/directed.h"
+#include "rules/values/coordinate_derivatives.h"
 #include "rules/values/permitted_place.h"
 
 namespace edgecase {
@@ -137,8 +138,7 @@ TextureLookups::Gradients TextureLookups::gradients_of(const Fragment& fragment,
   const QuadPixel at =
       quad_of({fragment.x, fragment.y}, context_.choices.values, context_.scene.target);
   const auto along = [&](Axis axis) {
-    return IntervalPair{derivative_inexact(color[0], at, axis, method),
-                        derivative_inexact(color[1], at, axis, method)};
+    return derivatives_inexact(color[0], color[1], at, axis, method);
   };
   known_gradients.emplace_back(method, Gradients{along(Axis::x), along(Axis::y)});
   return known_gradients.back().second;

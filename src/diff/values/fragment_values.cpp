@@ -17,6 +17,7 @@
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
 #include "rules/coverage/line_algorithm.h"
+#include "rules/values/inexact_place.h"
 
 namespace edgecase {
 namespace {
@@ -83,7 +84,7 @@ class Judge {
     if (result.is_correct() && (forgiving_ || !values_.differ)) return result;
     result.range = range_of(chosen);
     // What lies near enough without moving any vertex needs no search over their moves.
-    result.permitted = rounded_to_float(interpolate_inexact(lawful, place));
+    result.permitted = rounded_to_float(inexact_at(place).value(lawful));
     if (result.is_permitted()) return result;
     result.permitted = rounded_to_float(permitted(lawful, place));
     return result;
@@ -135,6 +136,12 @@ class Judge {
     return known_->second;
   }
 
+  // The same of lawful attributes where no vertex moves.
+  const InexactPlace& inexact_at(Point place) const {
+    if (!unmoved_ || unmoved_->first != place) unmoved_.emplace(place, InexactPlace(place));
+    return unmoved_->second;
+  }
+
   const ScenePrimitive& primitive_;
   const PrimitiveValues& values_;
   Point place_;        // of the colour
@@ -143,6 +150,7 @@ class Judge {
   bool depth_is_zero_;
   std::vector<PermittedPlace> corners_;  // of the region where the value may be taken
   mutable std::optional<std::pair<Point, PermittedPlace>> known_;
+  mutable std::optional<std::pair<Point, InexactPlace>> unmoved_;
   bool forgiving_;
 };
 

@@ -4,6 +4,7 @@
 // operation errs.
 #include <cstddef>
 
+#include "rules/values/inexact_place.h"
 #include "rules/values/inexact_shares.h"
 #include "rules/values/interpolation.h"
 #include "rules/values/permitted_place.h"
@@ -27,10 +28,13 @@ Shares line_shares(const Interpolant& f, const WindowPlaces& v, const WindowPlac
   return {op.subtract(1, t), t, 0};
 }
 
-Interval unmoved_mean(const Interpolant& f, const WindowPlace& p) {
+Shares unmoved_shares(const Interpolant& f, const WindowPlace& p) {
   const WindowPlaces v = places_of(f);
-  return inexact_mean(f,
-                      f.kind == PrimitiveKind::line ? line_shares(f, v, p) : triangle_shares(v, p));
+  return f.kind == PrimitiveKind::line ? line_shares(f, v, p) : triangle_shares(v, p);
+}
+
+Interval unmoved_mean(const Interpolant& f, const WindowPlace& p) {
+  return inexact_mean(f, unmoved_shares(f, p));
 }
 
 // -------------------------------------------------------------------------- inexact derivatives
@@ -108,8 +112,13 @@ Interval point_value(const Interpolant& f) {
 }  // namespace
 
 Interval interpolate_inexact(const Interpolant& f, Point sample) {
+  return InexactPlace(sample).value(f);
+}
+
+Interval InexactPlace::value(const Interpolant& f) const {
   if (f.kind == PrimitiveKind::point) return point_value(f);
-  return unmoved_mean(f, place_of(sample));
+  if (!shares_) shares_ = unmoved_shares(f, place_of(sample_));
+  return inexact_mean(f, *shares_);
 }
 
 Interval interpolate_inexact(const Interpolant& f, Point sample, Point w_place) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "rules/coverage/homogeneous_line.h"
+#include "rules/values/exact_place.h"
 #include "rules/values/rational_interpolation.h"
 
 namespace edgecase {
@@ -104,11 +105,18 @@ Interval total_of(const Interpolant& f, const HomogeneousPoint& p) {
 }
 
 // Positive inside the primitive.
+Weights plain_weights(const Interpolant& f, const HomogeneousPoint& p) {
+  return f.kind == PrimitiveKind::line ? line_weights(f, p) : triangle_weights(f, p);
+}
+
+Weights divided_by_w(Weights weights, const Interpolant& f) {
+  for (std::size_t i = 0; i < count_of(f); ++i) weights[i] = weights[i] / f.w[i];
+  return weights;
+}
+
 Weights exact_weights(const Interpolant& f, const HomogeneousPoint& p) {
-  Weights result = f.kind == PrimitiveKind::line ? line_weights(f, p) : triangle_weights(f, p);
-  if (has_perspective(f))
-    for (std::size_t i = 0; i < count_of(f); ++i) result[i] = result[i] / f.w[i];
-  return result;
+  const Weights plain = plain_weights(f, p);
+  return has_perspective(f) ? divided_by_w(plain, f) : plain;
 }
 
 // Numerator and denominator of the mean.
@@ -118,13 +126,17 @@ struct Mean {
   Interval value() const { return sum / total; }
 };
 
-Mean mean_of(const Interpolant& f, const HomogeneousPoint& p) {
-  const Weights weights = exact_weights(f, p);
+Mean mean_by(const Weights& weights, const Interpolant& f) {
   Mean mean{weights[0] * f.values[0], weights[0]};
   for (std::size_t i = 1; i < count_of(f); ++i) {
     mean.sum = mean.sum + weights[i] * f.values[i];
     mean.total = mean.total + weights[i];
   }
+  return mean;
+}
+
+Mean mean_of(const Interpolant& f, const HomogeneousPoint& p) {
+  Mean mean = mean_by(exact_weights(f, p), f);
   if (!has_perspective(f)) mean.total = total_of(f, p);
   return mean;
 }
@@ -158,9 +170,27 @@ bool is_x_major(const Interpolant& line) {
 }
 
 Interval interpolate_exact(const Interpolant& f, Point sample) {
+  return ExactPlace(sample).value(f);
+}
+
+Interval ExactPlace::value(const Interpolant& f) const {
   if (f.kind == PrimitiveKind::point || is_constant(f)) return f.values[0];
   if (!has_extent(f)) return Interval::everything();
-  return settled(mean_of(f, homogeneous(sample)).value(), f, sample);
+  Mean mean = mean_by(weights_of(f), f);
+  if (!has_perspective(f)) mean.total = total_of(f);
+  return settled(mean.value(), f, sample_);
+}
+
+const ExactPlace::Weights& ExactPlace::weights_of(const Interpolant& f) const {
+  if (!plain_) plain_ = plain_weights(f, place_);
+  if (!has_perspective(f)) return *plain_;
+  if (!over_w_) over_w_ = divided_by_w(*plain_, f);
+  return *over_w_;
+}
+
+const Interval& ExactPlace::total_of(const Interpolant& f) const {
+  if (!total_) total_ = edgecase::total_of(f, place_);
+  return *total_;
 }
 
 Interpolant over_w(Interpolant f) {

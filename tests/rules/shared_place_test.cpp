@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+//
+// What attributes of one primitive share at a place is what each works out by itself, to the bit,
+// in whatever order they are asked for.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "rules/values/coordinate_derivatives.h"
+#include "rules/values/exact_place.h"
+#include "rules/values/inexact_place.h"
+#include "tests/rules/interpolants.h"
+
+namespace edgecase {
+namespace {
+
+::testing::AssertionResult same(Interval a, Interval b) {
+  if (a.low == b.low && a.high == b.high) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure()
+         << a.low << " to " << a.high << " is not " << b.low << " to " << b.high;
+}
+
+// Two attributes with perspective, one without, one that is the same everywhere. Every fifth
+// primitive has no extent, every other one w that differ.
+using Attributes = std::array<Interpolant, 4>;
+
+Attributes random_attributes(RandomNumbers& numbers, PrimitiveKind kind, int round) {
+  Attributes f;
+  for (std::size_t i = 0; i < 3; ++i) {
+    HomogeneousPoint position{256 * numbers.integer(0, 32 * 256),
+                              256 * numbers.integer(0, 32 * 256), Fixed::kOne};
+    if (round % 5 == 0 && i > 0) position = f[0].positions[0];
+    const Interval w = round % 2 == 0 ? numbers.clip_w(2) : Interval(1);
+    for (Interpolant& one : f) {
+      one.kind = kind;
+      one.positions[i] = position;
+      one.values[i] = numbers.attribute(1);
+      one.w[i] = w;
+      one.line_parameter = round % 3 == 0 ? LineParameter::major_axis : LineParameter::projection;
+    }
+  }
+  f[2].perspective = false;
+  f[3].values.fill(f[3].values[0]);
+  return f;
+}
+
+constexpr PrimitiveKind kKinds[] = {PrimitiveKind::triangle, PrimitiveKind::line,
+                                    PrimitiveKind::point};
+
+TEST(SharedPlace, AttributesAreAsTheyAreByThemselves) {
+  RandomNumbers numbers(41);
+  int perspective = 0;
+  for (int round = 0; round < 600; ++round)
+    for (const PrimitiveKind kind : kKinds) {
+      const Attributes f = random_attributes(numbers, kind, round);
+      const Point sample = at(static_cast<double>(numbers.integer(0, 31)) + 0.5, 9.25);
+      const ExactPlace exact(sample);
+      const InexactPlace inexact(sample);
+      for (std::size_t turn = 0; turn < f.size(); ++turn) {
+        const Interpolant& one = f[(turn + static_cast<std::size_t>(round)) % f.size()];
+        ASSERT_TRUE(same(exact.value(one), interpolate_exact(one, sample))) << round;
+        ASSERT_TRUE(same(inexact.value(one), interpolate_inexact(one, sample))) << round;
+        perspective += has_perspective(one) ? 1 : 0;
+      }
+    }
+  EXPECT_GT(perspective, 600);
+}
+
+TEST(SharedPlace, DerivativesOfCoordinatesAreAsTheyAreByThemselves) {
+  RandomNumbers numbers(42);
+  for (int round = 0; round < 200; ++round)
+    for (const PrimitiveKind kind : kKinds) {
+      const Attributes f = random_attributes(numbers, kind, round);
+      const PixelPosition pixel{static_cast<int>(numbers.integer(0, 31)),
+                                static_cast<int>(numbers.integer(0, 31))};
+      const QuadPixel quad = in_quad(pixel, RowOrder::bottom_up, 32);
+      // Also with one that does not move.
+      const Interpolant& t = f[round % 4 == 3 ? 3 : 1];
+      for (const DerivativeMethod method : all_derivative_methods())
+        for (const Axis axis : {Axis::x, Axis::y}) {
+          const auto exact = derivatives_exact(f[0], t, quad, axis, method);
+          ASSERT_TRUE(same(exact[0], derivative_exact(f[0], quad, axis, method)));
+          ASSERT_TRUE(same(exact[1], derivative_exact(t, quad, axis, method)));
+          const auto inexact = derivatives_inexact(f[0], t, quad, axis, method);
+          ASSERT_TRUE(same(inexact[0], derivative_inexact(f[0], quad, axis, method)));
+          ASSERT_TRUE(same(inexact[1], derivative_inexact(t, quad, axis, method)));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace edgecase
