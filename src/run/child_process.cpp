@@ -234,13 +234,21 @@ std::size_t ChildProcess::announced_length() const {
   return static_cast<std::size_t>(length);
 }
 
-bool ChildProcess::take_message(std::string& answer) {
+bool ChildProcess::take_message(std::string_view& answer) {
   constexpr std::size_t kHead = sizeof(std::uint64_t);
   const std::size_t length = announced_length();
   if (received_.size() - taken_ < kHead || received_.size() - taken_ - kHead < length) return false;
-  answer.assign(received_, taken_ + kHead, length);
+  answer = std::string_view(received_).substr(taken_ + kHead, length);
   taken_ += kHead + length;
   return true;
+}
+
+// What has been taken makes room for what comes; a picture's worth of it is given back.
+void ChildProcess::make_room() {
+  constexpr std::size_t kMuch = 16 * static_cast<std::size_t>(kPipeSize);
+  received_.erase(0, taken_);
+  taken_ = 0;
+  if (received_.empty() && received_.capacity() > kMuch) received_.shrink_to_fit();
 }
 
 // Waits until something can be read or written, and does so; the status when there is an end of
@@ -296,14 +304,12 @@ void ChildProcess::send(std::string_view message) {
   write_some();
 }
 
-ChildProcess::Status ChildProcess::receive(std::string& answer, std::size_t max_length,
+ChildProcess::Status ChildProcess::receive(std::string_view& answer, std::size_t max_length,
                                            Clock::time_point deadline,
                                            const std::atomic<bool>* stop) {
   while (!take_message(answer)) {
     if (announced_length() > max_length) return Status::too_long;
-    // What has been taken makes room for what comes.
-    received_.erase(0, taken_);
-    taken_ = 0;
+    make_room();
     const auto status = turn(deadline, stop);
     if (status == Status::ended) return end(take_message(answer));
     if (status) return *status;
@@ -376,10 +382,6 @@ void ChildProcess::reap() {
   input_.close();
   output_.close();
   errors_.close();
-}
-
-void ChildProcess::kill() {
-  reap();
 }
 
 std::string ChildProcess::how_it_ended() const {

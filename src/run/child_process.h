@@ -63,8 +63,9 @@ class ChildProcess {
   // their order.
   void send(std::string_view message);
 
-  // Waits for the next message that answers, otherwise as exchange() does.
-  Status receive(std::string& answer, std::size_t max_length, Clock::time_point deadline,
+  // Waits for the next message that answers, otherwise as exchange() does. The answer stays where
+  // it is until the next call.
+  Status receive(std::string_view& answer, std::size_t max_length, Clock::time_point deadline,
                  const std::atomic<bool>* stop = nullptr);
 
   // What it has written beyond the line that exchange() returned last: "" from a program that
@@ -76,7 +77,7 @@ class ChildProcess {
   bool finish(std::chrono::milliseconds patience);
 
   // Kills the group and reaps the program. Afterwards the two below are known.
-  void kill();
+  void kill() { reap(); }
 
   // How the program ended: "exit status 3", "signal 11 (Segmentation fault)"; "" while it runs, and
   // when it was we who killed it.
@@ -115,7 +116,8 @@ class ChildProcess {
   bool read_some();
   void drain_errors();
   bool take_line(std::string& answer);
-  bool take_message(std::string& answer);
+  bool take_message(std::string_view& answer);
+  void make_room();
   std::size_t announced_length() const;
   std::optional<Status> turn(Clock::time_point deadline, const std::atomic<bool>* stop);
   Status end(bool answered);

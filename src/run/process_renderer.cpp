@@ -166,7 +166,7 @@ Outcome ProcessRenderer::attempt_message(const Task& task) {
   if (child_ == nullptr && !start()) return Failure{FailureKind::unavailable, unavailable_};
   if (asked_.empty()) send(task);
   const Asked asked = asked_.front();
-  std::string answer;
+  std::string_view answer;
   const auto status = child_->receive(answer, longest_answer(*task.scene),
                                       ChildProcess::Clock::now() + patience(), spec_.stop);
   if (status == ChildProcess::Status::answered) {

@@ -33,7 +33,7 @@ std::variant<std::unique_ptr<BenchWorker>, std::string> BenchWorker::start(
 
 BenchAnswer BenchWorker::ask(const BenchRequest& request) {
   child_->send(bench_request_message(request));
-  std::string bytes;
+  std::string_view bytes;
   const auto status =
       child_->receive(bytes, kLongestAnswer, ChildProcess::Clock::now() + kPatience);
   if (status != ChildProcess::Status::answered)
