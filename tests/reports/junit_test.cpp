@@ -154,7 +154,8 @@ TEST(Junit, AnInterruptedRunIsAnError) {
 TEST(Junit, AFlakeIsAFailureOrAnError) {
   for (Verdict verdict : {Verdict::agree, Verdict::violation, Verdict::not_run}) {
     const Results results = single(result_of(verdict, Standing::flake));
-    const pugi::xml_node root = parse(junit_of(results)).child("testsuites");
+    const pugi::xml_document document = parse(junit_of(results));
+    const pugi::xml_node root = document.child("testsuites");
     EXPECT_EQ(root.attribute("failures").as_int() + root.attribute("errors").as_int(), 1);
   }
 }
