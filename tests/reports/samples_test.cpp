@@ -128,8 +128,9 @@ TEST(ReportSamples, WithoutMultisamplingNoSampleIsNamed) {
   CaseResults one = sample::multisampled_case();
   one.samples = {};
   const json data = sample::details_of(one);
-  for (const json& listed : answer_of(data, 1)["disagreements"])
-    EXPECT_FALSE(listed.contains("sample"));
+  const json answer = answer_of(data, 1);
+  ASSERT_FALSE(answer["disagreements"].empty());
+  for (const json& listed : answer["disagreements"]) EXPECT_FALSE(listed.contains("sample"));
 }
 
 TEST(ReportSamples, TextAndJunitNameTheSample) {
