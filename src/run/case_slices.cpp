@@ -19,12 +19,14 @@ std::size_t weight_of(const Scene& scene) {
 
 }  // namespace
 
-std::vector<CaseSlice> cut_cases(const std::vector<Case>& cases, std::size_t most_weight) {
+std::vector<CaseSlice> cut_cases(const std::vector<Case>& cases, SliceLimits most) {
   std::vector<CaseSlice> slices;
   std::size_t weight = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::size_t more = weight_of(cases[i].scene);
-    if (slices.empty() || weight + more > most_weight) {
+    const bool is_full =
+        weight + more > most.weight || (!slices.empty() && i - slices.back().begin == most.cases);
+    if (slices.empty() || is_full) {
       slices.push_back({i, i});
       weight = 0;
     }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "model/case.h"
@@ -16,9 +17,15 @@ struct CaseSlice {
   std::size_t end = 0;
 };
 
-// Slices in the order of the cases, of `most_weight` each at most, or of one case that weighs more.
-// A case weighs as many as its target has samples, once a pass where it is supersampled, and 256
-// beside them. No case, no slice.
-std::vector<CaseSlice> cut_cases(const std::vector<Case>& cases, std::size_t most_weight);
+struct SliceLimits {
+  // As many as a case's target has samples, once a pass where it is supersampled, and 256 beside
+  // them for each case.
+  std::size_t weight = 0;
+  std::size_t cases = std::numeric_limits<std::size_t>::max();  // at least 1
+};
+
+// Slices in the order of the cases, each within the limits or of one case that weighs more. No
+// case, no slice.
+std::vector<CaseSlice> cut_cases(const std::vector<Case>& cases, SliceLimits most);
 
 }  // namespace edgecase

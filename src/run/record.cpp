@@ -30,7 +30,7 @@ class Recorder {
   Recorder(const Suite& suite, const RecordOptions& options)
       : suite_(suite),
         options_(options),
-        slices_(cut_cases(suite.cases, kBlockWeight)),
+        slices_(cut_cases(suite.cases, {kBlockWeight})),
         made_(slices_.size()) {}
 
   Recorded operator()() {

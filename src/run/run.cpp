@@ -22,9 +22,9 @@
 namespace edgecase {
 namespace {
 
-// What a slice weighs at most: some fifty cases of 64x64. Threads end within one of each other, and
-// what a thread waits for at the end of each is a small part of it.
-constexpr std::size_t kSliceWeight = std::size_t{1} << 18;
+// As much as fifty cases of 64x64. Threads end within one slice of each other, and what a thread
+// waits for at the end of each is a small part of it.
+constexpr SliceLimits kSlice{std::size_t{1} << 18, 50};
 
 // Thrown out of a renderer's sink when the run should end.
 struct Stopped {};
@@ -62,7 +62,7 @@ std::string digest_of(const Policy& policy, const std::map<std::string, Policy>&
 // renderings wait for the last renderer, and no two threads for the same one.
 std::vector<Share> shares_of(const std::vector<Case>& cases, std::size_t renderers,
                              std::size_t jobs) {
-  const std::vector<CaseSlice> slices = cut_cases(cases, kSliceWeight);
+  const std::vector<CaseSlice> slices = cut_cases(cases, kSlice);
   std::vector<Share> shares;
   for (std::size_t begin = 0; begin < slices.size(); begin += jobs)
     for (std::size_t r = 0; r < renderers; ++r)

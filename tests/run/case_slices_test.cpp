@@ -17,37 +17,43 @@ Case case_of(int width, int height, int samples = 1) {
   return one;
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> slices_of(const std::vector<Case>& cases,
-                                                           std::size_t most_weight) {
-  std::vector<std::pair<std::size_t, std::size_t>> slices;
-  for (const CaseSlice& slice : cut_cases(cases, most_weight))
-    slices.emplace_back(slice.begin, slice.end);
+using Slices = std::vector<std::pair<std::size_t, std::size_t>>;
+
+Slices slices_of(const std::vector<Case>& cases, SliceLimits most) {
+  Slices slices;
+  for (const CaseSlice& slice : cut_cases(cases, most)) slices.emplace_back(slice.begin, slice.end);
   return slices;
 }
 
-using Slices = std::vector<std::pair<std::size_t, std::size_t>>;
-
 TEST(CaseSlices, NoCaseNoSlice) {
-  EXPECT_TRUE(cut_cases({}, 1000).empty());
+  EXPECT_TRUE(cut_cases({}, {1000}).empty());
 }
 
 TEST(CaseSlices, ASliceIsFullWhenTheNextCaseWouldMakeItTooHeavy) {
   const std::vector<Case> cases(5, case_of(8, 8));  // 64 samples and 256 each
-  EXPECT_EQ(slices_of(cases, 640), (Slices{{0, 2}, {2, 4}, {4, 5}}));
-  EXPECT_EQ(slices_of(cases, 639), (Slices{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}}));
-  EXPECT_EQ(slices_of(cases, 5 * 320), (Slices{{0, 5}}));
+  EXPECT_EQ(slices_of(cases, {640}), (Slices{{0, 2}, {2, 4}, {4, 5}}));
+  EXPECT_EQ(slices_of(cases, {639}), (Slices{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}}));
+  EXPECT_EQ(slices_of(cases, {5 * 320}), (Slices{{0, 5}}));
+}
+
+// Small cases cost as much as what is done for each case.
+TEST(CaseSlices, ASliceHasSoManyCasesAtMost) {
+  const std::vector<Case> cases(5, case_of(1, 1));
+  EXPECT_EQ(slices_of(cases, {1000000, 2}), (Slices{{0, 2}, {2, 4}, {4, 5}}));
+  EXPECT_EQ(slices_of(cases, {1000000, 1}), (Slices{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}}));
+  EXPECT_EQ(slices_of(cases, {2 * 257, 3}), (Slices{{0, 2}, {2, 4}, {4, 5}}));
 }
 
 TEST(CaseSlices, ACaseThatIsTooHeavyHasASliceOfItsOwn) {
   const std::vector<Case> cases{case_of(8, 8), case_of(512, 512), case_of(8, 8)};
-  EXPECT_EQ(slices_of(cases, 1000), (Slices{{0, 1}, {1, 2}, {2, 3}}));
+  EXPECT_EQ(slices_of(cases, {1000}), (Slices{{0, 1}, {1, 2}, {2, 3}}));
 }
 
 TEST(CaseSlices, SamplesAndPassesWeigh) {
-  EXPECT_EQ(slices_of({case_of(8, 8), case_of(8, 8, 4)}, 2 * 320), (Slices{{0, 1}, {1, 2}}));
+  EXPECT_EQ(slices_of({case_of(8, 8), case_of(8, 8, 4)}, {2 * 320}), (Slices{{0, 1}, {1, 2}}));
   Case supersampled = case_of(8, 8);
   supersampled.scene.supersampling.resize(2);
-  EXPECT_EQ(slices_of({case_of(8, 8), supersampled}, 2 * 320), (Slices{{0, 1}, {1, 2}}));
+  EXPECT_EQ(slices_of({case_of(8, 8), supersampled}, {2 * 320}), (Slices{{0, 1}, {1, 2}}));
 }
 
 }  // namespace

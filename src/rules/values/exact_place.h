@@ -13,7 +13,7 @@ namespace edgecase {
 
 class ExactPlace {
  public:
-  explicit ExactPlace(Point sample) : sample_(sample), place_(homogeneous(sample)) {}
+  explicit ExactPlace(Point sample) : sample_(sample) {}
 
   // Attributes have the same vertices and line parameter; those that have perspective the same w.
   Interval value(const Interpolant& f) const;
@@ -24,7 +24,6 @@ class ExactPlace {
   const Interval& total_of(const Interpolant& f) const;
 
   Point sample_;
-  HomogeneousPoint place_;
   // When they are first asked for: as they are, divided by w, and the sum of the former.
   mutable std::optional<Weights> plain_;
   mutable std::optional<Weights> over_w_;

@@ -182,14 +182,14 @@ Interval ExactPlace::value(const Interpolant& f) const {
 }
 
 const ExactPlace::Weights& ExactPlace::weights_of(const Interpolant& f) const {
-  if (!plain_) plain_ = plain_weights(f, place_);
+  if (!plain_) plain_ = plain_weights(f, homogeneous(sample_));
   if (!has_perspective(f)) return *plain_;
   if (!over_w_) over_w_ = divided_by_w(*plain_, f);
   return *over_w_;
 }
 
 const Interval& ExactPlace::total_of(const Interpolant& f) const {
-  if (!total_) total_ = edgecase::total_of(f, place_);
+  if (!total_) total_ = edgecase::total_of(f, homogeneous(sample_));
   return *total_;
 }
 
