@@ -70,10 +70,10 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
     // Where all fragments have one colour and one depth, the first is shaded for them.
     const bool are_alike = !textured && are_constant(attributes);
     Fragment fragment;
+    ExactLookup lookup;
+    const ExactLookup* const shown = textured ? &lookup : nullptr;
     for (PixelPosition pixel : pixels) {
-      std::optional<ExactLookup> lookup;
       if (textured) lookup = textured->look_up(pixel);
-      const ExactLookup* shown = lookup ? &*lookup : nullptr;
       if (!are_alike || pixel == pixels.front())
         fragment = shade(primitive, attributes, pixel, shown);
       fragment.x = pixel.x;
