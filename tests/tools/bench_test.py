@@ -40,7 +40,8 @@ class Bench(CommandTest):
         report = self.bench("pipeline", "diff")
         rates, = report["pipelines"]
         self.assertEqual((rates["renderer"], rates["cases"]), (RENDERER, 64))
-        for key in ("worker", "one_job", "two_jobs", "fuzz", "one_job_to_worker", "two_jobs_to_one"):
+        for key in ("worker", "one_core", "one_job", "two_jobs", "fuzz", "one_job_to_worker",
+                    "two_jobs_to_worker", "two_jobs_to_one", "two_jobs_to_one_core"):
             self.check_spread(rates[key])
         for key in ("memcmp", "identical", "different", "identical_to_memcmp", "different_to_memcmp"):
             self.check_spread(report["diff"][key])

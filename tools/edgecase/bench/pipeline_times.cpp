@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The whole pipeline: cases, random scenes, pictures, and the stages of a run.
+#include <sched.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstring>
@@ -46,6 +48,35 @@ double run_once(const Suite& suite, const std::string& renderer, int jobs) {
   return seconds_since(start);
 }
 
+// While it lives, this thread and all that it starts, processes too, run on one processor.
+class OneCore {
+ public:
+  OneCore() {
+    CPU_ZERO(&before_);
+    if (sched_getaffinity(0, sizeof(before_), &before_) != 0) return;
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    int first = 0;
+    while (first + 1 < CPU_SETSIZE && !CPU_ISSET(first, &before_)) ++first;
+    CPU_SET(first, &one);
+    is_set_ = sched_setaffinity(0, sizeof(one), &one) == 0;
+  }
+  ~OneCore() {
+    if (is_set_) sched_setaffinity(0, sizeof(before_), &before_);
+  }
+  OneCore(const OneCore&) = delete;
+  OneCore& operator=(const OneCore&) = delete;
+
+ private:
+  cpu_set_t before_;
+  bool is_set_ = false;
+};
+
+double run_once_on_one_core(const Suite& suite, const std::string& renderer) {
+  const OneCore one;
+  return run_once(suite, renderer, 1);
+}
+
 // Scenes about coverage, of which only violations would be made smaller.
 double fuzz_once(const std::string& renderer, std::size_t count) {
   FuzzOptions options;
@@ -88,6 +119,7 @@ PipelineRates time_pipeline(const BenchPlan& plan, const Suite& suite,
       return rates;
     }
     rates.worker.push_back(cases / answer.seconds);
+    rates.one_core.push_back(cases / run_once_on_one_core(suite, renderer));
     rates.one_job.push_back(cases / run_once(suite, renderer, 1));
     rates.two_jobs.push_back(cases / run_once(suite, renderer, 2));
     rates.fuzzed.push_back(cases / fuzz_once(renderer, rates.cases));

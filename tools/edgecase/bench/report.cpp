@@ -54,10 +54,14 @@ void print_pipeline(const PipelineRates& rates) {
   };
   fmt::print("  {}, {} cases\n", rates.renderer, rates.cases);
   print("  the worker alone", rates.worker, "");
-  print("  run, one job", rates.one_job,
-        words_of(ratio_of(rates.one_job, rates.worker), "x") + " of the worker alone");
+  const auto to_worker = [&](const std::vector<double>& values) {
+    return words_of(ratio_of(values, rates.worker), "x") + " of the worker alone";
+  };
+  print("  run, one core", rates.one_core, to_worker(rates.one_core));
+  print("  run, one job", rates.one_job, to_worker(rates.one_job));
   print("  run, two jobs", rates.two_jobs,
-        words_of(ratio_of(rates.two_jobs, rates.one_job), "x") + " of one job");
+        fmt::format("{}, {} of one core", to_worker(rates.two_jobs),
+                    words_of(ratio_of(rates.two_jobs, rates.one_core), "x")));
   print("  fuzz, one job", rates.fuzzed, "");
 }
 
@@ -108,11 +112,14 @@ ordered_json json_of(const PipelineRates& rates) {
   return {{"renderer", rates.renderer},
           {"cases", rates.cases},
           {"worker", json_of(spread_of(rates.worker))},
+          {"one_core", json_of(spread_of(rates.one_core))},
           {"one_job", json_of(spread_of(rates.one_job))},
           {"two_jobs", json_of(spread_of(rates.two_jobs))},
           {"fuzz", json_of(spread_of(rates.fuzzed))},
           {"one_job_to_worker", json_of(ratio_of(rates.one_job, rates.worker))},
-          {"two_jobs_to_one", json_of(ratio_of(rates.two_jobs, rates.one_job))}};
+          {"two_jobs_to_worker", json_of(ratio_of(rates.two_jobs, rates.worker))},
+          {"two_jobs_to_one", json_of(ratio_of(rates.two_jobs, rates.one_job))},
+          {"two_jobs_to_one_core", json_of(ratio_of(rates.two_jobs, rates.one_core))}};
 }
 
 ordered_json json_of(const DiffRates& diff) {

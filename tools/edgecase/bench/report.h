@@ -34,8 +34,10 @@ struct PipelineRates {
   std::string renderer;
   std::string problem;
   std::size_t cases = 0;
-  std::vector<double> worker;   // the worker alone draws, counts, captures and reads back
-  std::vector<double> one_job;  // all that `run` does with a case, from the scene to the results
+  std::vector<double> worker;  // the worker alone draws, counts, captures and reads back
+  // All that `run` does with a case, from the scene to the results; first with one job on one core.
+  std::vector<double> one_core;
+  std::vector<double> one_job;
   std::vector<double> two_jobs;
   std::vector<double> fuzzed;  // scenes a second of `fuzz`, one job
 };
