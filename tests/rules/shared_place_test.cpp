@@ -68,12 +68,16 @@ TEST(SharedPlace, AttributesAreAsTheyAreByThemselves) {
 
 TEST(SharedPlace, DerivativesOfCoordinatesAreAsTheyAreByThemselves) {
   RandomNumbers numbers(42);
-  for (int round = 0; round < 200; ++round)
+  InexactDerivatives kept(32);
+  int primitive = 0;
+  for (int round = 0; round < 200; ++round) {
+    // The same of all kinds: what is kept of one is not taken for another's.
+    const PixelPosition pixel{static_cast<int>(numbers.integer(0, 31)),
+                              static_cast<int>(numbers.integer(0, 31))};
+    const QuadPixel quad = in_quad(pixel, RowOrder::bottom_up, 32);
     for (const PrimitiveKind kind : kKinds) {
       const Attributes f = random_attributes(numbers, kind, round);
-      const PixelPosition pixel{static_cast<int>(numbers.integer(0, 31)),
-                                static_cast<int>(numbers.integer(0, 31))};
-      const QuadPixel quad = in_quad(pixel, RowOrder::bottom_up, 32);
+      ++primitive;
       // Also with one that does not move.
       const Interpolant& t = f[round % 4 == 3 ? 3 : 1];
       for (const DerivativeMethod method : all_derivative_methods())
@@ -81,11 +85,28 @@ TEST(SharedPlace, DerivativesOfCoordinatesAreAsTheyAreByThemselves) {
           const auto exact = derivatives_exact(f[0], t, quad, axis, method);
           ASSERT_TRUE(same(exact[0], derivative_exact(f[0], quad, axis, method)));
           ASSERT_TRUE(same(exact[1], derivative_exact(t, quad, axis, method)));
-          const auto inexact = derivatives_inexact(f[0], t, quad, axis, method);
+          const auto inexact = kept.at(primitive, f[0], t, quad, axis, method);
           ASSERT_TRUE(same(inexact[0], derivative_inexact(f[0], quad, axis, method)));
           ASSERT_TRUE(same(inexact[1], derivative_inexact(t, quad, axis, method)));
         }
     }
+  }
+}
+
+// Of a target that is wider than what is kept of a row, and at its corner, where neighbours lie
+// outside.
+TEST(SharedPlace, WhatIsKeptIsThatPixels) {
+  RandomNumbers numbers(43);
+  const Attributes f = random_attributes(numbers, PrimitiveKind::triangle, 0);
+  InexactDerivatives kept(8192);
+  for (int round = 0; round < 3; ++round)
+    for (const int x : {0, 1, 4095, 4096, 4097, 8191})
+      for (const int y : {0, 1, 3, 4, 5}) {
+        const QuadPixel quad = in_quad({x, y}, RowOrder::bottom_up, 8);
+        for (const DerivativeMethod method : all_derivative_methods())
+          ASSERT_TRUE(same(kept.at(0, f[0], f[1], quad, Axis::x, method)[1],
+                           derivative_inexact(f[1], quad, Axis::x, method)));
+      }
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include "raster/texture_level.h"
 #include "rules/textures/directed.h"
-#include "rules/values/coordinate_derivatives.h"
 #include "rules/values/permitted_place.h"
 
 namespace edgecase {
@@ -77,7 +76,8 @@ TextureLookups::TextureLookups(const ValueContext& context, const Rendering& ren
     : context_(context),
       rendered_(rendered),
       stage_(context.scene, context.choices),
-      primitives_(context.primitives.size()) {
+      primitives_(context.primitives.size()),
+      inexact_(context.scene.target.width) {
   for (const auto& [number, chain] : rendered.mip_chains) {
     const auto exact = stage_.chains().find(number);
     if (exact == stage_.chains().end() || exact->second == chain || !is_chain(chain)) continue;
@@ -138,7 +138,7 @@ TextureLookups::Gradients TextureLookups::gradients_of(const Fragment& fragment,
   const QuadPixel at =
       quad_of({fragment.x, fragment.y}, context_.choices.values, context_.scene.target);
   const auto along = [&](Axis axis) {
-    return derivatives_inexact(color[0], color[1], at, axis, method);
+    return inexact_.at(fragment.primitive, color[0], color[1], at, axis, method);
   };
   known_gradients.emplace_back(method, Gradients{along(Axis::x), along(Axis::y)});
   return known_gradients.back().second;

@@ -17,7 +17,7 @@
 #include "diff/textures/texture_relevance.h"
 #include "diff/values/value_diff.h"
 #include "raster/texture_stage.h"
-#include "rules/values/derivative.h"
+#include "rules/values/coordinate_derivatives.h"
 
 namespace edgecase {
 
@@ -109,6 +109,7 @@ class TextureLookups {
   std::map<std::size_t, DecodedTexture> own_;
   std::vector<double> magnitudes_;  // of each texture's numbers
   std::vector<OfPrimitive> primitives_;
+  InexactDerivatives inexact_;
   std::map<const Fragment*, OfFragment> fragments_;
 };
 

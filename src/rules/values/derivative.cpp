@@ -173,8 +173,10 @@ const PermittedDerivatives::AtPixel& PermittedDerivatives::at_pixel(PixelPositio
   std::vector<AtPixel>& known = pixels_[pixel];
   if (known.empty()) {
     const PermittedPlace place(vertices_, centre_of(pixel));
-    for (const Interpolant& f : components_)
-      known.push_back({place.value(f), {place.slope(f, Axis::x), place.slope(f, Axis::y)}});
+    for (const Interpolant& f : components_) {
+      const Interval value = place.value(f);
+      known.push_back({value, place.slopes(f, value)});
+    }
   }
   return known[component];
 }

@@ -92,8 +92,8 @@ Interval inexact_slope(const Interpolant& f, const Shares& slopes, Interval valu
 Interval line_slope(const Interpolant& f, const WindowPlaces& v, const WindowPlace& p, Axis axis) {
   const Shares slopes = line_slopes(f, v, axis);
   if (!has_perspective(f)) return inexact_slope(f, slopes, f.values[0], 1);
-  const Shares shares = line_shares(f, v, p);
-  return inexact_slope(f, slopes, inexact_mean(f, shares), inexact_total(f, shares));
+  const SharesOverW shares = divided_by_w(f, line_shares(f, v, p));
+  return inexact_slope(f, slopes, inexact_mean(f, shares), shares.total);
 }
 
 Interval triangle_slope(const Interpolant& f, const WindowPlaces& v, Axis axis, Interval value,
@@ -118,7 +118,9 @@ Interval interpolate_inexact(const Interpolant& f, Point sample) {
 Interval InexactPlace::value(const Interpolant& f) const {
   if (f.kind == PrimitiveKind::point) return point_value(f);
   if (!shares_) shares_ = unmoved_shares(f, place_of(sample_));
-  return inexact_mean(f, *shares_);
+  if (!has_perspective(f)) return inexact_mean(f, *shares_);
+  if (!over_w_) over_w_ = divided_by_w(f, *shares_);
+  return inexact_mean(f, *over_w_);
 }
 
 Interval interpolate_inexact(const Interpolant& f, Point sample, Point w_place) {
@@ -142,10 +144,17 @@ Interval PermittedPlace::value(const Interpolant& f) const {
 }
 
 Interval PermittedPlace::slope(const Interpolant& f, Axis axis) const {
+  return slope(f, axis, f.kind == PrimitiveKind::triangle && has_perspective(f) ? value(f) : 0);
+}
+
+std::array<Interval, 2> PermittedPlace::slopes(const Interpolant& f, Interval value) const {
+  return {slope(f, Axis::x, value), slope(f, Axis::y, value)};
+}
+
+Interval PermittedPlace::slope(const Interpolant& f, Axis axis, Interval value) const {
   if (f.kind == PrimitiveKind::point) return 0;
   const WindowPlaces& v = vertices_.grown();
   if (f.kind == PrimitiveKind::line) return line_slope(f, v, place_of(sample_), axis);
-  const Interval value = has_perspective(f) ? shares().mean(f) : Interval();
   return triangle_slope(f, v, axis, value, shares().total(f));
 }
 

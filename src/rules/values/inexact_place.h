@@ -14,12 +14,14 @@ class InexactPlace {
  public:
   explicit InexactPlace(Point sample) : sample_(sample) {}
 
-  // Attributes have the same vertices and line parameter.
+  // Attributes have the same vertices and line parameter and, with perspective, the same w.
   Interval value(const Interpolant& f) const;
 
  private:
   Point sample_;
-  mutable std::optional<Shares> shares_;  // when they are first asked for
+  // When they are first asked for.
+  mutable std::optional<Shares> shares_;
+  mutable std::optional<SharesOverW> over_w_;
 };
 
 }  // namespace edgecase

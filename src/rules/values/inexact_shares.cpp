@@ -15,6 +15,13 @@ std::size_t count_of(const Interpolant& f) {
   return static_cast<std::size_t>(vertices_of(f.kind));
 }
 
+Interval weighted_sum(const Interpolant& f, const Shares& shares) {
+  Interval sum = 0;
+  for (std::size_t i = 0; i < count_of(f); ++i)
+    sum = kInexact.add(sum, kInexact.multiply(shares[i], f.values[i]));
+  return sum;
+}
+
 }  // namespace
 
 WindowPlace place_of(Point point) {
@@ -41,24 +48,25 @@ Shares triangle_shares(const WindowPlaces& v, const WindowPlace& p) {
           op.divide(area_of(op, v[0], v[1], p), area)};
 }
 
-Interval inexact_total(const Interpolant& f, const Shares& shares) {
-  Interval total = 0;
-  for (std::size_t i = 0; i < count_of(f); ++i)
-    total = kInexact.add(total, kInexact.divide(shares[i], f.w[i]));
-  return total;
+SharesOverW divided_by_w(const Interpolant& f, const Shares& shares) {
+  SharesOverW result;
+  for (std::size_t i = 0; i < count_of(f); ++i) {
+    result.shares[i] = kInexact.divide(shares[i], f.w[i]);
+    result.total = kInexact.add(result.total, result.shares[i]);
+  }
+  return result;
 }
 
 Interval inexact_mean(const Interpolant& f, const Shares& shares) {
+  if (has_perspective(f)) return inexact_mean(f, divided_by_w(f, shares));
   const Inexact& op = kInexact;
-  const bool perspective = has_perspective(f);
-  if (!perspective && f.kind == PrimitiveKind::line)
+  if (f.kind == PrimitiveKind::line)
     return op.add(f.values[0], op.multiply(shares[1], op.subtract(f.values[1], f.values[0])));
-  Interval sum = 0;
-  for (std::size_t i = 0; i < count_of(f); ++i) {
-    const Interval share = perspective ? op.divide(shares[i], f.w[i]) : shares[i];
-    sum = op.add(sum, op.multiply(share, f.values[i]));
-  }
-  return perspective ? op.divide(sum, inexact_total(f, shares)) : sum;
+  return weighted_sum(f, shares);
+}
+
+Interval inexact_mean(const Interpolant& f, const SharesOverW& over_w) {
+  return kInexact.divide(weighted_sum(f, over_w.shares), over_w.total);
 }
 
 }  // namespace edgecase

@@ -37,11 +37,17 @@ Interval area_of(const Inexact& op, const WindowPlace& a, const WindowPlace& b,
                  const WindowPlace& p);
 Shares triangle_shares(const WindowPlaces& v, const WindowPlace& p);
 
-// The sum of the shares, each divided by its w.
-Interval inexact_total(const Interpolant& f, const Shares& shares);
+// The shares, each divided by its w, and their sum.
+struct SharesOverW {
+  Shares shares;
+  Interval total;
+};
+SharesOverW divided_by_w(const Interpolant& f, const Shares& shares);
 
 // The mean by these shares: along a line from the first vertex on, as the formula of 14.5.1 can be
 // read too, where nothing is divided by w.
 Interval inexact_mean(const Interpolant& f, const Shares& shares);
+// The same of an attribute that has perspective.
+Interval inexact_mean(const Interpolant& f, const SharesOverW& over_w);
 
 }  // namespace edgecase

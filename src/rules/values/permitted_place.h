@@ -4,9 +4,10 @@
 // attributes of one primitive at one sample. What the attributes share is worked out once.
 #pragma once
 
+#include <array>
 #include <optional>
 
-#include "rules/values/moved_vertices.h"
+#include "rules/values/moved_shares.h"
 
 namespace edgecase {
 
@@ -19,8 +20,11 @@ class PermittedPlace {
   // Attributes that have perspective have the same w.
   Interval value(const Interpolant& f) const;
   Interval slope(const Interpolant& f, Axis axis) const;
+  // Along x and along y; `value`: what value(f) is.
+  std::array<Interval, 2> slopes(const Interpolant& f, Interval value) const;
 
  private:
+  Interval slope(const Interpolant& f, Axis axis, Interval value) const;
   const MovedShares& shares() const;
 
   const MovedVertices& vertices_;
