@@ -206,10 +206,12 @@ const Level& TexturedPrimitive::Lookups::level_at(PixelPosition pixel) {
   return given_ ? *given_ : implicit_level(pixel, use_.lookup, level_);
 }
 
-// Without perspective all pixels have one level. Both coordinates have the same w.
+// Without perspective all pixels have one level, that of the first of the target: the last digits
+// of an interval must not tell which pixel was asked first. Both coordinates have the same w.
 const Level& TexturedPrimitive::Lookups::implicit_level(PixelPosition pixel, const Lookup& lookup,
                                                         std::optional<Level>& kept) {
-  if (!kept || has_perspective(axes_.front().coordinate())) kept = computed_level(pixel, lookup);
+  const bool differs = has_perspective(axes_.front().coordinate());
+  if (!kept || differs) kept = computed_level(differs ? pixel : PixelPosition{}, lookup);
   return *kept;
 }
 

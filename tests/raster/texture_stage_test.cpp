@@ -240,12 +240,13 @@ TEST(TextureStage, OneDimensionIgnoresT) {
   EXPECT_TRUE(same(found.point.t, found.coordinates[1]));
 }
 
-// Where nothing is open, the footprint is that of the intervals.
+// Where nothing is open, the footprint is that of the intervals; without perspective that of the
+// first pixel for all.
 TEST(TextureStage, QuotientsAreForOpenQuestions) {
   const Texture texture = flat_texture(22, 2);
   for (const bool perspective : {false, true}) {
     OneTriangle triangle(corners_of(perspective), texture, use_of(LookupKind::implicit));
-    const QuadPixel at{{7, 4}, {6, 4}};
+    const QuadPixel at = perspective ? QuadPixel{{7, 4}, {6, 4}} : QuadPixel{{0, 0}, {0, 0}};
     const auto along = [&](Axis axis) {
       const auto& color = triangle.attributes().color;
       return IntervalPair{derivative_exact(color[0], at, axis, DerivativeMethod::fine),

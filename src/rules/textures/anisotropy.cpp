@@ -86,9 +86,9 @@ bool parse_name(std::string_view name, Anisotropy& choice) {
 
 ProbeRow probes(const Footprint& footprint, float max_anisotropy, Anisotropy choice,
                 ScaleFactor isotropic) {
-  const Axes axes = axes_of(footprint);
   if (choice == Anisotropy::none || !(max_anisotropy > 1))
-    return {axes.along_x, scale_factor(footprint, isotropic), {{0, 1}}};
+    return {.scale_factor = scale_factor(footprint, isotropic), .probes = {{0, 1}}};
+  const Axes axes = axes_of(footprint);
   return choice == Anisotropy::extension ? equal_probes(axes, max_anisotropy)
                                          : gaussian_probes(axes);
 }

@@ -42,7 +42,7 @@ struct Probe {
 };
 
 struct ProbeRow {
-  bool along_x = true;        // the longer vector is that along x
+  bool along_x = false;       // the longer vector is that along x; of one probe anything
   Interval scale_factor;      // texels per pixel; its logarithm is lambda_base
   std::vector<Probe> probes;  // from -1/2 on; one at 0, of weight 1, where nothing is anisotropic
 };
