@@ -64,7 +64,7 @@ Result compare_drawing(const Drawing& drawing, std::string refuted) {
   compare_fragment_values(values, rendered, result);
   compare_coordinates(values, rendered, result);
   compare_derivatives(values, rendered, result);
-  compare_texture_lookups(values, rendered, profile ? &profile->textures : nullptr, result);
+  compare_texture_lookups(values, exact, rendered, profile ? &profile->textures : nullptr, result);
   compare_mip_chains(values, exact, rendered, result);
   compare_planes(values, rendered, result);
   for (Disagreement& d : result.disagreements) {

@@ -270,7 +270,7 @@ TEST(TextureLatitude, WiderLatitudeHoldsTheNarrower) {
     const RuleChoices choices = resolve({}, scene.target.surface);
     const ValueContext fine(scene, primitives, choices, 12, Latitude::opengl);
     const ValueContext coarse(scene, primitives, choices, 4, Latitude::opengl);
-    TextureLookups of_fine(fine, exact), of_coarse(coarse, exact);
+    TextureLookups of_fine(fine, exact, exact), of_coarse(coarse, exact, exact);
     for (const Fragment& f : exact.fragments) {
       const Interval own = of_fine.levels(f, choices.textures)[0][1];
       const Interval near = of_fine.permitted_lambda(f, TextureLookups::Reach::near);

@@ -14,7 +14,8 @@ std::vector<Result::LevelPoint> level_ramp(const Scene& scene, const Policy& pol
   const std::vector<ScenePrimitive> primitives = primitives_of(scene);
   const ValueContext context(scene, primitives, choices,
                              latitude_bits(facts.reported_subpixel_bits), policy.latitude);
-  TextureLookups lookups(context, rendered);
+  const Rendering not_drawn;  // a row is soon looked up
+  TextureLookups lookups(context, not_drawn, rendered);
   std::vector<Result::LevelPoint> ramp;
   // Fragments come row by row.
   for (const Fragment& f : rendered.fragments) {
@@ -23,7 +24,7 @@ std::vector<Result::LevelPoint> level_ramp(const Scene& scene, const Policy& pol
     const FragmentDetail* detail = lookups.detail_of(f);
     if (detail == nullptr || !detail->has_level_of_detail) continue;
     const Interval band = lookups.permitted_lambda(f);
-    ramp.push_back({f.x, f.y, middle(lookups.exact(f).queried[1]), band.low, band.high,
+    ramp.push_back({f.x, f.y, lookups.exact(f).level_of_detail[1], band.low, band.high,
                     detail->level_of_detail[1]});
   }
   return ramp;

@@ -31,14 +31,6 @@ double magnitude_of(const DecodedTexture& texture) {
   return largest;
 }
 
-// Can lookups be made in the chain, whatever its sizes?
-bool is_chain(const std::vector<TextureLevel>& levels) {
-  return !levels.empty() && std::ranges::all_of(levels, [](const TextureLevel& level) {
-    return level.width > 0 && level.height > 0 &&
-           level.texels.size() == level.index(0, level.height);
-  });
-}
-
 // How many means of two a sampler takes at most of codes of 8 bits: along each axis, and between
 // levels.
 int means_of_codes(const Sampler& sampler, const Texture& texture) {
@@ -72,25 +64,15 @@ Interval logarithm_of(Interval scale, Log2Method method) {
 
 }  // namespace
 
-TextureLookups::TextureLookups(const ValueContext& context, const Rendering& rendered)
+TextureLookups::TextureLookups(const ValueContext& context, const Rendering& exact,
+                               const Rendering& rendered)
     : context_(context),
       rendered_(rendered),
-      stage_(context.scene, context.choices),
+      exact_(context, exact, rendered),
       primitives_(context.primitives.size()),
       inexact_(context.scene.target.width) {
-  for (const auto& [number, chain] : rendered.mip_chains) {
-    const auto exact = stage_.chains().find(number);
-    if (exact == stage_.chains().end() || exact->second == chain || !is_chain(chain)) continue;
-    stage_.take_chains({{number, chain}});
-    if (exact->second != chain) own_[number] = decode(*context.scene.textures[number], chain);
-  }
   for (std::size_t i = 0; i < context.scene.textures.size(); ++i)
-    magnitudes_.push_back(magnitude_of(decoded(i)));
-}
-
-const DecodedTexture& TextureLookups::decoded(std::size_t texture) const {
-  const auto own = own_.find(texture);
-  return own == own_.end() ? stage_.decoded(texture) : own->second;
+    magnitudes_.push_back(magnitude_of(exact_.decoded(i)));
 }
 
 const TextureUse& TextureLookups::use_of(const Fragment& fragment) const {
@@ -111,14 +93,6 @@ LookupKinship TextureLookups::kinship_of(const Fragment& fragment, bool is_query
   const auto& color = context_.values_of(fragment).chosen.color;
   return {&use_of(fragment), &texture_of(fragment),
           !is_flat && (has_perspective(color[0]) || has_perspective(color[1])), is_query};
-}
-
-ExactLookup TextureLookups::exact(const Fragment& fragment) {
-  auto& exact = primitives_[static_cast<std::size_t>(fragment.primitive)].exact;
-  if (!exact)
-    exact = std::make_unique<TexturedPrimitive>(stage_, context_.primitive_of(fragment),
-                                                context_.values_of(fragment).chosen);
-  return exact->look_up({fragment.x, fragment.y});
 }
 
 Footprint TextureLookups::footprint_of(const Fragment& fragment, const Gradients& along) const {
@@ -149,7 +123,7 @@ TextureLookups::Gradients TextureLookups::permitted_gradients(const Fragment& fr
   const TextureChoice lawful;
   if (reach == Reach::near && !context_.values_of(fragment).differ)
     return gradients_of(fragment, lawful.derivatives);
-  auto& permitted = primitives_[static_cast<std::size_t>(fragment.primitive)].permitted;
+  auto& permitted = primitives_[static_cast<std::size_t>(fragment.primitive)];
   if (!permitted) {
     const PrimitiveValues& values = context_.values_of(fragment);
     permitted.emplace(std::span(values.lawful.color).first(2), values.reach);
@@ -188,7 +162,7 @@ TextureLookups::Gradients TextureLookups::lookup_gradients(const Fragment& fragm
 Boxes TextureLookups::level_boxes(const Fragment& fragment, Interval lambda_prime,
                                   const LevelRules& rules) const {
   const TextureUse& use = use_of(fragment);
-  const int last = last_level_of(decoded(use.texture), use.sampler, texture_of(fragment));
+  const int last = last_level_of(exact_.decoded(use.texture), use.sampler, texture_of(fragment));
   const Interval accessed =
       accessed_level(clamped(lambda_prime, use.sampler), use.sampler, last, rules);
   if (use.sampler.mipmap != MipFilter::nearest) return {{accessed, lambda_prime}};
@@ -325,8 +299,8 @@ Texel TextureLookups::weighted_probes(const Fragment& fragment, const TextureCho
   for (const Probe& probe : row.probes) {
     const TexturePoint point{centre.s + Interval(probe.offset) * along[0],
                              centre.t + Interval(probe.offset) * along[1]};
-    const Texel color = hull_of(
-        sample(decoded(use.texture), texture_of(fragment), use.sampler, choice, {point, lambda}));
+    const Texel color = hull_of(sample(exact_.decoded(use.texture), texture_of(fragment),
+                                       use.sampler, choice, {point, lambda}));
     for (std::size_t c = 0; c < 4; ++c) sum[c] = sum[c] + probe.weight * color[c];
   }
   return sum;
@@ -335,7 +309,7 @@ Texel TextureLookups::weighted_probes(const Fragment& fragment, const TextureCho
 std::vector<Texel> TextureLookups::told_colors(const Fragment& fragment,
                                                const TextureChoice& choice) const {
   const TextureUse& use = use_of(fragment);
-  return sample(decoded(use.texture), texture_of(fragment), use.sampler, choice,
+  return sample(exact_.decoded(use.texture), texture_of(fragment), use.sampler, choice,
                 {point_of(fragment, context_.values_of(fragment).chosen, kFloat32),
                  clamped(*told_lambda(fragment), use.sampler)});
 }
@@ -352,7 +326,7 @@ std::vector<Texel> TextureLookups::probed_colors(const Fragment& fragment,
                  choice.scale_factor);
   }
   if (row.probes.size() > 1) return {weighted_probes(fragment, choice, gradients, row)};
-  return sample(decoded(use.texture), texture_of(fragment), use.sampler, choice,
+  return sample(exact_.decoded(use.texture), texture_of(fragment), use.sampler, choice,
                 {point_of(fragment, context_.values_of(fragment).chosen, kFloat32),
                  lookup_lambda(fragment, row.scale_factor, choice)});
 }
@@ -389,7 +363,7 @@ Boxes TextureLookups::permitted_colors(const Fragment& fragment, Reach reach) {
   const TextureSample at{point_of(fragment, context_.values_of(fragment).lawful, kClause),
                          permitted_lookup_lambda(fragment, reach)};
   return widened(fragment,
-                 sample(decoded(use.texture), texture_of(fragment), use.sampler, lawful, at,
+                 sample(exact_.decoded(use.texture), texture_of(fragment), use.sampler, lawful, at,
                         {kStep, kStep, true}),
                  true);
 }

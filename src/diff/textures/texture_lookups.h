@@ -9,14 +9,13 @@
 
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "diff/textures/exact_lookups.h"
 #include "diff/textures/texture_relevance.h"
 #include "diff/values/value_diff.h"
-#include "raster/texture_stage.h"
 #include "rules/values/coordinate_derivatives.h"
 
 namespace edgecase {
@@ -28,12 +27,11 @@ using Boxes = std::vector<std::vector<Interval>>;
 
 class TextureLookups {
  public:
-  // Both must outlive this. Generated chains are the renderer's where it tells them: what differs
-  // in them is told once.
-  TextureLookups(const ValueContext& context, const Rendering& rendered);
+  // All must outlive this.
+  TextureLookups(const ValueContext& context, const Rendering& exact, const Rendering& rendered);
 
   // Of the rendering's own fragments of textured draws. Under the policy, exactly:
-  ExactLookup exact(const Fragment& fragment);
+  LookedUp exact(const Fragment& fragment) { return exact_.look_up(fragment); }
 
   // Under a choice, every operation inexact.
   Boxes levels(const Fragment& fragment, const TextureChoice& choice);
@@ -70,11 +68,6 @@ class TextureLookups {
     IntervalPair dx;
     IntervalPair dy;
   };
-  // What is worked out once for a primitive.
-  struct OfPrimitive {
-    std::unique_ptr<TexturedPrimitive> exact;
-    std::optional<PermittedDerivatives> permitted;  // of s and of t
-  };
   // What is worked out once for a fragment.
   struct OfFragment {
     std::vector<std::pair<DerivativeMethod, Gradients>> gradients;
@@ -98,17 +91,14 @@ class TextureLookups {
                         const Gradients& gradients, const ProbeRow& row) const;
   bool has_unknown_coordinates(const Fragment& fragment) const;
   bool has_unknown_chain(const Fragment& fragment) const;
-  const DecodedTexture& decoded(std::size_t texture) const;
   double largest_of(const TextureUse& use) const;
   Boxes widened(const Fragment& fragment, const std::vector<Texel>& colors, bool rounding) const;
 
   const ValueContext& context_;
   const Rendering& rendered_;
-  TextureStage stage_;
-  // The renderer's chains whose sizes are wrong, by the texture's number.
-  std::map<std::size_t, DecodedTexture> own_;
-  std::vector<double> magnitudes_;  // of each texture's numbers
-  std::vector<OfPrimitive> primitives_;
+  ExactLookups exact_;
+  std::vector<double> magnitudes_;                               // of each texture's numbers
+  std::vector<std::optional<PermittedDerivatives>> primitives_;  // of s and of t
   InexactDerivatives inexact_;
   std::map<const Fragment*, OfFragment> fragments_;
 };

@@ -74,12 +74,6 @@ double error_of(double exact, double rendered) {
   return std::isfinite(exact) && std::isfinite(rendered) ? error_in_ulp(exact, rendered) : 0x1p24;
 }
 
-std::vector<double> middles(std::span<const Interval> values) {
-  std::vector<double> result;
-  for (const Interval value : values) result.push_back(middle(value));
-  return result;
-}
-
 using WaysOfLevels = std::map<const Fragment*, TextureWay>;
 
 class LookupComparison {
@@ -95,8 +89,8 @@ class LookupComparison {
         aggregator_(subject.attribute, subject.rule, subject.ruling) {}
 
   // Whether the policy's own way yields what the renderer tells.
-  bool add(const Fragment& fragment, std::span<const Interval> exact, Result& result) {
-    Told told{&fragment, middles(exact), rendered_of(fragment)};
+  bool add(const Fragment& fragment, std::span<const double> exact, Result& result) {
+    Told told{&fragment, {exact.begin(), exact.end()}, rendered_of(fragment)};
     aggregator_.count_compared(told.exact.size());
     const bool is_correct = std::ranges::equal(told.exact, told.rendered, is_same);
     const bool agrees = is_correct || hold(under(told, chosen_, {}), told.rendered);
@@ -362,20 +356,21 @@ class LookupComparison {
 
 }  // namespace
 
-void compare_texture_lookups(const ValueContext& context, const Rendering& rendered,
-                             const TextureChoice* profile, Result& result) {
+void compare_texture_lookups(const ValueContext& context, const Rendering& exact,
+                             const Rendering& rendered, const TextureChoice* profile,
+                             Result& result) {
   if (context.scene.textures.empty()) return;
-  TextureLookups lookups(context, rendered);
+  TextureLookups lookups(context, exact, rendered);
   LookupComparison levels(context, lookups, kLevels, profile);
   LookupComparison colors(context, lookups, kColors, profile);
   for (const Fragment& f : rendered.fragments) {
     if (!context.primitive_of(f).state->texture) continue;
-    const ExactLookup exact = lookups.exact(f);
+    const LookedUp own = lookups.exact(f);
     const FragmentDetail* detail = lookups.detail_of(f);
     bool agrees = true;
     if (detail != nullptr && detail->has_level_of_detail)
-      agrees = levels.add(f, exact.queried, result);
-    if (f.has_color) agrees = colors.add(f, exact.color, result) && agrees;
+      agrees = levels.add(f, own.level_of_detail, result);
+    if (f.has_color) agrees = colors.add(f, own.color, result) && agrees;
     if (agrees) lookups.forget(f);
   }
   levels.finish({}, result);

@@ -16,8 +16,9 @@ namespace edgecase {
 
 // Each appends disagreements and aggregates to `result`. `profile`: what the renderer is measured
 // to follow; null: not known.
-void compare_texture_lookups(const ValueContext& context, const Rendering& rendered,
-                             const TextureChoice* profile, Result& result);
+void compare_texture_lookups(const ValueContext& context, const Rendering& exact,
+                             const Rendering& rendered, const TextureChoice* profile,
+                             Result& result);
 
 void compare_mip_chains(const ValueContext& context, const Rendering& exact,
                         const Rendering& rendered, Result& result);
