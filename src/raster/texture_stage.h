@@ -23,6 +23,10 @@
 
 namespace edgecase {
 
+// What textureQueryLod tells: x as ExactLookup::accessed, y as ExactLookup::lambda_prime, of a
+// lookup without a bias, a level or gradients by the shader.
+using QueriedLevel = std::array<Interval, 2>;
+
 // A fragment's lookup, exactly.
 struct ExactLookup {
   std::array<Interval, 2> coordinates;  // s and t, as interpolated
@@ -35,9 +39,7 @@ struct ExactLookup {
   Interval lambda_prime;  // before clamping
   Interval lambda;
   Interval accessed;
-  // What textureQueryLod tells: x as `accessed`, y as `lambda_prime`, of a lookup without a bias, a
-  // level or gradients by the shader.
-  std::array<Interval, 2> queried;
+  QueriedLevel queried;
   Texel color;  // a few units of double precision wide
 };
 
@@ -78,6 +80,7 @@ class TexturedPrimitive {
   ~TexturedPrimitive();
 
   ExactLookup look_up(PixelPosition pixel);
+  QueriedLevel queried(PixelPosition pixel);  // as look_up tells it, and no more
 
  private:
   class Lookups;

@@ -34,6 +34,10 @@ struct Level {
   std::array<std::vector<int>, 2> sizes;  // of the levels that are looked up: widths, heights
 };
 
+QueriedLevel queried_part(const Level& level) {
+  return {level.accessed, level.lambda_prime};
+}
+
 Texel weighted(const std::vector<Texel>& colors, const std::vector<Probe>& probes) {
   const Texel& first = colors.front();
   if (std::ranges::all_of(colors, [&](const Texel& color) { return same_box(color, first); }))
@@ -51,9 +55,11 @@ class TexturedPrimitive::Lookups {
   Lookups(const TextureStage& stage, const ScenePrimitive& primitive,
           const PrimitiveAttributes& attributes);
   ExactLookup look_up(PixelPosition pixel);
+  QueriedLevel queried(PixelPosition pixel);
 
  private:
   std::optional<Level> given_level() const;
+  bool is_queried() const;
   const Level& level_at(PixelPosition pixel);
   const Level& implicit_level(PixelPosition pixel, const Lookup& lookup,
                               std::optional<Level>& kept);
@@ -236,6 +242,15 @@ TexturePoint TexturedPrimitive::Lookups::probe_point(Point sample, const Level& 
   return point;
 }
 
+// Is the lookup itself the one that textureQueryLod tells of?
+bool TexturedPrimitive::Lookups::is_queried() const {
+  return use_.lookup.kind == LookupKind::implicit;
+}
+
+QueriedLevel TexturedPrimitive::Lookups::queried(PixelPosition pixel) {
+  return queried_part(is_queried() ? level_at(pixel) : implicit_level(pixel, Lookup{}, queried_));
+}
+
 ExactLookup TexturedPrimitive::Lookups::look_up(PixelPosition pixel) {
   const Point sample = pixel_centre(pixel.x, pixel.y);
   const Level& level = level_at(pixel);
@@ -247,9 +262,7 @@ ExactLookup TexturedPrimitive::Lookups::look_up(PixelPosition pixel) {
   result.lambda_prime = level.lambda_prime;
   result.lambda = level.lambda;
   result.accessed = level.accessed;
-  const bool is_plain = use_.lookup.kind == LookupKind::implicit;
-  const Level& queried = is_plain ? level : implicit_level(pixel, Lookup{}, queried_);
-  result.queried = {queried.accessed, queried.lambda_prime};
+  result.queried = is_queried() ? queried_part(level) : queried(pixel);
   if (level.row.probes.size() <= 1) {
     result.color = color_at(result.point, level);
     return result;
@@ -270,6 +283,10 @@ TexturedPrimitive::~TexturedPrimitive() = default;
 
 ExactLookup TexturedPrimitive::look_up(PixelPosition pixel) {
   return lookups_->look_up(pixel);
+}
+
+QueriedLevel TexturedPrimitive::queried(PixelPosition pixel) {
+  return lookups_->queried(pixel);
 }
 
 }  // namespace edgecase

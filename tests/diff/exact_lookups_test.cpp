@@ -48,7 +48,6 @@ TEST(ExactLookups, AreTheSameWhetherDrawnOrNot) {
     ASSERT_FALSE(exact.fragments.empty());
     const auto of_drawn = looked_up(scene, exact, exact);
     EXPECT_EQ(of_drawn, looked_up(scene, {}, exact));
-    EXPECT_EQ(of_drawn, looked_up(scene, without_details(exact), exact));
     Rendering half = exact;
     half.fragments.resize(half.fragments.size() / 2);
     EXPECT_EQ(of_drawn, looked_up(scene, half, exact));

@@ -49,29 +49,36 @@ bool ExactLookups::tells_level(const Fragment& fragment) const {
          rendered_.details[static_cast<std::size_t>(fragment.detail)].has_level_of_detail;
 }
 
-std::optional<LookedUp> ExactLookups::drawn(const Fragment& fragment) const {
-  if (changed_.contains(texture_of(fragment))) return std::nullopt;
+// The same of exact, where it looked up in the same texels; null: there is none.
+const Fragment* ExactLookups::drawn(const Fragment& fragment) const {
+  if (changed_.contains(texture_of(fragment))) return nullptr;
   const auto found = std::ranges::lower_bound(exact_.fragments, fragment, precedes);
-  if (found == exact_.fragments.end() || precedes(fragment, *found)) return std::nullopt;
-  LookedUp result{{}, found->color};
-  if (!tells_level(fragment)) return result;
-  if (found->detail < 0) return std::nullopt;
-  const FragmentDetail& detail = exact_.details[static_cast<std::size_t>(found->detail)];
-  if (!detail.has_level_of_detail) return std::nullopt;
-  result.level_of_detail = detail.level_of_detail;
-  return result;
+  const bool is_there = found != exact_.fragments.end() && !precedes(fragment, *found);
+  return is_there ? &*found : nullptr;
 }
 
-LookedUp ExactLookups::look_up(const Fragment& fragment) {
-  if (const auto known = drawn(fragment)) return *known;
+TexturedPrimitive& ExactLookups::primitive_of(const Fragment& fragment) {
   auto& primitive = primitives_[static_cast<std::size_t>(fragment.primitive)];
   if (!primitive)
     primitive = std::make_unique<TexturedPrimitive>(stage_, context_.primitive_of(fragment),
                                                     context_.values_of(fragment).chosen);
-  const ExactLookup lookup = primitive->look_up({fragment.x, fragment.y});
+  return *primitive;
+}
+
+LookedUp ExactLookups::look_up(const Fragment& fragment) {
+  const PixelPosition pixel{fragment.x, fragment.y};
   LookedUp result;
-  std::ranges::transform(lookup.queried, result.level_of_detail.begin(), middle);
+  const auto tell_level = [&](const QueriedLevel& queried) {
+    std::ranges::transform(queried, result.level_of_detail.begin(), middle);
+  };
+  if (const Fragment* own = drawn(fragment)) {
+    result.color = own->color;
+    if (tells_level(fragment)) tell_level(primitive_of(fragment).queried(pixel));
+    return result;
+  }
+  const ExactLookup lookup = primitive_of(fragment).look_up(pixel);
   std::ranges::transform(lookup.color, result.color.begin(), middle);
+  if (tells_level(fragment)) tell_level(lookup.queried);
   return result;
 }
 

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <vector>
 
@@ -34,12 +33,13 @@ class ExactLookups {
   const DecodedTexture& decoded(std::size_t texture) const;
 
   // Of one of the rendering's fragments, of a textured draw; of the level of detail only where the
-  // renderer tells it. As exact has drawn it; where exact has no such fragment, or with other
-  // texels, it is looked up here.
+  // renderer tells it. What exact has drawn is taken from there; where exact has no such fragment,
+  // or with other texels, it is looked up here.
   LookedUp look_up(const Fragment& fragment);
 
  private:
-  std::optional<LookedUp> drawn(const Fragment& fragment) const;
+  const Fragment* drawn(const Fragment& fragment) const;
+  TexturedPrimitive& primitive_of(const Fragment& fragment);
   std::size_t texture_of(const Fragment& fragment) const;
   bool tells_level(const Fragment& fragment) const;
 
