@@ -56,7 +56,7 @@ class OneCore {
     if (sched_getaffinity(0, sizeof(before_), &before_) != 0) return;
     cpu_set_t one;
     CPU_ZERO(&one);
-    int first = 0;
+    std::size_t first = 0;
     while (first + 1 < CPU_SETSIZE && !CPU_ISSET(first, &before_)) ++first;
     CPU_SET(first, &one);
     is_set_ = sched_setaffinity(0, sizeof(one), &one) == 0;
