@@ -71,10 +71,13 @@ class Interruption(CommandTest):
         case = f"{SUITE}/triangles/ties/flat-top.json"
         for arguments in (lambda renderer: ["render", *PROBES, "--with", renderer],
                           lambda renderer: ["explain", case, "--against", renderer],
-                          lambda renderer: ["backends", renderer]):
+                          lambda renderer: ["backends", renderer],
+                          lambda renderer: ["backends", renderer, "--json", "-"]):
             (self.folder / "truth.jsonl.marks").unlink(missing_ok=True)
-            code, _ = self.start_and_stop("hang", 1, signal.SIGINT, arguments)
-            self.assertNotEqual(code, 0)
+            with self.subTest(arguments("")[0]):
+                code, errors = self.start_and_stop("hang", 1, signal.SIGINT, arguments)
+                self.assertEqual(code, UNEXPECTED, errors)
+                self.assertIn("interrupted", errors)
 
     def test_render_keeps_what_was_finished(self):
         code, errors = self.start_and_stop(

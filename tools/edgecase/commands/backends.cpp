@@ -98,12 +98,14 @@ bool is_program(const ProcessSpec& spec) {
   return spec.name.starts_with("exec:");
 }
 
-// The protocol of each program, told as it is found out unless standard output is for JSON.
+// The protocol of each program, told as it is found out unless standard output is for JSON. Ends
+// early when interrupted.
 Examinations examine(const std::vector<ProcessSpec>& specs, const BackendsCommand& command) {
   const std::chrono::milliseconds patience(static_cast<std::int64_t>(1000 * command.timeout));
   Examinations all;
   for (const ProcessSpec& spec : specs) {
     if (!is_program(spec)) continue;
+    if (interrupted()) break;
     all.emplace_back(spec.name, examine_protocol(spec.command, patience, &interrupted()));
     if (command.json != "-")
       fmt::print("{}\n", examination_text(all.back().first, all.back().second));
@@ -111,11 +113,13 @@ Examinations examine(const std::vector<ProcessSpec>& specs, const BackendsComman
   return all;
 }
 
-// Of programs: 4 where one does not start, 1 where a check fails.
+// Of programs: 4 where one does not start, 1 where a check fails. One that was asked nothing before
+// the command was interrupted has done neither.
 ExitCode exit_code_of(const Examinations& examinations) {
   ExitCode code = ExitCode::as_expected;
   for (const auto& [name, examination] : examinations) {
-    if (!examination.started) code = worse(code, ExitCode::renderer);
+    if (!examination.started && !examination.checks.empty())
+      code = worse(code, ExitCode::renderer);
     if (examination.count(CheckOutcome::fail) > 0) code = worse(code, ExitCode::unexpected);
   }
   return code;
@@ -186,10 +190,14 @@ ExitCode run_backends(const BackendsCommand& command) {
     else if (!write_file(command.json, text))
       code = ExitCode::internal;
   }
-  if (command.json != "-")
-    code = worse(code, print_probes(specs, examinations, !command.names.empty()));
-  if (interrupted().load()) code = worse(code, ExitCode::unexpected);
-  return code;
+  if (command.json != "-" && !interrupted()) {
+    const ExitCode probed = print_probes(specs, examinations, !command.names.empty());
+    // A renderer that was stopped has not failed.
+    if (!interrupted()) return worse(code, probed);
+  }
+  if (!interrupted()) return code;
+  print_error("interrupted; not all was asked");
+  return worse(code, ExitCode::unexpected);
 }
 
 }  // namespace

@@ -139,7 +139,10 @@ ExitCode print_results(const Case& one, const Policy& policy, const Selection& s
   single.cases = {one};
   const auto results = run_against(single, policy, *profiles, command.run);
   if (!results) return ExitCode::usage;
-  if (results->cases.empty()) return ExitCode::unexpected;
+  if (results->cases.empty()) {
+    print_error("interrupted before the renderers had answered");
+    return ExitCode::unexpected;
+  }
   ExitCode exit = ExitCode::as_expected;
   for (std::size_t r = 0; r < results->renderers.size(); ++r) {
     const Result& result = results->cases.front().results[r];

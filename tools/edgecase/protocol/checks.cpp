@@ -72,7 +72,8 @@ class Examiner {
 
   ProtocolExamination operator()() {
     check("starts and answers", [&] { return starts(); });
-    result_.started = result_.checks[0].outcome == CheckOutcome::pass;
+    if (result_.checks.empty()) return std::move(result_);  // stopped by then
+    result_.started = result_.checks.front().outcome == CheckOutcome::pass;
     if (!result_.started) return std::move(result_);
     examine_lines();
     examine_drawings();

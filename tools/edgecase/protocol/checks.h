@@ -30,7 +30,7 @@ struct ProtocolCheck {
 };
 
 struct ProtocolExamination {
-  bool started = false;  // the program has answered something; else there is one check
+  bool started = false;  // the program has answered something; else there is one check at most
   std::vector<ProtocolCheck> checks;
   std::size_t count(CheckOutcome outcome) const;
 };
