@@ -118,8 +118,7 @@ Examinations examine(const std::vector<ProcessSpec>& specs, const BackendsComman
 ExitCode exit_code_of(const Examinations& examinations) {
   ExitCode code = ExitCode::as_expected;
   for (const auto& [name, examination] : examinations) {
-    if (!examination.started && !examination.checks.empty())
-      code = worse(code, ExitCode::renderer);
+    if (!examination.started && !examination.checks.empty()) code = worse(code, ExitCode::renderer);
     if (examination.count(CheckOutcome::fail) > 0) code = worse(code, ExitCode::unexpected);
   }
   return code;
