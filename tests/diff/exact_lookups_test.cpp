@@ -60,10 +60,14 @@ TEST(ExactLookups, OfRenderersThatTellNoLevelAreColours) {
   const Rendering exact = rasterize(scene, {});
   const Rendering untold = without_details(exact);
   const auto of_drawn = looked_up(scene, untold, untold);
+  EXPECT_EQ(of_drawn, looked_up(scene, {}, untold));
   ASSERT_EQ(of_drawn.size(), 6 * untold.fragments.size());
-  for (std::size_t i = 0; i < untold.fragments.size(); ++i)
+  for (std::size_t i = 0; i < untold.fragments.size(); ++i) {
+    EXPECT_EQ(of_drawn[6 * i], 0u);
+    EXPECT_EQ(of_drawn[6 * i + 1], 0u);
     for (std::size_t c = 0; c < 4; ++c)
       ASSERT_EQ(of_drawn[6 * i + 2 + c], std::bit_cast<std::uint64_t>(exact.fragments[i].color[c]));
+  }
 }
 
 TEST(ExactLookups, LookIntoTheChainThatTheRendererTells) {

@@ -68,17 +68,14 @@ TexturedPrimitive& ExactLookups::primitive_of(const Fragment& fragment) {
 LookedUp ExactLookups::look_up(const Fragment& fragment) {
   const PixelPosition pixel{fragment.x, fragment.y};
   LookedUp result;
-  const auto tell_level = [&](const QueriedLevel& queried) {
-    std::ranges::transform(queried, result.level_of_detail.begin(), middle);
-  };
-  if (const Fragment* own = drawn(fragment)) {
+  if (tells_level(fragment))
+    std::ranges::transform(primitive_of(fragment).queried(pixel), result.level_of_detail.begin(),
+                           middle);
+  if (const Fragment* own = drawn(fragment))
     result.color = own->color;
-    if (tells_level(fragment)) tell_level(primitive_of(fragment).queried(pixel));
-    return result;
-  }
-  const ExactLookup lookup = primitive_of(fragment).look_up(pixel);
-  std::ranges::transform(lookup.color, result.color.begin(), middle);
-  if (tells_level(fragment)) tell_level(lookup.queried);
+  else
+    std::ranges::transform(primitive_of(fragment).look_up(pixel).color, result.color.begin(),
+                           middle);
   return result;
 }
 

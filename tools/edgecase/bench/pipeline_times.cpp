@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -48,7 +49,8 @@ double run_once(const Suite& suite, const std::string& renderer, int jobs) {
   return seconds_since(start);
 }
 
-// While it lives, this thread and all that it starts, processes too, run on one processor.
+// While it lives, this thread and all that it starts, processes too, run on one processor: where
+// the system allows it.
 class OneCore {
  public:
   OneCore() {
@@ -66,14 +68,17 @@ class OneCore {
   }
   OneCore(const OneCore&) = delete;
   OneCore& operator=(const OneCore&) = delete;
+  bool is_set() const { return is_set_; }
 
  private:
   cpu_set_t before_;
   bool is_set_ = false;
 };
 
-double run_once_on_one_core(const Suite& suite, const std::string& renderer) {
+// Nothing where one core cannot be had.
+std::optional<double> run_once_on_one_core(const Suite& suite, const std::string& renderer) {
   const OneCore one;
+  if (!one.is_set()) return std::nullopt;
   return run_once(suite, renderer, 1);
 }
 
@@ -119,7 +124,12 @@ PipelineRates time_pipeline(const BenchPlan& plan, const Suite& suite,
       return rates;
     }
     rates.worker.push_back(cases / answer.seconds);
-    rates.one_core.push_back(cases / run_once_on_one_core(suite, renderer));
+    const std::optional<double> on_one_core = run_once_on_one_core(suite, renderer);
+    if (!on_one_core) {
+      rates.problem = "the system does not let a run have one processor for itself";
+      return rates;
+    }
+    rates.one_core.push_back(cases / *on_one_core);
     rates.one_job.push_back(cases / run_once(suite, renderer, 1));
     rates.two_jobs.push_back(cases / run_once(suite, renderer, 2));
     rates.fuzzed.push_back(cases / fuzz_once(renderer, rates.cases));
