@@ -19,9 +19,10 @@ CaseComparison::CaseComparison(const Suite& suite, const RunOptions& options)
 
 const Rendering& CaseComparison::exact(std::size_t index) {
   std::call_once(made_[index], [&] {
-    renderings_[index] = rasterize_without_details(suite_.cases[index].scene, options_.policy);
+    renderings_[index] = std::make_unique<const Rendering>(
+        rasterize_without_details(suite_.cases[index].scene, options_.policy));
   });
-  return renderings_[index];
+  return *renderings_[index];
 }
 
 Result CaseComparison::compare_outcome(std::size_t index, Outcome outcome,

@@ -24,7 +24,7 @@ class CaseComparison {
   // the policy has them when no renderer says where its own lie.
   const Rendering& exact(std::size_t index);
   // Nobody asks for the exact rendering of this case any more.
-  void forget(std::size_t index) { renderings_[index] = {}; }
+  void forget(std::size_t index) { renderings_[index].reset(); }
 
   // What `info` answered to the case at `index`, compared.
   Result compare_outcome(std::size_t index, Outcome outcome, const RendererInfo& info);
@@ -36,7 +36,7 @@ class CaseComparison {
   const Suite& suite_;
   const RunOptions& options_;
   std::unique_ptr<std::once_flag[]> made_;
-  std::vector<Rendering> renderings_;
+  std::vector<std::unique_ptr<const Rendering>> renderings_;  // of cases that somebody asks for
 };
 
 }  // namespace edgecase

@@ -227,6 +227,23 @@ class Run {
     return result;
   }
 
+  // Those that all renderers have answered, in their order. Moved where they are: there are as many
+  // as the run has cases.
+  std::vector<CaseResults> take_complete_cases() {
+    std::size_t complete = 0;
+    for (std::size_t i = 0; i < described_.size(); ++i) {
+      auto answers = std::exchange(results_[i], {});
+      if (!std::ranges::all_of(answers, [](const auto& answer) { return answer.has_value(); }))
+        continue;
+      CaseResults& one = described_[i];
+      for (auto& answer : answers) one.results.push_back(std::move(*answer));
+      if (complete != i) described_[complete] = std::move(one);
+      ++complete;
+    }
+    described_.resize(complete);
+    return std::move(described_);
+  }
+
   Results collect() {
     Results results;
     results.policy = options_.policy.name;
@@ -235,16 +252,8 @@ class Run {
     results.renderers = infos_;
     results.diagnostics = suite_.diagnostics;
     results.shard = suite_.share;
-    for (std::size_t i = 0; i < suite_.cases.size(); ++i) {
-      const bool complete = std::all_of(results_[i].begin(), results_[i].end(),
-                                        [](const auto& result) { return result.has_value(); });
-      if (!complete) {
-        ++results.left_out;
-        continue;
-      }
-      results.cases.push_back(std::move(described_[i]));
-      for (auto& result : results_[i]) results.cases.back().results.push_back(std::move(*result));
-    }
+    results.cases = take_complete_cases();
+    results.left_out = suite_.cases.size() - results.cases.size();
     results.interrupted = results.left_out > 0;
     judge_all(results);
     return results;

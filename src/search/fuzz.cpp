@@ -260,11 +260,11 @@ class Search {
         count,
         [&](std::size_t i, std::size_t w) { found[i] = minimized(r, waiting[i], w, options); },
         [] { return false; });
-    waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count));
-    for (Find& find : found) {
-      minimize_asks_ += find.asks;
-      add(r, std::move(find));
+    for (std::size_t i = 0; i < count; ++i) {
+      minimize_asks_ += found[i].asks;
+      if (is_shown(found[i].end) || waiting[i].result) add(r, std::move(found[i]));
     }
+    waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count));
   }
 
   // Where the time is given: as many asks for each that waits as there is time for, if all go as
@@ -282,6 +282,10 @@ class Search {
 
   bool is_full() const { return options_.finds && finds() >= *options_.finds; }
 
+  static bool is_shown(MinimizeEnd end) {
+    return end == MinimizeEnd::finished || end == MinimizeEnd::exhausted;
+  }
+
   Find minimized(std::size_t r, const Candidate& candidate, std::size_t worker,
                  const MinimizeOptions& options) {
     Find find;
@@ -293,9 +297,12 @@ class Search {
     Trial trial = trial_of(r, worker);
     Minimized least = edgecase::minimize(find.scene, find.key.signature, trial, options);
     // One that was stopped at once, or did not show it again, stays as it was found.
-    const bool is_shown = least.end == MinimizeEnd::finished || least.end == MinimizeEnd::exhausted;
-    find.result = is_shown ? std::move(least.result) : candidate.result;
-    if (is_shown) find.scene = std::move(least.scene);
+    if (is_shown(least.end)) {
+      find.result = std::move(least.result);
+      find.scene = std::move(least.scene);
+    } else if (candidate.result) {
+      find.result = *candidate.result;
+    }
     find.end = least.end;
     find.least_bits = least.least_bits;
     find.asks = least.asks;

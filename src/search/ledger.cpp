@@ -122,21 +122,29 @@ std::vector<Candidate> Ledger::take_candidates() {
       const auto candidate = [&] {
         return Candidate{what.key, what.verdict, pending.sourced, pending.result};
       };
+      const auto keep_other = [&](const SourcedScene& sourced, Verdict verdict) {
+        if (lacks_others(what.key))
+          others_[what.key].push_back({what.key, verdict, sourced, std::nullopt});
+      };
       if (place == places.end()) {
         const bool is_better = readable && !readable_.contains(what.key);
         if (is_known(what.key)) continue;
         if (is_new || is_better) {
           places[what.key] = candidates.size();
           candidates.push_back(candidate());
-        } else if (lacks_others(what.key)) {
-          others_[what.key].push_back(candidate());
+        } else {
+          keep_other(pending.sourced, what.verdict);
         }
         continue;
       }
       Candidate& taken = candidates[place->second];
       const bool is_better = is_smaller(pending.sourced.scene, taken.sourced.scene);
-      if (lacks_others(what.key)) others_[what.key].push_back(is_better ? taken : candidate());
-      if (is_better) taken = candidate();
+      if (is_better) {
+        keep_other(taken.sourced, taken.verdict);
+        taken = candidate();
+      } else {
+        keep_other(pending.sourced, what.verdict);
+      }
     }
   }
   pending_.clear();

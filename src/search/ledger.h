@@ -27,7 +27,8 @@ struct Candidate {
   FindKey key;
   Verdict verdict = Verdict::agree;
   SourcedScene sourced;
-  Result result;  // judged
+  // Judged. Nothing where another scene shows it, too: those are many, and results are large.
+  std::optional<Result> result;
 };
 
 class Ledger {

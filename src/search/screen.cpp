@@ -18,6 +18,8 @@
 namespace edgecase {
 namespace {
 
+constexpr std::size_t kMostAlike = 4;  // disagreements that only their pixels tell apart
+
 using Drawn = std::vector<std::vector<PixelPosition>>;  // by primitive
 
 Drawn drawn_of(std::size_t primitives, const Rendering& rendering) {
@@ -34,6 +36,21 @@ Drawn covered_under(const RuleChoices& choices, const Target& target,
   for (const ScenePrimitive& primitive : primitives)
     covered.push_back(covered_pixels(primitive, target, choices.of(primitive.kind)));
   return covered;
+}
+
+// Leaves what judging a result and telling of it need: values may differ at every pixel, and some
+// thousand results wait to be judged.
+void lighten(Result& result) {
+  result.pixels = result.exact_pixels = {};
+  std::map<std::tuple<std::string, DisagreementKind, int, int, bool, int, bool, std::string,
+                      std::string>,
+           std::size_t>
+      alike;
+  std::erase_if(result.disagreements, [&](const Disagreement& d) {
+    return ++alike[{d.rule, d.kind, d.primitive, d.sample, d.legal, d.ruling, d.policy_agrees,
+                    d.cause, d.situation}] > kMostAlike;
+  });
+  result.disagreements.shrink_to_fit();
 }
 
 // Scenes of one size together: some window systems pay for every change of size.
@@ -77,7 +94,9 @@ Screening Screen::ask(Renderer& renderer, std::span<const Scene> scenes, bool co
     }
     const int bits = renderer.info().subpixel_bits;
     auto result = screened(scenes[order[k]], std::move(outcome), tasks[k].coverage_only, bits);
-    if (result) screening.suspects.push_back({order[k], std::move(*result)});
+    if (!result) return;
+    lighten(*result);
+    screening.suspects.push_back({order[k], std::move(*result)});
   });
   std::ranges::sort(screening.suspects, {}, &Screening::Suspect::scene);
   return screening;

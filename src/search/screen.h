@@ -4,8 +4,8 @@
 //
 // Most scenes show nothing. So of scenes that are about coverage only that is asked for, and only
 // primitives that differ are looked at closely; nothing is explained of those that agree. What
-// remains has results as compare() makes them, not judged yet: a run's reading is for whoever knows
-// the run (search/ledger.h).
+// remains has results as compare() makes them, but for what is alike, and not judged yet: a run's
+// reading is for whoever knows the run (search/ledger.h).
 #pragma once
 
 #include <atomic>
@@ -26,7 +26,9 @@ namespace edgecase {
 struct Screening {
   struct Suspect {
     std::size_t scene = 0;  // index
-    Result result;          // something differs, or the renderer failed; not judged
+    // Something differs, or the renderer failed; not judged. Without pictures, and of disagreements
+    // that only their pixels tell apart a few.
+    Result result;
   };
   std::vector<Suspect> suspects;   // in the order of scenes
   std::size_t drawn = 0;           // scenes that have a rendering
