@@ -24,8 +24,9 @@ BenchAnswer time_rendering(SceneRenderer& renderer, const BenchRequest& request)
   const auto start = Clock::now();
   do {
     for (const Scene& scene : request.scenes) {
-      const Outcome outcome = renderer.render(scene);
+      Outcome outcome = renderer.render(scene);
       if (const auto* failure = std::get_if<Failure>(&outcome)) return {failure->reason, 0, 0, {}};
+      answer.pixels = std::move(std::get<Rendering>(outcome).pixels);
     }
     ++answer.rounds;
     answer.seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -61,6 +61,8 @@ Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
   read_upside_down(drawing, result);
   std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
+  // A run keeps its results until all are there.
+  result.disagreements.shrink_to_fit();
   result.pixel_counts.same = count_same_pixels(exact.pixels, rendered.pixels);
   return result;
 }
@@ -95,6 +97,7 @@ Figure scene_figure(const Scene& scene) {
     }
     figure.marks.push_back(std::move(outline));
   }
+  figure.marks.shrink_to_fit();
   return figure;
 }
 

@@ -36,6 +36,7 @@ std::vector<Result::ToldFragment> fragments_at(const std::vector<bool>& pixels,
   add(rendering, -1);
   for (std::size_t i = 0; i < rendering.passes.size(); ++i)
     add(rendering.passes[i], static_cast<int>(i));
+  told.shrink_to_fit();
   return told;
 }
 

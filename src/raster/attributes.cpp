@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "raster/centre_colors.h"
 #include "raster/texture_stage.h"
 #include "raster/vertex_attributes.h"
+#include "rules/values/exact_place.h"
 #include "rules/values/flat_attribute.h"
 
 namespace edgecase {
@@ -44,14 +46,12 @@ Interpolant plus(Interpolant depth, Interval offset) {
   return depth;
 }
 
-// Everything but the colour.
-Fragment fragment_at(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
-                     PixelPosition pixel, Point place) {
+Fragment fragment_at(const ScenePrimitive& primitive, PixelPosition pixel, Interval depth) {
   Fragment fragment;
   fragment.x = pixel.x;
   fragment.y = pixel.y;
   fragment.primitive = primitive.index;
-  fragment.depth = middle(depth_exact(attributes, place));
+  fragment.depth = middle(depth);
   return fragment;
 }
 
@@ -126,7 +126,7 @@ double middle(Interval value) {
 
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
                PixelPosition pixel, const ShadingPlaces& places) {
-  Fragment fragment = fragment_at(primitive, attributes, pixel, places.depth);
+  Fragment fragment = fragment_at(primitive, pixel, depth_exact(attributes, places.depth));
   for (std::size_t c = 0; c < 4; ++c)
     fragment.color[c] = middle(color_exact(attributes, c, places.color, pixel));
   return fragment;
@@ -134,10 +134,19 @@ Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attri
 
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
                PixelPosition pixel, const ExactLookup* lookup) {
-  const Point sample = pixel_centre(pixel.x, pixel.y);
-  if (!lookup) return shade(primitive, attributes, pixel, {sample, sample, sample});
-  Fragment fragment = fragment_at(primitive, attributes, pixel, sample);
-  for (std::size_t c = 0; c < 4; ++c) fragment.color[c] = middle(lookup->color[c]);
+  const ExactPlace centre(pixel_centre(pixel.x, pixel.y));
+  Fragment fragment =
+      fragment_at(primitive, pixel, clamped_depth(attributes, centre.value(attributes.depth)));
+  for (std::size_t c = 0; c < 4; ++c)
+    fragment.color[c] = middle(lookup ? lookup->color[c] : centre.value(attributes.color[c]));
+  return fragment;
+}
+
+Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
+               PixelPosition pixel, CentreColors& colors) {
+  const Point centre = pixel_centre(pixel.x, pixel.y);
+  Fragment fragment = fragment_at(primitive, pixel, depth_exact(attributes, centre));
+  std::ranges::transform(colors.at(pixel), fragment.color.begin(), middle);
   return fragment;
 }
 
@@ -148,8 +157,8 @@ std::array<double, 4> coordinates_at(const PrimitiveAttributes& attributes,
           middle(interpolate_exact(attributes.inverse_w, places.coordinates))};
 }
 
-FragmentDetail shade_details(const PrimitiveAttributes& attributes, const QuadPixel& at,
-                             const ValueChoice& choice, const Details& asked,
+FragmentDetail shade_details(const PrimitiveAttributes& attributes, CentreColors& colors,
+                             const QuadPixel& at, const ValueChoice& choice, const Details& asked,
                              const ExactLookup* lookup) {
   const Point sample = pixel_centre(at.pixel.x, at.pixel.y);
   FragmentDetail detail;
@@ -164,9 +173,14 @@ FragmentDetail shade_details(const PrimitiveAttributes& attributes, const QuadPi
   for (std::size_t d = 0; d < kDerivatives; ++d) {
     const auto derivative = static_cast<Derivative>(d);
     detail.has_derivative[d] = true;
-    for (std::size_t c = 0; c < 4; ++c)
-      detail.derivatives[d][c] = middle(derivative_exact(
-          attributes.color[c], at, axis_of(derivative), choice.derivatives[form_of(derivative)]));
+    const DerivativeMethod method = choice.derivatives[form_of(derivative)];
+    // Along x, then along y, form by form.
+    if (d >= 2 && method == choice.derivatives[0]) {
+      detail.derivatives[d] = detail.derivatives[d % 2];
+      continue;
+    }
+    std::ranges::transform(colors.derivatives(at, axis_of(derivative), method),
+                           detail.derivatives[d].begin(), middle);
   }
   return detail;
 }

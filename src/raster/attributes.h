@@ -13,6 +13,7 @@
 
 namespace edgecase {
 
+class CentreColors;
 struct ExactLookup;
 
 // What is interpolated over one primitive.
@@ -63,6 +64,10 @@ double middle(Interval value);
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
                PixelPosition pixel, const ExactLookup* lookup = nullptr);
 
+// The same, its colour taken from `colors`, which are of these attributes.
+Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
+               PixelPosition pixel, CentreColors& colors);
+
 // Where in the window a fragment of a multisampled target takes its values.
 struct ShadingPlaces {
   Point color;
@@ -76,8 +81,9 @@ std::array<double, 4> coordinates_at(const PrimitiveAttributes& attributes,
                                      const ShadingPlaces& places);
 
 // What a scene asks to be told of the fragment beside; of textures, where there is a lookup.
-FragmentDetail shade_details(const PrimitiveAttributes& attributes, const QuadPixel& at,
-                             const ValueChoice& choice, const Details& asked,
+// `colors`: of these attributes.
+FragmentDetail shade_details(const PrimitiveAttributes& attributes, CentreColors& colors,
+                             const QuadPixel& at, const ValueChoice& choice, const Details& asked,
                              const ExactLookup* lookup = nullptr);
 
 }  // namespace edgecase

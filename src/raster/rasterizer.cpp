@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "raster/attributes.h"
+#include "raster/centre_colors.h"
 #include "raster/facing.h"
 #include "raster/fragment_stage.h"
 #include "raster/multisample.h"
@@ -48,9 +49,10 @@ Rendering cleared(const Target& target) {
 }
 
 // For so many more, and for as many again as there are.
-void make_room(std::size_t count, std::vector<Fragment>& fragments) {
-  const std::size_t needed = fragments.size() + count;
-  if (needed > fragments.capacity()) fragments.reserve(std::max(needed, 2 * fragments.size()));
+template <class Item>
+void make_room(std::size_t count, std::vector<Item>& items) {
+  const std::size_t needed = items.size() + count;
+  if (needed > items.capacity()) items.reserve(std::max(needed, 2 * items.size()));
 }
 
 void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleChoices& choices,
@@ -59,6 +61,7 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
   const FragmentStage stage(rendering, target, choices.output);
   std::optional<TextureStage> textures;
   if (!scene.textures.empty()) rendering.mip_chains = textures.emplace(scene, choices).chains();
+  CentreColors colors(target.width);
   for (const ScenePrimitive& primitive : primitives_of(scene)) {
     const CoverageChoice& choice = choices.of(primitive.kind);
     const bool front_facing = is_front_facing(primitive, target, choice);
@@ -67,21 +70,25 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
     if (primitive.state->texture) textured.emplace(textures.value(), primitive, attributes);
     const std::vector<PixelPosition> pixels = covered_pixels(primitive, target, choice);
     make_room(pixels.size(), rendering.fragments);
+    if (details.any()) make_room(pixels.size(), rendering.details);
     // Where all fragments have one colour and one depth, the first is shaded for them.
     const bool are_alike = !textured && are_constant(attributes);
+    colors.take(attributes.color);
     Fragment fragment;
     ExactLookup lookup;
     const ExactLookup* const shown = textured ? &lookup : nullptr;
     for (PixelPosition pixel : pixels) {
       if (textured) lookup = textured->look_up(pixel);
       if (!are_alike || pixel == pixels.front())
-        fragment = shade(primitive, attributes, pixel, shown);
+        fragment = details.derivatives && !textured ? shade(primitive, attributes, pixel, colors)
+                                                    : shade(primitive, attributes, pixel, shown);
       fragment.x = pixel.x;
       fragment.y = pixel.y;
       if (details.any()) {
         fragment.detail = static_cast<int>(rendering.details.size());
-        rendering.details.push_back(shade_details(
-            attributes, quad_of(pixel, choices.values, target), choices.values, details, shown));
+        rendering.details.push_back(shade_details(attributes, colors,
+                                                  quad_of(pixel, choices.values, target),
+                                                  choices.values, details, shown));
       }
       stage.draw({fragment.color, fragment.depth, front_facing}, primitive.state->operations,
                  rendering.pixel_index(fragment.x, fragment.y));

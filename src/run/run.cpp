@@ -78,10 +78,11 @@ class Run {
         options_(options),
         comparison_(suite, options),
         infos_(options.renderers.size()),
-        results_(suite.cases.size(), std::vector<std::optional<Result>>(options.renderers.size())),
+        results_(suite.cases.size()),
         unanswered_(suite.cases.size()),
         described_(suite.cases.size()) {
     for (auto& renderers : unanswered_) renderers = options.renderers.size();
+    for (auto& results : results_) results.resize(options.renderers.size());
     for (std::size_t r = 0; r < infos_.size(); ++r) infos_[r].name = options.renderers[r];
   }
 
@@ -130,9 +131,7 @@ class Run {
     for (std::size_t r = 0; r < infos_.size() && !stopped(); ++r) {
       std::vector<std::size_t> cases;
       for (std::size_t i = 0; i < results_.size(); ++i)
-        if (!results_[i][r] &&
-            std::ranges::any_of(results_[i], [](const auto& result) { return result.has_value(); }))
-          cases.push_back(i);
+        if (is_begun(i) && results_[i][r] == nullptr) cases.push_back(i);
       if (cases.empty()) continue;
       Renderers own;
       try {
@@ -143,6 +142,11 @@ class Run {
     }
   }
 
+  // Has some renderer answered it, and others not?
+  bool is_begun(std::size_t index) const {
+    return unanswered_[index] > 0 && unanswered_[index] < infos_.size();
+  }
+
   void render_cases(std::size_t index, const std::vector<std::size_t>& cases, Renderer& renderer) {
     std::vector<Task> tasks;
     for (const std::size_t i : cases) tasks.push_back({suite_.cases[i].id, &suite_.cases[i].scene});
@@ -150,10 +154,11 @@ class Run {
       renderer.render(tasks, [&](std::size_t i, Outcome outcome) {
         // A failure may come from being stopped itself.
         if (stopped() && std::holds_alternative<Failure>(outcome)) throw Stopped{};
-        std::optional<Result>& result = results_[cases[i]][index];
-        result = comparison_.compare_outcome(cases[i], std::move(outcome), renderer.info());
+        std::unique_ptr<Result>& result = results_[cases[i]][index];
+        result = std::make_unique<Result>(
+            comparison_.compare_outcome(cases[i], std::move(outcome), renderer.info()));
         count_unexpected(cases[i], index, *result);
-        if (--unanswered_[cases[i]] == 0) describe_and_forget(cases[i]);
+        if (--unanswered_[cases[i]] == 0) complete(cases[i]);
         report_progress();
         if (stopped() || (enough_ && !is_finishing_)) throw Stopped{};
       });
@@ -192,9 +197,12 @@ class Run {
 
   // Exact renderings are the bulk of what a run holds: each is kept until the last renderer has
   // been held against it.
-  void describe_and_forget(std::size_t index) {
-    described_[index] = describe(index);
+  void complete(std::size_t index) {
+    CaseResults& one = described_[index] = describe(index);
     comparison_.forget(index);
+    one.results.reserve(infos_.size());
+    for (auto& result : std::exchange(results_[index], {}))
+      one.results.emplace_back(std::move(*result));
   }
 
   CaseResults describe(std::size_t index) {
@@ -227,17 +235,12 @@ class Run {
     return result;
   }
 
-  // Those that all renderers have answered, in their order. Moved where they are: there are as many
-  // as the run has cases.
+  // In their order, and where they are: a list of all of them is large.
   std::vector<CaseResults> take_complete_cases() {
     std::size_t complete = 0;
     for (std::size_t i = 0; i < described_.size(); ++i) {
-      auto answers = std::exchange(results_[i], {});
-      if (!std::ranges::all_of(answers, [](const auto& answer) { return answer.has_value(); }))
-        continue;
-      CaseResults& one = described_[i];
-      for (auto& answer : answers) one.results.push_back(std::move(*answer));
-      if (complete != i) described_[complete] = std::move(one);
+      if (unanswered_[i] > 0) continue;
+      if (complete != i) described_[complete] = std::move(described_[i]);
       ++complete;
     }
     described_.resize(complete);
@@ -263,9 +266,10 @@ class Run {
   const RunOptions& options_;
   CaseComparison comparison_;
   std::vector<RendererInfo> infos_;
-  std::vector<std::vector<std::optional<Result>>> results_;  // by case, then renderer
-  std::vector<std::atomic<std::size_t>> unanswered_;         // by case: renderers
-  std::vector<CaseResults> described_;                       // cases that all have answered
+  // By case, then renderer, of cases that not all have answered.
+  std::vector<std::vector<std::unique_ptr<Result>>> results_;
+  std::vector<std::atomic<std::size_t>> unanswered_;  // by case: renderers
+  std::vector<CaseResults> described_;                // cases that all have answered
   std::vector<Share> shares_;
   std::atomic<std::size_t> next_share_ = 0;
   std::atomic<std::size_t> done_ = 0;

@@ -31,8 +31,7 @@ struct BenchAnswer {
   std::string problem;       // why nothing was timed; empty: the rest holds
   std::uint64_t rounds = 0;  // over all scenes
   double seconds = 0;        // that they took
-  std::vector<std::uint8_t>
-      pixels;  // of `draw`: what the last frame shows, RGBA8, bottom row first
+  std::vector<std::uint8_t> pixels;  // of the last frame or scene: RGBA8, bottom row first
 };
 
 std::string bench_request_message(const BenchRequest& request);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "raster/attributes.h"
+#include "raster/centre_colors.h"
 #include "rules/values/depth_buffer.h"
 #include "tests/diff/value_mutants.h"
 
@@ -21,8 +22,11 @@ Rendering shaded(const Scene& scene, Rendering rendering, const RuleChoices& cho
     f = shade(primitive, attributes, pixel);
     f.detail = detail;
     if (!with_details || detail < 0) continue;
-    rendering.details.at(static_cast<std::size_t>(detail)) = shade_details(
-        attributes, quad_of(pixel, choices.values, scene.target), choices.values, scene.details);
+    CentreColors colors(scene.target.width);
+    colors.take(attributes.color);
+    rendering.details.at(static_cast<std::size_t>(detail)) =
+        shade_details(attributes, colors, quad_of(pixel, choices.values, scene.target),
+                      choices.values, scene.details);
   }
   return stored(scene, std::move(rendering));
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "raster/centre_colors.h"
 #include "raster/texture_stage.h"
 #include "raster/vertex_attributes.h"
 #include "tests/raster/random_scenes.h"
@@ -32,6 +33,12 @@ class Attributes : public ::testing::Test {
   ScenePrimitive primitive() const { return primitives_of(scene_).at(0); }
   PrimitiveAttributes attributes() const {
     return attributes_of(primitive(), choices_, scene_.target);
+  }
+  FragmentDetail details_at(const PrimitiveAttributes& given, const QuadPixel& pixel,
+                            const Details& asked, const ExactLookup* lookup = nullptr) const {
+    CentreColors colors(scene_.target.width);
+    colors.take(given.color);
+    return shade_details(given, colors, pixel, choices_.values, asked, lookup);
   }
   void give_clip(std::size_t vertex, ClipPosition clip) {
     draw().vertices[vertex].clip = clip;
@@ -205,8 +212,7 @@ TEST_F(Attributes, DetailsAreOnlyWhatWasAsked) {
   const Fragment fragment = shade(primitive(), given, pixel.pixel);
   for (const bool coordinates : {false, true})
     for (const bool derivatives : {false, true}) {
-      const FragmentDetail detail =
-          shade_details(given, pixel, choices_.values, {coordinates, derivatives});
+      const FragmentDetail detail = details_at(given, pixel, {coordinates, derivatives});
       EXPECT_EQ(detail.has_coordinates, coordinates);
       for (const bool has : detail.has_derivative) EXPECT_EQ(has, derivatives);
       const std::array<double, 4> expected{5.5, 4.5, fragment.depth, 1};
@@ -221,13 +227,44 @@ TEST_F(Attributes, EachFormOfADerivativeFollowsItsOwnMethod) {
                                  DerivativeMethod::coarse_top_right};
   const PrimitiveAttributes given = attributes();
   const QuadPixel pixel{{5, 4}, {4, 4}};
-  const FragmentDetail detail = shade_details(given, pixel, choices_.values, {false, true});
+  const FragmentDetail detail = details_at(given, pixel, {false, true});
   EXPECT_NE(detail.derivatives[0][3], 0);
   for (std::size_t d = 0; d < kDerivatives; ++d)
     for (std::size_t c = 0; c < 4; ++c)
       EXPECT_EQ(detail.derivatives[d][c],
                 middle(derivative_exact(given.color[c], pixel, d % 2 == 0 ? Axis::x : Axis::y,
                                         choices_.values.derivatives[d / 2])));
+}
+
+// To the bit, whatever was asked for before: of narrow targets, too, where neighbours are kept in
+// one place, and of one primitive after another.
+TEST_F(Attributes, DerivativesOfManyPixelsAreThoseOfEach) {
+  draw().vertices[2].w = 4;
+  const PrimitiveAttributes one = attributes();
+  draw().interpolation = Interpolation::noperspective;
+  draw().vertices[0].color[1] = 0.3F;
+  const PrimitiveAttributes other = attributes();
+  for (const int width : {1, 2, 16}) {
+    CentreColors colors(width);
+    for (const PrimitiveAttributes* given : {&one, &other, &one}) {
+      colors.take(given->color);
+      for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < width; ++x)
+          for (const DerivativeMethod method : all_derivative_methods())
+            for (const Axis axis : {Axis::x, Axis::y}) {
+              const QuadPixel pixel = in_quad({x, y}, RowOrder::bottom_up, 8);
+              const auto known = colors.derivatives(pixel, axis, method);
+              for (std::size_t c = 0; c < 4; ++c) {
+                const Interval alone = derivative_exact(given->color[c], pixel, axis, method);
+                ASSERT_EQ(known[c].low, alone.low);
+                ASSERT_EQ(known[c].high, alone.high);
+              }
+            }
+      const PixelPosition pixel{width / 2, 5};
+      EXPECT_EQ(shade(primitive(), *given, pixel, colors).color,
+                shade(primitive(), *given, pixel).color);
+    }
+  }
 }
 
 TEST_F(Attributes, TexturedDrawsInterpolateWhereTheyAreLookedUp) {
@@ -260,8 +297,8 @@ TEST_F(Attributes, LookupsAreToldWhereAskedFor) {
             (std::array<double, 4>{0.125, 0.625, 7, 1}));
   for (const bool asked : {false, true})
     for (const bool textured : {false, true}) {
-      const FragmentDetail detail = shade_details(
-          given, pixel, choices_.values, {false, false, asked}, textured ? &lookup : nullptr);
+      const FragmentDetail detail =
+          details_at(given, pixel, {false, false, asked}, textured ? &lookup : nullptr);
       const bool told = asked && textured;
       EXPECT_EQ(detail.has_texture_coordinates, told);
       EXPECT_EQ(detail.has_level_of_detail, told);

@@ -22,7 +22,7 @@ class Bench(CommandTest):
 
     def test_scenes_are_drawn_by_both_sides(self):
         scenes = {scene["name"]: scene for scene in self.bench("scenes")["scenes"]}
-        self.assertEqual(len(scenes), 8)
+        self.assertEqual(len(scenes), 9)
         for name, scene in scenes.items():
             with self.subTest(name):
                 self.check_spread(scene["exact"]["seconds"])

@@ -220,6 +220,7 @@ void ValueAggregator::add_error(ValueAggregate::Place place, const Error& error)
 void ValueAggregator::flush(Result& result) {
   if (aggregate_.compared == 0) return;
   if (ulp_sum_ > 0) aggregate_.mean_ulp = ulp_sum_ / static_cast<double>(aggregate_.components);
+  aggregate_.differing.shrink_to_fit();
   result.values.push_back(std::move(aggregate_));
 }
 

@@ -20,11 +20,14 @@ class ExactPlace {
 
  private:
   using Weights = std::array<Interval, 3>;
+  bool has_extent(const Interpolant& f) const;
   const Weights& weights_of(const Interpolant& f) const;
   const Interval& total_of(const Interpolant& f) const;
 
   Point sample_;
-  // When they are first asked for: as they are, divided by w, and the sum of the former.
+  // When they are first asked for: whether the primitive has an extent, the weights as they are,
+  // divided by w, and the sum of the former.
+  mutable std::optional<bool> has_extent_;
   mutable std::optional<Weights> plain_;
   mutable std::optional<Weights> over_w_;
   mutable std::optional<Interval> total_;

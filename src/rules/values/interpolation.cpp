@@ -181,6 +181,11 @@ Interval ExactPlace::value(const Interpolant& f) const {
   return settled(mean.value(), f, sample_);
 }
 
+bool ExactPlace::has_extent(const Interpolant& f) const {
+  if (!has_extent_) has_extent_ = edgecase::has_extent(f);
+  return *has_extent_;
+}
+
 const ExactPlace::Weights& ExactPlace::weights_of(const Interpolant& f) const {
   if (!plain_) plain_ = plain_weights(f, homogeneous(sample_));
   if (!has_perspective(f)) return *plain_;

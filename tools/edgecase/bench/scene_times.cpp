@@ -7,6 +7,7 @@
 
 #include "diff/pixel_blocks.h"
 #include "raster/exact_drawing.h"
+#include "raster/rasterizer.h"
 #include "tools/edgecase/bench/rates.h"
 #include "tools/edgecase/bench/scenes.h"
 #include "tools/edgecase/bench/worker.h"
@@ -35,20 +36,49 @@ std::vector<Rival> rivals_of(const BenchPlan& plan) {
   return rivals;
 }
 
+bool is_captured(const BenchScene& scene) {
+  return scene.layers.front().details.any();
+}
+
+// Exact's side of a scene: pixels alone, or all of its Rendering.
+class ExactSide {
+ public:
+  ExactSide(const BenchScene& scene, const Policy& policy)
+      : scene_(scene), policy_(policy), drawing_(scene.layers, policy) {}
+
+  void draw() {
+    if (is_captured(scene_))
+      rendering_ = rasterize(scene_.layers.front(), policy_);
+    else
+      drawing_.draw();
+  }
+  std::vector<std::uint8_t> pixels() const {
+    return is_captured(scene_) ? rendering_.pixels : drawing_.pixels();
+  }
+
+ private:
+  const BenchScene& scene_;
+  const Policy& policy_;
+  ExactDrawing drawing_;
+  Rendering rendering_;
+};
+
 // One frame on average; and what it shows.
 BenchAnswer ask(Rival& rival, const BenchScene& scene, double seconds) {
   if (rival.worker == nullptr) return {rival.problem, 0, 0, {}};
-  const BenchTask task = scene.layers.size() > 1 ? BenchTask::draw_by_draw : BenchTask::draw;
+  const BenchTask task = is_captured(scene)        ? BenchTask::render
+                         : scene.layers.size() > 1 ? BenchTask::draw_by_draw
+                                                   : BenchTask::draw;
   return rival.worker->ask({task, seconds, {whole_scene(scene)}});
 }
 
 SceneTimes time_scene(const BenchScene& scene, const BenchPlan& plan, std::vector<Rival>& rivals) {
   SceneTimes times{scene.name, scene.unit, scene.items, plan.side, {}, {}};
   const Policy policy;
-  ExactDrawing drawing(scene.layers, policy);
+  ExactSide exact(scene, policy);
   for (const Rival& rival : rivals) times.renderers.push_back({rival.renderer, "", {}, 0});
   for (int round = 0; round < plan.rounds; ++round) {
-    times.exact.push_back(time_of(plan.seconds, [&] { drawing.draw(); }));
+    times.exact.push_back(time_of(plan.seconds, [&] { exact.draw(); }));
     for (std::size_t r = 0; r < rivals.size(); ++r) {
       RendererTimes& own = times.renderers[r];
       if (!own.problem.empty()) continue;
@@ -56,7 +86,7 @@ SceneTimes time_scene(const BenchScene& scene, const BenchPlan& plan, std::vecto
       own.problem = std::move(answer.problem);
       if (!own.problem.empty()) continue;
       own.seconds.push_back(answer.seconds / static_cast<double>(answer.rounds));
-      own.same_pixels = count_same_pixels(drawing.pixels(), answer.pixels);
+      own.same_pixels = count_same_pixels(exact.pixels(), answer.pixels);
     }
   }
   return times;

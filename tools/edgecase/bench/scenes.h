@@ -19,7 +19,8 @@ namespace edgecase {
 struct BenchScene {
   std::string name;
   // One above the other: each with one draw, all with the same target. A renderer is waited for
-  // after each, where there are several.
+  // after each, where there are several. One that asks for details is captured: both sides make
+  // its whole Rendering.
   std::vector<Scene> layers;
   std::string unit;  // what `items` counts
   double items = 0;  // of one frame, all layers

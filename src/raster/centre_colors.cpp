@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "raster/centre_colors.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "rules/values/exact_place.h"
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kRows = 4;  // a quad's, and those beside it
+constexpr std::size_t kMostColumns = 4096;
+
+}  // namespace
+
+CentreColors::CentreColors(int width)
+    : columns_(std::min(std::bit_ceil(static_cast<std::size_t>(width)), kMostColumns)) {}
+
+void CentreColors::take(const std::array<Interpolant, 4>& components) {
+  components_ = &components;
+  std::ranges::transform(components, are_constant_.begin(), is_constant);
+  ++primitive_;
+}
+
+const CentreColors::Components& CentreColors::at(PixelPosition pixel) {
+  if (known_.empty()) known_.resize(kRows * columns_);
+  // Neighbours of pixels at the target's edges lie outside it.
+  const std::size_t column = static_cast<std::size_t>(pixel.x) % columns_;
+  const std::size_t row = static_cast<std::size_t>(pixel.y) % kRows;
+  AtPixel& known = known_[row * columns_ + column];
+  if (known.primitive != primitive_ || known.pixel != pixel) {
+    const ExactPlace place(pixel_centre(pixel.x, pixel.y));
+    known.primitive = primitive_;
+    known.pixel = pixel;
+    std::ranges::transform(*components_, known.values.begin(),
+                           [&](const Interpolant& f) { return place.value(f); });
+  }
+  return known.values;
+}
+
+CentreColors::Components CentreColors::derivatives(const QuadPixel& pixel, Axis axis,
+                                                   DerivativeMethod method) {
+  Components result;
+  if (method == DerivativeMethod::analytic) {
+    std::ranges::transform(*components_, result.begin(), [&](const Interpolant& f) {
+      return derivative_exact(f, pixel, axis, method);
+    });
+    return result;
+  }
+  const Neighbours of = neighbours_of(pixel, axis, method);
+  // Copied: a narrow target's neighbours may be kept in one place.
+  const Components first = at(of.first);
+  const Components& second = at(of.second);
+  for (std::size_t c = 0; c < result.size(); ++c)
+    result[c] = are_constant_[c] ? Interval(0) : second[c] - first[c];
+  return result;
+}
+
+}  // namespace edgecase
