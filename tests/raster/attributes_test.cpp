@@ -236,30 +236,38 @@ TEST_F(Attributes, EachFormOfADerivativeFollowsItsOwnMethod) {
                                         choices_.values.derivatives[d / 2])));
 }
 
+void expect_derivatives_of_each(const PrimitiveAttributes& given, PixelPosition at,
+                                CentreColors& colors) {
+  const QuadPixel pixel = in_quad(at, RowOrder::bottom_up, 8);
+  for (const DerivativeMethod method : all_derivative_methods())
+    for (const Axis axis : {Axis::x, Axis::y}) {
+      const CentreColors::Components known = colors.derivatives(pixel, axis, method);
+      for (std::size_t c = 0; c < 4; ++c) {
+        const Interval alone = derivative_exact(given.color[c], pixel, axis, method);
+        ASSERT_EQ(known[c].low, alone.low);
+        ASSERT_EQ(known[c].high, alone.high);
+      }
+    }
+}
+
 // To the bit, whatever was asked for before: of narrow targets, too, where neighbours are kept in
-// one place, and of one primitive after another.
+// one place, of rows in either order, and of one primitive after another.
 TEST_F(Attributes, DerivativesOfManyPixelsAreThoseOfEach) {
   draw().vertices[2].w = 4;
   const PrimitiveAttributes one = attributes();
   draw().interpolation = Interpolation::noperspective;
   draw().vertices[0].color[1] = 0.3F;
-  const PrimitiveAttributes other = attributes();
+  PrimitiveAttributes other = attributes();
+  // A quotient of which no more is known, the same at all vertices.
+  other.color[2].values.fill(Interval(0.25, 0.5));
   for (const int width : {1, 2, 16}) {
     CentreColors colors(width);
-    for (const PrimitiveAttributes* given : {&one, &other, &one}) {
+    for (const auto* given : std::array<const PrimitiveAttributes*, 3>{&one, &other, &one}) {
       colors.take(given->color);
-      for (int y = 0; y < 8; ++y)
-        for (int x = 0; x < width; ++x)
-          for (const DerivativeMethod method : all_derivative_methods())
-            for (const Axis axis : {Axis::x, Axis::y}) {
-              const QuadPixel pixel = in_quad({x, y}, RowOrder::bottom_up, 8);
-              const auto known = colors.derivatives(pixel, axis, method);
-              for (std::size_t c = 0; c < 4; ++c) {
-                const Interval alone = derivative_exact(given->color[c], pixel, axis, method);
-                ASSERT_EQ(known[c].low, alone.low);
-                ASSERT_EQ(known[c].high, alone.high);
-              }
-            }
+      for (const bool upwards : {true, false})
+        for (int row = 0; row < 8; ++row)
+          for (int x = 0; x < width; ++x)
+            expect_derivatives_of_each(*given, {x, upwards ? row : 7 - row}, colors);
       const PixelPosition pixel{width / 2, 5};
       EXPECT_EQ(shade(primitive(), *given, pixel, colors).color,
                 shade(primitive(), *given, pixel).color);
