@@ -28,9 +28,9 @@ struct BenchRequest {
 };
 
 struct BenchAnswer {
-  std::string problem;       // why nothing was timed; empty: the rest holds
-  std::uint64_t rounds = 0;  // over all scenes
-  double seconds = 0;        // that they took
+  std::string problem;               // why nothing was timed; empty: the rest holds
+  std::uint64_t rounds = 0;          // over all scenes
+  double seconds = 0;                // that they took
   std::vector<std::uint8_t> pixels;  // of the last frame or scene: RGBA8, bottom row first
 };
 
