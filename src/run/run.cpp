@@ -149,6 +149,7 @@ class Run {
 
   void render_cases(std::size_t index, const std::vector<std::size_t>& cases, Renderer& renderer) {
     std::vector<Task> tasks;
+    tasks.reserve(cases.size());
     for (const std::size_t i : cases) tasks.push_back({suite_.cases[i].id, &suite_.cases[i].scene});
     try {
       renderer.render(tasks, [&](std::size_t i, Outcome outcome) {

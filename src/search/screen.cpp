@@ -72,7 +72,7 @@ Screen::Screen(Policy policy, std::optional<Policy> profile)
   for (const Surface surface : {Surface::fbo, Surface::window}) {
     Sides sides{resolve(policy_, surface), resolve(Policy{}, surface), std::nullopt};
     if (profile_) sides.profile = resolve(*profile_, surface);
-    sides_.emplace(surface, std::move(sides));
+    sides_.emplace(surface, sides);
   }
 }
 
@@ -80,6 +80,7 @@ Screening Screen::ask(Renderer& renderer, std::span<const Scene> scenes, bool co
                       const std::atomic<bool>* stop) const {
   const std::vector<std::size_t> order = by_size(scenes);
   std::vector<Task> tasks;
+  tasks.reserve(order.size());
   for (const std::size_t i : order)
     tasks.push_back(
         {fmt::format("fuzz/{}", i), &scenes[i], coverage_only && scenes[i].target.samples == 1});
