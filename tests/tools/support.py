@@ -31,7 +31,8 @@ MESA = ["osmesa:llvmpipe", "osmesa:softpipe", "egl:llvmpipe", "egl:softpipe"]
 # What CI systems set for their own shards must not reach the command under test.
 SHARD_VARIABLES = ("TEST_TOTAL_SHARDS", "TEST_SHARD_INDEX", "TEST_SHARD_STATUS_FILE",
                    "CI_NODE_TOTAL", "CI_NODE_INDEX")
-PATIENCE = 1200  # seconds, for a command over the whole suite on a busy machine
+# Seconds, for a command over the whole suite on a busy machine; builds that are slow need more.
+PATIENCE = int(os.environ.get("EDGECASE_TEST_PATIENCE", "1200"))
 # A fifth of the suite, some of each folder: where a test says the same of every case, and parsing
 # the results of all of them would take minutes.
 A_FIFTH = ["--shard", "1/5"]
