@@ -11,12 +11,12 @@
 
 #include "results/base64.h"
 #include "results/deflate.h"
+#include "results/findings_json.h"
 #include "results/whole_number.h"
 
 namespace edgecase {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Place = ValueAggregate::Place;
 
 constexpr std::string_view kMark = "zlib:";
@@ -37,33 +37,37 @@ bool is_set(const std::vector<Place>& places) {
          }) == places.end();
 }
 
-Json runs_json(std::vector<Place> places) {
+// How many neighbours in a row of one primitive stand from `at` on.
+std::size_t length_of_run(const std::vector<Place>& places, std::size_t at) {
+  const Place& first = places[at];
+  int count = 1;
+  const auto continues = [&](const Place& p) {
+    return p.primitive == first.primitive && p.y == first.y && p.x == first.x + count;
+  };
+  while (++at < places.size() && continues(places[at])) ++count;
+  return static_cast<std::size_t>(count);
+}
+
+void write_runs(JsonWriter& json, std::vector<Place> places) {
   std::sort(places.begin(), places.end(),
             [](const Place& a, const Place& b) { return by_primitive(a) < by_primitive(b); });
-  Json runs = Json::array();
-  for (std::size_t i = 0; i < places.size();) {
-    const Place& first = places[i];
-    int count = 1;
-    const auto continues = [&](const Place& p) {
-      return p.primitive == first.primitive && p.y == first.y && p.x == first.x + count;
-    };
-    while (i + static_cast<std::size_t>(count) < places.size() &&
-           continues(places[i + static_cast<std::size_t>(count)]))
-      ++count;
-    runs.push_back({first.x, first.y, first.primitive, count});
-    i += static_cast<std::size_t>(count);
-  }
-  return runs;
+  json.list([&] {
+    for (std::size_t i = 0; i < places.size();) {
+      const std::size_t count = length_of_run(places, i);
+      json.array(places[i].x, places[i].y, places[i].primitive, count);
+      i += count;
+    }
+  });
 }
 
 }  // namespace
 
-Json folded(Json json) {
-  if (json.is_array() && json.empty()) return json;
-  if (json.is_string() && json.get_ref<const std::string&>().size() + 2 <= kLongest) return json;
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  if (text.size() <= kLongest) return json;
-  return std::string(kMark) + to_base64(deflated(text));
+void fold(std::string& text, std::size_t first) {
+  const std::string_view json = std::string_view(text).substr(first);
+  if (json.size() <= kLongest) return;
+  const std::string folded = to_base64(deflated(json));
+  text.erase(first);
+  text.append(1, '"').append(kMark).append(folded).append(1, '"');
 }
 
 nlohmann::json unfolded(const nlohmann::json& json) {
@@ -73,11 +77,9 @@ nlohmann::json unfolded(const nlohmann::json& json) {
   return nlohmann::json::parse(inflated(from_base64(std::string_view(text).substr(kMark.size()))));
 }
 
-Json places_json(const std::vector<Place>& places) {
-  if (places.size() > kMostPlaces && is_set(places)) return runs_json(places);
-  Json list = Json::array();
-  for (const Place& place : places) list.push_back({place.x, place.y, place.primitive});
-  return list;
+void write_places(JsonWriter& json, const std::vector<Place>& places) {
+  if (places.size() > kMostPlaces && is_set(places)) return write_runs(json, places);
+  json.list(places, write_place);
 }
 
 std::vector<Place> to_places(const nlohmann::json& json) {

@@ -12,27 +12,31 @@
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "model/verdict.h"
+#include "results/json_writer.h"
 
 namespace edgecase {
 
 constexpr std::size_t kMostPixels = 8192;
 constexpr std::size_t kLongest = 65536;
 
-// The same, or where its text is longer than that, folded. A string that begins with "zlib:" is not
-// taken.
-nlohmann::ordered_json folded(nlohmann::ordered_json json);
+// Folds the JSON value with which `text` ends, from `first` on, where that is longer. A string that
+// begins with "zlib:" is not taken.
+void fold(std::string& text, std::size_t first);
 
 // What was folded, or the same where it was not. Throws std::runtime_error for a fold that is
 // damaged.
 nlohmann::json unfolded(const nlohmann::json& json);
 
-// Places as a list of [x, y, primitive]. More than kMostPlaces, where they are sorted by row,
-// column and primitive, as runs [x, y, primitive, count] of neighbours in a row, sorted by
+// Writes places as a list of [x, y, primitive]. More than kMostPlaces, where they are sorted by
+// row, column and primitive, as runs [x, y, primitive, count] of neighbours in a row, sorted by
 // primitive, row and column. Each place stands once, or the list stays as it is.
 constexpr std::size_t kMostPlaces = 1000;
-nlohmann::ordered_json places_json(const std::vector<ValueAggregate::Place>& places);
+void write_places(JsonWriter& json, const std::vector<ValueAggregate::Place>& places);
+
+// The inverse. Throws std::runtime_error for anything else.
 std::vector<ValueAggregate::Place> to_places(const nlohmann::json& json);
 
 }  // namespace edgecase

@@ -3,21 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <stdexcept>
 
 namespace edgecase {
 namespace {
 
-// The two digits of each byte.
-constexpr auto kDigitsOfBytes = [] {
-  constexpr char kDigits[] = "0123456789abcdef";
-  std::array<std::array<char, 2>, 256> digits{};
-  for (std::size_t byte = 0; byte < digits.size(); ++byte)
-    digits[byte] = {kDigits[byte >> 4], kDigits[byte & 15]};
-  return digits;
-}();
+char digit_of(std::uint8_t value) {
+  return static_cast<char>(value + (value < 10 ? '0' : 'a' - 10));
+}
 
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -31,7 +24,11 @@ void append_hex(const std::vector<std::uint8_t>& bytes, std::string& text) {
   const std::size_t before = text.size();
   text.resize(before + 2 * bytes.size());
   char* at = text.data() + before;
-  for (const std::uint8_t byte : bytes) at = std::copy_n(kDigitsOfBytes[byte].begin(), 2, at);
+  // Without a table, so that the compiler makes many digits at once.
+  for (const std::uint8_t byte : bytes) {
+    *at++ = digit_of(byte >> 4);
+    *at++ = digit_of(byte & 15);
+  }
 }
 
 std::string to_hex(const std::vector<std::uint8_t>& bytes) {

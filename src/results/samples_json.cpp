@@ -12,6 +12,10 @@
 namespace edgecase {
 namespace {
 
+void write_position(JsonWriter& json, const Point& at) {
+  json.array(at.x.to_double(), at.y.to_double());
+}
+
 void check_size(const char* what, std::size_t found, std::size_t wanted) {
   if (found != 0 && found != wanted)
     throw std::runtime_error(
@@ -36,15 +40,14 @@ std::vector<std::uint32_t> to_counts(const nlohmann::json& json, const char* mem
 
 }  // namespace
 
-nlohmann::ordered_json samples_json(const SampleImage& image) {
-  if (image.samples <= 1) return nullptr;
-  nlohmann::ordered_json json = {{"count", image.samples}};
-  for (const Point& at : image.positions)
-    json["positions"].push_back({at.x.to_double(), at.y.to_double()});
-  if (!image.pixels.empty()) json["pixels"] = to_hex(image.pixels);
-  if (!image.hits.empty()) json["hits"] = image.hits;
-  if (!image.coverage.empty()) json["coverage"] = image.coverage;
-  return json;
+void write_samples(JsonWriter& json, const SampleImage& image) {
+  json.object([&] {
+    json.member("count", image.samples);
+    if (!image.positions.empty()) json.key("positions").list(image.positions, write_position);
+    if (!image.pixels.empty()) json.key("pixels").hex(image.pixels);
+    if (!image.hits.empty()) json.member("hits", image.hits);
+    if (!image.coverage.empty()) json.member("coverage", image.coverage);
+  });
 }
 
 SampleImage to_samples(const nlohmann::json& json, int width, int height) {

@@ -7,11 +7,12 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "model/sample_image.h"
+#include "results/json_writer.h"
 
 namespace edgecase {
 
-// Null where the image is not multisampled.
-nlohmann::ordered_json samples_json(const SampleImage& image);
+// Of an image that is multisampled.
+void write_samples(JsonWriter& json, const SampleImage& image);
 
 // The inverse for an image of width x height pixels. Throws std::runtime_error where sizes do not
 // fit.

@@ -44,6 +44,22 @@ nlohmann::json read_back(const Json& json) {
   return nlohmann::json::parse(json.dump());
 }
 
+// The value behind another one, which must stay as it is.
+Json folded(const Json& json) {
+  const std::string before = "[1,";
+  std::string text = before + json.dump();
+  fold(text, before.size());
+  EXPECT_TRUE(text.starts_with(before));
+  return Json::parse(text.substr(before.size()));
+}
+
+Json places_json(const Places& places) {
+  std::string text;
+  JsonWriter json(text);
+  write_places(json, places);
+  return Json::parse(text);
+}
+
 TEST(Base64, ReadsBackBytesOfEveryLength) {
   std::mt19937 random(1);
   for (std::size_t size = 0; size < 70; ++size) {
@@ -148,6 +164,18 @@ TEST(Folding, KeepsLargeResultsSmall) {
   EXPECT_EQ(back.pixels, one.pixels);
   EXPECT_EQ(back.results[0].pixels, result.pixels);
   EXPECT_TRUE(is_same(back.results[0].values[0].differing, result.values[0].differing));
+}
+
+// However much there is to tell of them.
+TEST(Folding, LeavesAloneWhatIsLongInResultsOfSmallCases) {
+  Results results = results_with({Verdict::permitted});
+  Result& result = results.cases[0].results[0];
+  result.values.emplace_back().differing = places_of_square(40);
+  result.disagreements[0].explanation = std::string(kLongest, 'a');
+  std::ostringstream out;
+  write_results(results, out);
+  EXPECT_EQ(out.str().find("zlib:"), std::string::npos);
+  EXPECT_NE(out.str().find(R"("differing":[[0,0,7],[1,0,7],)"), std::string::npos);
 }
 
 }  // namespace
