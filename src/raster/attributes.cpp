@@ -179,8 +179,7 @@ FragmentDetail shade_details(const PrimitiveAttributes& attributes, CentreColors
       detail.derivatives[d] = detail.derivatives[d % 2];
       continue;
     }
-    std::ranges::transform(colors.derivatives(at, axis_of(derivative), method),
-                           detail.derivatives[d].begin(), middle);
+    detail.derivatives[d] = colors.derivatives(at, axis_of(derivative), method).middles;
   }
   return detail;
 }

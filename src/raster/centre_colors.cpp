@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "raster/attributes.h"
 #include "rules/values/exact_place.h"
 
 namespace edgecase {
@@ -23,12 +24,16 @@ void CentreColors::take(const std::array<Interpolant, 4>& components) {
   ++primitive_;
 }
 
-const CentreColors::Components& CentreColors::at(PixelPosition pixel) {
-  if (known_.empty()) known_.resize(kRows * columns_);
-  // Neighbours of pixels at the target's edges lie outside it.
+// Neighbours of pixels at the target's edges lie outside it.
+std::size_t CentreColors::place_of(PixelPosition pixel) const {
   const std::size_t column = static_cast<std::size_t>(pixel.x) % columns_;
   const std::size_t row = static_cast<std::size_t>(pixel.y) % kRows;
-  AtPixel& known = known_[row * columns_ + column];
+  return row * columns_ + column;
+}
+
+const CentreColors::Components& CentreColors::at(PixelPosition pixel) {
+  if (known_.empty()) known_.resize(kRows * columns_);
+  AtPixel& known = known_[place_of(pixel)];
   if (known.primitive != primitive_ || known.pixel != pixel) {
     const ExactPlace place(pixel_centre(pixel.x, pixel.y));
     known.primitive = primitive_;
@@ -39,22 +44,39 @@ const CentreColors::Components& CentreColors::at(PixelPosition pixel) {
   return known.values;
 }
 
-CentreColors::Components CentreColors::derivatives(const QuadPixel& pixel, Axis axis,
-                                                   DerivativeMethod method) {
-  Components result;
-  if (method == DerivativeMethod::analytic) {
-    std::ranges::transform(*components_, result.begin(), [&](const Interpolant& f) {
-      return derivative_exact(f, pixel, axis, method);
-    });
-    return result;
-  }
-  const Neighbours of = neighbours_of(pixel, axis, method);
+CentreColors::Components CentreColors::difference(const Neighbours& of) {
   // Copied: a narrow target's neighbours may be kept in one place.
   const Components first = at(of.first);
   const Components& second = at(of.second);
+  Components result;
   for (std::size_t c = 0; c < result.size(); ++c)
     result[c] = are_constant_[c] ? Interval(0) : second[c] - first[c];
   return result;
+}
+
+const CentreColors::Derivatives& CentreColors::derivatives(const QuadPixel& pixel, Axis axis,
+                                                           DerivativeMethod method) {
+  const auto take_middles = [](Derivatives& derivatives) {
+    std::ranges::transform(derivatives.exact, derivatives.middles.begin(), middle);
+  };
+  if (method == DerivativeMethod::analytic) {
+    std::ranges::transform(*components_, analytic_.exact.begin(), [&](const Interpolant& f) {
+      return derivative_exact(f, pixel, axis, method);
+    });
+    take_middles(analytic_);
+    return analytic_;
+  }
+  std::vector<AtNeighbours>& differences = differences_[static_cast<std::size_t>(axis)];
+  if (differences.empty()) differences.resize(kRows * columns_);
+  const Neighbours of = neighbours_of(pixel, axis, method);
+  AtNeighbours& known = differences[place_of(of.first)];
+  if (known.primitive != primitive_ || known.pixels != of) {
+    known.primitive = primitive_;
+    known.pixels = of;
+    known.derivatives.exact = difference(of);
+    take_middles(known.derivatives);
+  }
+  return known.derivatives;
 }
 
 }  // namespace edgecase

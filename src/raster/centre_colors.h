@@ -22,10 +22,15 @@ class CentreColors {
   void take(const std::array<Interpolant, 4>& components);
 
   using Components = std::array<Interval, 4>;
-  // As interpolate_exact and derivative_exact have them. Asked row by row: the colours of the
-  // latest rows are kept.
+  struct Derivatives {
+    Components exact;
+    std::array<double, 4> middles{};  // see raster/attributes.h
+  };
+  // As interpolate_exact and derivative_exact have them. Asked row by row: of the latest rows,
+  // colours and their differences, which the pixels of a quad share, are kept. Valid until the next
+  // question.
   const Components& at(PixelPosition pixel);
-  Components derivatives(const QuadPixel& at, Axis axis, DerivativeMethod method);
+  const Derivatives& derivatives(const QuadPixel& at, Axis axis, DerivativeMethod method);
 
  private:
   struct AtPixel {
@@ -33,12 +38,23 @@ class CentreColors {
     PixelPosition pixel;
     Components values;
   };
+  struct AtNeighbours {
+    std::size_t primitive = 0;
+    Neighbours pixels;
+    Derivatives derivatives;
+  };
+
+  std::size_t place_of(PixelPosition pixel) const;
+  Components difference(const Neighbours& of);
 
   const std::array<Interpolant, 4>* components_ = nullptr;
   std::array<bool, 4> are_constant_{};
-  std::size_t primitive_ = 0;   // taken so far
-  std::size_t columns_;         // a power of two
-  std::vector<AtPixel> known_;  // by row and column, the lowest bits of each
+  std::size_t primitive_ = 0;  // taken so far
+  std::size_t columns_;        // a power of two
+  // By row and column, the lowest bits of each; differences by axis and by their first pixel.
+  std::vector<AtPixel> known_;
+  std::array<std::vector<AtNeighbours>, 2> differences_;
+  Derivatives analytic_;  // the latest
 };
 
 }  // namespace edgecase

@@ -80,6 +80,7 @@ QuadPixel in_quad(PixelPosition pixel, RowOrder rows, int height);
 struct Neighbours {
   PixelPosition first;
   PixelPosition second;
+  friend bool operator==(const Neighbours&, const Neighbours&) = default;
 };
 
 // Whose difference a method takes; `analytic` takes none, and the answer is that of `forward`.
