@@ -4,6 +4,7 @@
 // which choices of rules they hold.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "exact/pixel.h"
@@ -21,10 +22,13 @@ bool walks_lines(const CoverageChoice& choice, Fixed width);
 bool is_walked(const ScenePrimitive& primitive, const CoverageChoice& choice);
 
 // As in rules/coverage/triangle_algorithm.h and line_algorithm.h, by kernels or by predicates. The
-// bounds lie within a target; pixels are in no particular order.
+// bounds lie within the window; pixels are in no particular order.
 std::vector<PixelPosition> found_triangle_pixels(const Triangle& triangle,
                                                  const PixelBounds& bounds,
                                                  const CoverageChoice& choice);
+// Does the triangle cover just these pixels, which are sorted by row, column, none twice?
+bool covers_just(std::span<const PixelPosition> pixels, const Triangle& triangle,
+                 const PixelBounds& bounds, const CoverageChoice& choice);
 std::vector<PixelPosition> found_tied_pixels(const Triangle& triangle, const PixelBounds& bounds);
 std::vector<PixelPosition> found_line_pixels(const Segment& segment, Fixed width,
                                              const PixelBounds& bounds,

@@ -10,6 +10,7 @@
 
 #include "diff/coverage/facing_latitude.h"
 #include "diff/values/vertex_latitude.h"
+#include "raster/fast_coverage.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
 #include "rules/coverage/homogeneous_triangle.h"
@@ -32,10 +33,20 @@ SizedPoint point_of(const ScenePrimitive& primitive) {
   return {nearest_point(primitive.positions[0]), primitive.state->point_size};
 }
 
+// SeenLine::find, by kernels where they are used.
+std::vector<PixelPosition> fragments_of_rule(const Segment& segment, const PixelBounds& bounds) {
+  static const CoverageChoice choice = [] {
+    CoverageChoice standard;
+    standard.line.boundary = find_diamond_boundary("left-bottom");
+    return standard;
+  }();
+  return found_line_pixels(segment, Fixed::from_integer(1), bounds, choice);
+}
+
 SeenLine seen_line(const ScenePrimitive& line, Snap snap, const Scene& scene) {
   const auto [segment, reach] = snapped_segment(line, snap);
   return {segment, rounded_width(line.state->line_width),
-          drawable_bounds(*line.state, scene.target), reach};
+          drawable_bounds(*line.state, scene.target), reach, fragments_of_rule};
 }
 
 Segment segment_of(const ScenePrimitive& line) {

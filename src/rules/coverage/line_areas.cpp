@@ -49,6 +49,41 @@ bool within_half_height(const Segment& s, Fixed width, Point sample, const TieRu
   return ties.positive(reach + 2 * side, -dy, dx) && ties.positive(reach - 2 * side, dy, -dx);
 }
 
+// How many pixels round a line are looked at: beyond its ends, and to either side of where a
+// column's (row's) centre meets it.
+struct Margins {
+  std::int64_t beyond;
+  std::int64_t aside;
+};
+
+std::vector<PixelPosition> pixels_round(const Segment& segment, const Margins& margins,
+                                        const PixelBounds& bounds) {
+  const bool x_major = segment.x_major();
+  const auto major = [&](Point p) { return x_major ? p.x : p.y; };
+  const auto minor = [&](Point p) { return x_major ? p.y : p.x; };
+  const auto [first, last] = std::minmax({major(segment.a), major(segment.b)});
+  const Int128 length = major(segment.b).raw() - major(segment.a).raw();
+  const Int128 run = length == 0 ? 1 : length;  // without length there is no rise either
+  const Int128 rise = minor(segment.b).raw() - minor(segment.a).raw();
+
+  std::vector<PixelPosition> pixels;
+  const auto take = [&](std::int64_t m, std::int64_t n) {
+    const PixelPosition pixel{static_cast<int>(x_major ? m : n), static_cast<int>(x_major ? n : m)};
+    if (bounds.contains(pixel)) pixels.push_back(pixel);
+  };
+  const std::int64_t begin =
+      std::max<std::int64_t>(first.floor() - margins.beyond, x_major ? bounds.x_min : bounds.y_min);
+  const std::int64_t end =
+      std::min<std::int64_t>(last.floor() + margins.beyond, x_major ? bounds.x_max : bounds.y_max);
+  for (std::int64_t m = begin; m <= end; ++m) {
+    const Int128 along = Fixed::centre_of(m).raw() - major(segment.a).raw();
+    const std::int64_t at =
+        (minor(segment.a) + Fixed::from_raw(static_cast<std::int64_t>(along * rise / run))).floor();
+    for (std::int64_t n = at - margins.aside; n <= at + margins.aside; ++n) take(m, n);
+  }
+  return pixels;
+}
+
 }  // namespace
 
 bool line_area_covers(const Segment& segment, Fixed width, LineArea area, Point sample,
@@ -59,40 +94,26 @@ bool line_area_covers(const Segment& segment, Fixed width, LineArea area, Point 
                                      : within_half_height(segment, width, sample, ties);
 }
 
+// Slopes along the major axis are at most 1: a point within half the width of the line lies within
+// the width of it along the minor axis.
 std::vector<PixelPosition> pixels_near_line(const Segment& segment, Fixed width,
                                             const PixelBounds& bounds) {
-  // Along the major axis, with slopes of at most 1, a point within half the width of the line lies
-  // within the width of it along the minor axis: walk the columns (rows) and take those near it.
-  const bool x_major = segment.x_major();
-  const auto major = [&](Point p) { return x_major ? p.x : p.y; };
-  const auto minor = [&](Point p) { return x_major ? p.y : p.x; };
-  const auto [first, last] = std::minmax({major(segment.a), major(segment.b)});
-  const Int128 length = major(segment.b).raw() - major(segment.a).raw();
-  const Int128 run = length == 0 ? 1 : length;  // without length there is no rise either
-  const Int128 rise = minor(segment.b).raw() - minor(segment.a).raw();
   const std::int64_t margin = width.ceil() + 2;
+  return pixels_round(segment, {margin, margin}, bounds);
+}
 
-  std::vector<PixelPosition> pixels;
-  const auto take = [&](std::int64_t m, std::int64_t n) {
-    const PixelPosition pixel{static_cast<int>(x_major ? m : n), static_cast<int>(x_major ? n : m)};
-    if (bounds.contains(pixel)) pixels.push_back(pixel);
-  };
-  const std::int64_t begin =
-      std::max<std::int64_t>(first.floor() - margin, x_major ? bounds.x_min : bounds.y_min);
-  const std::int64_t end =
-      std::min<std::int64_t>(last.floor() + margin, x_major ? bounds.x_max : bounds.y_max);
-  for (std::int64_t m = begin; m <= end; ++m) {
-    const Int128 along = Fixed::centre_of(m).raw() - major(segment.a).raw();
-    const std::int64_t at =
-        (minor(segment.a) + Fixed::from_raw(static_cast<std::int64_t>(along * rise / run))).floor();
-    for (std::int64_t n = at - margin; n <= at + margin; ++n) take(m, n);
-  }
-  return pixels;
+// A column's centre meets the line less than a raw unit beside pixel `at`, so that the centre of
+// pixel n lies within the width w of it only if n - at is between -w - 1/2 and w + 1/2, but for
+// that unit; in whole numbers, from -w to w.
+std::vector<PixelPosition> pixels_centred_near_line(const Segment& segment, Fixed width, int beyond,
+                                                    const PixelBounds& bounds) {
+  const std::int64_t margin = width.ceil();
+  return pixels_round(segment, {margin + beyond, margin}, bounds);
 }
 
 std::vector<PixelPosition> line_area_pixels(const Segment& segment, Fixed width, LineArea area,
                                             const PixelBounds& bounds, const TieRule& ties) {
-  std::vector<PixelPosition> pixels = pixels_near_line(segment, width, bounds);
+  std::vector<PixelPosition> pixels = pixels_centred_near_line(segment, width, 0, bounds);
   std::erase_if(pixels, [&](PixelPosition pixel) {
     return !line_area_covers(segment, width, area, pixel_centre(pixel.x, pixel.y), ties);
   });

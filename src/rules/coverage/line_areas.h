@@ -33,6 +33,11 @@ inline bool line_area_covers(const Segment& segment, Fixed width, LineArea area,
 std::vector<PixelPosition> pixels_near_line(const Segment& segment, Fixed width,
                                             const PixelBounds& bounds);
 
+// Fewer: every one whose centre lies within the width of the line along its minor axis, and along
+// its major axis at most half the width and `beyond` pixels outside its ends.
+std::vector<PixelPosition> pixels_centred_near_line(const Segment& segment, Fixed width, int beyond,
+                                                    const PixelBounds& bounds);
+
 // The pixels within `bounds` whose centres the area holds, along the major axis.
 std::vector<PixelPosition> line_area_pixels(const Segment& segment, Fixed width, LineArea area,
                                             const PixelBounds& bounds, const TieRule& ties);

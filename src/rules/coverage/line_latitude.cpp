@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,11 +21,18 @@ struct RuleFragments {
   std::vector<PixelPosition> possible;
   std::vector<PixelPosition> certain;
 
-  RuleFragments(const LooseSegment& loose, const PixelBounds& target)
-      : possible(possible_pixels(loose, looked_at(target))),
-        certain(loose.reach == Fixed() ? possible : certain_pixels(loose, looked_at(target))) {}
+  // Of the segment, in place of the line's own.
+  RuleFragments(const Segment& segment, const SeenLine& line, const PixelBounds& target)
+      : possible(possible_ones({segment, line.reach}, line, looked_at(target))),
+        certain(line.reach == Fixed() ? possible
+                                      : certain_pixels({segment, line.reach}, looked_at(target))) {}
 
  private:
+  static std::vector<PixelPosition> possible_ones(const LooseSegment& loose, const SeenLine& line,
+                                                  const PixelBounds& bounds) {
+    const bool is_found = loose.reach == Fixed() && line.find != nullptr;
+    return is_found ? line.find(loose.segment, bounds) : possible_pixels(loose, bounds);
+  }
   // One unit beyond the border a fragment of the rule still justifies a drawn one inside; two are
   // looked at so that emptiness is judged on more than what one step may hide.
   static PixelBounds looked_at(const PixelBounds& target) { return target.grown(2); }
@@ -34,13 +42,21 @@ bool within_one(PixelPosition a, PixelPosition b) {
   return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1;
 }
 
-// Ruling 1, first clause.
+// Ruling 1, first clause. Both are mostly in the same order, or in opposite ones: beside what
+// justifies one fragment lies what justifies the next.
 std::string stray_fragment(std::span<const PixelPosition> possible,
                            std::span<const PixelPosition> drawn) {
-  for (PixelPosition p : drawn)
-    if (std::none_of(possible.begin(), possible.end(),
-                     [&](PixelPosition e) { return within_one(e, p); }))
-      return fmt::format("pixel ({}, {}) has no diamond-exit fragment within one unit", p.x, p.y);
+  auto latest = possible.begin();
+  for (PixelPosition p : drawn) {
+    const auto justifies = [&](PixelPosition e) { return within_one(e, p); };
+    auto found = std::find_if(latest, possible.end(), justifies);
+    if (found == possible.end()) {
+      found = std::find_if(possible.begin(), latest, justifies);
+      if (found == latest)
+        return fmt::format("pixel ({}, {}) has no diamond-exit fragment within one unit", p.x, p.y);
+    }
+    latest = found;
+  }
   return "";
 }
 
@@ -87,9 +103,8 @@ std::string stray_of_empty(const LooseSegment& loose, std::span<const PixelPosit
 }
 
 // Rulings 1 and 2, for a line of width 1 that is read as x-major or as y-major.
-std::string broken_thin_clause(const LooseSegment& loose, bool x_major,
+std::string broken_thin_clause(const RuleFragments& rule, const LooseSegment& loose, bool x_major,
                                std::span<const PixelPosition> drawn, const PixelBounds& target) {
-  const RuleFragments rule(loose, target);
   if (rule.certain.empty()) {
     std::string clause = stray_of_empty(loose, drawn);
     if (clause.empty() || rule.possible.empty()) return clause;
@@ -130,7 +145,7 @@ std::string broken_wide_clause(const SeenLine& line, bool x_major,
   const LooseSegment thin{lowest_segment(line.segment, line.width, x_major), line.reach};
   PixelBounds bounds = line.bounds;
   (x_major ? bounds.y_min : bounds.x_min) -= line.width - 1;
-  const RuleFragments rule(thin, bounds);
+  const RuleFragments rule(thin.segment, line, bounds);
 
   std::vector<PixelPosition> lowest;
   for (const auto& [major, minors] : columns_of(x_major, drawn)) {
@@ -149,7 +164,7 @@ std::string broken_wide_clause(const SeenLine& line, bool x_major,
       base = kindest_start(rule.possible, major, x_major, base, low);
     lowest.push_back(x_major ? PixelPosition{major, base} : PixelPosition{base, major});
   }
-  return broken_thin_clause(thin, x_major, lowest, bounds);
+  return broken_thin_clause(rule, thin, x_major, lowest, bounds);
 }
 
 }  // namespace
@@ -158,11 +173,12 @@ std::string broken_wide_clause(const SeenLine& line, bool x_major,
 std::string broken_line_clause(const SeenLine& line, std::span<const PixelPosition> drawn) {
   const LooseSegment loose{line.segment, line.reach};
   std::string first;
+  std::optional<RuleFragments> thin;  // the same for both readings
+  if (line.width == 1) thin.emplace(line.segment, line, line.bounds);
   for (const bool x_major : {true, false}) {
     if (x_major ? surely_y_major(loose) : surely_x_major(loose)) continue;
-    const std::string clause = line.width == 1
-                                   ? broken_thin_clause(loose, x_major, drawn, line.bounds)
-                                   : broken_wide_clause(line, x_major, drawn);
+    const std::string clause = thin ? broken_thin_clause(*thin, loose, x_major, drawn, line.bounds)
+                                    : broken_wide_clause(line, x_major, drawn);
     if (clause.empty()) return "";
     if (first.empty()) first = clause;
   }
@@ -170,7 +186,7 @@ std::string broken_line_clause(const SeenLine& line, std::span<const PixelPositi
 }
 
 bool is_unseen(const SeenLine& line) {
-  return RuleFragments({line.segment, line.reach}, line.bounds).possible.empty();
+  return RuleFragments(line.segment, line, line.bounds).possible.empty();
 }
 
 }  // namespace edgecase

@@ -10,6 +10,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "rules/coverage/diamond_reach.h"
 
@@ -21,6 +22,9 @@ struct SeenLine {
   int width = 1;  // rounded, see line_algorithm.h
   PixelBounds bounds;
   Fixed reach = {};  // of its ends, see diamond_reach.h
+  // Who finds the fragments of the diamond-exit rule, with ties as `left-bottom` has them, within
+  // bounds, of a segment whose ends are known. Null: the predicate.
+  std::vector<PixelPosition> (*find)(const Segment&, const PixelBounds&) = nullptr;
 };
 
 // A broken clause of rulings 1, 2 and 12, in words; empty when every clause holds. `drawn` are the

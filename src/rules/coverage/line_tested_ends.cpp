@@ -173,9 +173,10 @@ std::vector<PixelPosition> tested_ends_pixels(const Segment& segment, int width,
   // other they run the other way round, and every side has the inside at its back: nothing is
   // drawn.
   const Int128 turn = line.runs_along() ? 1 : -1;
-  // Moved ends lie up to a pixel farther off.
+  // Ends move along the line by a pixel at most. Rounded to the grid they lie beside it by less
+  // than what is left of the width beyond its half.
   std::vector<PixelPosition> pixels =
-      pixels_near_line(segment, Fixed::from_integer(width + 2), bounds);
+      pixels_centred_near_line(segment, Fixed::from_integer(width), 1, bounds);
   std::erase_if(pixels, [&](PixelPosition pixel) {
     const Corner sample{std::int64_t{pixel.x} * kGrid, std::int64_t{pixel.y} * kGrid};
     for (std::size_t i = 0; i < 4; ++i) {
