@@ -26,6 +26,7 @@ struct PixelBounds {
     return p.x >= x_min && p.x <= x_max && p.y >= y_min && p.y <= y_max;
   }
   PixelBounds grown(int by) const { return {x_min - by, y_min - by, x_max + by, y_max + by}; }
+  friend constexpr bool operator==(const PixelBounds&, const PixelBounds&) = default;
 };
 
 // May be empty: with a maximum below its minimum.

@@ -19,6 +19,24 @@ std::vector<PixelPosition> walked_triangle_pixels(const Triangle& triangle,
   return pixels;
 }
 
+bool walks_just(std::span<const PixelPosition> pixels, const Triangle& triangle,
+                const PixelBounds& bounds, const TieRule& ties) {
+  const TriangleSetup setup(raw_point(triangle[0]), raw_point(triangle[1]), raw_point(triangle[2]),
+                            weights_of(ties));
+  const PixelBounds box = common_part(setup.box_at(kCentrePlace), bounds);
+  if (!setup.has_area() || is_empty(box)) return pixels.empty();
+  // Sorted pixels of which the first and the last are a span's, and as many as it has, are its.
+  std::size_t at = 0;
+  bool is_same = true;
+  walk_spans(setup.edges_at(kCentrePlace), box, [&](int y, int first, int last) {
+    const auto count = static_cast<std::size_t>(last - first + 1);
+    is_same = is_same && count <= pixels.size() - at && pixels[at] == PixelPosition{first, y} &&
+              pixels[at + count - 1] == PixelPosition{last, y};
+    if (is_same) at += count;
+  });
+  return is_same && at == pixels.size();
+}
+
 std::vector<PixelPosition> walked_tied_pixels(const Triangle& triangle, const PixelBounds& bounds) {
   struct Span {
     int y, first, last;

@@ -3,6 +3,7 @@
 // The pixels of a primitive, listed, by the kernels' walks.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "exact/pixel.h"
@@ -15,6 +16,10 @@ namespace edgecase {
 // column. Vertices: is_raw_point.
 std::vector<PixelPosition> walked_triangle_pixels(const Triangle& triangle,
                                                   const PixelBounds& bounds, const TieRule& ties);
+
+// Are they just these pixels, which are sorted likewise, none twice?
+bool walks_just(std::span<const PixelPosition> pixels, const Triangle& triangle,
+                const PixelBounds& bounds, const TieRule& ties);
 
 // The pixels whose samples lie in the triangle, but not off its edges, likewise.
 std::vector<PixelPosition> walked_tied_pixels(const Triangle& triangle, const PixelBounds& bounds);

@@ -2,6 +2,7 @@
 #include "raster/fast_coverage.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "kernels/covered_pixels_kernel.h"
 #include "kernels/edge_functions.h"
@@ -40,6 +41,19 @@ std::vector<PixelPosition> found_triangle_pixels(const Triangle& triangle,
   if (walks_triangles(choice) && std::all_of(triangle.begin(), triangle.end(), is_raw_point))
     return walked_triangle_pixels(triangle, bounds, choice.ties);
   return triangle_pixels(triangle, bounds, choice.triangle_algorithm, choice.ties);
+}
+
+bool covers_just(std::span<const PixelPosition> pixels, const Triangle& triangle,
+                 const PixelBounds& bounds, const CoverageChoice& choice) {
+  if (walks_triangles(choice) && std::all_of(triangle.begin(), triangle.end(), is_raw_point))
+    return walks_just(pixels, triangle, bounds, choice.ties);
+  const auto reads_before = [](PixelPosition a, PixelPosition b) {
+    return std::tie(a.y, a.x) < std::tie(b.y, b.x);
+  };
+  auto covered = triangle_pixels(triangle, bounds, choice.triangle_algorithm, choice.ties);
+  // Most are found row by row, and looking is much cheaper than sorting.
+  if (!std::ranges::is_sorted(covered, reads_before)) std::ranges::sort(covered, reads_before);
+  return std::ranges::equal(covered, pixels);
 }
 
 std::vector<PixelPosition> found_tied_pixels(const Triangle& triangle, const PixelBounds& bounds) {

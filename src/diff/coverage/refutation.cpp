@@ -45,6 +45,12 @@ class SingleChanges {
   const ScenePrimitive& primitive() const { return question_.primitive; }
 
   bool covers_so(const CoverageChoice& choice) const {
+    if (is_plain_triangle() && !has_clip_positions(primitive()) &&
+        choice.rows == RowOrder::bottom_up) {
+      if (is_culled(primitive(), question_.target, choice)) return drawn_[0].empty();
+      return covers_just(drawn_[0], snapped(choice.snap),
+                         drawable_bounds(*primitive().state, question_.target), choice);
+    }
     return covered_samples(primitive(), question_.target, choice, question_.reported) == drawn_;
   }
 
@@ -156,11 +162,12 @@ class SingleChanges {
     });
   }
 
-  // Is a line drawn otherwise near one of its ends, where nearly all algorithms differ first? False
-  // says nothing.
+  // Is a line that is an area drawn otherwise near one of its ends, where most differ first? False
+  // says nothing: others are found whole sooner.
   bool differs_at_ends(const CoverageChoice& changed) const {
     constexpr std::size_t kLong = 8;
     if (!is_thin_line() || drawn_[0].size() < kLong) return false;
+    if (!fills_area(changed.line, primitive().state->line_width)) return false;
     const PixelBounds all = drawable_bounds(*primitive().state, question_.target);
     return std::any_of(
         primitive().positions.begin(), primitive().positions.begin() + 2,
@@ -219,22 +226,75 @@ const std::vector<PlacedChange>& placed_alternatives(const CauseQuestion& questi
   return lists.front().changes;
 }
 
+// Several changes may bear one name, as all swapped pairs of samples do: it is refuted where none
+// of them draws so.
+enum class Tried : char { no, draws_otherwise, draws_so };
+using Trials = std::vector<Tried>;  // by place among alternative_names()
+
+// All that decides on what a plain primitive covers, with what its trials were: primitives that do
+// not move come again from case to case, and from renderer to renderer.
+struct KnownTrials {
+  PrimitiveKind kind = PrimitiveKind::point;
+  std::array<Point, 3> positions{};
+  PixelBounds bounds;
+  int height = 0;  // of the target
+  Fixed line_width;
+  Fixed point_size;
+  CoverageChoice chosen;
+  Trials trials;
+
+  // Of one whose vertices are given in the window: exactly.
+  static std::array<Point, 3> positions_of(const ScenePrimitive& primitive) {
+    const auto& p = primitive.positions;
+    return {nearest_point(p[0]), nearest_point(p[1]), nearest_point(p[2])};
+  }
+  bool is_of(const CauseQuestion& question) const {
+    const ScenePrimitive& primitive = question.primitive;
+    const Draw& state = *primitive.state;
+    return kind == primitive.kind && positions == positions_of(primitive) &&
+           bounds == drawable_bounds(state, question.target) && height == question.target.height &&
+           line_width == state.line_width && point_size == state.point_size &&
+           chosen == question.chosen;
+  }
+};
+
+// Where the trials of a primitive are kept; null where more decides on them.
+Trials* kept_trials(const CauseQuestion& question) {
+  constexpr std::size_t kMostKnown = 32;
+  thread_local std::deque<KnownTrials> known;
+  const ScenePrimitive& primitive = question.primitive;
+  const Draw& state = *primitive.state;
+  if (question.target.samples != 1 || primitive.is_clipped || has_clip_positions(primitive) ||
+      state.cull != CullMode::none)
+    return nullptr;
+  const auto found = std::ranges::find_if(
+      known, [&](const KnownTrials& trials) { return trials.is_of(question); });
+  if (found != known.end()) return &found->trials;
+  if (known.size() == kMostKnown) known.pop_back();
+  known.push_front({primitive.kind, KnownTrials::positions_of(primitive),
+                    drawable_bounds(state, question.target), question.target.height,
+                    state.line_width, state.point_size, question.chosen,
+                    Trials(alternative_names().size(), Tried::no)});
+  return &known.front().trials;
+}
+
 }  // namespace
 
 void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
                   std::string& refuted) {
-  // Several changes may bear one name, as all swapped pairs of samples do: it is refuted where none
-  // of them draws so.
-  enum class Tried : char { no, draws_otherwise, draws_so };
-  std::vector<Tried> tried(alternative_names().size(), Tried::no);
+  Trials* const kept = kept_trials(question);
+  const Trials before = kept ? *kept : Trials(alternative_names().size(), Tried::no);
+  Trials tried = before;
   SingleChanges changes(question, coverage.drawn);
   for (const auto& [place, change] : placed_alternatives(question)) {
-    if (refuted[place] == '1' || tried[place] == Tried::draws_so) continue;
+    if (refuted[place] == '1' || before[place] != Tried::no || tried[place] == Tried::draws_so)
+      continue;
     const bool same = changes.draw_so(change.applied_to(question.chosen));
     tried[place] = same ? Tried::draws_so : Tried::draws_otherwise;
   }
   for (std::size_t i = 0; i < tried.size(); ++i)
     if (tried[i] == Tried::draws_otherwise) refuted[i] = '1';
+  if (kept) *kept = std::move(tried);
 }
 
 }  // namespace edgecase
