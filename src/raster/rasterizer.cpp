@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "raster/attributes.h"
@@ -55,6 +56,20 @@ void make_room(std::size_t count, std::vector<Item>& items) {
   if (needed > items.capacity()) items.reserve(std::max(needed, 2 * items.size()));
 }
 
+// All fragments of a primitive that differ in nothing but where they are.
+void draw_alike(Rendering& rendering, const FragmentStage& stage, const ScenePrimitive& primitive,
+                const Fragment& fragment, bool front_facing,
+                std::span<const PixelPosition> pixels) {
+  auto at = rendering.fragments.insert(rendering.fragments.end(), pixels.size(), fragment);
+  const SampleFragment sample{fragment.color, fragment.depth, front_facing};
+  for (const PixelPosition pixel : pixels) {
+    at->x = pixel.x;
+    at->y = pixel.y;
+    ++at;
+    stage.draw(sample, primitive.state->operations, rendering.pixel_index(pixel.x, pixel.y));
+  }
+}
+
 void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleChoices& choices,
                          Details details) {
   const Target& target = scene.target;
@@ -71,19 +86,21 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
     const std::vector<PixelPosition> pixels = covered_pixels(primitive, target, choice);
     make_room(pixels.size(), rendering.fragments);
     if (details.any()) make_room(pixels.size(), rendering.details);
+    if (pixels.empty()) continue;
     // Where all fragments have one colour and one depth, the first is shaded for them.
-    const bool are_alike = !textured && are_constant(attributes);
+    if (!textured && !details.any() && are_constant(attributes)) {
+      draw_alike(rendering, stage, primitive, shade(primitive, attributes, pixels.front()),
+                 front_facing, pixels);
+      continue;
+    }
     colors.take(attributes.color);
-    Fragment fragment;
     ExactLookup lookup;
     const ExactLookup* const shown = textured ? &lookup : nullptr;
     for (PixelPosition pixel : pixels) {
       if (textured) lookup = textured->look_up(pixel);
-      if (!are_alike || pixel == pixels.front())
-        fragment = details.derivatives && !textured ? shade(primitive, attributes, pixel, colors)
-                                                    : shade(primitive, attributes, pixel, shown);
-      fragment.x = pixel.x;
-      fragment.y = pixel.y;
+      Fragment fragment = details.derivatives && !textured
+                              ? shade(primitive, attributes, pixel, colors)
+                              : shade(primitive, attributes, pixel, shown);
       if (details.any()) {
         fragment.detail = static_cast<int>(rendering.details.size());
         rendering.details.push_back(shade_details(attributes, colors,

@@ -12,6 +12,17 @@ void add(const Fragment& fragment, SampleCoverage& coverage) {
     if ((fragment.coverage >> s & 1) != 0) coverage[s].push_back({fragment.x, fragment.y});
 }
 
+// Adds one side of a rendering to the coverage of its primitives.
+void add_side(const Rendering& rendering, SampleCoverage PrimitiveCoverage::*side,
+              std::vector<PrimitiveCoverage>& result) {
+  std::vector<std::size_t> counts(result.size());
+  for (const Fragment& f : rendering.fragments) ++counts.at(static_cast<std::size_t>(f.primitive));
+  for (std::size_t i = 0; i < result.size(); ++i)
+    for (auto& pixels : result[i].*side) pixels.reserve(counts[i]);
+  for (const Fragment& f : rendering.fragments)
+    add(f, result[static_cast<std::size_t>(f.primitive)].*side);
+}
+
 std::vector<CoverageDifference> differences(const std::vector<PixelPosition>& exact,
                                             const std::vector<PixelPosition>& drawn, int sample) {
   // Keyed by row, then column: the order of the result.
@@ -33,10 +44,8 @@ std::vector<PrimitiveCoverage> match_coverage(std::size_t primitives, const Rend
                                               const Rendering& drawn) {
   const SampleCoverage none(static_cast<std::size_t>(exact.samples));
   std::vector<PrimitiveCoverage> result(primitives, {none, none});
-  for (const Fragment& f : exact.fragments)
-    add(f, result.at(static_cast<std::size_t>(f.primitive)).exact);
-  for (const Fragment& f : drawn.fragments)
-    add(f, result.at(static_cast<std::size_t>(f.primitive)).drawn);
+  add_side(exact, &PrimitiveCoverage::exact, result);
+  add_side(drawn, &PrimitiveCoverage::drawn, result);
   return result;
 }
 

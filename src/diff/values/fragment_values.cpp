@@ -269,12 +269,12 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
   ValueAggregator* counted_color = nullptr;
   ValueAggregator* counted_depth = nullptr;
   for (const Fragment& told : rendered.fragments) {
-    const Draw& draw = *context.primitive_of(told).state;
     if (correct != nullptr && tells_the_same(*correct, told)) {
       if (counted_color != nullptr) counted_color->count_compared(told.color.size());
       if (counted_depth != nullptr) counted_depth->count_compared(1);
       continue;
     }
+    const Draw& draw = *context.primitive_of(told).state;
     const Fragment f = interpolated(context, rendered, told);
     const bool textured = draw.texture.has_value();
     const Judge judge(context, f);

@@ -9,6 +9,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
+#include <vector>
 
 #include "diff/samples/sample_planes.h"
 #include "diff/samples/switched_off.h"
@@ -32,7 +34,10 @@ class PixelComparison {
   PixelComparison(const ValueContext& context, const Rendering& rendered)
       : context_(context), rendered_(rendered), clear_(truth_of_clear(context.scene)) {
     for (std::size_t c = 0; c < 4; ++c) clear_code_[c] = to_unorm8(clear_.exact[c]);
-    is_clear_permitted_ = holds(clear_code_.data(), clear_);
+    if (!holds(clear_code_.data(), clear_)) return;
+    clear_row_.resize(4 * static_cast<std::size_t>(rendered_.width));
+    for (auto at = clear_row_.begin(); at != clear_row_.end(); at += 4)
+      std::ranges::copy(clear_code_, at);
   }
 
   void run(Result& result) {
@@ -40,6 +45,9 @@ class PixelComparison {
     auto next = rendered_.fragments.begin();
     for (int y = 0; y < rendered_.height; ++y) {
       for (int x = 0; x < rendered_.width; ++x) {
+        const bool is_of_row = next != rendered_.fragments.end() && next->y == y;
+        x = skip_clear({x, y}, is_of_row ? std::min(next->x, rendered_.width) : rendered_.width);
+        if (x == rendered_.width) break;
         const auto first = next;
         while (next != rendered_.fragments.end() && next->x == x && next->y == y) ++next;
         compare_samples({x, y}, {first, next}, result);
@@ -50,6 +58,21 @@ class PixelComparison {
 
  private:
   bool is_multisampled() const { return rendered_.samples > 1; }
+
+  // The first column of a row, from a pixel on and up to column `end`, before which nothing was
+  // drawn, that holds something else than what it was cleared to; else `end`.
+  int skip_clear(PixelPosition from, int end) {
+    if (is_multisampled() || clear_row_.empty() || end <= from.x) return from.x;
+    const auto size = 4 * static_cast<std::size_t>(end - from.x);
+    const std::uint8_t* const stored =
+        rendered_.pixels.data() + 4 * rendered_.pixel_index(from.x, from.y);
+    std::size_t same = size;
+    if (std::memcmp(stored, clear_row_.data(), size) != 0)
+      same = static_cast<std::size_t>(
+          std::mismatch(stored, stored + size, clear_row_.begin()).first - stored);
+    aggregator_.count_compared(4, same / 4);
+    return from.x + static_cast<int>(same / 4);
+  }
 
   void compare_samples(PixelPosition pixel, std::span<const Fragment> fragments, Result& result) {
     for (int sample = 0; sample < rendered_.samples; ++sample) {
@@ -68,7 +91,7 @@ class PixelComparison {
                const std::uint8_t* stored, Result& result) {
     aggregator_.count_compared(4);
     // Nothing was drawn, and nothing is there: most pixels of most scenes.
-    if (fragments.empty() && is_clear_permitted_ && is_clear(stored)) return;
+    if (fragments.empty() && !clear_row_.empty() && is_clear(stored)) return;
     if (holds_last_color(fragments, stored)) return;
     const auto all = last_writers(context_, fragments, sample);
     // Which of them alpha to coverage kept from writing is held against hits where they are told.
@@ -97,13 +120,17 @@ class PixelComparison {
   }
 
   // Does a pixel hold what its last fragment's told colour is rounded to? Then nothing is to be
-  // said of it.
-  bool holds_last_color(std::span<const Fragment> fragments, const std::uint8_t* stored) const {
+  // said of it. Neighbours mostly have the same colour.
+  bool holds_last_color(std::span<const Fragment> fragments, const std::uint8_t* stored) {
     if (is_multisampled() || fragments.empty() || !fragments.back().has_color) return false;
     const std::array<double, 4>& color = fragments.back().color;
-    return std::equal(color.begin(), color.end(), stored, [](double component, std::uint8_t code) {
-      return !std::isnan(component) && to_unorm8(component) == code;
-    });
+    if (color != told_) {
+      if (std::ranges::any_of(color, [](double component) { return std::isnan(component); }))
+        return false;
+      told_ = color;
+      std::ranges::transform(color, told_code_.begin(), to_unorm8);
+    }
+    return std::ranges::equal(told_code_, std::span(stored, told_code_.size()));
   }
 
   // What is done without GL_MULTISAMPLE, if that puts there what is stored.
@@ -172,7 +199,9 @@ class PixelComparison {
   const Rendering& rendered_;
   PixelTruth clear_;
   std::array<std::uint8_t, 4> clear_code_{};  // as it is stored
-  bool is_clear_permitted_ = false;           // to be stored so
+  std::vector<std::uint8_t> clear_row_;       // a row of it; empty where it must not be stored so
+  std::array<double, 4> told_{};              // the latest colour that a pixel was to hold
+  std::array<std::uint8_t, 4> told_code_{};   // and as what
   ValueAggregator aggregator_{"pixel", "framebuffer.unorm8", 10};
 };
 

@@ -190,9 +190,9 @@ ValueAggregator::ValueAggregator(std::string attribute, std::string rule, int ru
   aggregate_.cause = std::move(cause);
 }
 
-void ValueAggregator::count_compared(std::size_t components) {
-  ++aggregate_.compared;
-  aggregate_.components += components;
+void ValueAggregator::count_compared(std::size_t components, std::size_t places) {
+  aggregate_.compared += places;
+  aggregate_.components += components * places;
 }
 
 void ValueAggregator::count_as(const ValueAggregator& whole) {

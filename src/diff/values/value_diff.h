@@ -149,8 +149,8 @@ class ValueAggregator {
 
   const std::string& attribute() const { return aggregate_.attribute; }
 
-  // A place with so many components is compared.
-  void count_compared(std::size_t components);
+  // A place with so many components is compared, or several such places.
+  void count_compared(std::size_t components, std::size_t places = 1);
   // As many are compared as of another one, which a part of the values was taken from.
   void count_as(const ValueAggregator& whole);
   // Errors of one place: add_error for each component that differs, then add_place once.
