@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "wire/answer_line.h"
-#include "wire/fragment_values.h"
 #include "wire/reading.h"
 
 namespace edgecase {
@@ -31,34 +30,6 @@ void require_size_if_any(std::string_view what, std::size_t size, std::size_t wa
 bool derives(const FragmentDetail& detail) {
   return std::find(detail.has_derivative.begin(), detail.has_derivative.end(), true) !=
          detail.has_derivative.end();
-}
-
-void check_detail(const FragmentDetail& detail, Details asked, bool is_textured) {
-  const bool textured = detail.has_texture_coordinates || detail.has_level_of_detail;
-  if ((detail.has_coordinates && !asked.coordinates) || (derives(detail) && !asked.derivatives) ||
-      (textured && !(asked.texture && is_textured)))
-    throw Refusal("a fragment tells a detail that the request does not ask for");
-}
-
-void check_fragments(const Rendering& rendering, const Scene& scene) {
-  const std::vector<bool> textured = wire::textured_primitives(scene);
-  const std::uint64_t masks = std::uint64_t{1} << rendering.samples;
-  for (const Fragment& fragment : rendering.fragments) {
-    const bool is_inside = fragment.x >= 0 && fragment.x < rendering.width && fragment.y >= 0 &&
-                           fragment.y < rendering.height;
-    if (!is_inside)
-      throw Refusal(fmt::format("a fragment is at pixel ({}, {}), outside the target", fragment.x,
-                                fragment.y));
-    if (fragment.primitive < 0 || static_cast<std::size_t>(fragment.primitive) >= textured.size())
-      throw Refusal(fmt::format("a fragment is of primitive {}, and there are {}",
-                                fragment.primitive, textured.size()));
-    if (fragment.coverage < 1 || fragment.coverage >= masks)
-      throw Refusal(fmt::format("a fragment has the coverage {}, which is none of {} samples",
-                                fragment.coverage, rendering.samples));
-    if (fragment.detail >= 0)
-      check_detail(rendering.details[static_cast<std::size_t>(fragment.detail)], scene.details,
-                   textured[static_cast<std::size_t>(fragment.primitive)]);
-  }
 }
 
 // A float32 buffer may hold a depth that rounding took beyond 0 or 1; an unsigned one cannot.
@@ -110,8 +81,6 @@ void check_drawing(const Rendering& rendering, const Scene& scene) {
   require_size("the passes", rendering.passes.size(), 0);
   check_depths(rendering.depths, target.depth);
   check_mip_chains(rendering, scene);
-  check_fragments(rendering, scene);
-  check_hits(rendering, scene);
 }
 
 // Fragments and what belongs to them are told of each pass.
@@ -133,6 +102,13 @@ void check_supersampled(const Rendering& rendering, const Scene& scene) {
 bool tells_something(const FragmentDetail& detail) {
   return detail.has_coordinates || detail.has_texture_coordinates || detail.has_level_of_detail ||
          derives(detail);
+}
+
+void check_detail(const FragmentDetail& detail, Details asked, bool is_textured) {
+  const bool textured = detail.has_texture_coordinates || detail.has_level_of_detail;
+  if ((detail.has_coordinates && !asked.coordinates) || (derives(detail) && !asked.derivatives) ||
+      (textured && !(asked.texture && is_textured)))
+    throw Refusal("a fragment tells a detail that the request does not ask for");
 }
 
 void check_hits(const Rendering& rendering, const Scene& scene) {

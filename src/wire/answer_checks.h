@@ -12,11 +12,14 @@ namespace edgecase {
 // Does a fragment's detail have any of what details tell?
 bool tells_something(const FragmentDetail& detail);
 
-// Sizes of planes, ranges of numbers, places of fragments, details that were asked for, and hit
-// counts that agree with fragments; of a supersampled scene, of each pass.
+// Does a detail tell what the request does not ask for, or what there is of textured draws alone?
+void check_detail(const FragmentDetail& detail, Details asked, bool is_textured);
+
+// Sizes of planes and ranges of numbers; of a supersampled scene, of each pass. Fragments are
+// checked where they are read (wire/sent_fragments.h).
 void check_rendering(const Rendering& rendering, const Scene& scene);
 
-// The hit counts alone.
+// Hit counts that agree with fragments, which lie within the rendering.
 void check_hits(const Rendering& rendering, const Scene& scene);
 
 }  // namespace edgecase

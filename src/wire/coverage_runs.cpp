@@ -17,8 +17,6 @@ using nlohmann::json;
 namespace {
 
 constexpr std::size_t kNumbersPerRun = 4;
-// As many as our own OpenGL workers capture at most.
-constexpr std::size_t kMostFragments = std::size_t{1} << 24;
 
 struct Place {
   int primitive;

@@ -5,6 +5,7 @@
 // a primitive was drawn twice. For src/wire alone.
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -13,6 +14,10 @@
 #include "wire/reading.h"
 
 namespace edgecase::wire {
+
+// Most fragments of an answer that tells them as runs, by which few bytes ask for much memory: as
+// many as our own OpenGL workers capture at most.
+constexpr std::size_t kMostFragments = std::size_t{1} << 24;
 
 // What runs must keep to: the target in pixels, and the number of primitives in the scene.
 struct RunBounds {
@@ -26,8 +31,7 @@ std::vector<int> coverage_runs(const Rendering& rendering);
 std::string coverage_runs_json(const Rendering& rendering);
 
 // The pixels of an array of runs as fragments without depth and colour, in the order of the runs.
-// Throws a Refusal for anything else, and for more than 2^24 fragments: a short line may ask for
-// more than there is memory.
+// Throws a Refusal for anything else, and for more than kMostFragments.
 std::vector<Fragment> read_coverage_runs(const nlohmann::json& value, const Path& path,
                                          const RunBounds& bounds);
 

@@ -12,6 +12,7 @@
 #include "wire/binary_values.h"
 #include "wire/coverage_runs.h"
 #include "wire/sent_fragments.h"
+#include "wire/sent_hits.h"
 
 namespace edgecase {
 
@@ -61,12 +62,16 @@ Rendering read_rendering(Reader& io, const Scene& scene, bool may_have_passes) {
   carry_planes(io, rendering);
   wire::drop_signs_of_zero(rendering.depths);
   wire::drop_signs_of_zero(rendering.accumulated);
-  wire::read_fragments(io, rendering);
-  wire::read_hits(io, rendering);
-  for (std::size_t passes = io.size(1); passes > 0; --passes) {
-    if (!may_have_passes) throw Refusal("a pass has passes");
+  wire::read_fragments(io, scene, rendering);
+  const bool hits_are_counted = wire::read_hits(io, rendering);
+  const std::size_t passes = io.size(1);
+  if (passes > 0 && !may_have_passes) throw Refusal("a pass has passes");
+  if (passes > scene.supersampling.size())
+    throw Refusal("there are more passes than were asked for");
+  for (std::size_t k = 0; k < passes; ++k)
     rendering.passes.push_back(read_rendering(io, scene, false));
-  }
+  // What was counted here contradicts nothing, and beside passes there may be none.
+  if (!hits_are_counted && passes == 0) check_hits(rendering, scene);
   sort_fragments(rendering);
   return rendering;
 }

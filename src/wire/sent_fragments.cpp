@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "wire/sent_fragments.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
-#include <type_traits>
+#include <span>
 #include <vector>
 
 #include "wire/answer_checks.h"
 #include "wire/binary_values.h"
+#include "wire/coverage_runs.h"
+#include "wire/fragment_values.h"
 
 namespace edgecase::wire {
 namespace {
@@ -19,20 +23,21 @@ namespace {
 // What is told of a fragment, beside where it is.
 enum Told : std::uint32_t { kDepth = 1, kColor = 2, kDetail = 4 };
 
-// A fragment as it is sent, without its detail: as many bytes as any other, so that many go at
-// once.
+// A run as it is sent: fragments of one primitive at neighbouring pixels of a row, of which the
+// same is told; one with a detail is a run of its own. As many bytes as any other, so that many go
+// at once.
 template <class Number>
-struct SentFragment {
+struct SentRun {
   Number depth = 0;
   std::array<Number, 4> color{};
-  std::int32_t x = 0;
+  std::int32_t x = 0;  // of the first one
   std::int32_t y = 0;
   std::int32_t primitive = 0;
   std::uint32_t coverage = 0;
-  // As wide as the numbers, so that no bytes between members are sent unset.
-  std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t> told = 0;
+  std::uint32_t told = 0;
+  std::uint32_t length = 1;
 };
-static_assert(sizeof(SentFragment<float>) == 40 && sizeof(SentFragment<double>) == 64);
+static_assert(sizeof(SentRun<float>) == 44 && sizeof(SentRun<double>) == 64);
 
 bool fits_float(double value) {
   if (!std::isfinite(value)) return true;
@@ -40,20 +45,54 @@ bool fits_float(double value) {
          static_cast<double>(static_cast<float>(value)) == value;
 }
 
-bool fit_floats(const std::vector<Fragment>& fragments) {
-  return std::ranges::all_of(fragments, [](const Fragment& fragment) {
-    return fits_float(fragment.depth) && std::ranges::all_of(fragment.color, fits_float);
-  });
+bool fit_floats(const Fragment& fragment) {
+  return fits_float(fragment.depth) && std::ranges::all_of(fragment.color, fits_float);
 }
 
-bool has_detail(const Rendering& rendering, const Fragment& fragment) {
-  return fragment.detail >= 0 &&
-         tells_something(rendering.details[static_cast<std::size_t>(fragment.detail)]);
+std::uint32_t told_of(const Rendering& rendering, const Fragment& fragment) {
+  const bool has_detail =
+      fragment.detail >= 0 &&
+      tells_something(rendering.details[static_cast<std::size_t>(fragment.detail)]);
+  return (fragment.has_depth ? kDepth : 0u) | (fragment.has_color ? kColor : 0u) |
+         (has_detail ? kDetail : 0u);
+}
+
+// To the bit, so that NaN equals itself and 0 is not -0.
+bool have_equal_values(const Fragment& a, const Fragment& b) {
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+  return bits(a.depth) == bits(b.depth) && std::ranges::equal(a.color, b.color, {}, bits, bits);
+}
+
+bool is_next_of_run(const Fragment& before, const Fragment& fragment) {
+  return fragment.x - std::int64_t{1} == before.x && fragment.y == before.y &&
+         fragment.primitive == before.primitive && fragment.coverage == before.coverage &&
+         have_equal_values(before, fragment);
+}
+
+// Fragments from `first` on, and what is told of them.
+struct Run {
+  std::size_t first = 0;
+  std::uint32_t told = 0;
+  std::uint32_t length = 1;
+};
+
+std::vector<Run> runs_of(const Rendering& rendering) {
+  const std::vector<Fragment>& fragments = rendering.fragments;
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const std::uint32_t told = told_of(rendering, fragments[i]);
+    if (i > 0 && told == runs.back().told && (told & kDetail) == 0 &&
+        is_next_of_run(fragments[i - 1], fragments[i]))
+      ++runs.back().length;
+    else
+      runs.push_back({i, told, 1});
+  }
+  return runs;
 }
 
 template <class Number>
-SentFragment<Number> sent(const Rendering& rendering, const Fragment& fragment) {
-  SentFragment<Number> result;
+SentRun<Number> sent(const Run& run, const Fragment& fragment) {
+  SentRun<Number> result;
   result.depth = static_cast<Number>(fragment.depth);
   for (std::size_t i = 0; i < result.color.size(); ++i)
     result.color[i] = static_cast<Number>(fragment.color[i]);
@@ -61,48 +100,93 @@ SentFragment<Number> sent(const Rendering& rendering, const Fragment& fragment) 
   result.y = fragment.y;
   result.primitive = fragment.primitive;
   result.coverage = fragment.coverage;
-  result.told = (fragment.has_depth ? kDepth : 0u) | (fragment.has_color ? kColor : 0u) |
-                (has_detail(rendering, fragment) ? kDetail : 0u);
+  result.told = run.told;
+  result.length = run.length;
   return result;
 }
 
+// Each member is written where it stays: to copy a fragment that was just put together is several
+// times as slow, since the processor cannot load at once what it has yet to store in pieces.
 template <class Number>
-Fragment received(const SentFragment<Number>& sent) {
-  Fragment fragment;
-  fragment.x = sent.x;
-  fragment.y = sent.y;
-  fragment.primitive = sent.primitive;
-  fragment.coverage = sent.coverage;
-  fragment.has_depth = (sent.told & kDepth) != 0;
-  fragment.has_color = (sent.told & kColor) != 0;
-  if (fragment.has_depth) fragment.depth = static_cast<double>(sent.depth) + 0.0;
-  if (fragment.has_color)
-    for (std::size_t i = 0; i < sent.color.size(); ++i)
-      fragment.color[i] = static_cast<double>(sent.color[i]) + 0.0;
-  return fragment;
+void receive(const SentRun<Number>& sent, std::span<Fragment> fragments) {
+  const bool has_depth = (sent.told & kDepth) != 0;
+  const bool has_color = (sent.told & kColor) != 0;
+  const double depth = has_depth ? static_cast<double>(sent.depth) + 0.0 : 0;
+  std::array<double, 4> color{};
+  for (std::size_t i = 0; i < color.size() && has_color; ++i)
+    color[i] = static_cast<double>(sent.color[i]) + 0.0;
+  int x = sent.x;
+  for (Fragment& fragment : fragments) {
+    fragment.x = x++;
+    fragment.y = sent.y;
+    fragment.primitive = sent.primitive;
+    fragment.coverage = sent.coverage;
+    fragment.depth = depth;
+    for (std::size_t i = 0; i < color.size(); ++i) fragment.color[i] = color[i];
+    fragment.has_depth = has_depth;
+    fragment.has_color = has_color;
+  }
 }
 
 template <class Number>
-void write_as(Writer& io, const Rendering& rendering) {
-  std::vector<SentFragment<Number>> fragments;
-  fragments.reserve(rendering.fragments.size());
-  for (const Fragment& fragment : rendering.fragments)
-    fragments.push_back(sent<Number>(rendering, fragment));
-  io.size(fragments.size());
-  io.bytes(fragments.data(), fragments.size() * sizeof(SentFragment<Number>));
+void write_as(Writer& io, const Rendering& rendering, const std::vector<Run>& runs) {
+  std::vector<SentRun<Number>> sent_runs;
+  sent_runs.reserve(runs.size());
+  for (const Run& run : runs)
+    sent_runs.push_back(sent<Number>(run, rendering.fragments[run.first]));
+  io.size(sent_runs.size());
+  io.bytes(sent_runs.data(), sent_runs.size() * sizeof(SentRun<Number>));
+}
+
+// All that a fragment must keep to but for its detail, of a whole run.
+template <class Number>
+void check_run(const SentRun<Number>& run, const Rendering& rendering, std::size_t primitives) {
+  if (run.length == 0 || ((run.told & kDetail) != 0 && run.length > 1))
+    throw Refusal(fmt::format("a run has {} fragments", run.length));
+  const bool is_inside = run.x >= 0 && run.x < rendering.width && run.y >= 0 &&
+                         run.y < rendering.height &&
+                         run.length <= static_cast<std::uint32_t>(rendering.width - run.x);
+  if (!is_inside)
+    throw Refusal(fmt::format("a fragment is at pixel ({}, {}), outside the target",
+                              run.x + std::int64_t{run.length} - 1, run.y));
+  if (run.primitive < 0 || static_cast<std::size_t>(run.primitive) >= primitives)
+    throw Refusal(
+        fmt::format("a fragment is of primitive {}, and there are {}", run.primitive, primitives));
+  if (run.coverage < 1 || run.coverage >= std::uint64_t{1} << rendering.samples)
+    throw Refusal(fmt::format("a fragment has the coverage {}, which is none of {} samples",
+                              run.coverage, rendering.samples));
+}
+
+// How many fragments the next runs have: many times as many, it may be, as their bytes, so that
+// there is no room made for one before all are looked at.
+template <class Number>
+std::size_t count_fragments(Reader io, std::size_t runs, const Rendering& rendering,
+                            std::size_t primitives) {
+  std::size_t count = 0;
+  for (; runs > 0; --runs) {
+    SentRun<Number> run;
+    io.bytes(&run, sizeof(run));
+    check_run(run, rendering, primitives);
+    count += run.length;
+    if (count > kMostFragments)
+      throw Refusal(fmt::format("there are more than {} fragments", kMostFragments));
+  }
+  return count;
 }
 
 // How many of them have a detail, which is yet to be read.
 template <class Number>
-int read_as(Reader& io, Rendering& rendering) {
-  const std::size_t count = io.size(sizeof(SentFragment<Number>));
-  rendering.fragments.reserve(count);
+int read_as(Reader& io, std::size_t primitives, Rendering& rendering) {
+  std::vector<Fragment>& fragments = rendering.fragments;
+  const std::size_t runs = io.size(sizeof(SentRun<Number>));
+  fragments.reserve(count_fragments<Number>(io, runs, rendering, primitives));
   int details = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    SentFragment<Number> sent;
-    io.bytes(&sent, sizeof(sent));
-    rendering.fragments.push_back(received(sent));
-    if ((sent.told & kDetail) != 0) rendering.fragments.back().detail = details++;
+  for (std::size_t i = 0; i < runs; ++i) {
+    SentRun<Number> run;
+    io.bytes(&run, sizeof(run));
+    fragments.resize(fragments.size() + run.length);
+    receive(run, std::span(fragments).last(run.length));
+    if ((run.told & kDetail) != 0) fragments.back().detail = details++;
   }
   return details;
 }
@@ -114,62 +198,37 @@ void drop_signs_of_zero(FragmentDetail& detail) {
   wire::drop_signs_of_zero(detail.level_of_detail);
 }
 
-// How many fragments each sample has; nothing where one lies outside.
-std::optional<std::vector<std::uint32_t>> counted(const Rendering& rendering) {
-  const std::size_t plane = rendering.pixel_index(0, rendering.height);
-  std::vector<std::uint32_t> counts(plane * static_cast<std::size_t>(rendering.samples));
-  for (const Fragment& fragment : rendering.fragments) {
-    if (fragment.x < 0 || fragment.x >= rendering.width || fragment.y < 0 ||
-        fragment.y >= rendering.height)
-      return std::nullopt;
-    std::size_t at = rendering.pixel_index(fragment.x, fragment.y);
-    for (std::uint32_t left = fragment.coverage; left != 0; left >>= 1, at += plane) {
-      if (at >= counts.size()) return std::nullopt;
-      counts[at] += left & 1;
-    }
-  }
-  return counts;
-}
-
 }  // namespace
 
 void write_fragments(Writer& io, const Rendering& rendering) {
-  const bool narrow = fit_floats(rendering.fragments);
+  const std::vector<Run> runs = runs_of(rendering);
+  const bool narrow = std::ranges::all_of(
+      runs, [&](const Run& run) { return fit_floats(rendering.fragments[run.first]); });
   carry(io, narrow);
   if (narrow)
-    write_as<float>(io, rendering);
+    write_as<float>(io, rendering, runs);
   else
-    write_as<double>(io, rendering);
-  for (const Fragment& fragment : rendering.fragments)
-    if (has_detail(rendering, fragment))
-      carry(io, rendering.details[static_cast<std::size_t>(fragment.detail)]);
+    write_as<double>(io, rendering, runs);
+  for (const Run& run : runs)
+    if ((run.told & kDetail) != 0)
+      carry(io, rendering.details[static_cast<std::size_t>(rendering.fragments[run.first].detail)]);
 }
 
-void read_fragments(Reader& io, Rendering& rendering) {
+void read_fragments(Reader& io, const Scene& scene, Rendering& rendering) {
+  const std::vector<bool> textured = textured_primitives(scene);
   bool narrow = false;
   carry(io, narrow);
-  int details = narrow ? read_as<float>(io, rendering) : read_as<double>(io, rendering);
+  const int details = narrow ? read_as<float>(io, textured.size(), rendering)
+                             : read_as<double>(io, textured.size(), rendering);
+  if (details == 0) return;
   rendering.details.reserve(static_cast<std::size_t>(details));
-  for (; details > 0; --details) {
-    carry(io, rendering.details.emplace_back());
-    drop_signs_of_zero(rendering.details.back());
+  for (const Fragment& fragment : rendering.fragments) {
+    if (fragment.detail < 0) continue;
+    FragmentDetail& detail = rendering.details.emplace_back();
+    carry(io, detail);
+    check_detail(detail, scene.details, textured[static_cast<std::size_t>(fragment.primitive)]);
+    drop_signs_of_zero(detail);
   }
-}
-
-void write_hits(Writer& io, const Rendering& rendering) {
-  const auto counts = counted(rendering);
-  const bool count_fragments = counts && rendering.hits == *counts;
-  carry(io, count_fragments);
-  if (!count_fragments) carry(io, rendering.hits);
-}
-
-void read_hits(Reader& io, Rendering& rendering) {
-  bool count_fragments = false;
-  carry(io, count_fragments);
-  if (!count_fragments) return carry(io, rendering.hits);
-  auto counts = counted(rendering);
-  if (!counts) throw Refusal("a fragment is outside the target");
-  rendering.hits = *std::move(counts);
 }
 
 }  // namespace edgecase::wire
