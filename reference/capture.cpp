@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
+#include <span>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "model/distribute.h"
@@ -52,43 +55,52 @@ bool comes_before(const AnyRecord& a, const AnyRecord& b) {
   return std::memcmp(&a, &b, sizeof(AnyRecord)) < 0;
 }
 
-// Of each pixel's records few have to be compared, where there are enough records to make counting
-// them at each pixel worth it, and all lie at pixels.
+// The numbers of the records in their order, which are sorted instead of them for being small. Of
+// each pixel's few have to be compared, where there are enough records to make counting them at
+// each pixel worth it, and all lie at pixels.
 template <class AnyRecord>
-void sort_records(std::vector<AnyRecord>& records, const Rendering& target) {
+std::vector<std::uint32_t> sorted(std::span<const AnyRecord> records, const Rendering& target) {
+  std::vector<std::uint32_t> order(records.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  const auto before = [&](std::uint32_t a, std::uint32_t b) {
+    return comes_before(records[a], records[b]);
+  };
   const std::size_t pixels = target.pixel_index(0, target.height);
   const auto column = [&](const Record& r) { return target.samples > 1 ? r.x & 0xffff : r.x; };
   const bool are_at_pixels = std::ranges::all_of(records, [&](const Record& r) {
     return column(r) >= 0 && column(r) < target.width && r.y >= 0 && r.y < target.height;
   });
   if (!are_at_pixels || pixels > 16 * records.size()) {
-    std::sort(records.begin(), records.end(), comes_before<AnyRecord>);
-    return;
+    std::sort(order.begin(), order.end(), before);
+    return order;
   }
-  const auto pixel = [&](const Record& r) { return target.pixel_index(column(r), r.y); };
-  distribute(records, pixels, pixel);
-  for (auto first = records.begin(); first != records.end();) {
-    const auto end = std::find_if(
-        first, records.end(), [&, at = pixel(*first)](const Record& r) { return pixel(r) != at; });
-    std::sort(first, end, comes_before<AnyRecord>);
+  const auto pixel = [&](std::uint32_t i) {
+    return target.pixel_index(column(records[i]), records[i].y);
+  };
+  distribute(order, pixels, pixel);
+  for (auto first = order.begin(); first != order.end();) {
+    auto end = first + 1;
+    while (end != order.end() && pixel(*end) == pixel(*first)) ++end;
+    if (end - first > 1) std::sort(first, end, before);
     first = end;
   }
+  return order;
 }
 
-Fragment to_fragment(const Record& record, bool multisampled) {
-  Fragment fragment;
+// Into a fragment that is new: written where it stays, since copying what was just put together is
+// slow.
+void tell(const Record& record, bool multisampled, Fragment& fragment) {
   fragment.x = record.x;
   fragment.y = record.y;
   fragment.primitive = record.primitive;
   // Without multisampling, a fragment that exists covers the one sample.
-  fragment.coverage = 1;
   if (multisampled) {
     fragment.x = record.x & 0xffff;
     fragment.coverage = static_cast<std::uint32_t>(record.x) >> 16;
   }
   fragment.depth = static_cast<double>(record.depth);
-  std::copy(std::begin(record.color), std::end(record.color), fragment.color.begin());
-  return fragment;
+  for (std::size_t i = 0; i < fragment.color.size(); ++i)
+    fragment.color[i] = static_cast<double>(record.color[i]);
 }
 
 FragmentDetail to_detail(const DetailedRecord& record) {
@@ -164,42 +176,41 @@ std::size_t Capture::record_size() const {
 }
 
 template <class AnyRecord>
-std::vector<AnyRecord> Capture::read_records(std::uint32_t count, const Rendering& target) {
+void Capture::read_records(std::uint32_t count, Rendering& rendering) {
+  // Of zeros, since a GL that raises an error writes nothing there.
   std::vector<AnyRecord> records(count);
-  if (count > 0 && !read_storage(gl_, kHeaderSize, count * sizeof(AnyRecord), records.data()))
+  if (count > 0 && !read_storage(gl_, kHeaderSize, count * sizeof(AnyRecord), records.data())) {
     lost_ = true;
-  sort_records(records, target);
-  return records;
-}
-
-template <class AnyRecord>
-void Capture::read_details(std::uint32_t count, Rendering& rendering) {
+    return;
+  }
   const bool multisampled = rendering.samples > 1;
-  rendering.details.reserve(count);
-  for (const AnyRecord& record : read_records<AnyRecord>(count, rendering)) {
-    rendering.fragments.push_back(to_fragment(record, multisampled));
-    rendering.fragments.back().detail = static_cast<int>(rendering.details.size());
-    rendering.details.push_back(to_detail(record));
+  constexpr bool kDetailed = !std::is_same_v<AnyRecord, Record>;
+  rendering.fragments.reserve(count);
+  rendering.details.reserve(kDetailed ? count : 0);
+  for (const std::uint32_t i : sorted<AnyRecord>(records, rendering)) {
+    Fragment& fragment = rendering.fragments.emplace_back();
+    tell(records[i], multisampled, fragment);
+    if constexpr (kDetailed) {
+      fragment.detail = static_cast<int>(rendering.details.size());
+      rendering.details.push_back(to_detail(records[i]));
+    }
   }
 }
 
 void Capture::read(std::uint32_t count, Rendering& rendering) {
-  const bool multisampled = rendering.samples > 1;
-  rendering.fragments.reserve(count);
   switch (form_) {
     case Form::plain:
-      for (const Record& record : read_records<Record>(count, rendering))
-        rendering.fragments.push_back(to_fragment(record, multisampled));
+      read_records<Record>(count, rendering);
       break;
     case Form::detailed:
-      read_details<DetailedRecord>(count, rendering);
+      read_records<DetailedRecord>(count, rendering);
       break;
     case Form::textured:
-      read_details<TexturedRecord>(count, rendering);
+      read_records<TexturedRecord>(count, rendering);
       break;
   }
   // Records were sorted with the coverage as a part of x.
-  if (multisampled) sort_fragments(rendering);
+  if (rendering.samples > 1) sort_fragments(rendering);
 }
 
 }  // namespace edgecase

@@ -15,7 +15,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "model/rendering.h"
 #include "reference/gl_objects.h"
@@ -50,9 +49,7 @@ class Capture {
  private:
   std::size_t record_size() const;
   template <class Record>
-  std::vector<Record> read_records(std::uint32_t count, const Rendering& target);
-  template <class Record>
-  void read_details(std::uint32_t count, Rendering& rendering);
+  void read_records(std::uint32_t count, Rendering& rendering);
 
   const GladGLContext& gl_;
   Form form_;

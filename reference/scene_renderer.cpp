@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "reference/depth_buffer.h"
 #include "reference/draw_state.h"
@@ -45,6 +46,16 @@ std::size_t area_of(const Rendering& rendering) {
 
 bool is_multisampled(const Scene& scene) {
   return scene.target.samples > 1;
+}
+
+// The nearest whole number. Most are whole, and take no call.
+std::uint32_t hits_of(float steps) {
+  constexpr float kEnd = 0x1p24f;
+  if (steps >= 0 && steps < kEnd) {
+    const auto whole = static_cast<std::int32_t>(steps);
+    if (static_cast<float>(whole) == steps) return static_cast<std::uint32_t>(whole);
+  }
+  return static_cast<std::uint32_t>(std::lround(steps));
 }
 
 // "2 4 8"
@@ -256,10 +267,8 @@ void SceneRenderer::count_hits(const Scene& scene, const Surfaces& surfaces, Ren
   draw_all(scene, {&Programs::count, false, nullptr, surfaces.step});
   const std::vector<float> sums = read_sums(surfaces, rendering);
   rendering.hits.resize(sums.size());
-  // Most samples of most scenes are never written.
-  std::transform(sums.begin(), sums.end(), rendering.hits.begin(), [&](float sum) {
-    return sum == 0 ? 0 : static_cast<std::uint32_t>(std::lround(sum / surfaces.step));
-  });
+  std::transform(sums.begin(), sums.end(), rendering.hits.begin(),
+                 [&](float sum) { return hits_of(sum / surfaces.step); });
 }
 
 std::optional<std::string> SceneRenderer::capture_fragments(const Scene& scene,
