@@ -21,6 +21,22 @@ bool can_distribute(const Rendering& rendering) {
              });
 }
 
+using Places = std::vector<std::vector<Fragment>::iterator>;
+
+// Where the sorted runs of a list begin, and its end; fewer than all of them where they are many.
+Places runs_of(std::vector<Fragment>& fragments, std::size_t most) {
+  Places places{fragments.begin()};
+  while (places.size() <= most && places.back() != fragments.end())
+    places.push_back(std::is_sorted_until(places.back(), fragments.end(), precedes));
+  return places;
+}
+
+// The last ones first: a large primitive that lesser ones follow is gone through once.
+void merge_runs(const Places& places) {
+  for (std::size_t i = places.size() - 2; i > 0; --i)
+    std::inplace_merge(places[i - 1], places[i], places.back(), precedes);
+}
+
 }  // namespace
 
 bool precedes(const Fragment& a, const Fragment& b) {
@@ -30,12 +46,15 @@ bool precedes(const Fragment& a, const Fragment& b) {
 }
 
 void sort_fragments(Rendering& rendering) {
+  constexpr std::size_t kFewRuns = 8;
   std::vector<Fragment>& fragments = rendering.fragments;
   const auto are_sorted = [&] {
     return std::is_sorted(fragments.begin(), fragments.end(), precedes);
   };
   // Most come sorted, or primitive by primitive, and looking is much cheaper than sorting.
   if (are_sorted()) return;
+  const Places places = runs_of(fragments, kFewRuns);
+  if (places.back() == fragments.end()) return merge_runs(places);
   if (can_distribute(rendering))
     distribute(fragments, rendering.pixel_index(0, rendering.height),
                [&](const Fragment& f) { return rendering.pixel_index(f.x, f.y); });

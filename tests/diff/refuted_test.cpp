@@ -67,9 +67,15 @@ TEST(Refuted, IsWhatIsDrawnOtherwise) {
           const CauseQuestion question{primitive, scene.target, choices.of(primitive.kind)};
           const SampleCoverage drawn =
               covered_samples(primitive, scene.target, question.chosen, {});
+          const std::string wanted = drawn_otherwise(question, drawn);
+          // Where another primitive has refuted some before, they are not tried, and what is known
+          // of the others must do when all are asked about.
+          std::string half = wanted;
+          for (std::size_t k = 0; k < half.size(); k += 2) half[k] = '0';
+          mark_refuted(question, {drawn, drawn}, half);
+          ASSERT_EQ(half, wanted) << policy.rules.size() << " " << step << " " << i;
           std::string marked(alternative_names().size(), '0');
           mark_refuted(question, {drawn, drawn}, marked);
-          const std::string wanted = drawn_otherwise(question, drawn);
           ASSERT_EQ(marked, wanted) << policy.rules.size() << " " << step << " " << i;
           ++primitives;
           refuted += static_cast<std::size_t>(std::count(wanted.begin(), wanted.end(), '1'));
@@ -78,6 +84,42 @@ TEST(Refuted, IsWhatIsDrawnOtherwise) {
     }
   std::printf("%zu primitives, %zu alternatives refuted\n", primitives, refuted);
   EXPECT_GT(refuted, 3 * primitives);
+}
+
+// What is kept of a primitive is not taken for another's that differs in one thing.
+TEST(Refuted, IsKeptForOnePrimitiveAlone) {
+  Scene scene;
+  scene.target.width = scene.target.height = 8;
+  scene.viewport = {0, 0, 8, 8};
+  Draw& draw = scene.draws.emplace_back();
+  draw.primitive = Primitive::lines;
+  const auto at = [](int n) { return Fixed::from_raw(n * Fixed::kOne / 16); };
+  draw.vertices.resize(2);
+  draw.vertices[0].position = {at(9), at(23)};
+  draw.vertices[1].position = {at(100), at(70)};
+  const auto expect_right = [&](const char* what) {
+    const RuleChoices choices = resolve(Policy{}, Surface::fbo);
+    for (const ScenePrimitive& primitive : primitives_of(scene)) {
+      const CauseQuestion question{primitive, scene.target, choices.of(primitive.kind)};
+      const SampleCoverage drawn = covered_samples(primitive, scene.target, question.chosen, {});
+      std::string marked(alternative_names().size(), '0');
+      mark_refuted(question, {drawn, drawn}, marked);
+      EXPECT_EQ(marked, drawn_otherwise(question, drawn)) << what;
+    }
+  };
+  expect_right("as it is");
+  draw.line_width = Fixed::from_integer(3);
+  expect_right("wider");
+  draw.line_width = Fixed::from_integer(1);
+  draw.scissor = Viewport{2, 1, 3, 4};
+  expect_right("cut");
+  draw.scissor.reset();
+  scene.target.height = 3;
+  expect_right("of a lower target");
+  draw.primitive = Primitive::points;
+  expect_right("as points");
+  draw.point_size = Fixed::from_integer(5);
+  expect_right("as larger points");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "kernels/covered_pixels_kernel.h"
@@ -94,7 +95,8 @@ TEST(LineKernel, NearestToTheBorderOfRows) {
   }
 }
 
-// As far out as coordinates go, in a strip of the window that the line passes.
+// As far out as coordinates go, in a strip of the window that the line passes: at its borders, at
+// its middle, and where a target's own border is.
 TEST(LineKernel, TheLongestSegments) {
   RandomPoints random(6);
   const std::int64_t far = kLargestRaw;
@@ -107,7 +109,9 @@ TEST(LineKernel, TheLongestSegments) {
       return Point{at(), at()};
     };
     const Segment s{extreme(), extreme()};
-    const int x = random.below(2) * 8184, y = random.below(2) * 8184;
+    constexpr std::array kCorners{-8192, -2, 0, 8184};
+    const int x = kCorners[static_cast<std::size_t>(random.below(4))];
+    const int y = kCorners[static_cast<std::size_t>(random.below(4))];
     const PixelBounds bounds{x, y, x + 7, y + 7};
     ASSERT_NO_FATAL_FAILURE(
         expect_same(s, bounds, perturbed_boundaries()[static_cast<std::size_t>(i) % 8]));

@@ -49,6 +49,22 @@ std::string described(const Triangle& t, const TieRule& ties) {
   return explain_triangle(t, 0, 0, ties).text;
 }
 
+// A triangle's pixels are just those, and neither one less, nor one more, nor another.
+void expect_just(const Pixels& plain, const Triangle& t, const PixelBounds& bounds,
+                 const TieRule& ties) {
+  ASSERT_TRUE(walks_just(plain, t, bounds, ties)) << described(t, ties);
+  Pixels more = plain;
+  more.push_back({bounds.x_max, bounds.y_max + 1});
+  ASSERT_FALSE(walks_just(more, t, bounds, ties)) << described(t, ties);
+  if (plain.empty()) return;
+  ASSERT_FALSE(walks_just(std::span(plain).first(plain.size() - 1), t, bounds, ties));
+  ASSERT_FALSE(walks_just(std::span(plain).subspan(1), t, bounds, ties));
+  const std::size_t middle = plain.size() / 2;
+  Pixels other = plain;
+  other.erase(other.begin() + static_cast<std::ptrdiff_t>(middle));
+  ASSERT_FALSE(walks_just(other, t, bounds, ties)) << described(t, ties);
+}
+
 // All triangles whose vertices lie on a grid of 6x6 half pixels, from one pixel beyond the window's
 // corner on, under every tie rule.
 TEST_F(TriangleKernel, EveryTriangleOfASmallGrid) {
@@ -68,6 +84,7 @@ TEST_F(TriangleKernel, EveryTriangleOfASmallGrid) {
         const Pixels plain = plain_pixels(t, canvas.bounds(), ties);
         ASSERT_EQ(filled_pixels(canvas, t, ties, canvas.bounds()), plain) << described(t, ties);
         ASSERT_EQ(walked_triangle_pixels(t, canvas.bounds(), ties), plain) << described(t, ties);
+        ASSERT_NO_FATAL_FAILURE(expect_just(plain, t, canvas.bounds(), ties));
         covered += static_cast<int>(plain.size());
       }
       const Pixels tied = tied_triangle_pixels(t, canvas.bounds());
@@ -98,6 +115,7 @@ TEST_F(TriangleKernel, RandomTrianglesOfEveryGrid) {
     const PixelBounds bounds = canvas.bounds();
     const Pixels plain = plain_pixels(t, bounds, ties);
     ASSERT_EQ(walked_triangle_pixels(t, bounds, ties), plain) << described(t, ties);
+    ASSERT_NO_FATAL_FAILURE(expect_just(plain, t, bounds, ties));
     ASSERT_EQ(walked_tied_pixels(t, bounds), tied_triangle_pixels(t, bounds)) << described(t, ties);
     for (const std::int64_t target : targets) {
       use_kernel_target(target);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 #include <tuple>
+#include <vector>
 
 namespace edgecase {
 namespace {
@@ -27,6 +28,34 @@ TEST(Rendering, FragmentsAreSortedByRowColumnPrimitive) {
   for (std::size_t i = 1; i < rendering.fragments.size(); ++i)
     ASSERT_LT(key(rendering.fragments[i - 1]), key(rendering.fragments[i]))
         << "equal fragments must keep the order in which they came";
+}
+
+// As most come: primitive by primitive, each sorted by itself; from one to more than are merged.
+TEST(Rendering, SortedRunsOfFragmentsAreSortedAsAWhole) {
+  std::mt19937_64 engine(6);
+  const auto are_equal = [](const Fragment& a, const Fragment& b) {
+    return std::tie(a.y, a.x, a.primitive, a.depth) == std::tie(b.y, b.x, b.primitive, b.depth);
+  };
+  for (int round = 0; round < 200; ++round) {
+    Rendering rendering;
+    rendering.width = rendering.height = 40;
+    int told = 0;
+    for (int primitive = 0; primitive < 1 + round % 12; ++primitive) {
+      std::vector<Fragment> run(1 + engine() % 30);
+      for (Fragment& f : run) {
+        f.x = static_cast<int>(engine() % 6);
+        f.y = static_cast<int>(engine() % 6);
+        f.primitive = primitive % 3;
+        f.depth = ++told;
+      }
+      std::stable_sort(run.begin(), run.end(), precedes);
+      rendering.fragments.insert(rendering.fragments.end(), run.begin(), run.end());
+    }
+    std::vector<Fragment> expected = rendering.fragments;
+    std::stable_sort(expected.begin(), expected.end(), precedes);
+    sort_fragments(rendering);
+    ASSERT_TRUE(std::ranges::equal(rendering.fragments, expected, are_equal)) << round;
+  }
 }
 
 TEST(Rendering, PixelsAreIndexedRowByRowFromTheBottom) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "diff/samples/switched_off.h"
 #include "diff/values/flat_values.h"
@@ -263,15 +264,19 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
   ValueAggregator depths_elsewhere("depth", followed_z.rule, followed_z.ruling, followed_z.cause);
   const FollowedOffset followed_o = followed_offset(context, rendered);
   ValueAggregator depths_offset("depth", followed_o.rule, followed_o.ruling, followed_o.cause);
-  // The latest fragment, if it is correct and stands for all that tell the same, and with what its
-  // values were counted.
-  const Fragment* correct = nullptr;
-  ValueAggregator* counted_color = nullptr;
-  ValueAggregator* counted_depth = nullptr;
+  // Of each primitive the latest fragment, if it is correct and stands for all that tell the same,
+  // and with what its values were counted.
+  struct Correct {
+    const Fragment* fragment = nullptr;
+    ValueAggregator* color = nullptr;
+    ValueAggregator* depth = nullptr;
+  };
+  std::vector<Correct> correct_ones(context.primitives.size());
   for (const Fragment& told : rendered.fragments) {
-    if (correct != nullptr && tells_the_same(*correct, told)) {
-      if (counted_color != nullptr) counted_color->count_compared(told.color.size());
-      if (counted_depth != nullptr) counted_depth->count_compared(1);
+    Correct& correct = correct_ones[static_cast<std::size_t>(told.primitive)];
+    if (correct.fragment != nullptr && tells_the_same(*correct.fragment, told)) {
+      if (correct.color != nullptr) correct.color->count_compared(told.color.size());
+      if (correct.depth != nullptr) correct.depth->count_compared(1);
       continue;
     }
     const Draw& draw = *context.primitive_of(told).state;
@@ -280,33 +285,33 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
     const Judge judge(context, f);
     const std::size_t before = result.disagreements.size();
     bool is_correct = !textured && judge.asks_alike_everywhere();
-    counted_color = counted_depth = nullptr;
+    correct = {};
     if (f.has_color && draw.interpolation == Interpolation::flat) {
       compare_flat_color(context, f, result);
     } else if (f.has_color) {
       std::array<Component, 4> components;
       for (std::size_t c = 0; c < 4; ++c) components[c] = judge.color(c, f.color[c]);
       is_correct = is_correct && std::ranges::all_of(components, &Component::is_correct);
-      counted_color = textured                        ? &coordinates
+      correct.color = textured                        ? &coordinates
                       : followed.explains(context, f) ? &elsewhere
                                                       : &colors;
       Disagreement* d =
           compare_components(std::span(components).first(textured ? 2 : 4), f, judge.place(),
-                             "attribute.smooth", *counted_color, result);
+                             "attribute.smooth", *correct.color, result);
       if (d != nullptr) blame(*d, cause_of_color(context, f));
     }
     if (f.has_depth) {
       const Component depth = judge.depth(f.depth);
       is_correct = is_correct && depth.is_correct();
-      counted_depth = followed_z.explains(context, f)   ? &depths_elsewhere
+      correct.depth = followed_z.explains(context, f)   ? &depths_elsewhere
                       : followed_o.explains(context, f) ? &depths_offset
                                                         : &depths;
       Disagreement* d = compare_components({&depth, 1}, f, judge.depth_place(), "fragment.depth",
-                                           *counted_depth, result);
+                                           *correct.depth, result);
       if (d != nullptr) blame_depth(context, f, *d);
     }
     is_correct = is_correct && result.disagreements.size() == before;
-    correct = is_correct ? &told : nullptr;
+    if (is_correct) correct.fragment = &told;
   }
   colors.flush(result);
   elsewhere.flush(result);

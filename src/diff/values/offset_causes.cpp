@@ -106,6 +106,10 @@ std::string cause_of_offset(const ValueContext& context, const Fragment& fragmen
 }
 
 FollowedOffset followed_offset(const ValueContext& context, const Rendering& rendered) {
+  // Most scenes have none: then no fragment need be asked.
+  if (std::ranges::none_of(context.scene.draws,
+                           [](const Draw& draw) { return draw.polygon_offset.has_value(); }))
+    return {};
   const auto concerned = [&](const Fragment& f) { return f.has_depth && has_offset(context, f); };
   if (std::ranges::none_of(rendered.fragments, concerned)) return {};
   const OffsetChoice& chosen = context.choices.values.offset;
