@@ -11,6 +11,8 @@
 #include <tuple>
 #include <utility>
 
+#include "results/shallow_json.h"
+
 namespace edgecase {
 namespace {
 
@@ -140,7 +142,7 @@ DecisionOutcome outcome_of(const Decision& decision, const KnownResult* result,
 std::variant<std::vector<Decision>, std::string> parse_decisions(const std::string& text) {
   std::string where = "the file";
   try {
-    const Json json = Json::parse(text);
+    const Json json = parse_shallow(text);
     check_keys(json, {"edgecase_decisions", "renderer", "decisions"});
     if (!json.contains("edgecase_decisions") || json.at("edgecase_decisions") != kFormat)
       throw std::runtime_error(fmt::format("\"edgecase_decisions\" must be {}", kFormat));

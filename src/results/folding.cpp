@@ -12,6 +12,7 @@
 #include "results/base64.h"
 #include "results/deflate.h"
 #include "results/findings_json.h"
+#include "results/shallow_json.h"
 #include "results/whole_number.h"
 
 namespace edgecase {
@@ -74,7 +75,7 @@ nlohmann::json unfolded(const nlohmann::json& json) {
   if (!json.is_string()) return json;
   const std::string& text = json.get_ref<const std::string&>();
   if (!text.starts_with(kMark)) return json;
-  return nlohmann::json::parse(inflated(from_base64(std::string_view(text).substr(kMark.size()))));
+  return parse_shallow(inflated(from_base64(std::string_view(text).substr(kMark.size()))));
 }
 
 void write_places(JsonWriter& json, const std::vector<Place>& places) {
@@ -93,7 +94,8 @@ std::vector<Place> to_places(const nlohmann::json& json) {
     if (count < 1 || count > kLongestRun || place.x > kLongestRun ||
         places.size() + static_cast<std::size_t>(count) > kMostOfAList)
       throw std::runtime_error(
-          fmt::format("{} stands for more places than there can be", item.dump()));
+          fmt::format("[{}, {}, {}, {}] stands for more places than there can be", place.x, place.y,
+                      place.primitive, count));
     for (int i = 0; i < count; ++i, ++place.x) places.push_back(place);
   }
   if (has_runs)

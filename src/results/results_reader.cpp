@@ -11,6 +11,7 @@
 #include "results/picture_difference.h"
 #include "results/results_json.h"
 #include "results/samples_json.h"
+#include "results/shallow_json.h"
 #include "results/whole_number.h"
 
 namespace edgecase {
@@ -284,7 +285,7 @@ Diagnostic to_diagnostic(const Json& json) {
 std::variant<Results, std::string> read_results(const std::string& text) {
   std::string where;
   try {
-    const Json json = Json::parse(text);
+    const Json json = parse_shallow(text);
     Results results;
     results.tool = json.at("tool");
     results.policy = json.at("policy");
