@@ -8,6 +8,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "model/digest.h"
+
 namespace edgecase {
 namespace {
 
@@ -190,7 +192,9 @@ std::string expectations_text(const Expectations& expectations) {
 }
 
 std::string expectations_file_name(const std::string& renderer) {
-  std::string name = renderer;
+  constexpr std::size_t kMostOfName = 200;  // bytes; file systems take 255
+  std::string name = renderer.substr(0, kMostOfName);
+  if (name.size() < renderer.size()) name += "-" + digest_of_text(renderer);
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == ':' || c == '/' || c == ' '; }, '-');
   return name + ".json";

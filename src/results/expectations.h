@@ -45,7 +45,8 @@ std::variant<Expectations, std::string> parse_expectations(const std::string& te
 // The file's text: an entry on a line each, sorted by case id.
 std::string expectations_text(const Expectations& expectations);
 
-// The name of a renderer's file: "osmesa-llvmpipe.json".
+// The name of a renderer's file: "osmesa-llvmpipe.json". A program's command line may be longer
+// than a file system's names: of such a name the beginning is kept, with a digest of the whole.
 std::string expectations_file_name(const std::string& renderer);
 
 // Sets standing, expectation and expected of every result of the renderer at `index`.

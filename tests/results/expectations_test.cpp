@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/expectations.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/results/missing_case.h"
@@ -8,6 +9,8 @@
 
 namespace edgecase {
 namespace {
+
+using ::testing::StartsWith;
 
 Expectations some_expectations() {
   Expectations expectations;
@@ -97,6 +100,12 @@ TEST(Expectations, TextOfInvalidUtf8IsStillWritten) {
 TEST(Expectations, FileNamesHoldNoSeparators) {
   EXPECT_EQ(expectations_file_name("osmesa:llvmpipe"), "osmesa-llvmpipe.json");
   EXPECT_EQ(expectations_file_name("exec:../a b"), "exec-..-a-b.json");
+  const std::string longest(200, 'x');
+  EXPECT_EQ(expectations_file_name(longest), longest + ".json");
+  const std::string one = expectations_file_name(longest + "/one");
+  EXPECT_THAT(one, StartsWith(longest + "-"));
+  EXPECT_LT(one.size(), 255u);
+  EXPECT_NE(one, expectations_file_name(longest + "/two"));
 }
 
 std::string file_with(const std::string& entries) {
