@@ -72,11 +72,26 @@ std::size_t count_characters(std::string_view text) {
   }));
 }
 
+std::string clean_line(std::string text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = sequence_length(text, i);
+    const bool is_control = byte_at(text, i) < 0x20 || text[i] == 0x7F;
+    if (length == 0 || is_control) text[i] = '?';
+    i += std::max<std::size_t>(length, 1);
+  }
+  return text;
+}
+
+std::string_view beginning_of(std::string_view text, std::size_t most) {
+  std::size_t end = std::min(text.size(), most);
+  while (end < text.size() && end > 0 && is_continuation(byte_at(text, end))) --end;
+  return text.substr(0, end);
+}
+
 std::string quote(std::string_view text) {
   constexpr std::size_t kShown = 60;
-  std::size_t end = std::min(text.size(), kShown);
-  while (end < text.size() && end > 0 && is_continuation(byte_at(text, end))) --end;
-  return fmt::format("\"{}{}\"", text.substr(0, end), end < text.size() ? "..." : "");
+  const std::string_view shown = beginning_of(text, kShown);
+  return fmt::format("\"{}{}\"", shown, shown.size() < text.size() ? "..." : "");
 }
 
 std::string join_names(std::span<const std::string> names) {

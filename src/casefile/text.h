@@ -18,6 +18,13 @@ std::optional<std::size_t> find_invalid_utf8(std::string_view text);
 // Number of code points; `text` must be well-formed UTF-8.
 std::size_t count_characters(std::string_view text);
 
+// The text with '?' for each byte that is no part of well-formed UTF-8 and for each control
+// character: what others wrote, as a line that every file may hold.
+std::string clean_line(std::string text);
+
+// The beginning of well-formed UTF-8: whole characters, at most `most` bytes of them.
+std::string_view beginning_of(std::string_view text, std::size_t most);
+
 // In double quotes, cut after about 60 characters.
 std::string quote(std::string_view text);
 

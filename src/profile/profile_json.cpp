@@ -129,6 +129,11 @@ Json to_json(const Policy& policy, const std::string& why) {
   return json;
 }
 
+// Names and messages may hold bytes that are no UTF-8; they are replaced, never fatal.
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
 
 std::string profile_json(const Profile& profile, const std::string& tool) {
@@ -144,11 +149,11 @@ std::string profile_json(const Profile& profile, const std::string& tool) {
                      {"scenes_per_kind", profile.scenes_per_kind},
                      {"policy", to_json(profile.policy, why_of(profile))},
                      {"surfaces", list_of(profile.surfaces)}};
-  return json.dump(2) + "\n";
+  return text_of(json);
 }
 
 std::string policy_text(const Profile& profile) {
-  return to_json(profile.policy, why_of(profile)).dump(2) + "\n";
+  return text_of(to_json(profile.policy, why_of(profile)));
 }
 
 }  // namespace edgecase

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "casefile/text.h"
 #include "wire/message.h"
 #include "wire/request_line.h"
 
@@ -16,6 +18,7 @@ constexpr int kMostSilentDeaths = 3;
 // The exit status by which a program says that it cannot work here at all.
 constexpr int kUnavailableStatus = 3;
 constexpr std::size_t kLongestQuote = 300;
+constexpr std::size_t kLongestRefusal = 1000;
 // Scenes that a worker is asked for before it answers the first of them, and their bytes: as many
 // as fit into a pipe.
 constexpr std::size_t kMostAsked = 16;
@@ -51,14 +54,16 @@ bool takes_coverage(const Task& task) {
   return task.coverage_only && task.scene->target.samples == 1;
 }
 
-// The end of a text as one line of printable characters.
+// The end of a text as one line of printable characters. A program may say anything, and a cut may
+// fall into a character: what is no UTF-8 would make files that hold these words unreadable.
 std::string last_words(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-  if (text.size() > kLongestQuote) text = "..." + text.substr(text.size() - kLongestQuote);
+  const bool is_cut = text.size() > kLongestQuote;
+  if (is_cut) text.erase(0, text.size() - kLongestQuote);
   std::replace(text.begin(), text.end(), '\n', '|');
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  return text;
+  return (is_cut ? "..." : "") + clean_line(std::move(text));
 }
 
 }  // namespace
@@ -191,7 +196,9 @@ void ProcessRenderer::note_answer() {
 // Nobody knows what else is on its way: only a new process is sure to be in step.
 Outcome ProcessRenderer::refuse(const std::string& why) {
   child_->kill();
-  Failure failure{FailureKind::garbage, "its answer is refused: " + why + quote_errors()};
+  // It may quote the answer.
+  const std::string words(beginning_of(clean_line(why), kLongestRefusal));
+  Failure failure{FailureKind::garbage, "its answer is refused: " + words + quote_errors()};
   end_child();
   return failure;
 }

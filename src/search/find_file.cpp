@@ -7,13 +7,20 @@
 #include <string_view>
 
 #include "casefile/case_writer.h"
+#include "casefile/text.h"
 #include "rules/all_rules.h"
 #include "search/grid_search.h"
 
 namespace edgecase {
 namespace {
 
-constexpr std::size_t kMostTitle = 200;  // characters of a case's title
+constexpr std::size_t kMostTitle = 200;  // bytes of a case's title
+constexpr std::size_t kMostWords = 500;  // bytes that a renderer says of one answer
+
+// What a renderer is called or says, as a case file may hold it.
+std::string told(const std::string& words) {
+  return std::string(beginning_of(clean_line(words), kMostWords));
+}
 
 // FNV-1a, 32 bits.
 std::uint32_t hash_of(std::string_view text) {
@@ -47,7 +54,7 @@ std::string sentence_of_bits(const Find& find) {
 
 std::string explanation_of(const Find& find) {
   if (find.result.failure)
-    return fmt::format("The renderer fails: {}.", find.result.failure->reason);
+    return fmt::format("The renderer fails: {}.", told(find.result.failure->reason));
   const Disagreement* d = first_disagreement(find);
   if (d == nullptr)
     return fmt::format("Its {} differs inside what is permitted.", find.key.signature.attribute);
@@ -67,7 +74,7 @@ std::string judgement_of(const Find& find) {
 std::string why_of(const Find& find, std::uint64_t seed) {
   std::string why = explanation_of(find) + " " + judgement_of(find);
   for (const FindAnswer& answer : find.answers)
-    why += fmt::format("{}: {}. ", answer.renderer, answer.words);
+    why += fmt::format("{}: {}. ", told(answer.renderer), told(answer.words));
   return why + fmt::format("Found by edgecase fuzz: {}. {}{}", words_of(find.origin, seed),
                            sentence_of_end(find), sentence_of_bits(find));
 }
@@ -77,7 +84,8 @@ std::string why_of(const Find& find, std::uint64_t seed) {
 FindFile find_file(const Find& find, std::uint64_t seed, const std::string& schema) {
   const std::string rule = rule_of(find);
   CaseWords words;
-  words.title = fmt::format("{}: {}", find.renderer, title_of(find)).substr(0, kMostTitle);
+  words.title =
+      beginning_of(fmt::format("{}: {}", told(find.renderer), title_of(find)), kMostTitle);
   words.rules = {rule};
   const CaseText plain = case_text(find.scene, words);
   FindFile file;

@@ -103,7 +103,8 @@ std::string fuzz_json(const FuzzReport& report, const FuzzWords& words) {
                      {"families", std::move(families)},
                      {"renderers", std::move(renderers)},
                      {"finds", std::move(finds)}};
-  return json.dump(2) + "\n";
+  // Renderers are named on the command line: bytes that are no UTF-8 are replaced, never fatal.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::variant<KnownKeys, std::string> read_known_finds(const std::string& text) {

@@ -30,6 +30,20 @@ TEST(Text, QuotesAndCutsBetweenCharacters) {
   EXPECT_TRUE(quoted.ends_with("...\""));
 }
 
+TEST(Text, CleansALineOfBytesAndControls) {
+  EXPECT_EQ(clean_line("plain \xC3\xA4 \xF0\x90\x80\x80"), "plain \xC3\xA4 \xF0\x90\x80\x80");
+  EXPECT_EQ(clean_line("a\x1B[2J\n\t\x7F"), "a?[2J???");
+  EXPECT_EQ(clean_line("\xFF\xC3(\xED\xA0\x80\xE2\x82"), "?\?(?????");
+  EXPECT_EQ(clean_line(std::string("\0", 1)), "?");
+}
+
+TEST(Text, CutsBetweenCharacters) {
+  EXPECT_EQ(beginning_of("abc", 3), "abc");
+  EXPECT_EQ(beginning_of("abc", 2), "ab");
+  EXPECT_EQ(beginning_of("a\xE2\x82\xAC", 4), "a\xE2\x82\xAC");
+  for (const std::size_t most : {1U, 2U, 3U}) EXPECT_EQ(beginning_of("a\xE2\x82\xAC", most), "a");
+}
+
 TEST(Text, NamesWhatMayHaveBeenMeant) {
   const std::vector<std::string> names{"width", "height", "samples"};
   EXPECT_EQ(nearest_name("widht", names), "width");

@@ -177,5 +177,13 @@ TEST(ProfileJson, HoldsEverythingAndTheSmallestSceneAsACase) {
   EXPECT_EQ(json["surfaces"][1]["unavailable"], "unsupported: no windows");
 }
 
+TEST(ProfileJson, IsTextWhateverTheRendererIsCalled) {
+  Profile profile = sample();
+  profile.renderer.name = profile.policy.name = "exec:\xff";
+  const auto json = nlohmann::json::parse(profile_json(profile, "edgecase test"));
+  EXPECT_EQ(json["renderer"]["name"], "exec:\uFFFD");
+  EXPECT_EQ(nlohmann::json::parse(policy_text(profile))["name"], "exec:\uFFFD");
+}
+
 }  // namespace
 }  // namespace edgecase

@@ -16,6 +16,7 @@ namespace edgecase {
 namespace {
 
 using std::chrono::milliseconds;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -121,6 +122,26 @@ for r in requests():
     EXPECT_EQ(kind_of(outcomes[i]), "crashed") << i;
     EXPECT_THAT(reason_of(outcomes[i]), HasSubstr("exit status 7"));
   }
+}
+
+TEST_F(ProcessRendererTest, QuotesLastWordsAsText) {
+  // The cut falls into a character.
+  ProcessRenderer renderer(python(R"(
+os.write(2, "\u00e4".encode() * 400 + b"\xff\x1b!\n")
+sys.exit(1)
+)"));
+  const std::string reason = reason_of(render(renderer, {scene_of(1, 1)})[0]);
+  EXPECT_THAT(reason, HasSubstr("it said: ...?\u00e4\u00e4"));
+  EXPECT_THAT(reason, EndsWith("\u00e4? !"));
+}
+
+TEST_F(ProcessRendererTest, QuotesLittleOfAnAnswerThatIsRefused) {
+  ProcessRenderer renderer(
+      python("for r in requests(): answer(r, renderer={'traits': {'\\x1b' * 100000: 1}})"));
+  const auto outcomes = render(renderer, {scene_of(1, 1)});
+  EXPECT_EQ(kind_of(outcomes[0]), "garbage");
+  EXPECT_THAT(reason_of(outcomes[0]), HasSubstr("/renderer/traits/???"));
+  EXPECT_LT(reason_of(outcomes[0]).size(), 1100u);
 }
 
 TEST_F(ProcessRendererTest, AMissingProgramIsUnavailable) {

@@ -159,6 +159,19 @@ TEST(Fuzz, IsTheSameForAnyNumberOfThreads) {
   EXPECT_NE(fuzz_json(fuzz({altered(tear_diagonal)}, options), words_of_test()), one);
 }
 
+TEST(Fuzz, TellsOfRenderersWhoseNamesAreNoText) {
+  FuzzRenderer renderer = altered(tear_diagonal);
+  renderer.name = "exec:\xff\x1b" + std::string(300, 'x');
+  const FuzzReport report = fuzz({renderer}, few({"shared-edges"}, 160));
+  ASSERT_FALSE(report.finds.empty());
+  FuzzWords words = words_of_test();
+  words.renderers = {renderer.name};
+  EXPECT_THAT(fuzz_json(report, words), HasSubstr("\"name\": \"exec:\uFFFD\\u001bxxx"));
+  const FindFile file = find_file(report.finds.front(), 1, "");
+  ASSERT_TRUE(file.diagnostics.empty()) << to_string(file.diagnostics.front());
+  EXPECT_THAT(file.text, HasSubstr("\"title\": \"exec:\?\?xxx"));
+}
+
 TEST(Fuzz, TellsEachFindOnce) {
   const FuzzReport report = fuzz({altered(lose_last_of_a_line)}, few({"lines", "joints"}, 96));
   for (std::size_t i = 0; i < report.finds.size(); ++i)

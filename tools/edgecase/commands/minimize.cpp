@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "casefile/case_writer.h"
+#include "casefile/text.h"
 #include "model/scene_words.h"
 #include "rules/all_rules.h"
 #include "run/renderer_names.h"
@@ -130,11 +131,17 @@ std::string words_of_size(const Scene& scene) {
                      counted(size.settings, "setting", "settings"));
 }
 
-// What differs, in a sentence, with the renderer's answer.
+// What a renderer is called or says, as a case file may hold it.
+std::string told(const std::string& words) {
+  constexpr std::size_t kMost = 500;  // bytes
+  return std::string(beginning_of(clean_line(words), kMost));
+}
+
+// What differs, in a sentence, with the renderer's answer. `info` holds what can be told.
 std::string why_of(const Result& result, const Signature& signature, const RendererInfo& info) {
   if (result.failure)
     return fmt::format("{} ({}) fails here: {}: {}", info.name, info.device,
-                       name_of(result.failure->kind), result.failure->reason);
+                       name_of(result.failure->kind), told(result.failure->reason));
   const std::string legal = signature.legal ? "the specification allows it" : "not allowed";
   const auto finds = disagreements_of(result, signature);
   if (!finds.empty()) {
@@ -164,9 +171,12 @@ std::vector<std::string> rules_of(const Minimized& minimized, const Signature& s
 }
 
 CaseWords words_for(const Minimized& minimized, const Signature& signature, const Case& original,
-                    const RendererInfo& info) {
+                    RendererInfo info) {
+  constexpr std::size_t kMostTitle = 200;  // bytes of a case's title
+  info.name = told(info.name);
+  info.device = told(info.device);
   CaseWords words;
-  words.title = fmt::format("{}: {}", info.name, title_of(signature));
+  words.title = beginning_of(fmt::format("{}: {}", info.name, title_of(signature)), kMostTitle);
   words.why =
       fmt::format("Minimised from {}. {}", original.id, why_of(minimized.result, signature, info));
   words.rules = rules_of(minimized, signature, original);
@@ -217,7 +227,8 @@ std::string json_text(const Minimized& minimized, const Signature& signature, co
                                     {"finished", minimized.end == MinimizeEnd::finished},
                                     {"asks", minimized.asks},
                                     {"minimized", nlohmann::ordered_json::parse(text)}};
-  return json.dump(2) + "\n";
+  // The renderer is named on the command line: bytes that are no UTF-8 are replaced, never fatal.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 ExitCode deliver(const MinimizeCommand& command, const Case& original, const Minimized& minimized,
