@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "casefile/policy_reader.h"
+#include "reports/text.h"
 #include "results/expectations.h"
 #include "rules/all_rules.h"
 #include "run/recording_renderer.h"
@@ -63,24 +64,27 @@ std::string policy_names(const std::filesystem::path& folder) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+// What cannot be looked at, its folder being closed say, is none.
+bool is_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
 // A file of the selection's suite, or, where that lacks it, the installed suite's.
 std::filesystem::path suite_file(const Selection& selection, const std::filesystem::path& name) {
   const std::filesystem::path own = suite_folder(selection) / name;
   const std::filesystem::path installed = installed_suite() / name;
-  return !std::filesystem::is_regular_file(own) && std::filesystem::is_regular_file(installed)
-             ? installed
-             : own;
+  return !is_file(own) && is_file(installed) ? installed : own;
 }
 
 // The file that a policy's name stands for: itself, or one in the suite's folder.
 std::optional<std::filesystem::path> policy_file(const std::string& policy,
                                                  const Selection& selection) {
-  std::error_code error;
-  if (std::filesystem::is_regular_file(policy, error)) return policy;
+  if (is_file(policy)) return policy;
   const std::filesystem::path folder = suite_folder(selection) / "policies";
   if (policy.find('/') == std::string::npos) {
     const auto named = suite_file(selection, "policies/" + policy + ".json");
-    if (std::filesystem::is_regular_file(named, error)) return named;
+    if (is_file(named)) return named;
   }
   print_error(
       fmt::format("there is no policy \"{}\"; write the path of a policy file, or one of {}",
@@ -110,7 +114,7 @@ std::optional<std::filesystem::path> find_policy(const std::string& policy,
     return std::nullopt;
   }
   const auto file = profile_file(renderers.front(), selection);
-  if (std::filesystem::is_regular_file(file)) return file;
+  if (is_file(file)) return file;
   print_error(
       fmt::format("{0} has no profile yet; measure it with `edgecase profile --against {0} "
                   "--policy-file {1}`",
@@ -193,7 +197,7 @@ std::optional<std::map<std::string, Policy>> load_profiles(
   std::map<std::string, Policy> profiles;
   for (const std::string& renderer : renderers) {
     const auto file = profile_file(renderer, selection);
-    if (!std::filesystem::is_regular_file(file)) continue;
+    if (!is_file(file)) continue;
     auto read = read_policy(file);
     if (!read) return std::nullopt;
     profiles.emplace(renderer, std::move(*read));
@@ -224,11 +228,11 @@ bool is_whole_suite(const Selection& selection) {
 
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics)
-    fmt::print(stderr, "{}\n", to_string(diagnostic));
+    fmt::print(stderr, "{}\n", one_line(to_string(diagnostic)));
 }
 
 void print_error(const std::string& message) {
-  fmt::print(stderr, "edgecase: {}\n", message);
+  fmt::print(stderr, "edgecase: {}\n", xml_text(message));
 }
 
 void print_nothing_selected() {
@@ -237,7 +241,8 @@ void print_nothing_selected() {
 
 std::optional<std::string> read_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path)) {
+  std::error_code ignored;
+  if (!in || std::filesystem::is_directory(path, ignored)) {
     print_error(
         fmt::format("cannot read {}: {}", path.string(), std::strerror(in ? EISDIR : errno)));
     return std::nullopt;

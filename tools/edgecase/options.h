@@ -69,7 +69,9 @@ std::filesystem::path suite_folder(const Selection& selection);
 // Are these all cases of the suite's folder, or a shard of them, with nothing filtered out?
 bool is_whole_suite(const Selection& selection);
 
-// Prints diagnostics, one a line, to standard error.
+// Prints diagnostics, one a line, to standard error. Here and below control characters are shown
+// as one_line() and xml_text() show them: files and programs that others wrote must not speak to a
+// terminal.
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics);
 
 // Prints "edgecase: message" to standard error.

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "reports/text.h"
 #include "run/process_renderer.h"
 #include "run/renderer_names.h"
 #include "tools/edgecase/commands/commands.h"
@@ -40,7 +41,7 @@ std::string yes_or_no(bool value) {
 // A range that the renderer claims, and the largest size that was measured.
 std::string thickness(const RendererInfo& info, const char* trait, int drawn) {
   const auto claim = info.traits.find(trait);
-  return fmt::format("{} / {}", claim == info.traits.end() ? "?" : claim->second, drawn);
+  return fmt::format("{} / {}", claim == info.traits.end() ? "?" : one_line(claim->second), drawn);
 }
 
 Row describe(const RendererInfo& info, const ProbeResult& result) {
@@ -48,8 +49,8 @@ Row describe(const RendererInfo& info, const ProbeResult& result) {
                                                      : fmt::format("{}{}", result.subpixel_bits,
                                                                    result.more_bits ? "+" : "");
   return {info.name,
-          info.device,
-          info.version,
+          one_line(info.device),
+          one_line(info.version),
           fmt::format("{} / {}", info.subpixel_bits, bits),
           yes_or_no(result.fragment_colors) + (result.hits_agree ? " + hits" : ""),
           fmt::format("{} {} {}", result.points, result.lines, result.triangles),
@@ -108,7 +109,7 @@ Examinations examine(const std::vector<ProcessSpec>& specs, const BackendsComman
     if (interrupted()) break;
     all.emplace_back(spec.name, examine_protocol(spec.command, patience, &interrupted()));
     if (command.json != "-")
-      fmt::print("{}\n", examination_text(all.back().first, all.back().second));
+      fmt::print("{}\n", xml_text(examination_text(all.back().first, all.back().second)));
   }
   return all;
 }
@@ -146,7 +147,7 @@ ExitCode print_probes(std::vector<ProcessSpec>& specs, const Examinations& exami
     const ProbeResult result = probe(renderer);
     if (result.problem.empty() || is_program(spec)) ++working;
     rows.push_back(describe(renderer.info(), result));
-    if (!result.problem.empty()) rows.back().back() = result.problem;
+    if (!result.problem.empty()) rows.back().back() = one_line(result.problem);
   }
   if (rows.size() > 1) {
     print_table(rows);

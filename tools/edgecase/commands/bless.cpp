@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "model/recorded.h"
+#include "reports/text.h"
 #include "results/decisions.h"
 #include "results/expectations.h"
 #include "tools/edgecase/commands/commands.h"
@@ -35,9 +36,18 @@ std::string describe(const Expectation& entry) {
   return fmt::format("{} {}: {}", name_of(entry.verdict), entry.fingerprint, entry.reason);
 }
 
+// Results and decisions are files that others may have written: what they hold is printed as
+// one_line() shows it.
+std::string words_of(const Decision& decision) {
+  return one_line(fmt::format("{} {}", decision.id, decision.renderer));
+}
+
 void print_change(const ExpectationChange& change) {
-  if (change.before != nullptr) fmt::print("- {}: {}\n", change.id, describe(*change.before));
-  if (change.after) fmt::print("+ {}: {}\n", change.id, describe(*change.after));
+  const auto print = [&](char sign, const Expectation& entry) {
+    fmt::print("{} {}\n", sign, one_line(fmt::format("{}: {}", change.id, describe(entry))));
+  };
+  if (change.before != nullptr) print('-', *change.before);
+  if (change.after) print('+', *change.after);
 }
 
 bool selected(const std::vector<std::string>& globs, const std::string& name) {
@@ -87,8 +97,8 @@ ExitCode make_changes(const BlessCommand& command, const RendererInfo& info,
 void print_flakes(const BlessCommand& command, const Results& results, std::size_t index) {
   for (const CaseResults& one : results.cases)
     if (one.results[index].again && selected(command.filters, one.id))
-      fmt::print("! {}: {}; such an answer cannot be expected\n", one.id,
-                 one.results[index].expectation);
+      fmt::print("! {}: {}; such an answer cannot be expected\n", one_line(one.id),
+                 one_line(one.results[index].expectation));
 }
 
 ExitCode bless_renderer(const BlessCommand& command, const Results& results, std::size_t index) {
@@ -118,10 +128,10 @@ ExitCode decide_renderer(const BlessCommand& command, const Results& results, st
     if (outcome.change) changes.push_back(*outcome.change);
     if (!outcome.refusal.empty()) {
       exit = ExitCode::unexpected;
-      fmt::print("! {} {}: refused: {}\n", decision.id, decision.renderer, outcome.refusal);
+      fmt::print("! {}: refused: {}\n", words_of(decision), one_line(outcome.refusal));
     } else if (!decision.accepts) {
-      fmt::print("  {} {}: rejected, and stays unexpected: {}\n", decision.id, decision.renderer,
-                 decision.reason);
+      fmt::print("  {}: rejected, and stays unexpected: {}\n", words_of(decision),
+                 one_line(decision.reason));
     }
   }
   return worse(exit, make_changes(command, info, *current, changes));
@@ -141,8 +151,7 @@ ExitCode decide(const BlessCommand& command, const Results& results) {
     if (std::ranges::find(results.renderers, decision.renderer, &RendererInfo::name) !=
         results.renderers.end())
       continue;
-    fmt::print("! {} {}: refused: the results have no such renderer\n", decision.id,
-               decision.renderer);
+    fmt::print("! {}: refused: the results have no such renderer\n", words_of(decision));
     exit = ExitCode::unexpected;
   }
   for (std::size_t r = 0; r < results.renderers.size(); ++r)

@@ -122,9 +122,9 @@ void print_values(const ValueAggregate& values) {
 
 void print_result(const Result& result, const RendererInfo& info, std::optional<Pixel> pixel,
                   int samples) {
-  fmt::print("{} ({}): {}\n", info.name, info.device, name_of(result.verdict));
+  fmt::print("{} ({}): {}\n", info.name, one_line(info.device), name_of(result.verdict));
   if (result.failure)
-    fmt::print("  {}: {}\n", name_of(result.failure->kind), result.failure->reason);
+    fmt::print("  {}: {}\n", name_of(result.failure->kind), one_line(result.failure->reason));
   for (const Disagreement& d : result.disagreements)
     if (!pixel || (pixel->x == d.x && pixel->y == d.y)) print_disagreement(d, samples);
   for (const ValueAggregate& values : result.values) print_values(values);

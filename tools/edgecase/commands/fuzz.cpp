@@ -12,6 +12,7 @@
 
 #include "casefile/loader.h"
 #include "model/scene_words.h"
+#include "reports/text.h"
 #include "run/renderer_names.h"
 #include "run/renderers.h"
 #include "search/find_file.h"
@@ -236,7 +237,7 @@ void print_summary(const FuzzReport& report, const FuzzWords& words, double seco
     fmt::print("{}: {} drawn, {} not drawn", words.renderers[r], renderer.drawn,
                renderer.not_drawn);
     if (renderer.failure)
-      fmt::print(" ({}: {})", name_of(renderer.failure->kind), renderer.failure->reason);
+      fmt::print(" ({}: {})", name_of(renderer.failure->kind), one_line(renderer.failure->reason));
     if (renderer.known > 0)
       fmt::print(", {} met again", plural(static_cast<std::int64_t>(renderer.known), "known find"));
     fmt::print("\n");

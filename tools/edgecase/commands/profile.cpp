@@ -11,6 +11,7 @@
 #include "profile/measure.h"
 #include "profile/profile_json.h"
 #include "profile/profile_text.h"
+#include "reports/text.h"
 #include "run/recording_renderer.h"
 #include "run/renderer_names.h"
 #include "run/renderers.h"
@@ -64,7 +65,7 @@ bool deliver(const std::string& path, const std::string& text) {
 
 ExitCode deliver_all(const ProfileCommand& command, const Profile& profile) {
   if (command.json != "-" && command.policy_file != "-")
-    fmt::print("{}", profile_text(profile, command.clusters));
+    fmt::print("{}", xml_text(profile_text(profile, command.clusters)));
   ExitCode exit = ExitCode::as_expected;
   if (!command.json.empty() && !deliver(command.json, profile_json(profile, kToolName)))
     exit = ExitCode::internal;

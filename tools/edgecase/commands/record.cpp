@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "model/recorded.h"
+#include "reports/text.h"
 #include "run/record.h"
 #include "run/renderer_names.h"
 #include "tools/edgecase/commands/commands.h"
@@ -50,9 +51,9 @@ Recorded record_with_progress(const RecordCommand& command, const Suite& suite,
 void print_recorded(const RecordCommand& command, const Recorded& recorded) {
   const RendererInfo& info = recorded.renderer;
   fmt::print("{}: {} case{} of {} ({}, {}), {} without a rendering; {} bytes{}\n", command.file,
-             recorded.cases, recorded.cases == 1 ? "" : "s", known_as(info), info.device,
-             info.version, recorded.failures, recorded.bytes.size(),
-             recorded.is_complete ? "" : "; incomplete");
+             recorded.cases, recorded.cases == 1 ? "" : "s", one_line(known_as(info)),
+             one_line(info.device), one_line(info.version), recorded.failures,
+             recorded.bytes.size(), recorded.is_complete ? "" : "; incomplete");
 }
 
 ExitCode record(const RecordCommand& command) {

@@ -9,6 +9,7 @@
 
 #include "casefile/json_format.h"
 #include "raster/rasterizer.h"
+#include "reports/text.h"
 #include "run/expectation_check.h"
 #include "run/selection.h"
 #include "tools/edgecase/commands/commands.h"
@@ -65,7 +66,7 @@ std::size_t print_unmet(const Suite& suite) {
 ExitCode validate(const ValidateCommand& command) {
   const Suite suite = load_suite(command.selection.selection());
   print_diagnostics(suite.diagnostics);
-  for (const Diagnostic& note : suite.notes) fmt::print("{}\n", to_string(note));
+  for (const Diagnostic& note : suite.notes) fmt::print("{}\n", one_line(to_string(note)));
   const std::size_t unmet = print_unmet(suite);
   std::size_t disorderly = 0;
   if (command.format || command.check_format) {
