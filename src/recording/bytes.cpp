@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "recording/bytes.h"
 
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace edgecase::recording {
 namespace {
 
 constexpr unsigned kBits = 7;
-// Deflate makes at most 1032 bytes of one.
+// Deflate makes at most 1032 bytes of one: a stretch of some megabytes could ask for all memory.
 constexpr std::uint64_t kLargestRatio = 1040;
 
 const Bytef* data_of(std::string_view bytes) {
@@ -62,6 +63,8 @@ std::string read_deflated(std::string_view& bytes) {
   const std::uint64_t taken = read_size(bytes);
   if (taken > bytes.size() || size / kLargestRatio > taken)
     throw std::runtime_error("a stretch is longer than what there is");
+  if (size > kLongestStretch)
+    throw std::runtime_error(fmt::format("a stretch of {} bytes is longer than any may be", size));
   std::string out(size, '\0');
   uLongf written = out.size();
   if (uncompress(reinterpret_cast<Bytef*>(out.data()), &written, data_of(bytes), taken) != Z_OK ||

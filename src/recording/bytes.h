@@ -17,6 +17,9 @@ std::uint64_t read_size(std::string_view& bytes);
 // RFC 1950, by the smallest that zlib finds.
 std::string deflated(std::string_view bytes);
 
+// What a stretch may be deflated from: several times a column of the largest target's fragments.
+constexpr std::uint64_t kLongestStretch = std::uint64_t{1} << 30;
+
 // Deflated bytes with their sizes before them, and what they were deflated from.
 void write_deflated(std::string_view bytes, std::string& out);
 void write_stretch(std::size_t size, std::string_view deflated, std::string& out);

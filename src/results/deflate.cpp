@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/deflate.h"
 
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include <stdexcept>
@@ -18,7 +19,7 @@ std::vector<std::uint8_t> deflated(std::string_view text) {
 }
 
 // The stream ends in a checksum, so that damage is noticed.
-std::string inflated(const std::vector<std::uint8_t>& bytes) {
+std::string inflated(const std::vector<std::uint8_t>& bytes, std::size_t most) {
   z_stream stream{};
   if (inflateInit(&stream) != Z_OK) throw std::runtime_error("there is no memory to inflate");
   stream.next_in = const_cast<Bytef*>(bytes.data());
@@ -26,13 +27,15 @@ std::string inflated(const std::vector<std::uint8_t>& bytes) {
   std::string text;
   std::vector<char> buffer(1 << 16);
   int status = Z_OK;
-  while (status == Z_OK) {
+  while (status == Z_OK && text.size() <= most) {
     stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
     stream.avail_out = static_cast<uInt>(buffer.size());
     status = inflate(&stream, Z_NO_FLUSH);
     text.append(buffer.data(), buffer.size() - stream.avail_out);
   }
   inflateEnd(&stream);
+  if (text.size() > most)
+    throw std::runtime_error(fmt::format("a deflated value is longer than {} bytes", most));
   if (status != Z_STREAM_END) throw std::runtime_error("a deflated value is damaged");
   return text;
 }

@@ -104,6 +104,12 @@ TEST(Bytes, SizesAreRefusedWhereTheyPromiseTooMuch) {
   write_stretch(std::size_t{1} << 62, "short", huge);
   std::string_view bytes = huge;
   EXPECT_THROW(read_deflated(bytes), std::runtime_error);
+  // As much as deflate could make of these, and no memory is taken for it.
+  std::string large;
+  write_stretch(kLongestStretch + 1, std::string(std::size_t{1} << 21, 'x'), large);
+  bytes = large;
+  EXPECT_THAT([&] { read_deflated(bytes); }, ::testing::ThrowsMessage<std::runtime_error>(
+                                                 ::testing::HasSubstr("longer than any may be")));
   std::string endless(12, '\xff');
   bytes = endless;
   EXPECT_THROW(read_size(bytes), std::runtime_error);

@@ -16,6 +16,7 @@
 #include <tuple>
 
 #include "results/base64.h"
+#include "results/deflate.h"
 #include "results/results_json.h"
 #include "tests/results/sample_results.h"
 
@@ -176,6 +177,17 @@ TEST(Folding, LeavesAloneWhatIsLongInResultsOfSmallCases) {
   write_results(results, out);
   EXPECT_EQ(out.str().find("zlib:"), std::string::npos);
   EXPECT_NE(out.str().find(R"("differing":[[0,0,7],[1,0,7],)"), std::string::npos);
+}
+
+// A few bytes may stand for very many.
+TEST(Deflate, InflatesNoMoreThanIsAllowed) {
+  const std::string text(200'000, 'a');
+  const std::vector<std::uint8_t> bytes = deflated(text);
+  ASSERT_LT(bytes.size(), 1000u);
+  EXPECT_EQ(inflated(bytes), text);
+  EXPECT_EQ(inflated(bytes, text.size()), text);
+  EXPECT_THROW(inflated(bytes, text.size() - 1), std::runtime_error);
+  EXPECT_THROW(inflated(bytes, 0), std::runtime_error);
 }
 
 }  // namespace
