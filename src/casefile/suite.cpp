@@ -89,12 +89,8 @@ void Finder::add_file(const fs::path& file, const fs::path& root) {
   const fs::path absolute = normal(file);
   if (!seen_.insert(absolute).second) return;
   const std::string id = absolute.lexically_relative(root).replace_extension().generic_string();
-  // An id is printed, and stands in every report.
-  if (clean_line(id) != id) {
-    diagnose(clean_line(file.generic_string()),
-             find_invalid_utf8(id) ? "the file's name is not UTF-8"
-                                   : "the file's name holds a control character",
-             "rename the file");
+  if (find_invalid_utf8(id)) {
+    diagnose(clean_line(file.generic_string()), "the file's name is not UTF-8", "rename the file");
     return;
   }
   if (id.find(':') != std::string::npos) {

@@ -89,17 +89,5 @@ TEST_F(Suite, NamesThatAreNotUtf8AreReported) {
   EXPECT_EQ(found.diagnostics[0].file.find('\xFF'), std::string::npos);
 }
 
-TEST_F(Suite, NamesWithControlCharactersAreReported) {
-  for (const char* name : {"other/\x1B[2J.json", "other/a\nb.json"}) {
-    std::ofstream(root_ / name) << "{}";
-    const FoundCases found = find({"other"});
-    EXPECT_EQ(ids(found), (Ids{"deep/z", "x.y"}));
-    ASSERT_EQ(found.diagnostics.size(), 1U);
-    EXPECT_NE(found.diagnostics[0].message.find("control character"), std::string::npos);
-    EXPECT_EQ(found.diagnostics[0].file.find_first_of("\x1B\n"), std::string::npos);
-    fs::remove(root_ / name);
-  }
-}
-
 }  // namespace
 }  // namespace edgecase
