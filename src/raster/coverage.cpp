@@ -2,7 +2,6 @@
 //
 // The exact rasterizer's coverage stage: the pixels and samples of one primitive.
 #include <algorithm>
-#include <tuple>
 
 #include "raster/clipped_coverage.h"
 #include "raster/facing.h"
@@ -183,15 +182,6 @@ Pixels clipped_pixels_of(const ScenePrimitive& primitive,
                          const View& view, const CoverageChoice& choice) {
   if (primitive.kind != PrimitiveKind::triangle) return {};
   return clipped_pixels({{positions, primitive.z}, viewport}, view.bounds, view.within, choice);
-}
-
-// Most are found row by row, and looking is much cheaper than sorting.
-void sort_by_rows(Pixels& pixels) {
-  const auto reads_before = [](PixelPosition a, PixelPosition b) {
-    return std::tie(a.y, a.x) < std::tie(b.y, b.x);
-  };
-  if (!std::is_sorted(pixels.begin(), pixels.end(), reads_before))
-    std::sort(pixels.begin(), pixels.end(), reads_before);
 }
 
 // The same, sorted, of a target that is seen as the choice sees it.

@@ -43,16 +43,19 @@ std::vector<PixelPosition> found_triangle_pixels(const Triangle& triangle,
   return triangle_pixels(triangle, bounds, choice.triangle_algorithm, choice.ties);
 }
 
+void sort_by_rows(std::vector<PixelPosition>& pixels) {
+  const auto reads_before = [](PixelPosition a, PixelPosition b) {
+    return std::tie(a.y, a.x) < std::tie(b.y, b.x);
+  };
+  if (!std::ranges::is_sorted(pixels, reads_before)) std::ranges::sort(pixels, reads_before);
+}
+
 bool covers_just(std::span<const PixelPosition> pixels, const Triangle& triangle,
                  const PixelBounds& bounds, const CoverageChoice& choice) {
   if (walks_triangles(choice) && std::all_of(triangle.begin(), triangle.end(), is_raw_point))
     return walks_just(pixels, triangle, bounds, choice.ties);
-  const auto reads_before = [](PixelPosition a, PixelPosition b) {
-    return std::tie(a.y, a.x) < std::tie(b.y, b.x);
-  };
   auto covered = triangle_pixels(triangle, bounds, choice.triangle_algorithm, choice.ties);
-  // Most are found row by row, and looking is much cheaper than sorting.
-  if (!std::ranges::is_sorted(covered, reads_before)) std::ranges::sort(covered, reads_before);
+  sort_by_rows(covered);
   return std::ranges::equal(covered, pixels);
 }
 

@@ -3,6 +3,7 @@
 // A find as a case file: what is found joins the suite by being saved into it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,6 +12,11 @@
 #include "search/find.h"
 
 namespace edgecase {
+
+constexpr std::size_t kMostTitle = 200;  // bytes of the title of a case that was found
+
+// What a renderer is called or says, as a case file may hold it: a line, 500 bytes of it at most.
+std::string words_for_file(const std::string& words);
 
 struct FindFile {
   std::string name;  // "line.diamond-exit-1f2e3d4c.json": the rule, and a hash of title and scene

@@ -16,6 +16,7 @@
 #include "rules/all_rules.h"
 #include "run/renderer_names.h"
 #include "run/renderers.h"
+#include "search/find_file.h"
 #include "search/minimize.h"
 #include "search/scene_size.h"
 #include "tools/edgecase/commands/commands.h"
@@ -131,17 +132,11 @@ std::string words_of_size(const Scene& scene) {
                      counted(size.settings, "setting", "settings"));
 }
 
-// What a renderer is called or says, as a case file may hold it.
-std::string told(const std::string& words) {
-  constexpr std::size_t kMost = 500;  // bytes
-  return std::string(beginning_of(clean_line(words), kMost));
-}
-
 // What differs, in a sentence, with the renderer's answer. `info` holds what can be told.
 std::string why_of(const Result& result, const Signature& signature, const RendererInfo& info) {
   if (result.failure)
     return fmt::format("{} ({}) fails here: {}: {}", info.name, info.device,
-                       name_of(result.failure->kind), told(result.failure->reason));
+                       name_of(result.failure->kind), words_for_file(result.failure->reason));
   const std::string legal = signature.legal ? "the specification allows it" : "not allowed";
   const auto finds = disagreements_of(result, signature);
   if (!finds.empty()) {
@@ -172,9 +167,8 @@ std::vector<std::string> rules_of(const Minimized& minimized, const Signature& s
 
 CaseWords words_for(const Minimized& minimized, const Signature& signature, const Case& original,
                     RendererInfo info) {
-  constexpr std::size_t kMostTitle = 200;  // bytes of a case's title
-  info.name = told(info.name);
-  info.device = told(info.device);
+  info.name = words_for_file(info.name);
+  info.device = words_for_file(info.device);
   CaseWords words;
   words.title = beginning_of(fmt::format("{}: {}", info.name, title_of(signature)), kMostTitle);
   words.why =
