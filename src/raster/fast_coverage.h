@@ -26,15 +26,16 @@ bool is_walked(const ScenePrimitive& primitive, const CoverageChoice& choice);
 std::vector<PixelPosition> found_triangle_pixels(const Triangle& triangle,
                                                  const PixelBounds& bounds,
                                                  const CoverageChoice& choice);
+std::vector<PixelPosition> found_tied_pixels(const Triangle& triangle, const PixelBounds& bounds);
+std::vector<PixelPosition> found_line_pixels(const Segment& segment, Fixed width,
+                                             const PixelBounds& bounds,
+                                             const CoverageChoice& choice);
+
 // By row, column. Most are found row by row, and looking is much cheaper than sorting.
 void sort_by_rows(std::vector<PixelPosition>& pixels);
 
 // Does the triangle cover just these pixels, which are sorted by row, column, none twice?
 bool covers_just(std::span<const PixelPosition> pixels, const Triangle& triangle,
                  const PixelBounds& bounds, const CoverageChoice& choice);
-std::vector<PixelPosition> found_tied_pixels(const Triangle& triangle, const PixelBounds& bounds);
-std::vector<PixelPosition> found_line_pixels(const Segment& segment, Fixed width,
-                                             const PixelBounds& bounds,
-                                             const CoverageChoice& choice);
 
 }  // namespace edgecase
