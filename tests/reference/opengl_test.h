@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <string>
@@ -20,9 +21,12 @@ namespace edgecase {
 inline ProcessRenderer& shared_renderer(const std::string& name) {
   static std::map<std::string, std::unique_ptr<ProcessRenderer>> renderers;
   auto& renderer = renderers[name];
-  if (renderer == nullptr)
-    renderer =
-        std::make_unique<ProcessRenderer>(std::get<ProcessSpec>(find_renderer(name, EDGECASE_BIN)));
+  if (renderer == nullptr) {
+    auto spec = std::get<ProcessSpec>(find_renderer(name, EDGECASE_BIN));
+    // What is drawn is tested, not how fast on a machine that builds something beside.
+    spec.timeout = std::chrono::minutes(2);
+    renderer = std::make_unique<ProcessRenderer>(spec);
+  }
   return *renderer;
 }
 
