@@ -50,7 +50,9 @@ struct Fragment {
       color{};            // as the shader writes it, before conversion to the target's format
   bool has_depth = true;  // false: the renderer tells no depth
   bool has_color = true;  // false: the renderer tells no per-fragment colour
-  int detail = -1;        // index into Rendering::details; -1: none was told
+  // Index into Rendering::details, where fragments that are told the same may share one; -1: none
+  // was told.
+  int detail = -1;
 };
 
 // Orders by pixel (row, then column), primitive and coverage: the order in which renderings are

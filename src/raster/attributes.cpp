@@ -184,4 +184,10 @@ FragmentDetail shade_details(const PrimitiveAttributes& attributes, CentreColors
   return detail;
 }
 
+bool are_details_constant(const PrimitiveAttributes& attributes, const Details& asked,
+                          bool has_lookup) {
+  if (asked.coordinates || (asked.texture && has_lookup)) return false;
+  return !asked.derivatives || std::ranges::all_of(attributes.color, is_linear);
+}
+
 }  // namespace edgecase

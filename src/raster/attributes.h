@@ -86,4 +86,8 @@ FragmentDetail shade_details(const PrimitiveAttributes& attributes, CentreColors
                              const QuadPixel& at, const ValueChoice& choice, const Details& asked,
                              const ExactLookup* lookup = nullptr);
 
+// Is what shade_details tells the same for all fragments of the primitive?
+bool are_details_constant(const PrimitiveAttributes& attributes, const Details& asked,
+                          bool has_lookup);
+
 }  // namespace edgecase

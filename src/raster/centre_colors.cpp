@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 
 #include "raster/attributes.h"
 #include "rules/values/exact_place.h"
@@ -13,6 +14,10 @@ namespace {
 constexpr std::size_t kRows = 4;  // a quad's, and those beside it
 constexpr std::size_t kMostColumns = 4096;
 
+void take_middles(CentreColors::Derivatives& derivatives) {
+  std::ranges::transform(derivatives.exact, derivatives.middles.begin(), middle);
+}
+
 }  // namespace
 
 CentreColors::CentreColors(int width)
@@ -20,7 +25,13 @@ CentreColors::CentreColors(int width)
 
 void CentreColors::take(const std::array<Interpolant, 4>& components) {
   components_ = &components;
-  std::ranges::transform(components, are_constant_.begin(), is_constant);
+  std::ranges::transform(components, are_linear_.begin(), is_linear);
+  for (const Axis axis : {Axis::x, Axis::y}) {
+    Derivatives& slopes = slopes_[static_cast<std::size_t>(axis)];
+    for (std::size_t c = 0; c < components.size(); ++c)
+      if (are_linear_[c]) slopes.exact[c] = differentiate_exact(components[c], Point{}, axis);
+    take_middles(slopes);
+  }
   ++primitive_;
 }
 
@@ -44,21 +55,20 @@ const CentreColors::Components& CentreColors::at(PixelPosition pixel) {
   return known.values;
 }
 
-CentreColors::Components CentreColors::difference(const Neighbours& of) {
+CentreColors::Components CentreColors::difference(const Neighbours& of, Axis axis) {
   // Copied: a narrow target's neighbours may be kept in one place.
   const Components first = at(of.first);
   const Components& second = at(of.second);
-  Components result;
+  Components result = slopes_[static_cast<std::size_t>(axis)].exact;
   for (std::size_t c = 0; c < result.size(); ++c)
-    result[c] = are_constant_[c] ? Interval(0) : second[c] - first[c];
+    if (!are_linear_[c]) result[c] = second[c] - first[c];
   return result;
 }
 
 const CentreColors::Derivatives& CentreColors::derivatives(const QuadPixel& pixel, Axis axis,
                                                            DerivativeMethod method) {
-  const auto take_middles = [](Derivatives& derivatives) {
-    std::ranges::transform(derivatives.exact, derivatives.middles.begin(), middle);
-  };
+  if (std::ranges::all_of(are_linear_, std::identity()))
+    return slopes_[static_cast<std::size_t>(axis)];
   if (method == DerivativeMethod::analytic) {
     std::ranges::transform(*components_, analytic_.exact.begin(), [&](const Interpolant& f) {
       return derivative_exact(f, pixel, axis, method);
@@ -73,7 +83,7 @@ const CentreColors::Derivatives& CentreColors::derivatives(const QuadPixel& pixe
   if (known.primitive != primitive_ || known.pixels != of) {
     known.primitive = primitive_;
     known.pixels = of;
-    known.derivatives.exact = difference(of);
+    known.derivatives.exact = difference(of, axis);
     take_middles(known.derivatives);
   }
   return known.derivatives;

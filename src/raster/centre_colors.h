@@ -26,9 +26,9 @@ class CentreColors {
     Components exact;
     std::array<double, 4> middles{};  // see raster/attributes.h
   };
-  // As interpolate_exact and derivative_exact have them. Asked row by row: of the latest rows,
-  // colours and their differences, which the pixels of a quad share, are kept. Valid until the next
-  // question.
+  // As interpolate_exact and derivative_exact have them. What is linear has the same derivatives at
+  // all pixels. Of the rest, asked row by row: of the latest rows, colours and their differences,
+  // which the pixels of a quad share, are kept. Valid until the next question.
   const Components& at(PixelPosition pixel);
   const Derivatives& derivatives(const QuadPixel& at, Axis axis, DerivativeMethod method);
 
@@ -45,12 +45,13 @@ class CentreColors {
   };
 
   std::size_t place_of(PixelPosition pixel) const;
-  Components difference(const Neighbours& of);
+  Components difference(const Neighbours& of, Axis axis);
 
   const std::array<Interpolant, 4>* components_ = nullptr;
-  std::array<bool, 4> are_constant_{};
-  std::size_t primitive_ = 0;  // taken so far
-  std::size_t columns_;        // a power of two
+  std::array<bool, 4> are_linear_{};
+  std::array<Derivatives, 2> slopes_;  // of those, by axis
+  std::size_t primitive_ = 0;          // taken so far
+  std::size_t columns_;                // a power of two
   // By row and column, the lowest bits of each; differences by axis and by their first pixel.
   std::vector<AtPixel> known_;
   std::array<std::vector<AtNeighbours>, 2> differences_;

@@ -85,8 +85,9 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
     if (primitive.state->texture) textured.emplace(textures.value(), primitive, attributes);
     const std::vector<PixelPosition> pixels = covered_pixels(primitive, target, choice);
     make_room(pixels.size(), rendering.fragments);
-    if (details.any()) make_room(pixels.size(), rendering.details);
     if (pixels.empty()) continue;
+    const bool one_detail = are_details_constant(attributes, details, textured.has_value());
+    if (details.any()) make_room(one_detail ? 1 : pixels.size(), rendering.details);
     // Where all fragments have one colour and one depth, the first is shaded for them.
     if (!textured && !details.any() && are_constant(attributes)) {
       draw_alike(rendering, stage, primitive, shade(primitive, attributes, pixels.front()),
@@ -102,10 +103,11 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
                               ? shade(primitive, attributes, pixel, colors)
                               : shade(primitive, attributes, pixel, shown);
       if (details.any()) {
-        fragment.detail = static_cast<int>(rendering.details.size());
-        rendering.details.push_back(shade_details(attributes, colors,
-                                                  quad_of(pixel, choices.values, target),
-                                                  choices.values, details, shown));
+        if (!one_detail || pixel == pixels.front())
+          rendering.details.push_back(shade_details(attributes, colors,
+                                                    quad_of(pixel, choices.values, target),
+                                                    choices.values, details, shown));
+        fragment.detail = static_cast<int>(rendering.details.size()) - 1;
       }
       stage.draw({fragment.color, fragment.depth, front_facing}, primitive.state->operations,
                  rendering.pixel_index(fragment.x, fragment.y));

@@ -58,8 +58,8 @@ SampleCoverage covered_samples(const ScenePrimitive& primitive, const Target& ta
 // renderer that it is held against says that samples lie; empty: nobody says.
 Rendering rasterize(const Scene& scene, const Policy& policy, const SamplePositions& reported = {});
 
-// The same, and nothing in Rendering::details, which are four times the fragments' memory: whoever
-// compares a renderer's works out what they may be.
+// The same, and nothing in Rendering::details, which may take four times the fragments' memory:
+// whoever compares a renderer's works out what they may be.
 Rendering rasterize_without_details(const Scene& scene, const Policy& policy,
                                     const SamplePositions& reported = {});
 

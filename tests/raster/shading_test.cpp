@@ -3,6 +3,8 @@
 // Colours and depths of fragments: flat ones are copied, smooth ones equal the textbook formula.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "raster/rasterizer.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/rules/support.h"
@@ -123,6 +125,32 @@ TEST(Rasterize, FragmentsHaveDetailsWhereASceneAsksForThem) {
     EXPECT_EQ(detail.coordinates[0], fragment.x + 0.5);
     EXPECT_EQ(detail.coordinates[1], fragment.y + 0.5);
   }
+}
+
+TEST(Rasterize, FragmentsOfWhatIsLinearShareADetail) {
+  Scene scene = blank_scene(16, 16);
+  scene.draws = {draw_of(Primitive::triangles, Interpolation::smooth, ProvokingVertex::last)};
+  scene.draws.push_back(scene.draws[0]);
+  scene.draws[1].vertices[2].color = {0, 1, 0.25F, 0.5F};
+  scene.details.derivatives = true;
+  const Rendering shared = rasterize(scene, {});
+  ASSERT_EQ(shared.details.size(), 2U);
+  for (const Fragment& fragment : shared.fragments) EXPECT_EQ(fragment.detail, fragment.primitive);
+  EXPECT_NE(shared.details[0].derivatives, shared.details[1].derivatives);
+
+  scene.details.coordinates = true;
+  const Rendering apart = rasterize(scene, {});
+  ASSERT_EQ(apart.details.size(), apart.fragments.size());
+  for (const Fragment& fragment : apart.fragments)
+    EXPECT_EQ(apart.details[static_cast<std::size_t>(fragment.detail)].derivatives,
+              shared.details[static_cast<std::size_t>(fragment.primitive)].derivatives);
+
+  scene.details.coordinates = false;
+  scene.draws[1].vertices[1].w = 3;
+  const Rendering divided = rasterize(scene, {});
+  const auto of_second = std::ranges::count(divided.fragments, 1, &Fragment::primitive);
+  EXPECT_GT(of_second, 1);
+  EXPECT_EQ(divided.details.size(), 1 + static_cast<std::size_t>(of_second));
 }
 
 TEST(Rasterize, WithoutDetailsAllElseIsTheSame) {

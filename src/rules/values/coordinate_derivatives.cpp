@@ -21,7 +21,7 @@ Point centre_of(PixelPosition pixel) {
 
 std::array<Interval, 2> derivatives_exact(const Interpolant& s, const Interpolant& t,
                                           const QuadPixel& at, Axis axis, DerivativeMethod method) {
-  if (method == DerivativeMethod::analytic || is_constant(s) || is_constant(t))
+  if (method == DerivativeMethod::analytic || is_linear(s) || is_linear(t))
     return {derivative_exact(s, at, axis, method), derivative_exact(t, at, axis, method)};
   const Neighbours of = neighbours_of(at, axis, method);
   const ExactPlace first(centre_of(of.first)), second(centre_of(of.second));

@@ -65,13 +65,6 @@ Interval inexact_difference(Interval second, Interval first) {
   return widened(second - first, kOperationError);
 }
 
-bool same_everywhere(const Interpolant& f) {
-  const auto count = static_cast<std::size_t>(vertices_of(f.kind));
-  for (std::size_t i = 1; i < count; ++i)
-    if (f.values[i].low != f.values[0].low || f.values[i].high != f.values[0].high) return false;
-  return true;
-}
-
 Rule rule_of(const char* id, const char* title, const char* latitude, const char* standard) {
   Rule rule;
   rule.id = id;
@@ -149,8 +142,7 @@ Neighbours neighbours_of(const QuadPixel& at, Axis axis, DerivativeMethod method
 
 Interval derivative_exact(const Interpolant& f, const QuadPixel& at, Axis axis,
                           DerivativeMethod method) {
-  if (same_everywhere(f)) return 0;
-  if (method == DerivativeMethod::analytic)
+  if (method == DerivativeMethod::analytic || is_linear(f))
     return differentiate_exact(f, centre_of(at.pixel), axis);
   const Neighbours of = neighbours_of(at, axis, method);
   return interpolate_exact(f, centre_of(of.second)) - interpolate_exact(f, centre_of(of.first));

@@ -155,6 +155,17 @@ HomogeneousPoint next_pixel(HomogeneousPoint p, Axis axis) {
   return p;
 }
 
+// Weights are linear in a homogeneous point: those of a direction are how they change along it.
+// They sum to 0, so that the first vertex's value may be taken from all values.
+Interval linear_slope(const Interpolant& f, Axis axis) {
+  const Weights steps =
+      plain_weights(f, axis == Axis::x ? HomogeneousPoint{1, 0, 0} : HomogeneousPoint{0, 1, 0});
+  Interval slope = 0;
+  for (std::size_t i = 1; i < count_of(f); ++i)
+    slope = slope + steps[i] * (f.values[i] - f.values[0]);
+  return slope / total_of(f, {0, 0, 1});
+}
+
 }  // namespace
 
 bool is_constant(const Interpolant& f) {
@@ -163,6 +174,10 @@ bool is_constant(const Interpolant& f) {
 
 bool has_perspective(const Interpolant& f) {
   return f.perspective && !is_one_number(f, f.w);
+}
+
+bool is_linear(const Interpolant& f) {
+  return is_constant(f) || !has_perspective(f);
 }
 
 bool is_x_major(const Interpolant& line) {
@@ -220,6 +235,7 @@ Interval interpolate_exact(const Interpolant& f, Point sample, Point w_place) {
 Interval differentiate_exact(const Interpolant& f, Point sample, Axis axis) {
   if (f.kind == PrimitiveKind::point || is_constant(f)) return 0;
   if (!has_extent(f)) return Interval::everything();
+  if (is_linear(f)) return linear_slope(f, axis);
   const HomogeneousPoint p = homogeneous(sample);
   const Weights here = exact_weights(f, p);
   const Weights there = exact_weights(f, next_pixel(p, axis));

@@ -52,6 +52,10 @@ bool is_constant(const Interpolant& interpolant);
 // Are the weights divided by w, and does that change anything? Not where all w are equal.
 bool has_perspective(const Interpolant& interpolant);
 
+// Does the attribute change by the same number from each pixel to the next? Then derivatives by all
+// methods are that number.
+bool is_linear(const Interpolant& interpolant);
+
 // The attribute over w, and 1/w, without perspective: what runs linearly in the window.
 Interpolant over_w(Interpolant interpolant);
 Interpolant inverse_w(Interpolant interpolant);
@@ -76,7 +80,8 @@ Interval interpolate_permitted(const Interpolant& interpolant, Point sample, dou
 Interval interpolate_exact(const Interpolant& interpolant, Point sample, Point w_place);
 Interval interpolate_inexact(const Interpolant& interpolant, Point sample, Point w_place);
 
-// How fast the value changes there, per pixel along x or along y: the analytic derivative.
+// How fast the value changes there, per pixel along x or along y: the analytic derivative. Of what
+// is linear the exact one is the same interval wherever the sample lies.
 enum class Axis { x, y };
 Interval differentiate_exact(const Interpolant& interpolant, Point sample, Axis axis);
 Interval differentiate_inexact(const Interpolant& interpolant, Point sample, Axis axis);
