@@ -87,14 +87,14 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
     make_room(pixels.size(), rendering.fragments);
     if (pixels.empty()) continue;
     const bool one_detail = are_details_constant(attributes, details, textured.has_value());
-    if (details.any()) make_room(one_detail ? 1 : pixels.size(), rendering.details);
+    if (!one_detail) make_room(pixels.size(), rendering.details);
     // Where all fragments have one colour and one depth, the first is shaded for them.
     if (!textured && !details.any() && are_constant(attributes)) {
       draw_alike(rendering, stage, primitive, shade(primitive, attributes, pixels.front()),
                  front_facing, pixels);
       continue;
     }
-    colors.take(attributes.color);
+    if (details.derivatives) colors.take(attributes.color);
     ExactLookup lookup;
     const ExactLookup* const shown = textured ? &lookup : nullptr;
     for (PixelPosition pixel : pixels) {

@@ -256,6 +256,8 @@ void expect_derivatives_of_each(const PrimitiveAttributes& given, PixelPosition 
 TEST_F(Attributes, DerivativesOfManyPixelsAreThoseOfEach) {
   draw().vertices[2].w = 4;
   const PrimitiveAttributes one = attributes();
+  draw().vertices[1].w = 2;
+  const PrimitiveAttributes another = attributes();
   draw().interpolation = Interpolation::noperspective;
   draw().vertices[0].color[1] = 0.3F;
   PrimitiveAttributes other = attributes();
@@ -263,7 +265,8 @@ TEST_F(Attributes, DerivativesOfManyPixelsAreThoseOfEach) {
   other.color[2].values.fill(Interval(0.25, 0.5));
   for (const int width : {1, 2, 16}) {
     CentreColors colors(width);
-    for (const auto* given : std::array<const PrimitiveAttributes*, 3>{&one, &other, &one}) {
+    for (const auto* given :
+         std::array<const PrimitiveAttributes*, 4>{&one, &another, &other, &one}) {
       colors.take(given->color);
       for (const bool upwards : {true, false})
         for (int row = 0; row < 8; ++row)

@@ -137,6 +137,8 @@ TEST(Rasterize, FragmentsOfWhatIsLinearShareADetail) {
   ASSERT_EQ(shared.details.size(), 2U);
   for (const Fragment& fragment : shared.fragments) EXPECT_EQ(fragment.detail, fragment.primitive);
   EXPECT_NE(shared.details[0].derivatives, shared.details[1].derivatives);
+  scene.details.texture = true;  // of which there is nothing to tell
+  EXPECT_EQ(rasterize(scene, {}).details.size(), 2U);
 
   scene.details.coordinates = true;
   const Rendering apart = rasterize(scene, {});
