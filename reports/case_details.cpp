@@ -120,16 +120,16 @@ Json ramp_json(const Result& result) {
 // The images of an answer, each as it differs from what it was held against: rendered from exact,
 // and exact, where its samples lie elsewhere, from the case's.
 void add_images(Json& json, const CaseResults& one, const Result& result) {
-  const bool own = !result.exact_pixels.empty();
-  const Bytes& exact = own ? result.exact_pixels : one.pixels;
-  const bool same_size = result.pixels.size() == exact.size();
+  const bool own = !result.exact_pixels->empty();
+  const SharedBytes& exact = own ? result.exact_pixels : one.pixels;
+  const bool same_size = result.pixels->size() == exact->size();
   if (same_size && result.pixels != exact)
-    json["difference"] = to_base64(pack_pixels(difference_of(exact, result.pixels)));
-  if (!same_size || result.pixels.empty()) json["blank"] = true;
+    json["difference"] = to_base64(pack_pixels(difference_of(*exact, *result.pixels)));
+  if (!same_size || result.pixels->empty()) json["blank"] = true;
   if (result.samples.samples > 1)
     json["samples"] = sample_difference(result.samples, own ? result.exact_samples : one.samples);
   if (own)
-    json["exact"] = {{"difference", to_base64(pack_pixels(difference_of(one.pixels, exact)))},
+    json["exact"] = {{"difference", to_base64(pack_pixels(difference_of(*one.pixels, *exact)))},
                      {"samples", sample_difference(result.exact_samples, one.samples)}};
 }
 
@@ -223,7 +223,7 @@ void add_results(Json& json, const CaseResults& one) {
 }  // namespace
 
 nlohmann::ordered_json case_details(const CaseResults& one) {
-  Json json = {{"pixels", to_base64(pack_pixels(one.pixels))}};
+  Json json = {{"pixels", to_base64(pack_pixels(*one.pixels))}};
   if (one.samples.samples > 1) json["samples"] = sample_data(one.samples);
   if (const auto& v = one.viewport) json["viewport"] = {v->x, v->y, v->width, v->height};
   json["figure"] = figure_json(one.figure);

@@ -98,8 +98,8 @@ ReportData report_data(const Results& results, const ReportTexts& texts) {
   Blocks blocks;
   const auto add_source = [&](std::size_t i) {
     long& line = lines.of_head[heads.of_case[i]];
-    if (line < 0 && !results.cases[i].source.empty())
-      line = blocks.add(dump(results.cases[i].source.str()));
+    if (line < 0 && !results.cases[i].source->empty())
+      line = blocks.add(dump(*results.cases[i].source));
   };
   for (const std::size_t i : worth_a_look(results)) {
     add_source(i);

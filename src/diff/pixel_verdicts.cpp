@@ -54,12 +54,13 @@ void count_pixels(Result& result, Latitude latitude) {
   const std::size_t same = result.pixel_counts.same;
   PixelCounts& counts = result.pixel_counts = {};
   counts.same = same;
-  if (result.pixels.empty()) return;
+  if (result.pixels->empty()) return;
   for (const JudgedPixel& pixel : judged_pixels(result, latitude))
     ++(pixel.verdict == Verdict::violation   ? counts.violation
        : pixel.verdict == Verdict::permitted ? counts.permitted
                                              : counts.convention);
-  counts.agree = result.pixels.size() / 4 - counts.convention - counts.permitted - counts.violation;
+  counts.agree =
+      result.pixels->size() / 4 - counts.convention - counts.permitted - counts.violation;
 }
 
 }  // namespace edgecase

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "model/scene.h"
-#include "model/shared_text.h"
+#include "model/shared.h"
 
 namespace edgecase {
 

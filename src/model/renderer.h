@@ -62,7 +62,7 @@ class Renderer {
  public:
   virtual ~Renderer() = default;
   // Known in full only after the first rendering, since a process tells who it is as it answers.
-  virtual RendererInfo info() const = 0;
+  virtual const RendererInfo& info() const = 0;
   // Renders every task. Never throws for what a renderer does: that is a Failure. Returns early,
   // leaving tasks without an outcome, only when `sink` asked for it by throwing.
   virtual void render(std::span<const Task> tasks, const OutcomeSink& sink) = 0;

@@ -15,6 +15,7 @@
 
 #include "model/renderer.h"
 #include "model/sample_image.h"
+#include "model/shared.h"
 #include "model/verdict.h"
 
 namespace edgecase {
@@ -90,11 +91,11 @@ struct Result {
   // What either side makes where they differ (diff/disputed_fragments.h); empty where nothing does.
   std::vector<ToldFragment> exact_fragments;
   std::vector<ToldFragment> rendered_fragments;
-  std::vector<std::uint8_t> pixels;  // RGBA8, bottom row first; empty when not run
+  SharedBytes pixels;  // RGBA8, bottom row first; empty when not run
   PixelCounts pixel_counts;
   // The same of exact, where it is another than the case's: with samples where this renderer says
   // that its own lie.
-  std::vector<std::uint8_t> exact_pixels;
+  SharedBytes exact_pixels;
   SampleImage samples;        // of the renderer, where the case is multisampled
   SampleImage exact_samples;  // of exact, where exact_pixels is set
   Standing standing = Standing::expected;

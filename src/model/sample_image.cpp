@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/sample_image.h"
 
+#include <utility>
+
 namespace edgecase {
 
 SampleImage sample_image(const Rendering& rendering) {
@@ -10,10 +12,10 @@ SampleImage sample_image(const Rendering& rendering) {
   image.positions = rendering.sample_positions;
   image.pixels = rendering.sample_pixels;
   image.hits = rendering.hits;
-  image.coverage.assign(
-      static_cast<std::size_t>(rendering.width) * static_cast<std::size_t>(rendering.height), 0);
+  std::vector<std::uint32_t> coverage(rendering.pixel_index(0, rendering.height));
   for (const Fragment& fragment : rendering.fragments)
-    image.coverage[rendering.pixel_index(fragment.x, fragment.y)] |= fragment.coverage;
+    coverage[rendering.pixel_index(fragment.x, fragment.y)] |= fragment.coverage;
+  image.coverage = std::move(coverage);
   return image;
 }
 

@@ -3,11 +3,9 @@
 // SampleImage: what the samples of a multisampled image hold, for those who show it.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "model/rendering.h"
 #include "model/sampling.h"
+#include "model/shared.h"
 
 namespace edgecase {
 
@@ -16,12 +14,18 @@ struct SampleImage {
   int samples = 1;            // of a pixel; 1: not multisampled, and all else is empty
   SamplePositions positions;  // `samples` of them
   // RGBA8 before it is resolved: a plane for each sample, row by row from the bottom.
-  std::vector<std::uint8_t> pixels;
+  SharedBytes pixels;
   // Fragments that were written to each sample: planes as above.
-  std::vector<std::uint32_t> hits;
+  SharedNumbers hits;
   // Per pixel: bit s set where some fragment covers sample s (Fragment::coverage).
-  std::vector<std::uint32_t> coverage;
+  SharedNumbers coverage;
 
+  // What both tell alike is one in memory from here on.
+  void share_with(const SampleImage& other) {
+    pixels.share_with(other.pixels);
+    hits.share_with(other.hits);
+    coverage.share_with(other.coverage);
+  }
   friend bool operator==(const SampleImage&, const SampleImage&) = default;
 };
 

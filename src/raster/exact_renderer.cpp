@@ -7,17 +7,14 @@
 
 namespace edgecase {
 
-ExactRenderer::ExactRenderer(Policy policy) : policy_(std::move(policy)) {}
-
-RendererInfo ExactRenderer::info() const {
-  RendererInfo info;
-  info.name = "exact";
-  info.vendor = "Edgecase";
-  info.version = "policy " + policy_.name;
-  info.device = "exact rasterizer";
-  info.subpixel_bits = Fixed::kFractionBits;
-  return info;
-}
+ExactRenderer::ExactRenderer(Policy policy)
+    : policy_(std::move(policy)),
+      info_{.name = "exact",
+            .vendor = "Edgecase",
+            .version = "policy " + policy_.name,
+            .device = "exact rasterizer",
+            .subpixel_bits = Fixed::kFractionBits,
+            .traits = {}} {}
 
 void ExactRenderer::render(std::span<const Task> tasks, const OutcomeSink& sink) {
   for (std::size_t i = 0; i < tasks.size(); ++i) sink(i, rasterize(*tasks[i].scene, policy_));

@@ -14,11 +14,12 @@ namespace edgecase {
 class ExactRenderer final : public Renderer {
  public:
   explicit ExactRenderer(Policy policy);
-  RendererInfo info() const override;
+  const RendererInfo& info() const override { return info_; }
   void render(std::span<const Task> tasks, const OutcomeSink& sink) override;
 
  private:
   Policy policy_;
+  RendererInfo info_;
 };
 
 }  // namespace edgecase

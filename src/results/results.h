@@ -17,7 +17,7 @@
 #include "model/policy.h"
 #include "model/renderer.h"
 #include "model/result.h"
-#include "model/shared_text.h"
+#include "model/shared.h"
 
 namespace edgecase {
 
@@ -63,7 +63,7 @@ struct CaseResults {
   int width = 0;
   int height = 0;
   std::optional<Viewport> viewport;          // where it is not the target's rectangle
-  std::vector<std::uint8_t> pixels;          // of the exact side, RGBA8, bottom row first
+  SharedBytes pixels;                        // of the exact side, RGBA8, bottom row first
   SampleImage samples;                       // of the exact side, where it is multisampled
   std::size_t fragments = 0;                 // of the exact side
   Figure figure;                             // the case's primitives and vertices

@@ -156,11 +156,13 @@ Result::ToldFragment to_fragment(const Json& json) {
 }
 
 // What the renderer drew: stored, as the difference from exact's picture, or the same as that.
-std::vector<std::uint8_t> to_picture(const Json& json, const CaseResults& exact) {
+SharedBytes to_picture(const Json& json, const CaseResults& exact) {
   if (json.contains("difference"))
-    return difference_of(to_pixels(json.at("difference"), exact.width, exact.height), exact.pixels);
+    return difference_of(to_pixels(json.at("difference"), exact.width, exact.height),
+                         *exact.pixels);
   const Json& pixels = json.at("pixels");
-  return pixels == "exact" ? exact.pixels : to_pixels(pixels, exact.width, exact.height);
+  if (pixels == "exact") return exact.pixels;
+  return to_pixels(pixels, exact.width, exact.height);
 }
 
 // Of one side; none where there is no such member.

@@ -44,9 +44,9 @@ void write_samples(JsonWriter& json, const SampleImage& image) {
   json.object([&] {
     json.member("count", image.samples);
     if (!image.positions.empty()) json.key("positions").list(image.positions, write_position);
-    if (!image.pixels.empty()) json.key("pixels").hex(image.pixels);
-    if (!image.hits.empty()) json.member("hits", image.hits);
-    if (!image.coverage.empty()) json.member("coverage", image.coverage);
+    if (!image.pixels->empty()) json.key("pixels").hex(*image.pixels);
+    if (!image.hits->empty()) json.member("hits", *image.hits);
+    if (!image.coverage->empty()) json.member("coverage", *image.coverage);
   });
 }
 
@@ -63,9 +63,9 @@ SampleImage to_samples(const nlohmann::json& json, int width, int height) {
   const auto samples = static_cast<std::size_t>(image.samples);
   const std::size_t area = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   check_size("positions", image.positions.size(), samples);
-  check_size("pixels", image.pixels.size(), 4 * samples * area);
-  check_size("hits", image.hits.size(), samples * area);
-  check_size("coverage", image.coverage.size(), area);
+  check_size("pixels", image.pixels->size(), 4 * samples * area);
+  check_size("hits", image.hits->size(), samples * area);
+  check_size("coverage", image.coverage->size(), area);
   return image;
 }
 

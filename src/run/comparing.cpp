@@ -11,18 +11,31 @@
 
 namespace edgecase {
 
+namespace {
+
+// Most renderers draw what exact draws, and a run keeps what all of them do.
+void share_pictures(const ExactSide& exact, Result& result) {
+  result.pixels.share_with(exact.pixels);
+  result.samples.share_with(exact.samples);
+}
+
+}  // namespace
+
+ExactSide::ExactSide(Rendering drawn)
+    : rendering(std::move(drawn)), pixels(rendering.pixels), samples(sample_image(rendering)) {}
+
 CaseComparison::CaseComparison(const Suite& suite, const RunOptions& options)
     : suite_(suite),
       options_(options),
       made_(std::make_unique<std::once_flag[]>(suite.cases.size())),
-      renderings_(suite.cases.size()) {}
+      exact_(suite.cases.size()) {}
 
-const Rendering& CaseComparison::exact(std::size_t index) {
+const ExactSide& CaseComparison::exact(std::size_t index) {
   std::call_once(made_[index], [&] {
-    renderings_[index] = std::make_unique<const Rendering>(
+    exact_[index] = std::make_unique<const ExactSide>(
         rasterize_without_details(suite_.cases[index].scene, options_.policy));
   });
-  return *renderings_[index];
+  return *exact_[index];
 }
 
 Result CaseComparison::compare_outcome(std::size_t index, Outcome outcome,
@@ -43,20 +56,20 @@ Result CaseComparison::compare_outcome(std::size_t index, Outcome outcome,
 Result CaseComparison::compare_with_exact(std::size_t index, const Rendering& rendering,
                                           const RendererFacts& facts) {
   const Scene& scene = suite_.cases[index].scene;
-  const Rendering& usual = exact(index);
-  const SamplePositions& reported = rendering.sample_positions;
-  if (reported.empty() || reported == usual.sample_positions) {
-    Result result = compare(scene, options_.policy, usual, rendering, facts);
-    tell_fragments(usual, rendering, result);
+  const auto compare_with = [&](const ExactSide& exact) {
+    Result result = compare(scene, options_.policy, exact.rendering, rendering, facts);
+    tell_fragments(exact.rendering, rendering, result);
     result.samples = sample_image(rendering);
+    share_pictures(exact, result);
     return result;
-  }
-  Rendering own = rasterize_without_details(scene, options_.policy, reported);
-  Result result = compare(scene, options_.policy, own, rendering, facts);
-  tell_fragments(own, rendering, result);
-  result.samples = sample_image(rendering);
-  result.exact_samples = sample_image(own);
-  result.exact_pixels = std::move(own.pixels);
+  };
+  const ExactSide& usual = exact(index);
+  const SamplePositions& reported = rendering.sample_positions;
+  if (reported.empty() || reported == usual.rendering.sample_positions) return compare_with(usual);
+  const ExactSide own(rasterize_without_details(scene, options_.policy, reported));
+  Result result = compare_with(own);
+  result.exact_samples = own.samples;
+  result.exact_pixels = own.pixels;
   return result;
 }
 

@@ -11,9 +11,20 @@
 
 #include "diff/compare.h"
 #include "model/renderer.h"
+#include "model/sample_image.h"
+#include "model/shared.h"
 #include "run/run.h"
 
 namespace edgecase {
+
+// What exact draws of a case, and the pictures of it that results keep.
+struct ExactSide {
+  Rendering rendering;
+  SharedBytes pixels;
+  SampleImage samples;
+
+  explicit ExactSide(Rendering drawn);
+};
 
 // Both arguments must outlive it. Safe to use from several threads.
 class CaseComparison {
@@ -22,9 +33,9 @@ class CaseComparison {
 
   // The exact rendering of the case at `index`, made once by whoever asks first, with samples where
   // the policy has them when no renderer says where its own lie.
-  const Rendering& exact(std::size_t index);
+  const ExactSide& exact(std::size_t index);
   // Nobody asks for the exact rendering of this case any more.
-  void forget(std::size_t index) { renderings_[index].reset(); }
+  void forget(std::size_t index) { exact_[index].reset(); }
 
   // What `info` answered to the case at `index`, compared.
   Result compare_outcome(std::size_t index, Outcome outcome, const RendererInfo& info);
@@ -36,7 +47,7 @@ class CaseComparison {
   const Suite& suite_;
   const RunOptions& options_;
   std::unique_ptr<std::once_flag[]> made_;
-  std::vector<std::unique_ptr<const Rendering>> renderings_;  // of cases that somebody asks for
+  std::vector<std::unique_ptr<const ExactSide>> exact_;  // of cases that somebody asks for
 };
 
 }  // namespace edgecase

@@ -45,7 +45,7 @@ class ProcessRenderer final : public Renderer {
   // Starts nothing: the program starts with the first scene.
   explicit ProcessRenderer(ProcessSpec spec);
 
-  RendererInfo info() const override { return info_; }
+  const RendererInfo& info() const override { return info_; }
   void render(std::span<const Task> tasks, const OutcomeSink& sink) override;
 
  private:

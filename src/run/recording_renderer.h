@@ -32,7 +32,7 @@ class RecordingRenderer final : public Renderer {
   RecordingRenderer(std::string name, std::shared_ptr<const Recording> recording);
 
   // The recorded renderer's, but for the name.
-  RendererInfo info() const override { return info_; }
+  const RendererInfo& info() const override { return info_; }
   void render(std::span<const Task> tasks, const OutcomeSink& sink) override;
 
  private:

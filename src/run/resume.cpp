@@ -27,8 +27,8 @@ bool may_need_more_files(const std::string& source) {
 }
 
 bool is_still_right(const CaseResults& earlier, const Case& now) {
-  return earlier.file_digest == digest_of_text(now.source.str()) && could_be_had(earlier) &&
-         !may_need_more_files(now.source.str());
+  return earlier.file_digest == digest_of_text(*now.source) && could_be_had(earlier) &&
+         !may_need_more_files(*now.source);
 }
 
 // The cases that would be lost: files that are gone, and those whose cases may be others now, leave

@@ -208,7 +208,8 @@ class Run {
 
   CaseResults describe(std::size_t index) {
     const Case& one = suite_.cases[index];
-    const Rendering& exact = comparison_.exact(index);
+    const ExactSide& side = comparison_.exact(index);
+    const Rendering& exact = side.rendering;
     CaseResults result;
     result.id = one.id;
     result.title = one.title;
@@ -219,7 +220,7 @@ class Run {
     result.tags = one.tags;
     result.file = one.file.generic_string();
     result.source = one.source;
-    result.file_digest = digest_of_text(one.source.str());
+    result.file_digest = digest_of_text(*one.source);
     result.surface = name_of(one.scene.target.surface);
     result.width = exact.width;
     result.height = exact.height;
@@ -227,8 +228,8 @@ class Run {
     if (std::tuple(seen.x, seen.y, seen.width, seen.height) !=
         std::tuple(0, 0, exact.width, exact.height))
       result.viewport = seen;
-    result.pixels = exact.pixels;
-    result.samples = sample_image(exact);
+    result.pixels = side.pixels;
+    result.samples = side.samples;
     result.fragments = exact.fragments.size();
     for (const Rendering& pass : exact.passes) result.fragments += pass.fragments.size();
     result.figure = scene_figure(one.scene);

@@ -82,7 +82,7 @@ std::string digest_of(const std::vector<Case>& cases) {
   const SharedText* text = nullptr;
   for (const Case& one : cases) {
     digest.add(one.id);
-    if (text == nullptr || *text != one.source) digest.add(one.source.str());
+    if (text == nullptr || *text != one.source) digest.add(*one.source);
     text = &one.source;
   }
   return digest.text();

@@ -60,7 +60,7 @@ class Trial {
   void read(Surface surface, RunReading reading);
   const TrialOptions& options() const { return options_; }
   // As Renderer::info.
-  RendererInfo info() const { return renderer_.info(); }
+  const RendererInfo& info() const { return renderer_.info(); }
 
  private:
   Result compare_outcome(const Scene& scene, Outcome outcome) const;

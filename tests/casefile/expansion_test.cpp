@@ -65,7 +65,7 @@ TEST(Expansion, AxesMultiplyInTheOrderOfTheFile) {
   EXPECT_EQ(vertex(loaded.cases[2], 0).position.x.raw(), Fixed::kOne - 256);
   EXPECT_EQ(vertex(loaded.cases[2], 1).position.y.raw(), 3 * Fixed::kOne);
   EXPECT_EQ(vertex(loaded.cases[3], 0).position.x.raw(), Fixed::kOne);
-  EXPECT_FALSE(loaded.cases[2].source.empty());
+  EXPECT_FALSE(loaded.cases[2].source->empty());
 }
 
 TEST(Expansion, ARangeNeedNotMeetItsEnd) {

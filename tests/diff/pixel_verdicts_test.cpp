@@ -36,7 +36,7 @@ ValueAggregate values_at(std::vector<ValueAggregate::Place> places, const char* 
 
 // Of a picture of so many pixels.
 PixelCounts counted(Result result, std::size_t pixels, Latitude latitude = Latitude::opengl) {
-  result.pixels.assign(4 * pixels, 0);
+  result.pixels = std::vector<std::uint8_t>(4 * pixels);
   count_pixels(result, latitude);
   return result.pixel_counts;
 }

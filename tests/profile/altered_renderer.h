@@ -19,7 +19,10 @@ class AlteredRenderer final : public Renderer {
  public:
   AlteredRenderer(Policy policy, Alter alter)
       : policy_(std::move(policy)), alter_(std::move(alter)) {}
-  RendererInfo info() const override { return {"altered", "", "", "altered", 8, {}}; }
+  const RendererInfo& info() const override {
+    static const RendererInfo info{"altered", "", "", "altered", 8, {}};
+    return info;
+  }
   void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       Rendering rendering = rasterize(*tasks[i].scene, policy_);

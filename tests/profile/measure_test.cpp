@@ -141,7 +141,10 @@ TEST(Measure, FindsTheSameWithAnotherSeed) {
 // flat colours are those of the first vertex, whatever the scene says.
 class OddRenderer final : public Renderer {
  public:
-  RendererInfo info() const override { return {"odd", "", "", "odd", 8, {}}; }
+  const RendererInfo& info() const override {
+    static const RendererInfo info{"odd", "", "", "odd", 8, {}};
+    return info;
+  }
   void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
     Policy policy;
     policy.rules = {{"attribute.provoking-vertex", "first"}};
@@ -198,7 +201,10 @@ TEST(Measure, FindsRulesOfMultisampledTargets) {
 TEST(Measure, LeavesOutWhatARendererDoesNotDraw) {
   class NoLines final : public Renderer {
    public:
-    RendererInfo info() const override { return {"no lines", "", "", "", 8, {}}; }
+    const RendererInfo& info() const override {
+      static const RendererInfo info{"no lines", "", "", "", 8, {}};
+      return info;
+    }
     void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
       for (std::size_t i = 0; i < tasks.size(); ++i) {
         if (kind_of(tasks[i].scene->draws[0].primitive) == PrimitiveKind::line)
@@ -225,7 +231,10 @@ TEST(Measure, LeavesOutWhatARendererDoesNotDraw) {
 TEST(Measure, SaysThatNothingCouldBeMeasured) {
   class Absent final : public Renderer {
    public:
-    RendererInfo info() const override { return {"absent", "", "", "", 4, {}}; }
+    const RendererInfo& info() const override {
+      static const RendererInfo info{"absent", "", "", "", 4, {}};
+      return info;
+    }
     void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
       for (std::size_t i = 0; i < tasks.size(); ++i)
         sink(i, Failure{FailureKind::unavailable, "not here"});

@@ -37,7 +37,10 @@ class OutputRenderer final : public Renderer {
       : alter_(std::move(alter)), refuses_(std::move(refuses)) {
     policy_.rules = std::move(rules);
   }
-  RendererInfo info() const override { return {"output", "", "", "output", 8, {}}; }
+  const RendererInfo& info() const override {
+    static const RendererInfo info{"output", "", "", "output", 8, {}};
+    return info;
+  }
   void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       const Scene& scene = *tasks[i].scene;

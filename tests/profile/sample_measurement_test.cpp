@@ -34,7 +34,10 @@ class SampleRenderer final : public Renderer {
       : alter_(std::move(alter)), made_(std::move(made)) {
     policy_.rules = std::move(rules);
   }
-  RendererInfo info() const override { return {"samples", "", "", "samples", 8, {}}; }
+  const RendererInfo& info() const override {
+    static const RendererInfo info{"samples", "", "", "samples", 8, {}};
+    return info;
+  }
   void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       const Scene& scene = *tasks[i].scene;

@@ -296,7 +296,10 @@ TEST(TextureMeasurement, DrawsAsManyScenesAsItSays) {
 TEST(TextureMeasurement, SaysWhatIsNotDrawn) {
   class NoTextures final : public Renderer {
    public:
-    RendererInfo info() const override { return {"no textures", "", "", "", 8, {}}; }
+    const RendererInfo& info() const override {
+      static const RendererInfo info{"no textures", "", "", "", 8, {}};
+      return info;
+    }
     void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
       for (std::size_t i = 0; i < tasks.size(); ++i)
         sink(i, Failure{FailureKind::unsupported, "no textures"});

@@ -186,7 +186,10 @@ TEST(ValueMeasurement, SaysThatStoredDepthsAreNoNeighbours) {
 TEST(ValueMeasurement, SaysWhyADepthFormatIsNotAvailable) {
   class NoDepth final : public Renderer {
    public:
-    RendererInfo info() const override { return {"no depth", "", "", "", 8, {}}; }
+    const RendererInfo& info() const override {
+      static const RendererInfo info{"no depth", "", "", "", 8, {}};
+      return info;
+    }
     void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
       for (std::size_t i = 0; i < tasks.size(); ++i) {
         if (tasks[i].scene->target.depth == DepthFormat::depth16)

@@ -83,7 +83,7 @@ TEST(Html, DataParsesBackAndIsWhatWasGiven) {
     }
     const json& head = index["heads"][row[0].get<std::size_t>()];
     EXPECT_EQ(head["width"], one.width);
-    if (!one.source.empty()) {
+    if (!one.source->empty()) {
       EXPECT_TRUE(json::parse(lines.at(head["source"].get<std::size_t>())).is_string());
     }
   }
@@ -137,7 +137,7 @@ TEST(Html, CasesInWhichAllAgreesAreALineOfTheList) {
   results.renderers.resize(2);
   results.cases.resize(1);
   CaseResults& one = results.cases[0];
-  one.pixels.assign(64, 255);
+  one.pixels = Bytes(64, 255);
   one.results.resize(2);
   for (KnownResult& result : one.results) result.verdict = Verdict::agree;
   EXPECT_TRUE(report_data(results, {}).blocks.empty());
@@ -157,8 +157,10 @@ Results large_results() {
     CaseResults& one = results.cases.emplace_back();
     one.id = "noise/" + std::to_string(100 + i);
     one.width = one.height = 128;
-    for (int byte = 0; byte < 4 * 128 * 128; ++byte)
-      one.pixels.push_back(static_cast<std::uint8_t>((state = state * 1664525 + 1013904223) >> 24));
+    Bytes pixels(4 * 128 * 128);
+    for (std::uint8_t& byte : pixels)
+      byte = static_cast<std::uint8_t>((state = state * 1664525 + 1013904223) >> 24);
+    one.pixels = std::move(pixels);
     one.results.resize(1);
     one.results[0].verdict = i == 39 ? Verdict::violation : Verdict::permitted;
   }
@@ -262,10 +264,10 @@ TEST(Html, AnImageOfAnotherSizeIsNeverShownAsEqual) {
   Results results;
   results.renderers.resize(1);
   results.cases.resize(1);
-  results.cases[0].pixels.assign(16, 255);
+  results.cases[0].pixels = Bytes(16, 255);
   results.cases[0].results.resize(1);
   for (std::size_t bytes : {std::size_t{0}, std::size_t{12}, std::size_t{20}}) {
-    results.cases[0].results[0].pixels.assign(bytes, 255);
+    results.cases[0].results[0].pixels = Bytes(bytes, 255);
     EXPECT_EQ(sample::details_of(results.cases[0])["answers"][0]["blank"], true);
   }
 }

@@ -299,7 +299,7 @@ CaseResults agreeing_case(const std::string& id, const std::string& title, int w
 CaseResults tiny_case() {
   CaseResults one = agreeing_case("points/one-by-one", "A target of one pixel", 1, 1);
   Result wrong = plain(one, Verdict::violation, Standing::unexpected);
-  wrong.pixels = {0, 0, 0, 255};
+  wrong.pixels = std::vector<std::uint8_t>{0, 0, 0, 255};
   Disagreement d = disagreement(0, 0, DisagreementKind::missing, false);
   d.explanation = "The point at (0.5, 0.5) covers the only pixel; nothing is drawn.";
   wrong.disagreements = {d};

@@ -28,10 +28,12 @@ CaseResults strip_case(const std::string& id, const std::string& title, int widt
   one.width = width;
   one.height = 1;
   one.fragments = static_cast<std::size_t>(width);
+  std::vector<std::uint8_t> pixels;
   for (int x = 0; x < width; ++x) {
     const auto grey = static_cast<std::uint8_t>(255 * x / width);
-    for (int c = 0; c < 4; ++c) one.pixels.push_back(c < 3 ? grey : 255);
+    for (int c = 0; c < 4; ++c) pixels.push_back(c < 3 ? grey : 255);
   }
+  one.pixels = std::move(pixels);
   return one;
 }
 

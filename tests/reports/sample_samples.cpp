@@ -23,30 +23,35 @@ SamplePositions positions(bool mirrored) {
   return all;
 }
 
-void write(SampleImage& image, int x, int y, int s, bool covered) {
-  image.hits[item(x, y, s)] = covered ? 1 : 0;
-  std::uint32_t& mask = image.coverage[item(x, y, 0)];
-  mask = covered ? mask | 1U << s : mask & ~(1U << s);
-  const std::uint8_t colors[2][4] = {{40, 0, 60, 255}, {250, 200, 20, 255}};
-  std::copy_n(colors[covered ? 1 : 0], 4,
-              image.pixels.begin() + static_cast<std::ptrdiff_t>(4 * item(x, y, s)));
-}
+// An image whose samples are written one by one.
+struct Samples {
+  std::vector<std::uint8_t> pixels = std::vector<std::uint8_t>(4 * kSamples * kWidth * kHeight);
+  std::vector<std::uint32_t> hits = std::vector<std::uint32_t>(kSamples * kWidth * kHeight);
+  std::vector<std::uint32_t> coverage = std::vector<std::uint32_t>(kWidth * kHeight);
+
+  void write(int x, int y, int s, bool covered) {
+    hits[item(x, y, s)] = covered ? 1 : 0;
+    std::uint32_t& mask = coverage[item(x, y, 0)];
+    mask = covered ? mask | 1U << s : mask & ~(1U << s);
+    const std::uint8_t colors[2][4] = {{40, 0, 60, 255}, {250, 200, 20, 255}};
+    std::copy_n(colors[covered ? 1 : 0], 4,
+                pixels.begin() + static_cast<std::ptrdiff_t>(4 * item(x, y, s)));
+  }
+  SampleImage image(const SamplePositions& positions) const {
+    return {kSamples, positions, pixels, hits, coverage};
+  }
+};
 
 // All samples to the lower right of a diagonal.
-SampleImage below_diagonal(bool mirrored) {
-  SampleImage image;
-  image.samples = kSamples;
-  image.positions = positions(mirrored);
-  image.pixels.resize(4 * kSamples * kWidth * kHeight);
-  image.hits.resize(kSamples * kWidth * kHeight);
-  image.coverage.resize(kWidth * kHeight);
+Samples below_diagonal(const SamplePositions& positions) {
+  Samples samples;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
       for (int s = 0; s < kSamples; ++s) {
-        const Point& at = image.positions[static_cast<std::size_t>(s)];
-        write(image, x, y, s, x + at.x.to_double() > y + at.y.to_double());
+        const Point& at = positions[static_cast<std::size_t>(s)];
+        samples.write(x, y, s, x + at.x.to_double() > y + at.y.to_double());
       }
-  return image;
+  return samples;
 }
 
 // The mean of each pixel's samples, rounded down.
@@ -56,7 +61,7 @@ std::vector<std::uint8_t> resolved(const SampleImage& image) {
     for (int x = 0; x < kWidth; ++x)
       for (std::size_t c = 0; c < 4; ++c) {
         int sum = 0;
-        for (int s = 0; s < kSamples; ++s) sum += image.pixels[4 * item(x, y, s) + c];
+        for (int s = 0; s < kSamples; ++s) sum += (*image.pixels)[4 * item(x, y, s) + c];
         pixels.push_back(static_cast<std::uint8_t>(sum / kSamples));
       }
   return pixels;
@@ -70,9 +75,9 @@ Result shown(const SampleImage& image) {
   return result;
 }
 
-Result without_sample_0(SampleImage image) {
-  write(image, 3, 3, 0, false);
-  Result result = shown(image);
+Result without_sample_0(Samples samples) {
+  samples.write(3, 3, 0, false);
+  Result result = shown(samples.image(positions(false)));
   result.verdict = Verdict::violation;
   result.standing = Standing::unexpected;
   Disagreement d = disagreement(3, 3, DisagreementKind::missing, false);
@@ -92,7 +97,8 @@ Result without_sample_0(SampleImage image) {
 }  // namespace
 
 CaseResults multisampled_case() {
-  const SampleImage exact = below_diagonal(false);
+  const Samples samples = below_diagonal(positions(false));
+  const SampleImage exact = samples.image(positions(false));
   CaseResults one;
   one.id = "samples/diagonal";
   one.title = "An edge across four samples";
@@ -106,14 +112,14 @@ CaseResults multisampled_case() {
   one.samples = exact;
   one.pixels = resolved(exact);
   one.fragments = 27;
-  const SampleImage mirrored = below_diagonal(true);
+  const SampleImage mirrored = below_diagonal(positions(true)).image(positions(true));
   Result elsewhere = shown(mirrored);
   elsewhere.exact_samples = mirrored;
   elsewhere.exact_pixels = resolved(mirrored);
   Result silent = shown(exact);
   silent.samples.positions.clear();
-  silent.samples.hits.clear();
-  one.results = {shown(exact), without_sample_0(exact), elsewhere, silent};
+  silent.samples.hits = {};
+  one.results = {shown(exact), without_sample_0(samples), elsewhere, silent};
   return one;
 }
 

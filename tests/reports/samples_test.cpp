@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <sstream>
 
 #include "reports/junit.h"
@@ -41,9 +42,13 @@ json answer_of(const json& one, std::size_t renderer) {
 SampleImage counted_image() {
   SampleImage image;
   image.samples = 2;
-  for (std::uint8_t i = 0; i < 2 * 3 * 4; ++i) image.pixels.push_back(i);
-  for (std::uint32_t i = 0; i < 2 * 3; ++i) image.hits.push_back(0x01020300 + i);
-  image.coverage = {1, 2, 3};
+  Bytes pixels(2 * 3 * 4);
+  std::iota(pixels.begin(), pixels.end(), std::uint8_t{0});
+  image.pixels = std::move(pixels);
+  std::vector<std::uint32_t> hits(2 * 3);
+  std::iota(hits.begin(), hits.end(), 0x01020300U);
+  image.hits = std::move(hits);
+  image.coverage = std::vector<std::uint32_t>{1, 2, 3};
   return image;
 }
 
@@ -65,8 +70,10 @@ TEST(SampleData, SamplesOfAPixelStandTogether) {
 TEST(SampleData, ADifferenceIsThatOfEachItem) {
   const SampleImage from = counted_image();
   SampleImage image = from;
-  image.pixels[13] ^= 0x40;  // sample 1 of the first pixel
-  image.coverage[2] ^= 2;
+  Bytes pixels = *from.pixels;
+  pixels[13] ^= 0x40;  // sample 1 of the first pixel
+  image.pixels = std::move(pixels);
+  image.coverage = std::vector<std::uint32_t>{1, 2, 3 ^ 2};
   const json data = sample_difference(image, from);
   Bytes expected(24, 0);
   expected[5] = 0x40;
@@ -77,7 +84,7 @@ TEST(SampleData, ADifferenceIsThatOfEachItem) {
 
 TEST(SampleData, WhatOneSideDoesNotTellIsLeftOut) {
   SampleImage image = counted_image();
-  image.hits.clear();
+  image.hits = {};
   EXPECT_FALSE(sample_difference(image, counted_image()).contains("hits"));
   EXPECT_FALSE(sample_difference(counted_image(), image).contains("hits"));
   EXPECT_TRUE(sample_difference(counted_image(), image).contains("pixels"));
@@ -106,10 +113,10 @@ TEST(ReportSamples, AnAnswerIsToldByItsDifferenceFromTheExactThatItWasHeldAgains
   const json elsewhere = answer_of(one, 2);
   EXPECT_FALSE(elsewhere.contains("difference")) << "it agrees with its own exact";
   EXPECT_EQ(elsewhere["exact"]["difference"],
-            packed(difference_of(given.pixels, given.results[2].exact_pixels)));
+            packed(difference_of(*given.pixels, *given.results[2].exact_pixels)));
   EXPECT_EQ(elsewhere["exact"]["samples"],
             json(sample_difference(given.results[2].exact_samples, given.samples)));
-  EXPECT_EQ(elsewhere["samples"]["pixels"], packed(Bytes(given.samples.pixels.size(), 0)));
+  EXPECT_EQ(elsewhere["samples"]["pixels"], packed(Bytes(given.samples.pixels->size(), 0)));
   EXPECT_NE(elsewhere["samples"]["positions"], one["samples"]["positions"]);
   EXPECT_FALSE(answer_of(one, 3)["samples"].contains("positions"));
   EXPECT_FALSE(answer_of(one, 3)["samples"].contains("hits"));

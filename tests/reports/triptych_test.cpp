@@ -19,17 +19,20 @@ CaseResults black(int width, int height) {
   CaseResults one;
   one.width = width;
   one.height = height;
-  const auto area = static_cast<std::size_t>(width * height);
-  for (std::size_t i = 0; i < area; ++i) one.pixels.insert(one.pixels.end(), {0, 0, 0, 255});
+  std::vector<std::uint8_t> pixels(static_cast<std::size_t>(4 * width * height));
+  for (std::size_t at = 3; at < pixels.size(); at += 4) pixels[at] = 255;
+  one.pixels = std::move(pixels);
   one.results.resize(1);
   one.results[0].verdict = Verdict::agree;
   one.results[0].pixels = one.pixels;
   return one;
 }
 
-void paint(std::vector<std::uint8_t>& pixels, int width, int x, int y) {
+void paint(SharedBytes& picture, int width, int x, int y) {
+  std::vector<std::uint8_t> pixels = *picture;
   const auto at = static_cast<std::ptrdiff_t>(4 * (y * width + x));
   std::fill(pixels.begin() + at, pixels.begin() + at + 4, 255);
+  picture = std::move(pixels);
 }
 
 Color at(const Triptych& triptych, int x, int y) {
@@ -48,7 +51,7 @@ int third(const CaseResults& one, const Triptych& triptych) {
 TEST(Triptych, NoneWhereNothingDiffersOrNothingCame) {
   CaseResults one = black(4, 3);
   EXPECT_FALSE(triptych_of(one, one.results[0]));
-  one.results[0].pixels.clear();
+  one.results[0].pixels = {};
   one.results[0].disagreements = {sample::disagreement(0, 0, DisagreementKind::extra, false)};
   EXPECT_FALSE(triptych_of(one, one.results[0]));
 }
@@ -76,7 +79,9 @@ TEST(Triptych, KindsHaveColoursOfTheirOwnAndAlphaCounts) {
   for (const auto kind : {DisagreementKind::missing, DisagreementKind::extra,
                           DisagreementKind::duplicate, DisagreementKind::value})
     one.results[0].disagreements.push_back(sample::disagreement(x++, 0, kind, true));
-  one.results[0].pixels[4 * 4 + 3] = 0;  // alpha alone, listed nowhere
+  std::vector<std::uint8_t> pixels = *one.pixels;
+  pixels[4 * 4 + 3] = 0;  // alpha alone, listed nowhere
+  one.results[0].pixels = std::move(pixels);
   const auto triptych = triptych_of(one, one.results[0]);
   ASSERT_TRUE(triptych);
   std::set<Color> colors;

@@ -150,11 +150,13 @@ TEST(Folding, KeepsLargeResultsSmall) {
   Results results = results_with({Verdict::permitted});
   CaseResults& one = results.cases[0];
   one.width = one.height = 512;
+  std::vector<std::uint8_t> pixels;
   for (int i = 0; i < 4 * 512 * 512; ++i)
-    one.pixels.push_back(static_cast<std::uint8_t>(i / 2048 % 256));
+    pixels.push_back(static_cast<std::uint8_t>(i / 2048 % 256));
+  one.pixels = pixels;
+  pixels[123456] ^= 1;
   Result& result = one.results[0];
-  result.pixels = one.pixels;
-  result.pixels[123456] ^= 1;
+  result.pixels = std::move(pixels);
   result.values.emplace_back().differing = places_of_square(512);
   std::ostringstream out;
   write_results(results, out);

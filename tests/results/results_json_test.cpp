@@ -251,7 +251,7 @@ TEST(ResultsJson, SamplesAreAbsentWhereNothingIsMultisampled) {
     one.samples = {};
     for (Result& result : one.results) {
       result.samples = result.exact_samples = {};
-      result.exact_pixels.clear();
+      result.exact_pixels = {};
     }
   }
   EXPECT_EQ(written(results).find("samples\""), std::string::npos);

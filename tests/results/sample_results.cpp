@@ -24,9 +24,11 @@ SampleImage samples() {
   SampleImage image;
   image.samples = 2;
   image.positions = {centre_of_pixel(), {Fixed::from_raw(1), Fixed::from_raw(Fixed::kOne - 1)}};
-  for (std::uint8_t i = 0; i < 16; ++i) image.pixels.push_back(static_cast<std::uint8_t>(16 * i));
-  image.hits = {0, 1, 7, 4294967295U};
-  image.coverage = {0, 3};
+  std::vector<std::uint8_t> pixels;
+  for (std::uint8_t i = 0; i < 16; ++i) pixels.push_back(static_cast<std::uint8_t>(16 * i));
+  image.pixels = pixels;
+  image.hits = std::vector<std::uint32_t>{0, 1, 7, 4294967295U};
+  image.coverage = std::vector<std::uint32_t>{0, 3};
   return image;
 }
 
@@ -96,12 +98,12 @@ KnownResult full_result() {
                  {1, 3, kNaN, kNaN, kNaN, 1.7976931348623157e308}};
   result.exact_fragments = fragments();
   result.rendered_fragments = {fragments()[1]};
-  result.pixels = {9, 8, 7, 6, 5, 4, 3, 255};
+  result.pixels = std::vector<std::uint8_t>{9, 8, 7, 6, 5, 4, 3, 255};
   result.samples = samples();
-  result.samples.coverage.clear();
+  result.samples.coverage = {};
   result.exact_samples = samples();
   result.exact_samples.positions.clear();
-  result.exact_pixels = {1, 2, 3, 4, 5, 6, 7, 8};
+  result.exact_pixels = std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6, 7, 8};
   result.standing = Standing::flake;
   result.expectation = kHostile;
   result.expected = {Verdict::violation, "fedcba9876543210"};
@@ -133,7 +135,7 @@ CaseResults full_case(const std::string& id) {
   one.width = 2;
   one.height = 1;
   one.viewport = Viewport{-3, 0, 8, 16};
-  one.pixels = {0, 1, 2, 255, 16, 32, 64, 128};
+  one.pixels = std::vector<std::uint8_t>{0, 1, 2, 255, 16, 32, 64, 128};
   one.samples = samples();
   one.fragments = 17;
   one.figure = figure();

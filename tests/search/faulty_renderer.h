@@ -26,7 +26,10 @@ class FaultyRenderer final : public Renderer {
  public:
   explicit FaultyRenderer(Fault fault, Policy policy = {})
       : fault_(std::move(fault)), policy_(std::move(policy)) {}
-  RendererInfo info() const override { return {"faulty", "", "", "faulty", 8, {}}; }
+  const RendererInfo& info() const override {
+    static const RendererInfo info{"faulty", "", "", "faulty", 8, {}};
+    return info;
+  }
   void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
     ++batches;
     for (std::size_t i = 0; i < tasks.size(); ++i) {

@@ -126,7 +126,10 @@ TEST(Fuzz, NamesTheCauseThatTheWholeRunSpeaksFor) {
 TEST(Fuzz, FindsRenderersThatFail) {
   class Crashing final : public Renderer {
    public:
-    RendererInfo info() const override { return {"crashing", "", "", "", 4, {}}; }
+    const RendererInfo& info() const override {
+      static const RendererInfo info{"crashing", "", "", "", 4, {}};
+      return info;
+    }
     void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
       for (std::size_t i = 0; i < tasks.size(); ++i)
         if (tasks[i].scene->target.width == 8)

@@ -138,8 +138,8 @@ std::optional<Begun> begin_with_coordinates(const NewCommand& command) {
 
 // Were the case's colours its author's, or chosen by the loader?
 bool says_colors(const Case& one) {
-  return one.source.str().find("\"color\"") != std::string::npos ||
-         one.source.str().find("\"clear\"") != std::string::npos;
+  return one.source->find("\"color\"") != std::string::npos ||
+         one.source->find("\"clear\"") != std::string::npos;
 }
 
 std::optional<Begun> begin_with_scene(const Case& one, const CaseWords& words) {

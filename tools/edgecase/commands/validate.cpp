@@ -27,7 +27,7 @@ struct ValidateCommand {
 // The files of the cases, in the order of their ids, each with its text.
 std::map<std::filesystem::path, const std::string*> files_of(const Suite& suite) {
   std::map<std::filesystem::path, const std::string*> files;
-  for (const Case& one : suite.cases) files.emplace(one.file, &one.source.str());
+  for (const Case& one : suite.cases) files.emplace(one.file, &*one.source);
   return files;
 }
 

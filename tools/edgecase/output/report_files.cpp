@@ -63,9 +63,9 @@ void load_sources(Results& results) {
     std::error_code error;
     if (is_new && std::filesystem::is_regular_file(one.file, error))
       if (auto text = read_file(one.file)) found->second = std::move(*text);
-    const bool is_same = digest_of_text(found->second.str()) == one.file_digest;
+    const bool is_same = digest_of_text(*found->second) == one.file_digest;
     if (is_same) one.source = found->second;
-    if (is_new && !is_same && !found->second.empty())
+    if (is_new && !is_same && !found->second->empty())
       print_error(
           fmt::format("{} is not what it was in the run; reports leave its text out", one.file));
   }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "model/shared.h"
+
+#include <gtest/gtest.h>
+
+namespace edgecase {
+namespace {
+
+TEST(Shared, ACopyIsTheSameInMemory) {
+  const SharedText text = "a text";
+  const SharedText copy = text;
+  EXPECT_TRUE(is_same_object(text, copy));
+  EXPECT_EQ(&*text, &*copy);
+  EXPECT_EQ(*copy, "a text");
+}
+
+TEST(Shared, EqualityIsOfValuesWhereverTheyAre) {
+  const SharedNumbers one = std::vector<std::uint32_t>{1, 2};
+  const SharedNumbers equal = std::vector<std::uint32_t>{1, 2};
+  const SharedNumbers other = std::vector<std::uint32_t>{1, 3};
+  EXPECT_FALSE(is_same_object(one, equal));
+  EXPECT_EQ(one, equal);
+  EXPECT_NE(one, other);
+}
+
+TEST(Shared, NothingIsAnEmptyValue) {
+  const SharedBytes nothing;
+  EXPECT_TRUE(nothing->empty());
+  EXPECT_EQ(nothing, SharedBytes(std::vector<std::uint8_t>{}));
+}
+
+TEST(Shared, OnlyWhatIsEqualBecomesOneInMemory) {
+  const SharedText text = "a text";
+  SharedText equal = "a text";
+  equal.share_with(text);
+  EXPECT_TRUE(is_same_object(equal, text));
+  SharedText other = "a taxt";
+  other.share_with(text);
+  EXPECT_EQ(*other, "a taxt");
+  EXPECT_FALSE(is_same_object(other, text));
+}
+
+}  // namespace
+}  // namespace edgecase

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "run/comparing.h"
+
+#include <gtest/gtest.h>
+
+#include "raster/rasterizer.h"
+
+namespace edgecase {
+namespace {
+
+// A suite of one case: a triangle in a target of so many samples.
+Suite suite_of(int samples) {
+  Case one;
+  one.id = "triangle";
+  one.scene.target.width = one.scene.target.height = 8;
+  one.scene.target.samples = samples;
+  one.scene.viewport = {0, 0, 8, 8};
+  Draw draw;
+  draw.primitive = Primitive::triangles;
+  for (const auto& [x, y] : {std::pair{1, 1}, {7, 2}, {3, 7}}) {
+    Vertex vertex;
+    vertex.position = {Fixed::from_integer(x), Fixed::from_integer(y)};
+    vertex.color = {1, 0.5F, 0.25F, 1};
+    draw.vertices.push_back(vertex);
+  }
+  one.scene.draws = {draw};
+  Suite suite;
+  suite.cases = {one};
+  return suite;
+}
+
+TEST(CaseComparison, KeepsAPictureOnceThatExactDrawsToo) {
+  for (const int samples : {1, 4}) {
+    const Suite suite = suite_of(samples);
+    const RunOptions options;
+    CaseComparison comparison(suite, options);
+    const Rendering same = rasterize(suite.cases[0].scene, options.policy);
+    const Result result = comparison.compare_outcome(0, same, {});
+    EXPECT_EQ(*result.pixels, same.pixels);
+    const ExactSide& exact = comparison.exact(0);
+    EXPECT_TRUE(is_same_object(result.pixels, exact.pixels));
+    EXPECT_EQ(result.samples, sample_image(same));
+    EXPECT_TRUE(is_same_object(result.samples.pixels, exact.samples.pixels));
+    EXPECT_TRUE(is_same_object(result.samples.hits, exact.samples.hits));
+    EXPECT_TRUE(is_same_object(result.samples.coverage, exact.samples.coverage));
+  }
+}
+
+TEST(CaseComparison, KeepsWhatDiffersAsItCame) {
+  const Suite suite = suite_of(4);
+  const RunOptions options;
+  CaseComparison comparison(suite, options);
+  Rendering other = rasterize(suite.cases[0].scene, options.policy);
+  other.pixels.back() ^= 1;
+  other.sample_pixels.back() ^= 1;
+  const Result result = comparison.compare_outcome(0, other, {});
+  EXPECT_EQ(*result.pixels, other.pixels);
+  EXPECT_EQ(*result.samples.pixels, other.sample_pixels);
+  const ExactSide& exact = comparison.exact(0);
+  EXPECT_NE(result.pixels, exact.pixels);
+  EXPECT_NE(result.samples.pixels, exact.samples.pixels);
+  EXPECT_TRUE(is_same_object(result.samples.hits, exact.samples.hits));
+}
+
+// A renderer whose samples lie elsewhere shares with the exact side that it was held against.
+TEST(CaseComparison, SharesWithExactWhereTheSamplesAreTheRenderers) {
+  const Suite suite = suite_of(4);
+  const RunOptions options;
+  CaseComparison comparison(suite, options);
+  SamplePositions elsewhere = comparison.exact(0).rendering.sample_positions;
+  for (Point& at : elsewhere) at.x = Fixed::from_integer(1) - at.x;
+  const Rendering drawn =
+      rasterize_without_details(suite.cases[0].scene, options.policy, elsewhere);
+  const Result result = comparison.compare_outcome(0, drawn, {});
+  EXPECT_TRUE(result.disagreements.empty());
+  EXPECT_EQ(*result.exact_pixels, drawn.pixels);
+  EXPECT_TRUE(is_same_object(result.pixels, result.exact_pixels));
+  EXPECT_TRUE(is_same_object(result.samples.coverage, result.exact_samples.coverage));
+  EXPECT_NE(result.samples.coverage, comparison.exact(0).samples.coverage);
+}
+
+}  // namespace
+}  // namespace edgecase
