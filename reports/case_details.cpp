@@ -121,16 +121,18 @@ Json ramp_json(const Result& result) {
 // and exact, where its samples lie elsewhere, from the case's.
 void add_images(Json& json, const CaseResults& one, const Result& result) {
   const bool own = !result.exact_pixels->empty();
-  const SharedBytes& exact = own ? result.exact_pixels : one.pixels;
+  const Shared<PackedWords>& exact = own ? result.exact_pixels : one.pixels;
   const bool same_size = result.pixels->size() == exact->size();
   if (same_size && result.pixels != exact)
-    json["difference"] = to_base64(pack_pixels(difference_of(*exact, *result.pixels)));
+    json["difference"] =
+        to_base64(pack_pixels(difference_of(exact->bytes(), result.pixels->bytes())));
   if (!same_size || result.pixels->empty()) json["blank"] = true;
   if (result.samples.samples > 1)
     json["samples"] = sample_difference(result.samples, own ? result.exact_samples : one.samples);
   if (own)
-    json["exact"] = {{"difference", to_base64(pack_pixels(difference_of(*one.pixels, *exact)))},
-                     {"samples", sample_difference(result.exact_samples, one.samples)}};
+    json["exact"] = {
+        {"difference", to_base64(pack_pixels(difference_of(one.pixels->bytes(), exact->bytes())))},
+        {"samples", sample_difference(result.exact_samples, one.samples)}};
 }
 
 // Those of one side, as far as disagreements are listed.
@@ -223,7 +225,7 @@ void add_results(Json& json, const CaseResults& one) {
 }  // namespace
 
 nlohmann::ordered_json case_details(const CaseResults& one) {
-  Json json = {{"pixels", to_base64(pack_pixels(*one.pixels))}};
+  Json json = {{"pixels", to_base64(pack_pixels(one.pixels->bytes()))}};
   if (one.samples.samples > 1) json["samples"] = sample_data(one.samples);
   if (const auto& v = one.viewport) json["viewport"] = {v->x, v->y, v->width, v->height};
   json["figure"] = figure_json(one.figure);

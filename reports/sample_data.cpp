@@ -41,9 +41,9 @@ struct Part {
 
 std::vector<Part> parts_of(const SampleImage& image) {
   const auto samples = static_cast<std::size_t>(std::max(1, image.samples));
-  return {{"pixels", by_pixel(*image.pixels, samples)},
-          {"hits", by_pixel(bytes_of(*image.hits), samples)},
-          {"coverage", bytes_of(*image.coverage)}};
+  return {{"pixels", by_pixel(image.pixels->bytes(), samples)},
+          {"hits", by_pixel(bytes_of(image.hits->words()), samples)},
+          {"coverage", bytes_of(image.coverage->words())}};
 }
 
 nlohmann::ordered_json head_of(const SampleImage& image) {

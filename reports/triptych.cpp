@@ -48,8 +48,8 @@ class Painting {
  public:
   Painting(const CaseResults& one, const Result& result)
       : one_(one),
-        exact_(*(result.exact_pixels->empty() ? one.pixels : result.exact_pixels)),
-        rendered_(*result.pixels),
+        exact_((result.exact_pixels->empty() ? one.pixels : result.exact_pixels)->bytes()),
+        rendered_(result.pixels->bytes()),
         scale_(scale_of(one.width, one.height)),
         gap_((kGap + scale_ - 1) / scale_),
         width_(3 * one.width + 2 * gap_) {
@@ -123,8 +123,8 @@ class Painting {
   }
 
   const CaseResults& one_;
-  const std::vector<std::uint8_t>& exact_;
-  const std::vector<std::uint8_t>& rendered_;
+  const std::vector<std::uint8_t> exact_;
+  const std::vector<std::uint8_t> rendered_;
   int scale_;
   int gap_;                                  // pixels
   int width_;                                // of the three
@@ -135,8 +135,9 @@ class Painting {
 }  // namespace
 
 std::optional<Triptych> triptych_of(const CaseResults& one, const Result& result) {
-  const auto size = 4 * static_cast<std::size_t>(one.width) * static_cast<std::size_t>(one.height);
-  const SharedBytes& exact = result.exact_pixels->empty() ? one.pixels : result.exact_pixels;
+  const auto size = static_cast<std::size_t>(one.width) * static_cast<std::size_t>(one.height);
+  const Shared<PackedWords>& exact =
+      result.exact_pixels->empty() ? one.pixels : result.exact_pixels;
   if (size == 0 || exact->size() != size || result.pixels->size() != size) return std::nullopt;
   if (result.disagreements.empty() && result.pixels == exact) return std::nullopt;
   return Painting(one, result).paint();

@@ -63,6 +63,7 @@ Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
   // A run keeps its results until all are there.
   result.disagreements.shrink_to_fit();
+  result.pixel_counts.agree = rendered.pixels.size() / 4;
   result.pixel_counts.same = count_same_pixels(exact.pixels, rendered.pixels);
   return result;
 }

@@ -20,7 +20,8 @@ struct RendererFacts {
 };
 
 // Compares a rendering of `scene` with the exact one under `policy`. Both must have the scene's
-// size and only primitives of the scene. The verdict stays open until judge().
+// size and only primitives of the scene. The verdict stays open until judge(), and pictures are
+// left to those who keep results (run/comparing.h).
 Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
                const Rendering& rendered, const RendererFacts& facts);
 

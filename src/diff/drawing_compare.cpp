@@ -54,7 +54,6 @@ Result compare_drawing(const Drawing& drawing, std::string refuted) {
   if (facts.profile != nullptr) profile = resolve(*facts.profile, surface);
 
   Result result;
-  result.pixels = rendered.pixels;
   result.refuted = std::move(refuted);
   compare_coverage({scene, primitives, coverage, choices, profile ? &*profile : nullptr,
                     policy.latitude, bits, true, rendered.sample_positions},

@@ -51,16 +51,16 @@ Verdict verdict_of(const ValueAggregate& values, Latitude latitude) {
 }
 
 void count_pixels(Result& result, Latitude latitude) {
-  const std::size_t same = result.pixel_counts.same;
+  const PixelCounts before = result.pixel_counts;
+  const std::size_t all = before.agree + before.convention + before.permitted + before.violation;
+  if (all == 0) return;
   PixelCounts& counts = result.pixel_counts = {};
-  counts.same = same;
-  if (result.pixels->empty()) return;
+  counts.same = before.same;
   for (const JudgedPixel& pixel : judged_pixels(result, latitude))
     ++(pixel.verdict == Verdict::violation   ? counts.violation
        : pixel.verdict == Verdict::permitted ? counts.permitted
                                              : counts.convention);
-  counts.agree =
-      result.pixels->size() / 4 - counts.convention - counts.permitted - counts.violation;
+  counts.agree = all - counts.convention - counts.permitted - counts.violation;
 }
 
 }  // namespace edgecase

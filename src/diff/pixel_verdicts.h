@@ -12,7 +12,7 @@ namespace edgecase {
 Verdict verdict_of(const Disagreement& disagreement, Latitude latitude);
 Verdict verdict_of(const ValueAggregate& values, Latitude latitude);
 
-// Sets the result's pixel counts, all but `same`, which stays.
+// Says of the pixels that are counted how they fare: compare() has all of them agree. `same` stays.
 void count_pixels(Result& result, Latitude latitude);
 
 }  // namespace edgecase

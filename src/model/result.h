@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "model/packed_words.h"
 #include "model/renderer.h"
 #include "model/sample_image.h"
 #include "model/shared.h"
@@ -91,11 +92,11 @@ struct Result {
   // What either side makes where they differ (diff/disputed_fragments.h); empty where nothing does.
   std::vector<ToldFragment> exact_fragments;
   std::vector<ToldFragment> rendered_fragments;
-  SharedBytes pixels;  // RGBA8, bottom row first; empty when not run
+  Shared<PackedWords> pixels;  // RGBA8, bottom row first; empty when not run, or not kept
   PixelCounts pixel_counts;
   // The same of exact, where it is another than the case's: with samples where this renderer says
   // that its own lie.
-  SharedBytes exact_pixels;
+  Shared<PackedWords> exact_pixels;
   SampleImage samples;        // of the renderer, where the case is multisampled
   SampleImage exact_samples;  // of exact, where exact_pixels is set
   Standing standing = Standing::expected;

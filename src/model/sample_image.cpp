@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/sample_image.h"
 
-#include <utility>
-
 namespace edgecase {
 
 SampleImage sample_image(const Rendering& rendering) {
@@ -15,7 +13,7 @@ SampleImage sample_image(const Rendering& rendering) {
   std::vector<std::uint32_t> coverage(rendering.pixel_index(0, rendering.height));
   for (const Fragment& fragment : rendering.fragments)
     coverage[rendering.pixel_index(fragment.x, fragment.y)] |= fragment.coverage;
-  image.coverage = std::move(coverage);
+  image.coverage = coverage;
   return image;
 }
 

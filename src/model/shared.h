@@ -5,11 +5,9 @@
 #pragma once
 
 #include <concepts>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace edgecase {
 
@@ -43,7 +41,5 @@ class Shared {
 };
 
 using SharedText = Shared<std::string>;
-using SharedBytes = Shared<std::vector<std::uint8_t>>;
-using SharedNumbers = Shared<std::vector<std::uint32_t>>;
 
 }  // namespace edgecase

@@ -44,7 +44,7 @@ void write_pixel_counts(JsonWriter& json, const PixelCounts& counts) {
 class CaseWriter {
  public:
   CaseWriter(const CaseResults& one, std::string& text)
-      : one_(one), is_large_(one.pixels->size() > 4 * kMostPixels), text_(text), json_(text) {}
+      : one_(one), is_large_(one.pixels->size() > kMostPixels), text_(text), json_(text) {}
 
   void write_case(const std::vector<RendererInfo>& renderers) {
     json_.object([&] {
@@ -68,7 +68,7 @@ class CaseWriter {
   void write_pictures(const KnownResult& result);
   void write_values(const ValueAggregate& values);
   void write_worst(const ValueAggregate& values);
-  void write_picture(const SharedBytes& rendered);
+  void write_picture(const Shared<PackedWords>& rendered);
 
   // A member that is folded where it is long.
   template <class Write>
@@ -113,7 +113,7 @@ void CaseWriter::write_origin() {
 
 void CaseWriter::write_exact() {
   json_.member("fragments", one_.fragments);
-  keep_pixels("pixels", *one_.pixels);
+  keep_pixels("pixels", one_.pixels->bytes());
   keep_samples("samples", one_.samples);
   keep_list("figure", one_.figure.marks, write_mark);
   json_.member("expect_failures", one_.expect_failures);
@@ -157,7 +157,7 @@ void CaseWriter::write_findings(const KnownResult& result) {
 
 void CaseWriter::write_pictures(const KnownResult& result) {
   if (!result.failure) write_picture(result.pixels);
-  if (!result.exact_pixels->empty()) keep_pixels("exact_pixels", *result.exact_pixels);
+  if (!result.exact_pixels->empty()) keep_pixels("exact_pixels", result.exact_pixels->bytes());
   keep_samples("samples", result.samples);
   keep_samples("exact_samples", result.exact_samples);
 }
@@ -192,13 +192,13 @@ void CaseWriter::write_worst(const ValueAggregate& values) {
 }
 
 // Equal pictures are said to be so, not stored twice; of large ones only the difference is stored.
-void CaseWriter::write_picture(const SharedBytes& rendered) {
+void CaseWriter::write_picture(const Shared<PackedWords>& rendered) {
   if (rendered == one_.pixels)
     json_.member("pixels", "exact");
   else if (!is_large_ || rendered->size() != one_.pixels->size())
-    keep_pixels("pixels", *rendered);
+    keep_pixels("pixels", rendered->bytes());
   else
-    keep_pixels("difference", difference_of(*rendered, *one_.pixels));
+    keep_pixels("difference", difference_of(rendered->bytes(), one_.pixels->bytes()));
 }
 
 }  // namespace

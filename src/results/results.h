@@ -14,6 +14,7 @@
 
 #include "model/case.h"
 #include "model/figure.h"
+#include "model/packed_words.h"
 #include "model/policy.h"
 #include "model/renderer.h"
 #include "model/result.h"
@@ -63,7 +64,7 @@ struct CaseResults {
   int width = 0;
   int height = 0;
   std::optional<Viewport> viewport;          // where it is not the target's rectangle
-  SharedBytes pixels;                        // of the exact side, RGBA8, bottom row first
+  Shared<PackedWords> pixels;                // of the exact side, RGBA8, bottom row first
   SampleImage samples;                       // of the exact side, where it is multisampled
   std::size_t fragments = 0;                 // of the exact side
   Figure figure;                             // the case's primitives and vertices

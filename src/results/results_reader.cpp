@@ -156,10 +156,10 @@ Result::ToldFragment to_fragment(const Json& json) {
 }
 
 // What the renderer drew: stored, as the difference from exact's picture, or the same as that.
-SharedBytes to_picture(const Json& json, const CaseResults& exact) {
+Shared<PackedWords> to_picture(const Json& json, const CaseResults& exact) {
   if (json.contains("difference"))
     return difference_of(to_pixels(json.at("difference"), exact.width, exact.height),
-                         *exact.pixels);
+                         exact.pixels->bytes());
   const Json& pixels = json.at("pixels");
   if (pixels == "exact") return exact.pixels;
   return to_pixels(pixels, exact.width, exact.height);

@@ -107,7 +107,7 @@ std::string cases_text(std::span<const CaseResults> cases,
                        const std::vector<RendererInfo>& renderers, bool are_first) {
   constexpr std::size_t kBesidePixels = 4096;  // at least, mostly
   std::size_t size = 0;
-  for (const CaseResults& one : cases) size += 2 * one.pixels->size() + kBesidePixels;
+  for (const CaseResults& one : cases) size += 8 * one.pixels->size() + kBesidePixels;
   std::string text;
   text.reserve(size);
   const char* separator = are_first ? "\n" : ",\n";

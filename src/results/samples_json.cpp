@@ -44,9 +44,9 @@ void write_samples(JsonWriter& json, const SampleImage& image) {
   json.object([&] {
     json.member("count", image.samples);
     if (!image.positions.empty()) json.key("positions").list(image.positions, write_position);
-    if (!image.pixels->empty()) json.key("pixels").hex(*image.pixels);
-    if (!image.hits->empty()) json.member("hits", *image.hits);
-    if (!image.coverage->empty()) json.member("coverage", *image.coverage);
+    if (!image.pixels->empty()) json.key("pixels").hex(image.pixels->bytes());
+    if (!image.hits->empty()) json.member("hits", image.hits->words());
+    if (!image.coverage->empty()) json.member("coverage", image.coverage->words());
   });
 }
 
@@ -57,13 +57,14 @@ SampleImage to_samples(const nlohmann::json& json, int width, int height) {
     throw std::runtime_error(fmt::format("{} is no number of samples", image.samples));
   for (const nlohmann::json& at : json.value("positions", nlohmann::json::array()))
     image.positions.push_back({to_fixed(at.at(0)), to_fixed(at.at(1))});
-  image.pixels = from_hex(json.value("pixels", ""));
+  const std::vector<std::uint8_t> pixels = from_hex(json.value("pixels", ""));
   image.hits = to_counts(json, "hits");
   image.coverage = to_counts(json, "coverage");
   const auto samples = static_cast<std::size_t>(image.samples);
   const std::size_t area = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   check_size("positions", image.positions.size(), samples);
-  check_size("pixels", image.pixels->size(), 4 * samples * area);
+  check_size("pixels", pixels.size(), 4 * samples * area);
+  image.pixels = pixels;
   check_size("hits", image.hits->size(), samples * area);
   check_size("coverage", image.coverage->size(), area);
   return image;

@@ -13,9 +13,12 @@ namespace edgecase {
 
 namespace {
 
-// Most renderers draw what exact draws, and a run keeps what all of them do.
-void share_pictures(const ExactSide& exact, Result& result) {
-  result.pixels.share_with(exact.pixels);
+// Keeps what was drawn. Most renderers draw what exact draws, and then it is kept once.
+void keep_pictures(const Rendering& rendering, const ExactSide& exact, Result& result) {
+  result.pixels = rendering.pixels == exact.rendering.pixels
+                      ? exact.pixels
+                      : Shared<PackedWords>(rendering.pixels);
+  result.samples = sample_image(rendering);
   result.samples.share_with(exact.samples);
 }
 
@@ -59,8 +62,7 @@ Result CaseComparison::compare_with_exact(std::size_t index, const Rendering& re
   const auto compare_with = [&](const ExactSide& exact) {
     Result result = compare(scene, options_.policy, exact.rendering, rendering, facts);
     tell_fragments(exact.rendering, rendering, result);
-    result.samples = sample_image(rendering);
-    share_pictures(exact, result);
+    keep_pictures(rendering, exact, result);
     return result;
   };
   const ExactSide& usual = exact(index);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diff/compare.h"
+#include "model/packed_words.h"
 #include "model/renderer.h"
 #include "model/sample_image.h"
 #include "model/shared.h"
@@ -20,7 +21,7 @@ namespace edgecase {
 // What exact draws of a case, and the pictures of it that results keep.
 struct ExactSide {
   Rendering rendering;
-  SharedBytes pixels;
+  Shared<PackedWords> pixels;
   SampleImage samples;
 
   explicit ExactSide(Rendering drawn);

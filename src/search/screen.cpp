@@ -41,7 +41,7 @@ Drawn covered_under(const RuleChoices& choices, const Target& target,
 // Leaves what judging a result and telling of it need: values may differ at every pixel, and some
 // thousand results wait to be judged.
 void lighten(Result& result) {
-  result.pixels = result.exact_pixels = {};
+  result.pixel_counts = {};
   std::map<std::tuple<std::string, DisagreementKind, int, int, bool, int, bool, std::string,
                       std::string>,
            std::size_t>

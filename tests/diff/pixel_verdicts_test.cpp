@@ -36,7 +36,7 @@ ValueAggregate values_at(std::vector<ValueAggregate::Place> places, const char* 
 
 // Of a picture of so many pixels.
 PixelCounts counted(Result result, std::size_t pixels, Latitude latitude = Latitude::opengl) {
-  result.pixels = std::vector<std::uint8_t>(4 * pixels);
+  result.pixel_counts.agree = pixels;
   count_pixels(result, latitude);
   return result.pixel_counts;
 }

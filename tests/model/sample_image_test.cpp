@@ -25,9 +25,9 @@ TEST(SampleImage, HoldsWhatARenderingTellsOfItsSamples) {
   const SampleImage image = sample_image(rendering);
   EXPECT_EQ(image.samples, 2);
   EXPECT_EQ(image.positions, rendering.sample_positions);
-  EXPECT_EQ(*image.pixels, rendering.sample_pixels);
-  EXPECT_EQ(*image.hits, rendering.hits);
-  EXPECT_EQ(*image.coverage, (std::vector<std::uint32_t>{1, 3}));
+  EXPECT_EQ(image.pixels->bytes(), rendering.sample_pixels);
+  EXPECT_EQ(image.hits->words(), rendering.hits);
+  EXPECT_EQ(image.coverage->words(), (std::vector<std::uint32_t>{1, 3}));
 }
 
 TEST(SampleImage, OfOneSampleThereIsNothing) {

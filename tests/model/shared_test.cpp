@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace edgecase {
 namespace {
 
@@ -15,18 +17,18 @@ TEST(Shared, ACopyIsTheSameInMemory) {
 }
 
 TEST(Shared, EqualityIsOfValuesWhereverTheyAre) {
-  const SharedNumbers one = std::vector<std::uint32_t>{1, 2};
-  const SharedNumbers equal = std::vector<std::uint32_t>{1, 2};
-  const SharedNumbers other = std::vector<std::uint32_t>{1, 3};
+  const Shared<std::vector<int>> one = std::vector<int>{1, 2};
+  const Shared<std::vector<int>> equal = std::vector<int>{1, 2};
+  const Shared<std::vector<int>> other = std::vector<int>{1, 3};
   EXPECT_FALSE(is_same_object(one, equal));
   EXPECT_EQ(one, equal);
   EXPECT_NE(one, other);
 }
 
 TEST(Shared, NothingIsAnEmptyValue) {
-  const SharedBytes nothing;
+  const SharedText nothing;
   EXPECT_TRUE(nothing->empty());
-  EXPECT_EQ(nothing, SharedBytes(std::vector<std::uint8_t>{}));
+  EXPECT_EQ(nothing, SharedText(""));
 }
 
 TEST(Shared, OnlyWhatIsEqualBecomesOneInMemory) {

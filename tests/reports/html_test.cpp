@@ -160,7 +160,7 @@ Results large_results() {
     Bytes pixels(4 * 128 * 128);
     for (std::uint8_t& byte : pixels)
       byte = static_cast<std::uint8_t>((state = state * 1664525 + 1013904223) >> 24);
-    one.pixels = std::move(pixels);
+    one.pixels = pixels;
     one.results.resize(1);
     one.results[0].verdict = i == 39 ? Verdict::violation : Verdict::permitted;
   }

@@ -33,7 +33,7 @@ CaseResults strip_case(const std::string& id, const std::string& title, int widt
     const auto grey = static_cast<std::uint8_t>(255 * x / width);
     for (int c = 0; c < 4; ++c) pixels.push_back(c < 3 ? grey : 255);
   }
-  one.pixels = std::move(pixels);
+  one.pixels = pixels;
   return one;
 }
 

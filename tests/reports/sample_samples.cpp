@@ -56,12 +56,13 @@ Samples below_diagonal(const SamplePositions& positions) {
 
 // The mean of each pixel's samples, rounded down.
 std::vector<std::uint8_t> resolved(const SampleImage& image) {
+  const std::vector<std::uint8_t> samples = image.pixels->bytes();
   std::vector<std::uint8_t> pixels;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
       for (std::size_t c = 0; c < 4; ++c) {
         int sum = 0;
-        for (int s = 0; s < kSamples; ++s) sum += (*image.pixels)[4 * item(x, y, s) + c];
+        for (int s = 0; s < kSamples; ++s) sum += samples[4 * item(x, y, s) + c];
         pixels.push_back(static_cast<std::uint8_t>(sum / kSamples));
       }
   return pixels;

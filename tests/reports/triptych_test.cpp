@@ -21,18 +21,18 @@ CaseResults black(int width, int height) {
   one.height = height;
   std::vector<std::uint8_t> pixels(static_cast<std::size_t>(4 * width * height));
   for (std::size_t at = 3; at < pixels.size(); at += 4) pixels[at] = 255;
-  one.pixels = std::move(pixels);
+  one.pixels = pixels;
   one.results.resize(1);
   one.results[0].verdict = Verdict::agree;
   one.results[0].pixels = one.pixels;
   return one;
 }
 
-void paint(SharedBytes& picture, int width, int x, int y) {
-  std::vector<std::uint8_t> pixels = *picture;
+void paint(Shared<PackedWords>& picture, int width, int x, int y) {
+  std::vector<std::uint8_t> pixels = picture->bytes();
   const auto at = static_cast<std::ptrdiff_t>(4 * (y * width + x));
   std::fill(pixels.begin() + at, pixels.begin() + at + 4, 255);
-  picture = std::move(pixels);
+  picture = pixels;
 }
 
 Color at(const Triptych& triptych, int x, int y) {
@@ -79,9 +79,9 @@ TEST(Triptych, KindsHaveColoursOfTheirOwnAndAlphaCounts) {
   for (const auto kind : {DisagreementKind::missing, DisagreementKind::extra,
                           DisagreementKind::duplicate, DisagreementKind::value})
     one.results[0].disagreements.push_back(sample::disagreement(x++, 0, kind, true));
-  std::vector<std::uint8_t> pixels = *one.pixels;
+  std::vector<std::uint8_t> pixels = one.pixels->bytes();
   pixels[4 * 4 + 3] = 0;  // alpha alone, listed nowhere
-  one.results[0].pixels = std::move(pixels);
+  one.results[0].pixels = pixels;
   const auto triptych = triptych_of(one, one.results[0]);
   ASSERT_TRUE(triptych);
   std::set<Color> colors;

@@ -156,7 +156,7 @@ TEST(Folding, KeepsLargeResultsSmall) {
   one.pixels = pixels;
   pixels[123456] ^= 1;
   Result& result = one.results[0];
-  result.pixels = std::move(pixels);
+  result.pixels = pixels;
   result.values.emplace_back().differing = places_of_square(512);
   std::ostringstream out;
   write_results(results, out);

@@ -149,7 +149,7 @@ GalleryEntry entry_of(const GalleryPicture& picture, const Case& one, const Poli
   entry.figure = results.figure;
   entry.policy = image_of(contrast.under_policy);
   entry.opengl = image_of(contrast.under_opengl);
-  entry.rendered.pixels = *result.pixels;
+  entry.rendered.pixels = result.pixels->bytes();
   entry.verdict = result.verdict;
   if (result.failure)
     entry.failure = fmt::format("{}: {}", name_of(result.failure->kind), result.failure->reason);

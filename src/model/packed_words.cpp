@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "model/packed_words.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace edgecase {
+
+PackedWords::PackedWords(const std::vector<std::uint32_t>& words) {
+  pack(words.data(), words.size());
+}
+
+PackedWords::PackedWords(const std::vector<std::uint8_t>& bytes) {
+  if (bytes.size() % sizeof(std::uint32_t) != 0)
+    throw std::invalid_argument("bytes that are no words");
+  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+  std::copy(bytes.begin(), bytes.end(), reinterpret_cast<std::uint8_t*>(words.data()));
+  pack(words.data(), words.size());
+}
+
+std::vector<std::uint32_t> PackedWords::words() const {
+  std::vector<std::uint32_t> words(size_);
+  unpack(words.data());
+  return words;
+}
+
+std::vector<std::uint8_t> PackedWords::bytes() const {
+  const std::vector<std::uint32_t> unpacked = words();
+  const auto* const first = reinterpret_cast<const std::uint8_t*>(unpacked.data());
+  return {first, first + unpacked.size() * sizeof(std::uint32_t)};
+}
+
+void PackedWords::pack(const std::uint32_t* words, std::size_t size) {
+  size_ = size;
+  std::vector<std::uint32_t> runs;
+  for (std::size_t at = 0; at < size && runs.size() + 2 < size;) {
+    std::size_t end = at + 1;
+    while (end < size && words[end] == words[at]) ++end;
+    runs.push_back(static_cast<std::uint32_t>(end - at));
+    runs.push_back(words[at]);
+    at = end;
+    if (at == size) {
+      kept_.assign(runs.begin(), runs.end());
+      return;
+    }
+  }
+  kept_.assign(words, words + size);
+}
+
+void PackedWords::unpack(std::uint32_t* words) const {
+  if (kept_.size() == size_) {
+    std::copy(kept_.begin(), kept_.end(), words);
+    return;
+  }
+  for (std::size_t i = 0; i < kept_.size(); i += 2)
+    words = std::fill_n(words, kept_[i], kept_[i + 1]);
+}
+
+}  // namespace edgecase
