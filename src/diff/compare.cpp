@@ -14,6 +14,7 @@
 #include "diff/pixel_blocks.h"
 #include "diff/samples/pass_compare.h"
 #include "diff/upside_down.h"
+#include "diff/values/equal_values.h"
 #include "raster/facing.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
@@ -28,8 +29,11 @@ bool reads_before(const Disagreement& a, const Disagreement& b) {
 }
 
 Result compare_whole(const Drawing& drawing, std::string refuted) {
-  return drawing.scene.supersampling.empty() ? compare_drawing(drawing, std::move(refuted))
-                                             : compare_passes(drawing, std::move(refuted));
+  const auto& [scene, policy, exact, rendered, facts] = drawing;
+  if (!scene.supersampling.empty()) return compare_passes(drawing, std::move(refuted));
+  const bool exact_values = has_exact_values(scene, policy, exact, rendered);
+  return compare_drawing(drawing, std::move(refuted),
+                         exact_values ? Compared::coverage : Compared::all);
 }
 
 // Notes in the result whether the answer is upside down, or is evidence that those of its renderer

@@ -32,6 +32,17 @@ void compare_planes(const ValueContext& values, const Rendering& rendered, Resul
   if (!rendered.depths.empty()) compare_depths(values, rendered, result);
 }
 
+// What fragments tell beside where they are, and what comes of it.
+void compare_values(const ValueContext& values, const Rendering& exact, const Rendering& rendered,
+                    const RuleChoices* profile, Result& result) {
+  compare_fragment_values(values, rendered, result);
+  compare_coordinates(values, rendered, result);
+  compare_derivatives(values, rendered, result);
+  compare_texture_lookups(values, exact, rendered, profile ? &profile->textures : nullptr, result);
+  compare_mip_chains(values, exact, rendered, result);
+  compare_planes(values, rendered, result);
+}
+
 // A disagreement on what a sample holds is shown where the sample lies.
 void mark_sample(Disagreement& d, const SamplePositions& positions) {
   const auto sample = static_cast<std::size_t>(d.sample);
@@ -43,7 +54,7 @@ void mark_sample(Disagreement& d, const SamplePositions& positions) {
 
 }  // namespace
 
-Result compare_drawing(const Drawing& drawing, std::string refuted) {
+Result compare_drawing(const Drawing& drawing, std::string refuted, Compared compared) {
   const auto& [scene, policy, exact, rendered, facts] = drawing;
   const Surface surface = scene.target.surface;
   const RuleChoices choices = resolve(policy, surface);
@@ -58,14 +69,12 @@ Result compare_drawing(const Drawing& drawing, std::string refuted) {
   compare_coverage({scene, primitives, coverage, choices, profile ? &*profile : nullptr,
                     policy.latitude, bits, true, rendered.sample_positions},
                    result);
-  ValueContext values(scene, primitives, choices, bits, policy.latitude, rendered.sample_positions);
-  if (rendered.samples > 1) values.follow(followed_rate(values, rendered));
-  compare_fragment_values(values, rendered, result);
-  compare_coordinates(values, rendered, result);
-  compare_derivatives(values, rendered, result);
-  compare_texture_lookups(values, exact, rendered, profile ? &profile->textures : nullptr, result);
-  compare_mip_chains(values, exact, rendered, result);
-  compare_planes(values, rendered, result);
+  if (compared == Compared::all) {
+    ValueContext values(scene, primitives, choices, bits, policy.latitude,
+                        rendered.sample_positions);
+    if (rendered.samples > 1) values.follow(followed_rate(values, rendered));
+    compare_values(values, exact, rendered, profile ? &*profile : nullptr, result);
+  }
   for (Disagreement& d : result.disagreements) {
     if (rendered.samples > 1)
       mark_sample(d, exact.sample_positions);

@@ -19,9 +19,14 @@ struct Drawing {
   const RendererFacts& facts;
 };
 
+// Coverage alone where it is known of all values that they are correct
+// (diff/values/equal_values.h).
+enum class Compared { all, coverage };
+
 // Disagreements are not sorted, and values tell of attributes, too, of which nothing differs.
 // `refuted`: which alternatives are refuted already, as Result::refuted. They stay so, and are not
 // tried again.
-Result compare_drawing(const Drawing& drawing, std::string refuted);
+Result compare_drawing(const Drawing& drawing, std::string refuted,
+                       Compared compared = Compared::all);
 
 }  // namespace edgecase

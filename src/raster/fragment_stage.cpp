@@ -32,6 +32,24 @@ void FragmentStage::draw(const SampleFragment& fragment, const FragmentOperation
   ++rendering_.hits[sample];
 }
 
+void FragmentStage::draw_at_all(const SampleFragment& fragment,
+                                const FragmentOperations& operations,
+                                std::span<const PixelPosition> pixels) const {
+  const bool is_tested =
+      target_.depth != DepthFormat::none || target_.stencil != StencilFormat::none;
+  if (is_tested || !replaces_color(operations, choice_.blend)) {
+    for (const PixelPosition p : pixels)
+      draw(fragment, operations, rendering_.pixel_index(p.x, p.y));
+    return;
+  }
+  const Rgba8 stored = written_color(operations, fragment.color, {}, choice_.blend);
+  for (const PixelPosition p : pixels) {
+    const std::size_t pixel = rendering_.pixel_index(p.x, p.y);
+    std::copy_n(stored.begin(), stored.size(), &rendering_.pixels[4 * pixel]);
+    ++rendering_.hits[pixel];
+  }
+}
+
 bool FragmentStage::passes_tests(const SampleFragment& fragment,
                                  const FragmentOperations& operations, std::size_t sample) const {
   if (target_.stencil == StencilFormat::none || !operations.stencil)

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "model/rendering.h"
 #include "model/scene.h"
@@ -34,6 +35,9 @@ class FragmentStage {
   // `sample`: as Rendering::sample_index has it. Counts a hit where all tests pass.
   void draw(const SampleFragment& fragment, const FragmentOperations& operations,
             std::size_t sample) const;
+  // The same fragment at each of these pixels of a target with one sample each.
+  void draw_at_all(const SampleFragment& fragment, const FragmentOperations& operations,
+                   std::span<const PixelPosition> pixels) const;
 
  private:
   bool passes_tests(const SampleFragment& fragment, const FragmentOperations& operations,

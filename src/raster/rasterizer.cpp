@@ -61,13 +61,13 @@ void draw_alike(Rendering& rendering, const FragmentStage& stage, const ScenePri
                 const Fragment& fragment, bool front_facing,
                 std::span<const PixelPosition> pixels) {
   auto at = rendering.fragments.insert(rendering.fragments.end(), pixels.size(), fragment);
-  const SampleFragment sample{fragment.color, fragment.depth, front_facing};
   for (const PixelPosition pixel : pixels) {
     at->x = pixel.x;
     at->y = pixel.y;
     ++at;
-    stage.draw(sample, primitive.state->operations, rendering.pixel_index(pixel.x, pixel.y));
   }
+  stage.draw_at_all({fragment.color, fragment.depth, front_facing}, primitive.state->operations,
+                    pixels);
 }
 
 void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleChoices& choices,

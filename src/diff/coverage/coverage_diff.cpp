@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "diff/coverage/coverage_diff.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -10,6 +11,10 @@ namespace {
 void add(const Fragment& fragment, SampleCoverage& coverage) {
   for (std::size_t s = 0; s < coverage.size(); ++s)
     if ((fragment.coverage >> s & 1) != 0) coverage[s].push_back({fragment.x, fragment.y});
+}
+
+bool cover_alike(const Fragment& a, const Fragment& b) {
+  return a.x == b.x && a.y == b.y && a.primitive == b.primitive && a.coverage == b.coverage;
 }
 
 // Adds one side of a rendering to the coverage of its primitives.
@@ -45,6 +50,11 @@ std::vector<PrimitiveCoverage> match_coverage(std::size_t primitives, const Rend
   const SampleCoverage none(static_cast<std::size_t>(exact.samples));
   std::vector<PrimitiveCoverage> result(primitives, {none, none});
   add_side(exact, &PrimitiveCoverage::exact, result);
+  // Most renderers cover what exact covers, and copying is cheaper than going through fragments.
+  if (std::ranges::equal(exact.fragments, drawn.fragments, cover_alike)) {
+    for (PrimitiveCoverage& coverage : result) coverage.drawn = coverage.exact;
+    return result;
+  }
   add_side(drawn, &PrimitiveCoverage::drawn, result);
   return result;
 }

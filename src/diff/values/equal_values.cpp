@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "diff/values/equal_values.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace edgecase {
+namespace {
+
+// 0 and -0 are told apart, and NaN is itself.
+std::uint64_t bits_of(double value) {
+  return std::bit_cast<std::uint64_t>(value);
+}
+
+bool are_equal(const Fragment& a, const Fragment& b) {
+  return a.x == b.x && a.y == b.y && a.primitive == b.primitive && a.coverage == b.coverage &&
+         a.has_depth == b.has_depth && a.has_color == b.has_color && a.detail < 0 && b.detail < 0 &&
+         bits_of(a.depth) == bits_of(b.depth) &&
+         std::ranges::equal(a.color, b.color, {}, bits_of, bits_of);
+}
+
+bool has_offset(const Draw& draw) {
+  return draw.polygon_offset.has_value();
+}
+
+}  // namespace
+
+bool has_exact_values(const Scene& scene, const Policy& policy, const Rendering& exact,
+                      const Rendering& rendered) {
+  const bool is_plain = scene.target.samples == 1 && scene.supersampling.empty() &&
+                        scene.textures.empty() && !has_fragment_operations(scene) &&
+                        std::ranges::none_of(scene.draws, &has_offset);
+  return is_plain && policy.rules.empty() && policy.surfaces.empty() &&
+         exact.pixels == rendered.pixels &&
+         std::ranges::equal(exact.depths, rendered.depths, {}, bits_of, bits_of) &&
+         std::ranges::equal(exact.fragments, rendered.fragments, are_equal);
+}
+
+}  // namespace edgecase
