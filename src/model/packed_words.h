@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// PackedWords: many words of 32 bits, such as the pixels of a picture. Where neighbours are mostly
-// equal, a run of them is kept as one word: of a scene of 64x64 pixels mostly a twentieth.
+// PackedWords: many words of 32 bits, such as the pixels of a picture. Runs of equal neighbours are
+// kept as their length and one word, where that is less than all words.
 #pragma once
 
 #include <cstddef>

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "model/equal_fragments.h"
 #include "wire/answer_checks.h"
 #include "wire/binary_values.h"
 #include "wire/coverage_runs.h"
@@ -55,12 +55,6 @@ std::uint32_t told_of(const Rendering& rendering, const Fragment& fragment) {
       tells_something(rendering.details[static_cast<std::size_t>(fragment.detail)]);
   return (fragment.has_depth ? kDepth : 0u) | (fragment.has_color ? kColor : 0u) |
          (has_detail ? kDetail : 0u);
-}
-
-// To the bit, so that NaN equals itself and 0 is not -0.
-bool have_equal_values(const Fragment& a, const Fragment& b) {
-  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-  return bits(a.depth) == bits(b.depth) && std::ranges::equal(a.color, b.color, {}, bits, bits);
 }
 
 bool is_next_of_run(const Fragment& before, const Fragment& fragment) {

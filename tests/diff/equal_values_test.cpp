@@ -6,9 +6,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
+#include "casefile/loader.h"
+#include "casefile/suite.h"
+#include "diff/coverage/alternatives.h"
 #include "diff/drawing_compare.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
@@ -22,7 +29,8 @@ void expect_correct_values(const Scene& scene, const Rendering& exact, int bits)
   const Policy policy;
   const RendererFacts facts{bits};
   const Drawing drawing{scene, policy, exact, exact, facts};
-  const Result whole = compare_drawing(drawing, std::string(1000, '1'), Compared::all);
+  const std::string all_refuted(alternative_names().size(), '1');
+  const Result whole = compare_drawing(drawing, all_refuted, Compared::all);
   EXPECT_TRUE(whole.disagreements.empty());
   for (const ValueAggregate& values : whole.values) EXPECT_TRUE(values.differing.empty());
 }
@@ -49,6 +57,29 @@ TEST(EqualValues, AreCorrectInEveryNamedScene) {
     if (HasFailure()) FAIL() << one.name;
   }
   EXPECT_GT(known, 5);
+}
+
+// Smooth colours, clipped primitives and depths among them.
+TEST(EqualValues, AreCorrectInEveryCaseOfTheSuite) {
+  const std::filesystem::path suite[] = {std::filesystem::path(EDGECASE_ROOT) / "cases"};
+  int known = 0, smooth = 0, clipped = 0;
+  for (const CaseFile& file : find_cases(suite).cases)
+    for (const Case& one : load_cases(file.file, file.id).cases) {
+      if (one.scene.target.samples > 1 || !one.scene.textures.empty()) continue;
+      const Rendering exact = rasterize_without_details(one.scene, {});
+      if (!has_exact_values(one.scene, {}, exact, exact)) continue;
+      ++known;
+      smooth += std::ranges::any_of(one.scene.draws, [](const Draw& draw) {
+        return draw.interpolation == Interpolation::smooth;
+      });
+      clipped += std::ranges::any_of(primitives_of(one.scene), &ScenePrimitive::is_clipped);
+      expect_correct_values(one.scene, exact, 8);
+      if (HasFailure()) FAIL() << one.id;
+    }
+  std::printf("%d cases, %d of them smooth, %d clipped\n", known, smooth, clipped);
+  EXPECT_GT(known, 1000);
+  EXPECT_GT(smooth, 50);
+  EXPECT_GT(clipped, 50);
 }
 
 // A target with a depth buffer, so that there is a value of each kind.

@@ -5,16 +5,14 @@
 #include <map>
 #include <utility>
 
+#include "model/equal_fragments.h"
+
 namespace edgecase {
 namespace {
 
 void add(const Fragment& fragment, SampleCoverage& coverage) {
   for (std::size_t s = 0; s < coverage.size(); ++s)
     if ((fragment.coverage >> s & 1) != 0) coverage[s].push_back({fragment.x, fragment.y});
-}
-
-bool cover_alike(const Fragment& a, const Fragment& b) {
-  return a.x == b.x && a.y == b.y && a.primitive == b.primitive && a.coverage == b.coverage;
 }
 
 // Adds one side of a rendering to the coverage of its primitives.

@@ -2,22 +2,15 @@
 #include "diff/values/equal_values.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
+
+#include "model/equal_fragments.h"
 
 namespace edgecase {
 namespace {
 
-// 0 and -0 are told apart, and NaN is itself.
-std::uint64_t bits_of(double value) {
-  return std::bit_cast<std::uint64_t>(value);
-}
-
 bool are_equal(const Fragment& a, const Fragment& b) {
-  return a.x == b.x && a.y == b.y && a.primitive == b.primitive && a.coverage == b.coverage &&
-         a.has_depth == b.has_depth && a.has_color == b.has_color && a.detail < 0 && b.detail < 0 &&
-         bits_of(a.depth) == bits_of(b.depth) &&
-         std::ranges::equal(a.color, b.color, {}, bits_of, bits_of);
+  return cover_alike(a, b) && have_equal_values(a, b) && a.has_depth == b.has_depth &&
+         a.has_color == b.has_color && a.detail < 0 && b.detail < 0;
 }
 
 bool has_offset(const Draw& draw) {
