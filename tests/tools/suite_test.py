@@ -12,11 +12,11 @@ import struct
 import unittest
 import xml.etree.ElementTree
 
-from support import (A_FIFTH, MESA, PROBES, REPORTS, ROOT, CommandTest, component_bits, contents,
-                     drawings, float32, known_not_run, only_result, places, rendered_suite,
-                     report_options, triangle_case, verdicts)
+from support import (A_FIFTH, MESA, PROBES, REPORTS, ROOT, UNHURRIED, CommandTest, component_bits,
+                     contents, drawings, float32, known_not_run, only_result, places,
+                     rendered_suite, report_options, triangle_case, verdicts)
 
-AGAINST_MESA = [word for renderer in MESA for word in ("--against", renderer)]
+AGAINST_MESA = [word for renderer in MESA for word in ("--against", renderer)] + UNHURRIED
 
 
 class WholeSuite(CommandTest):
@@ -47,7 +47,8 @@ class WholeSuite(CommandTest):
         self.check_that_each_is_judged_alone(results)
 
     def check_that_each_is_judged_alone(self, together):
-        alone = self.results(*PROBES, "--against", "osmesa:softpipe", expect=None)
+        alone = self.results(*PROBES, "--against", "osmesa:softpipe", *UNHURRIED,
+                             expect=None)
         for one, many in zip(alone["cases"], together["cases"], strict=True):
             self.assertEqual(one["results"]["osmesa:softpipe"], many["results"]["osmesa:softpipe"])
 
@@ -62,7 +63,7 @@ class WholeSuite(CommandTest):
     def check_the_python_example(self, refusal, *selection):
         """(cases that it draws, cases that it says it does not)"""
         program = f"exec:/usr/bin/env python3 {ROOT / 'reference/examples/rasterizer.py'}"
-        results = self.results(*selection, "--against", program, expect=None)
+        results = self.results(*selection, "--against", program, *UNHURRIED, expect=None)
         drawn = refused = 0
         for case in results["cases"]:
             result = only_result(case)

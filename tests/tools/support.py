@@ -33,6 +33,8 @@ SHARD_VARIABLES = ("TEST_TOTAL_SHARDS", "TEST_SHARD_INDEX", "TEST_SHARD_STATUS_F
                    "CI_NODE_TOTAL", "CI_NODE_INDEX")
 # Seconds, for a command over the whole suite on a busy machine; builds that are slow need more.
 PATIENCE = int(os.environ.get("EDGECASE_TEST_PATIENCE", "1200"))
+# For one answer of a renderer: the command's own ten seconds, and as many more as builds are slow.
+UNHURRIED = ["--timeout", str(PATIENCE // 120)]
 # A fifth of the suite, some of each folder: where a test says the same of every case, and parsing
 # the results of all of them would take minutes.
 A_FIFTH = ["--shard", "1/5"]
@@ -118,8 +120,9 @@ def truth_of_suite():
 @functools.lru_cache(maxsize=None)
 def rendered_suite(renderer="exact"):
     """What `edgecase render` makes of the suite's probes: id -> rendering."""
-    run = subprocess.run([EDGECASE, "render", *PROBES, "--with", renderer, "--json", "-"],
-                         env=environment(), capture_output=True, text=True, timeout=PATIENCE)
+    words = ["render", *PROBES, "--with", renderer, *UNHURRIED, "--json", "-"]
+    run = subprocess.run([EDGECASE, *words], env=environment(), capture_output=True, text=True,
+                         timeout=PATIENCE)
     renderings = {rendering["id"]: rendering
                   for rendering in map(json.loads, run.stdout.splitlines())}
     known = [] if renderer == "exact" else [
