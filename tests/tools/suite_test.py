@@ -47,8 +47,7 @@ class WholeSuite(CommandTest):
         self.check_that_each_is_judged_alone(results)
 
     def check_that_each_is_judged_alone(self, together):
-        alone = self.results(*PROBES, "--against", "osmesa:softpipe", *UNHURRIED,
-                             expect=None)
+        alone = self.results(*PROBES, "--against", "osmesa:softpipe", *UNHURRIED, expect=None)
         for one, many in zip(alone["cases"], together["cases"], strict=True):
             self.assertEqual(one["results"]["osmesa:softpipe"], many["results"]["osmesa:softpipe"])
 
