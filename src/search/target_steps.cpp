@@ -13,13 +13,13 @@ namespace edgecase {
 namespace {
 
 // Along one axis: which side of the target, and which part of a move and of a find's place.
-struct Axis {
+struct TargetAxis {
   int Target::*size;
   int Move::*move;
   int Disagreement::*place;
 };
-constexpr std::array kAxes{Axis{&Target::width, &Move::x, &Disagreement::x},
-                           Axis{&Target::height, &Move::y, &Disagreement::y}};
+constexpr std::array kAxes{TargetAxis{&Target::width, &Move::x, &Disagreement::x},
+                           TargetAxis{&Target::height, &Move::y, &Disagreement::y}};
 
 // Columns (rows) that finds lie in: [first, last]. Where none is told, any may be the one.
 struct Span {
@@ -27,7 +27,7 @@ struct Span {
   int last = 0;
 };
 
-Span span_of(const Shrinking& shrinking, const Axis& axis) {
+Span span_of(const Shrinking& shrinking, const TargetAxis& axis) {
   Span span;
   for (const Disagreement* find : shrinking.finds()) {
     span.first = std::min(span.first, find->*axis.place);
@@ -42,13 +42,13 @@ int power_below(int n) {
   return static_cast<int>(std::bit_floor(static_cast<unsigned>(n)));
 }
 
-bool offer_size(Shrinking& shrinking, const Axis& axis, int size) {
+bool offer_size(Shrinking& shrinking, const TargetAxis& axis, int size) {
   Scene candidate = shrinking.scene();
   candidate.target.*axis.size = size;
   return shrinking.offer(std::move(candidate));
 }
 
-bool cut_far_side(Shrinking& shrinking, const Axis& axis) {
+bool cut_far_side(Shrinking& shrinking, const TargetAxis& axis) {
   const auto size = [&] { return shrinking.scene().target.*axis.size; };
   const int least = span_of(shrinking, axis).last + 1;
   bool any = least < size() && offer_size(shrinking, axis, least);
@@ -57,7 +57,7 @@ bool cut_far_side(Shrinking& shrinking, const Axis& axis) {
   return any;
 }
 
-bool offer_cut(Shrinking& shrinking, const Axis& axis, int less) {
+bool offer_cut(Shrinking& shrinking, const TargetAxis& axis, int less) {
   Move move;
   move.*axis.move = -less;
   auto candidate = moved_scene(shrinking.scene(), move);
@@ -66,7 +66,7 @@ bool offer_cut(Shrinking& shrinking, const Axis& axis, int less) {
   return shrinking.offer(std::move(*candidate));
 }
 
-bool cut_near_side(Shrinking& shrinking, const Axis& axis) {
+bool cut_near_side(Shrinking& shrinking, const TargetAxis& axis) {
   const auto room = [&] {
     return std::min(span_of(shrinking, axis).first, shrinking.scene().target.*axis.size - 1);
   };
@@ -98,7 +98,7 @@ std::optional<Scene> moved_scene(const Scene& scene, Move move) {
 
 bool crop_target(Shrinking& shrinking) {
   bool any = false;
-  for (const Axis& axis : kAxes) {
+  for (const TargetAxis& axis : kAxes) {
     any = cut_far_side(shrinking, axis) || any;
     any = cut_near_side(shrinking, axis) || any;
   }
@@ -107,7 +107,7 @@ bool crop_target(Shrinking& shrinking) {
 
 bool move_to_origin(Shrinking& shrinking) {
   bool any = false;
-  for (const Axis& axis : kAxes)
+  for (const TargetAxis& axis : kAxes)
     for (int distance = 1 << 12; distance >= 1; distance /= 2)
       for (const int signed_distance : {-distance, distance}) {
         Move move;

@@ -36,9 +36,9 @@ constexpr int kMaxThickness = 64;
 // The value of "answer" in a request for coverage alone.
 constexpr std::string_view kCoverageAnswer = "coverage";
 // What "details" lists, in this order.
-constexpr std::string_view kCoordinates = "coordinates";
-constexpr std::string_view kDerivatives = "derivatives";
-constexpr std::string_view kTexture = "texture";
+constexpr std::string_view kCoordinatesWord = "coordinates";
+constexpr std::string_view kDerivativesWord = "derivatives";
+constexpr std::string_view kTextureWord = "texture";
 
 void write(Output out, const Viewport& box) {
   fmt::format_to(out, "[{},{},{},{}]", box.x, box.y, box.width, box.height);
@@ -86,9 +86,9 @@ void write(Output out, const Draw& draw, int samples) {
 void write_details(Output out, Details details) {
   if (!details.any()) return;
   std::vector<std::string> names;
-  if (details.coordinates) names.push_back(fmt::format("\"{}\"", kCoordinates));
-  if (details.derivatives) names.push_back(fmt::format("\"{}\"", kDerivatives));
-  if (details.texture) names.push_back(fmt::format("\"{}\"", kTexture));
+  if (details.coordinates) names.push_back(fmt::format("\"{}\"", kCoordinatesWord));
+  if (details.derivatives) names.push_back(fmt::format("\"{}\"", kDerivativesWord));
+  if (details.texture) names.push_back(fmt::format("\"{}\"", kTextureWord));
   fmt::format_to(out, R"(,"details":[{}])", fmt::join(names, ","));
 }
 
@@ -212,10 +212,10 @@ Details read_details(const json& value, const Path& path) {
   for (std::size_t i = 0; i < value.size(); ++i) {
     const Path at(path, i);
     const std::string& name = wire::read_string(value[i], at);
-    bool* const detail = name == kCoordinates   ? &details.coordinates
-                         : name == kDerivatives ? &details.derivatives
-                         : name == kTexture     ? &details.texture
-                                                : nullptr;
+    bool* const detail = name == kCoordinatesWord   ? &details.coordinates
+                         : name == kDerivativesWord ? &details.derivatives
+                         : name == kTextureWord     ? &details.texture
+                                                    : nullptr;
     if (detail == nullptr) wire::refuse_name(name, at);
     if (*detail) throw Refusal(fmt::format("{} names \"{}\" again", at.text(), name));
     *detail = true;

@@ -53,11 +53,15 @@ void expect_comes_back(const Scene& scene, const CaseWords& words) {
   EXPECT_EQ(case_text(one.scene, words).text, written.text);
 }
 
-TEST(CaseWriter, EveryCaseOfTheSuiteComesBack) {
+// Of a sweep, whose cases differ in numbers alone, every fifth and the first.
+TEST(CaseWriter, EveryFileOfTheSuiteComesBack) {
+  constexpr std::size_t kStep = 5;
   const fs::path suite[] = {fs::path(EDGECASE_ROOT) / "cases"};
   std::size_t count = 0;
   for (const CaseFile& file : find_cases(suite).cases) {
-    for (const Case& one : load_cases(file.file, file.id).cases) {
+    const LoadedCases loaded = load_cases(file.file, file.id);
+    for (std::size_t i = 0; i < loaded.cases.size(); i += kStep) {
+      const Case& one = loaded.cases[i];
       SCOPED_TRACE(one.id);
       expect_comes_back(one.scene, words_of(one));
       ++count;

@@ -137,17 +137,17 @@ TEST(Outcomes, PassingRunsTakeLittle) {
 
 TEST(Ctrf, CountsAreThoseOfTheTests) {
   const Results results = sample::results();
-  const auto json = nlohmann::json::parse(ctrf_of(results));
+  const auto ctrf = nlohmann::json::parse(ctrf_of(results));
   std::map<std::string, int> counts;
-  for (const auto& test : json["results"]["tests"]) ++counts[test["status"]];
-  const auto& summary = json["results"]["summary"];
-  EXPECT_EQ(summary["tests"], json["results"]["tests"].size());
+  for (const auto& test : ctrf["results"]["tests"]) ++counts[test["status"]];
+  const auto& summary = ctrf["results"]["summary"];
+  EXPECT_EQ(summary["tests"], ctrf["results"]["tests"].size());
   for (const char* status : {"passed", "failed", "pending", "skipped", "other"})
     EXPECT_EQ(summary[status], counts[status]) << status;
   EXPECT_GT(counts["passed"], 0);
   EXPECT_GT(counts["failed"], 0);
   EXPECT_GT(counts["skipped"], 0);
-  EXPECT_EQ(json["results"]["tool"]["name"].get<std::string>().empty(), false);
+  EXPECT_EQ(ctrf["results"]["tool"]["name"].get<std::string>().empty(), false);
   pugi::xml_document junit;
   junit.load_string(junit_of(results).c_str());
   EXPECT_EQ(summary["tests"], junit.child("testsuites").attribute("tests").as_int());

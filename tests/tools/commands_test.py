@@ -9,8 +9,7 @@ import unittest
 import zlib
 
 from support import (A_FIFTH, EDGECASE, MESA, PATIENCE, PROBES, ROOT, SUITE, UNEXPECTED, USAGE,
-                     CommandTest, contents, environment, only_result, rendered_suite,
-                     report_options, triangle_case)
+                     CommandTest, contents, environment, only_result, report_options, triangle_case)
 
 TIE = f"{SUITE}/triangles/ties/flat-bottom.json"
 
@@ -169,13 +168,13 @@ class Render(CommandTest):
         for renderer, scale in (("exact", 1), ("osmesa:llvmpipe", 3)):
             self.command("render", SUITE, "--filter", "colors/*", "--with", renderer, "--png",
                          "pictures", "--scale", scale)
-            names = [name for name in rendered_suite() if name.startswith("colors/")]
+            lines = self.command("render", SUITE, "--filter", "colors/*", "--with", renderer,
+                                 "--json", "-").stdout.splitlines()
             files = [path for path in (self.folder / "pictures").rglob("*") if path.is_file()]
-            self.assertEqual(len(files), len(names))
-            for name in names:
-                rendering = rendered_suite(renderer)[name]
+            self.assertEqual(len(files), len(lines))
+            for rendering in map(json.loads, lines):
                 width, height, rows = png_pixels(
-                    (self.folder / "pictures" / f"{name}.png").read_bytes())
+                    (self.folder / "pictures" / f"{rendering['id']}.png").read_bytes())
                 self.assertEqual((width, height),
                                  (scale * rendering["width"], scale * rendering["height"]))
                 for y in range(0, height):
@@ -185,14 +184,15 @@ class Render(CommandTest):
                         self.assertEqual(rows[y][x], rendering["pixels"][4 * index:4 * index + 4])
 
     def test_json_is_one_line_per_case_in_order(self):
-        out = self.command("render", *PROBES).stdout
+        folders = [f"{SUITE}/{name}" for name in ("lines", "points", "output")]
+        out = self.command("render", *folders).stdout
         lines = [json.loads(line) for line in out.splitlines()]
         self.assertEqual([line["id"] for line in lines], sorted(line["id"] for line in lines))
         for line in lines:
             self.assertEqual(len(line["pixels"]), 4 * line["width"] * line["height"])
             order = [(f["y"], f["x"], f["primitive"]) for f in line["fragments"]]
             self.assertEqual(order, sorted(order))
-        self.command("render", *PROBES, "--json", "all.jsonl")
+        self.command("render", *folders, "--json", "all.jsonl")
         self.assertEqual((self.folder / "all.jsonl").read_text(encoding="utf-8"), out)
 
 
@@ -208,7 +208,7 @@ class Report(CommandTest):
             self.assertTrue(first[name] == again[name], name)
 
     def test_json_on_standard_output_is_nothing_but_json(self):
-        run = self.command("run", *PROBES, "--against", "exact", "--json", "-")
+        run = self.command("run", f"{SUITE}/lines", "--against", "exact", "--json", "-")
         self.assertGreater(len(json.loads(run.stdout)["cases"]), 50)
         self.assertIn("agree", run.stderr)
 
@@ -241,8 +241,8 @@ class Selection(CommandTest):
     def test_a_shard_is_judged_as_the_whole_is(self):
         against = ["--against", "osmesa:softpipe"]
         whole = {c["id"]: c for c in softpipe_results()["cases"]}
-        for i in (1, 2):
-            part = self.results(*PROBES, *against, "--shard", f"{i}/2", expect=None)
+        for shard in ("1/6", "4/6"):
+            part = self.results(*PROBES, *against, "--shard", shard, expect=None)
             for case in part["cases"]:
                 self.assertEqual(only_result(case)["fingerprint"],
                                  only_result(whole[case["id"]])["fingerprint"])

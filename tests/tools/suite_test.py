@@ -4,31 +4,48 @@ else is judged; exact agrees with itself; the Python example agrees; a new case 
 disagreement is lost."""
 import collections
 import fractions
+import functools
 import json
 import math
 import operator
+import pathlib
 import re
 import struct
+import subprocess
+import tempfile
 import unittest
 import xml.etree.ElementTree
 
-from support import (A_FIFTH, MESA, PROBES, REPORTS, ROOT, UNHURRIED, CommandTest, component_bits,
-                     contents, drawings, float32, known_not_run, only_result, places,
-                     rendered_suite, report_options, triangle_case, verdicts)
+from support import (A_FIFTH, EDGECASE, MESA, PATIENCE, PROBES, REPORTS, ROOT, UNHURRIED,
+                     CommandTest, component_bits, contents, drawings, environment, float32,
+                     known_not_run, lines_of_suite, only_result, places, rendered_suite,
+                     report_options, triangle_case, verdicts)
 
 AGAINST_MESA = [word for renderer in MESA for word in ("--against", renderer)] + UNHURRIED
 
 
-class WholeSuite(CommandTest):
-    def reports(self, name, *arguments):
-        """Runs the suite against all Mesa renderers; what is in the files of its reports."""
-        (self.folder / name).mkdir()
-        self.command("run", *PROBES, *AGAINST_MESA, *report_options(name), *arguments)
-        return contents(self.folder / name)
+def reports(jobs):
+    """Runs the suite against all Mesa renderers; what is in the files of its reports."""
+    with tempfile.TemporaryDirectory(prefix="edgecase-") as folder:
+        words = ["run", *PROBES, *AGAINST_MESA, *report_options("."), "--jobs", jobs]
+        subprocess.run([EDGECASE, *words], cwd=folder, env=environment(),
+                       stdout=subprocess.DEVNULL, check=True, timeout=PATIENCE)
+        return contents(pathlib.Path(folder))
 
+
+@functools.lru_cache(maxsize=None)
+def reports_of_one_thread():
+    return reports("1")
+
+
+@functools.lru_cache(maxsize=None)
+def results_of_mesa():
+    return json.loads(reports_of_one_thread()["reports.json"])
+
+
+class WholeSuite(CommandTest):
     def test_mesa_is_as_expected_and_the_same_bytes_each_time(self):
-        first = self.reports("alone", "--jobs", 1)
-        results = json.loads(first["reports.json"])
+        results = results_of_mesa()
         self.assertGreaterEqual(len(results["cases"]), 50)
         self.assertEqual(results["diagnostics"], [])
         exact = rendered_suite()
@@ -40,7 +57,7 @@ class WholeSuite(CommandTest):
                 self.assertEqual(result["verdict"] == "not-run", known is not None, case["id"])
                 if known:
                     self.assertIn(known, result["failure"]["reason"])
-        again = self.reports("four", "--jobs", 4)
+        first, again = reports_of_one_thread(), reports("4")
         self.assertEqual(again.keys(), first.keys())
         for file in first:
             self.assertTrue(again[file] == first[file], f"{file} of four threads differs")
@@ -335,8 +352,7 @@ class NothingIsLost(CommandTest):
                                      largest * 2 ** -23)
 
     def test_of_all_renderers(self):
-        results = self.results(*PROBES, *AGAINST_MESA, expect=None)
-        exact = rendered_suite()
+        results, exact = results_of_mesa(), rendered_suite()
         self.assertEqual([case["id"] for case in results["cases"]], sorted(exact))
         coverage = values = 0
         for case in results["cases"]:
@@ -345,15 +361,15 @@ class NothingIsLost(CommandTest):
                 if known_not_run(renderer, exact[case["id"]]):
                     continue
                 # Two that answer the same and of which the same is told need one check.
-                pair = rendered_suite(renderer)[case["id"]], case["results"][renderer]
-                if pair in checked:
+                line, result = lines_of_suite(renderer)[case["id"]], case["results"][renderer]
+                if (line, result) in checked:
                     continue
-                checked.append(pair)
+                checked.append((line, result))
                 with self.subTest(case=case["id"], renderer=renderer):
-                    found = self.check_all(exact[case["id"]], *pair)
+                    found = self.check_all(exact[case["id"]], json.loads(line), result)
                     coverage += found[0]
                     values += found[1]
-                    if pair[1]["verdict"] == "agree":
+                    if result["verdict"] == "agree":
                         self.assertEqual(found[0], 0)
         # The comparison has found something to compare.
         self.assertGreater(coverage, 100)

@@ -213,8 +213,8 @@ class Search {
 
   // A search among all pairs is dear: after so many in one case they are no longer tried.
   bool may_try_pairs() {
-    constexpr int kMostPairSearches = 8;
-    return pair_searches_++ < kMostPairSearches;
+    constexpr int kMost = 8;
+    return pair_searches_++ < kMost;
   }
 
   const WaySearchLookups& lookups_;

@@ -19,7 +19,7 @@ struct Place {
   double y = 0;
 };
 
-Place place_of(Point point) {
+Place in_pixels(Point point) {
   return {point.x.to_double(), point.y.to_double()};
 }
 
@@ -47,11 +47,11 @@ const char* name_of_place(const Fragment& fragment, std::uint32_t mask,
                           const SamplePositions& positions) {
   const Place place = told_place(fragment);
   const auto sample = [&](std::uint32_t of) {
-    return place_of(positions[static_cast<std::size_t>(std::countr_zero(of))]);
+    return in_pixels(positions[static_cast<std::size_t>(std::countr_zero(of))]);
   };
   if (std::has_single_bit(fragment.coverage) && is_near(place, sample(fragment.coverage)))
     return kOwnSample;
-  if (is_near(place, place_of(centre_of_pixel()))) return "centre";
+  if (is_near(place, in_pixels(centre_of_pixel()))) return "centre";
   if (is_near(place, sample(mask))) return "first covered sample";
   if (is_near(place, mean_of(positions, mask))) return "mean of the covered samples";
   return "elsewhere";
