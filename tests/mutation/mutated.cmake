@@ -7,6 +7,9 @@ add_compile_options(-O1 -w -include ${CMAKE_CURRENT_LIST_DIR}/switches.h)
 # An index beyond the end ends the program, whatever lies in memory there.
 add_compile_definitions(_GLIBCXX_ASSERTIONS)
 
+# It is built once and as a whole.
+set(EDGECASE_UNITY ON)
+
 # What links the recorder is of no use elsewhere.
 set(EDGECASE_INSTALL OFF)
 
