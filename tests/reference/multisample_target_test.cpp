@@ -152,7 +152,7 @@ TEST_P(MultisampleTargetTest, ManySizesOneAfterTheOther) {
     scene.draws = {rectangle(0, 0, 50 * 256, 50 * 256)};
     const auto rendering = drawn(scene);
     if (!rendering) return;
-    EXPECT_EQ(masks_of(*rendering).size(), static_cast<std::size_t>(size * (41 - size)));
+    EXPECT_EQ(coverage_masks(*rendering).size(), static_cast<std::size_t>(size * (41 - size)));
     EXPECT_THAT(rendering->hits, testing::Each(1u));
   }
 }

@@ -67,7 +67,7 @@ TEST_P(SamplesTest, AreCoveredByTheTriangleThatContainsThem) {
       make_draw(Primitive::triangles, {{336, 272}, {1712, 560}, {752, 1744}}, {1, 0, 0, 1})};
   const auto rendering = drawn(scene);
   if (!rendering) return;
-  auto masks = masks_of(*rendering);
+  auto masks = coverage_masks(*rendering);
   std::set<std::uint32_t> found;
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 8; ++x) {
@@ -113,8 +113,8 @@ TEST_P(SamplesTest, OutsideTheMaskAreNotWritten) {
     scene.draws[0].multisampling.mask = mask;
     const auto rendering = drawn(scene);
     if (!rendering) return;
-    EXPECT_EQ(masks_of(*rendering).size(), mask == 0 ? 0u : 16u);
-    for (const auto& [place, covered] : masks_of(*rendering)) EXPECT_EQ(covered, mask);
+    EXPECT_EQ(coverage_masks(*rendering).size(), mask == 0 ? 0u : 16u);
+    for (const auto& [place, covered] : coverage_masks(*rendering)) EXPECT_EQ(covered, mask);
     EXPECT_EQ(hit_mask(*rendering, 1, 2), mask);
     for (int sample = 0; sample < 4; ++sample)
       EXPECT_EQ(sample_pixel(*rendering, 1, 2, sample)[0], (mask >> sample & 1) != 0 ? 255 : 0);
@@ -128,8 +128,8 @@ TEST_P(SamplesTest, AreWrittenInProportionToAlpha) {
     scene.draws[0].multisampling.alpha_to_coverage = true;
     const auto rendering = drawn(scene);
     if (!rendering) return;
-    for (const auto& [place, covered] : masks_of(*rendering)) EXPECT_EQ(covered, 15u);
-    EXPECT_EQ(masks_of(*rendering).size(), 4u);
+    for (const auto& [place, covered] : coverage_masks(*rendering)) EXPECT_EQ(covered, 15u);
+    EXPECT_EQ(coverage_masks(*rendering).size(), 4u);
     const std::uint32_t written = hit_mask(*rendering, 0, 1);
     EXPECT_EQ(__builtin_popcount(written), expected) << alpha;
     // The pass for pixels writes what the pass for hits counts.
@@ -179,14 +179,14 @@ TEST_P(SamplesTest, HaveInvocationsOfTheirOwnWhereAskedFor) {
   scene.details.coordinates = true;
   const auto once = drawn(scene);
   if (!once) return;
-  EXPECT_EQ(once->fragments.size(), masks_of(*once).size());
+  EXPECT_EQ(once->fragments.size(), coverage_masks(*once).size());
   Scene each = scene;
   each.draws[0].multisampling.min_sample_shading = 1.0f;
   Scene qualified = scene;
   qualified.draws[0].multisampling.location = AttributeLocation::sample;
   for (const Scene& shaded : {each, qualified}) {
     const auto rendering = drawn(shaded);
-    EXPECT_EQ(masks_of(*rendering), masks_of(*once));
+    EXPECT_EQ(coverage_masks(*rendering), coverage_masks(*once));
     EXPECT_EQ(rendering->hits, once->hits);
     for (const Fragment& fragment : rendering->fragments) {
       ASSERT_EQ(__builtin_popcount(fragment.coverage), 1);
@@ -208,7 +208,7 @@ TEST_P(SamplesTest, ShareAnInvocationWhereNoneIsAskedFor) {
     scene.draws[0].multisampling.min_sample_shading = 0.0f;
     const auto rendering = drawn(scene);
     if (!rendering) return;
-    ASSERT_EQ(rendering->fragments.size(), masks_of(*rendering).size());
+    ASSERT_EQ(rendering->fragments.size(), coverage_masks(*rendering).size());
     bool has_moved = false;
     for (const Fragment& fragment : rendering->fragments) {
       const double within = fragment.color[0] * 8 - fragment.x;

@@ -57,7 +57,7 @@ class MultisampleTest : public OpenGlTest {
   ::testing::Combine(::testing::ValuesIn(opengl_renderer_names()), ::testing::Values(Surface::fbo))
 
 // All samples that the fragments of a pixel cover; no entry where there are no fragments.
-inline std::map<std::pair<int, int>, std::uint32_t> masks_of(const Rendering& rendering) {
+inline std::map<std::pair<int, int>, std::uint32_t> coverage_masks(const Rendering& rendering) {
   std::map<std::pair<int, int>, std::uint32_t> masks;
   for (const Fragment& fragment : rendering.fragments)
     masks[{fragment.x, fragment.y}] |= fragment.coverage;
