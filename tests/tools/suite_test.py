@@ -96,13 +96,15 @@ class WholeSuite(CommandTest):
     def test_the_python_example_agrees(self):
         others = [word for folder in ("textures", "samples", "output", "clipping", "gallery")
                   for word in ("--exclude", f"{folder}/*")]
-        drawn, refused = self.check_the_python_example("draws lines of width 1", *PROBES, *others)
+        drawn, refused = self.check_the_python_example("draws lines of width 1", *PROBES, *others,
+                                                        *A_FIFTH)
+        self.assertGreater(drawn, 1000)
         self.assertLess(refused, drawn / 9)
 
-    def test_the_python_example_agrees_on_every_sample(self):
+    def test_the_python_example_agrees_on_samples(self):
         drawn, _ = self.check_the_python_example("draws lines of width 1|draws one pass",
-                                                 ROOT / "cases/samples")
-        self.assertGreater(drawn, 5000)
+                                                 ROOT / "cases/samples", *A_FIFTH)
+        self.assertGreater(drawn, 1000)
 
     def test_the_python_example_agrees_on_what_becomes_of_fragments(self):
         folders = [ROOT / "cases/output" / name
