@@ -21,7 +21,7 @@ MOST = 8
 # All sources are formatted: what a namespace holds begins in the first column.
 HIDDEN = re.compile(r"^namespace \{\n(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
 STATEMENT = re.compile(r"^(?!using ::|template|[A-Z_]+\()[\w:].*(?:\n .*)*", re.MULTILINE)
-# Before its value, size, parameters, body, or the next name that the statement declares.
+# A name stands before its value, size, parameters or body; a second one behind a comma.
 DECLARED = re.compile(r"\b(\w+)(?:\[[^\]]*\])*(?= = |\(|\{| \{|;| : | final )")
 FURTHER = re.compile(r", (k[A-Z]\w*) = ")
 ENUMERATOR = re.compile(r"\bk[A-Z]\w*")
