@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+"""How much of its scenes a test asks: share.h says what EDGECASE_SHARE is."""
+import os
+import re
+import sys
+
+
+def share_of_environment():
+    """(number, count): the share of this process, `number` from 1."""
+    text = os.environ.get("EDGECASE_SHARE") or "1/1"
+    found = re.fullmatch(r"(\d+)/(\d+)", text)
+    number, count = map(int, found.groups()) if found else (0, 0)
+    if not 1 <= number <= count:
+        sys.exit(f"EDGECASE_SHARE is '{text}'; it has to be I/N with 1 <= I <= N, as in 1/8")
+    if count > 1:
+        print(f"share {number} of {count}; to ask it again: EDGECASE_SHARE={number}/{count}")
+    return number, count
+
+
+NUMBER, COUNT = share_of_environment()
+
+
+def in_share(items):
+    """The items of this share: each item is in exactly one."""
+    return list(items)[NUMBER - 1::COUNT]

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+# Which tests run when, by labels of ctest:
+#
+#   quick   tools/test: every subject, and one share of each test that asks many scenes
+#   all     tools/test --all: everything, whole
+#   turn-N  tools/test --turn N/8: an eighth of what is in `all` and not in `quick`
+set(EDGECASE_QUICK_SHARE 1/16)
+set(EDGECASE_TURNS 8)
+
+# edgecase_add_test(NAME COMMAND word... [SECONDS n [PARTS n] [QUICK_SHARE i/n] [NOT_QUICK]]
+#                   [ENVIRONMENT name=value...] [TIMEOUT seconds] [PROCESSORS n])
+#
+# Registers the command with ctest. Without SECONDS the test is in both tiers. With SECONDS, which
+# is about how long all of it takes on one core, the quick tier has NAME, which asks one share of its
+# scenes (EDGECASE_SHARE: tests/support/share.h), unless NOT_QUICK; and the full tier has NAME.1 to
+# NAME.PARTS, which together ask all of them. Each of those is in the turn that is the shortest so far.
+function(edgecase_add_test name)
+  cmake_parse_arguments(arg "NOT_QUICK" "SECONDS;PARTS;QUICK_SHARE;TIMEOUT;PROCESSORS"
+                        "COMMAND;ENVIRONMENT" ${ARGN})
+  if(NOT arg_SECONDS)
+    edgecase_add_labelled(${name} "quick;all" "")
+    return()
+  endif()
+  if(NOT arg_QUICK_SHARE)
+    set(arg_QUICK_SHARE ${EDGECASE_QUICK_SHARE})
+  endif()
+  if(NOT arg_NOT_QUICK)
+    edgecase_add_labelled(${name} quick ${arg_QUICK_SHARE})
+  endif()
+  if(NOT arg_PARTS)
+    set(arg_PARTS 1)
+  endif()
+  math(EXPR seconds "${arg_SECONDS} / ${arg_PARTS}")
+  foreach(part RANGE 1 ${arg_PARTS})
+    edgecase_take_turn(turn ${seconds})
+    edgecase_add_labelled(${name}.${part} "all;turn-${turn}" ${part}/${arg_PARTS})
+    set_tests_properties(${name}.${part} PROPERTIES COST ${seconds})
+  endforeach()
+endfunction()
+
+# For edgecase_add_test alone, whose arguments it reads.
+function(edgecase_add_labelled name labels share)
+  add_test(NAME ${name} COMMAND ${arg_COMMAND})
+  if(share)
+    list(APPEND arg_ENVIRONMENT EDGECASE_SHARE=${share})
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS "${labels}" ENVIRONMENT "${arg_ENVIRONMENT}")
+  foreach(property TIMEOUT PROCESSORS)
+    if(arg_${property})
+      set_tests_properties(${name} PROPERTIES ${property} ${arg_${property}})
+    endif()
+  endforeach()
+endfunction()
+
+# Sets `result` to the turn with the fewest seconds so far, and adds `seconds` to it.
+function(edgecase_take_turn result seconds)
+  set(shortest 1)
+  foreach(turn RANGE 1 ${EDGECASE_TURNS})
+    get_property(load_${turn} GLOBAL PROPERTY edgecase_turn_${turn})
+    if(NOT load_${turn})
+      set(load_${turn} 0)
+    endif()
+    if(load_${turn} LESS load_${shortest})
+      set(shortest ${turn})
+    endif()
+  endforeach()
+  math(EXPR load "${load_${shortest}} + ${seconds}")
+  set_property(GLOBAL PROPERTY edgecase_turn_${shortest} ${load})
+  set(${result} ${shortest} PARENT_SCOPE)
+endfunction()
