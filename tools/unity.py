@@ -17,10 +17,10 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-MOST = 8
+MOST = 16
 # All sources are formatted: what a namespace holds begins in the first column.
 HIDDEN = re.compile(r"^namespace \{\n(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
-STATEMENT = re.compile(r"^(?!using ::|template|[A-Z_]+\()[\w:].*(?:\n .*)*", re.MULTILINE)
+STATEMENT = re.compile(r"^(?!using ::|template|static_assert|[A-Z_]+\()[\w:].*(?:\n .*)*", re.MULTILINE)
 # A name stands before its value, size, parameters or body; a second one behind a comma.
 DECLARED = re.compile(r"\b(\w+)(?:\[[^\]]*\])*(?= = |\(|\{| \{|;| : | final )")
 FURTHER = re.compile(r", (k[A-Z]\w*) = ")
@@ -75,42 +75,34 @@ class Source:
                 waiting += others
 
 
-class Batch:
-    """Sources that one file includes."""
-
-    def __init__(self):
-        self.sources = []
-        self.hidden = {}
-        self.known = set()
-
-    def has_room_for(self, source):
-        if not self.sources:
-            return True
-        if source.alone or self.sources[0].alone or len(self.sources) == MOST:
-            return False
-        if self.known & source.hidden.keys() or source.known & self.hidden.keys():
-            return False
-        # To say `using A = B;` twice is no clash.
-        return all(source.hidden[name] == self.hidden[name] and
-                   source.hidden[name].startswith("using ")
-                   for name in self.hidden.keys() & source.hidden.keys())
-
-    def add(self, source):
-        self.sources.append(source)
-        self.hidden.update(source.hidden)
-        self.known |= source.known
+def clash(one, other):
+    """Whether two sources must not share a file."""
+    if one.alone or other.alone:
+        return True
+    if one.known & other.hidden.keys() or other.known & one.hidden.keys():
+        return True
+    # To say `using A = B;` or `namespace a = b;` twice is no clash.
+    return any(one.hidden[name] != other.hidden[name] or
+               not one.hidden[name].startswith(("using ", "namespace "))
+               for name in one.hidden.keys() & other.hidden.keys())
 
 
 def batches(paths):
-    """[paths that one file includes], each path in the first that has room for it."""
+    """[paths that one file includes]. Those that clash with most others are placed first, each in
+    the first batch that has room for it, so that few batches do."""
+    sources = [Source(path) for path in paths]
+    clashes = {source.path: {other.path for other in sources
+                             if other is not source and clash(source, other)}
+               for source in sources}
     found = []
-    for source in map(Source, paths):
-        batch = next((batch for batch in found if batch.has_room_for(source)), None)
+    for path in sorted(paths, key=lambda path: -len(clashes[path])):
+        batch = next((batch for batch in found
+                      if len(batch) < MOST and clashes[path].isdisjoint(batch)), None)
         if batch is None:
-            batch = Batch()
+            batch = []
             found.append(batch)
-        batch.add(source)
-    return [[source.path for source in batch.sources] for batch in found]
+        batch.append(path)
+    return found
 
 
 def main(folder, *sources):

@@ -194,7 +194,7 @@ struct PlacedChange {
   Change change;
 };
 
-std::vector<PlacedChange> placed(const std::vector<RuleAlternatives>& rules) {
+std::vector<PlacedChange> placed_changes(const std::vector<RuleAlternatives>& rules) {
   static const auto places = [] {
     std::map<std::string, std::size_t> map;
     for (const std::string& name : alternative_names()) map.emplace(name, map.size());
@@ -222,7 +222,8 @@ const std::vector<PlacedChange>& placed_alternatives(const CauseQuestion& questi
   });
   if (found != lists.end()) return found->changes;
   if (lists.size() == kMostKnown) lists.pop_back();
-  lists.push_front({traits, question.chosen, placed(alternatives_beside(traits, question.chosen))});
+  lists.push_front(
+      {traits, question.chosen, placed_changes(alternatives_beside(traits, question.chosen))});
   return lists.front().changes;
 }
 

@@ -63,14 +63,14 @@ std::string direction_of(const Segment& s) {
   return fmt::format("{}-major {} and {}", s.x_major() ? "x" : "y", right, up);
 }
 
-bool holds(PixelPosition pixel, Point p) {
+bool pixel_has(PixelPosition pixel, Point p) {
   return p.x.floor() == pixel.x && p.y.floor() == pixel.y;
 }
 
 // A pixel whose closed diamond holds the point, or the pixel that holds it.
 bool is_at(PixelPosition pixel, Point p) {
   const Point centre = pixel_centre(pixel.x, pixel.y);
-  return holds(pixel, p) ||
+  return pixel_has(pixel, p) ||
          2 * (std::abs(p.x.raw() - centre.x.raw()) + std::abs(p.y.raw() - centre.y.raw())) <=
              Fixed::kOne;
 }

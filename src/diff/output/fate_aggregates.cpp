@@ -14,7 +14,7 @@ double step_at(double depth, DepthFormat format) {
   return bits == 0 ? float_ulp(depth) : 1 / (std::ldexp(1.0, bits) - 1);
 }
 
-ValueAggregate::Place place_of(const FateQuestion& question) {
+ValueAggregate::Place question_place(const FateQuestion& question) {
   return {question.pixel.x, question.pixel.y, -1};
 }
 
@@ -67,7 +67,7 @@ void FateAggregates::follow_roundings(const FateQuestion& question) {
 
 void FateAggregates::add_colors(const FateQuestion& question, const FateState& exact,
                                 Part& part) const {
-  Place place{place_of(question), {}};
+  Place place{question_place(question), {}};
   for (std::size_t c = 0; c < 4; ++c) {
     const double rendered = question.stored.color[c];
     if (rendered != exact.color[c])
@@ -81,7 +81,7 @@ void FateAggregates::add_depth(const FateQuestion& question, const FateState& ex
   if (!question.stored.depth || *question.stored.depth == exact.depth) return;
   const double rendered = *question.stored.depth;
   const double ulp = std::fabs(rendered - exact.depth) / step_at(rendered, question.target().depth);
-  stored_depths_.places.push_back({place_of(question), {{0, exact.depth, rendered, ulp, 1}}});
+  stored_depths_.places.push_back({question_place(question), {{0, exact.depth, rendered, ulp, 1}}});
 }
 
 // An outcome is off in what shows it: how many fragments passed, else colour, depth or stencil.
@@ -89,8 +89,8 @@ void FateAggregates::add_outcome(const FateQuestion& question, const FateState& 
                                  Part& part) const {
   const StoredSample& stored = question.stored;
   const auto add_one = [&](double one, double other) {
-    part.places.push_back(
-        {place_of(question), {{0, one, other, std::fabs(other - one), std::fabs(other - one)}}});
+    part.places.push_back({question_place(question),
+                           {{0, one, other, std::fabs(other - one), std::fabs(other - one)}}});
   };
   if (stored.hits && *stored.hits != exact.hits)
     add_one(exact.hits, *stored.hits);

@@ -43,7 +43,7 @@ bool is_same(double a, double b) {
 }
 
 // Where anything may be, so may what is no number.
-bool holds(Interval range, double number) {
+bool range_has(Interval range, double number) {
   if (std::isnan(range.low) || std::isnan(range.high)) return true;
   if (std::isnan(number)) return std::isinf(range.low) && std::isinf(range.high);
   return rounded_to_float(range).contains(to_float(number));
@@ -52,7 +52,7 @@ bool holds(Interval range, double number) {
 bool hold(const Boxes& boxes, const std::vector<double>& numbers) {
   return std::ranges::any_of(boxes, [&](const std::vector<Interval>& box) {
     for (std::size_t c = 0; c < box.size(); ++c)
-      if (!holds(box[c], numbers[c])) return false;
+      if (!range_has(box[c], numbers[c])) return false;
     return true;
   });
 }

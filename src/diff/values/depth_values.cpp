@@ -31,8 +31,8 @@ struct DepthTruth {
 };
 
 // The depth of a sample, or of a pixel that is not multisampled, where a choice evaluates it.
-Point place_of(const ValueContext& context, const Fragment& fragment, int sample,
-               const LocationChoice& choice) {
+Point depth_place_of(const ValueContext& context, const Fragment& fragment, int sample,
+                     const LocationChoice& choice) {
   const ScenePrimitive& primitive = context.primitive_of(fragment);
   const bool multisampled = is_multisampled(*primitive.state, context.scene.target);
   return place_in(
@@ -54,7 +54,7 @@ bool tells_depth(const ValueContext& context, const Fragment& fragment) {
 DepthTruth truth_of(const ValueContext& context, const Fragment* last, int sample) {
   if (last == nullptr) return {};
   if (tells_depth(context, *last)) return {last->depth, last->primitive};
-  const Point chosen = place_of(context, *last, sample, context.choices.values.locations);
+  const Point chosen = depth_place_of(context, *last, sample, context.choices.values.locations);
   return {middle(depth_exact(context.values_of(*last).chosen, chosen)), last->primitive};
 }
 
@@ -62,7 +62,7 @@ DepthTruth truth_of(const ValueContext& context, const Fragment* last, int sampl
 Interval permitted_truth(const ValueContext& context, const Fragment* last, int sample) {
   if (last == nullptr) return kClearDepth;
   if (tells_depth(context, *last)) return last->depth;
-  return permitted_at(context, *last, place_of(context, *last, sample, {}));
+  return permitted_at(context, *last, depth_place_of(context, *last, sample, {}));
 }
 
 // Does the format have this value?
@@ -165,7 +165,7 @@ class DepthComparison {
     if (miss.writer != nullptr &&
         is_multisampled(*context_.primitive_of(*miss.writer).state, context_.scene.target))
       for (const LocationChange& change : depth_locations_beside(chosen))
-        if (stores(*miss.writer, place_of(context_, *miss.writer, miss.sample, change.choice),
+        if (stores(*miss.writer, depth_place_of(context_, *miss.writer, miss.sample, change.choice),
                    miss.stored))
           causes.push_back(change.cause);
     for (const MultisampleSwitch choice : switches_beside(context_, miss.fragments))
@@ -198,7 +198,7 @@ class DepthComparison {
   bool stores_under(const Fragment& writer, const Miss& miss, MultisampleSwitch choice,
                     const LocationChoice& locations) const {
     const ScenePrimitive& primitive = context_.primitive_of(writer);
-    Point place = place_of(context_, writer, miss.sample, locations);
+    Point place = depth_place_of(context_, writer, miss.sample, locations);
     if (!primitive.state->multisampling.enabled &&
         unsampled(primitive.kind, choice) == Unsampled::by_each_sample)
       place = place_in(

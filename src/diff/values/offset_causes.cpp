@@ -53,19 +53,19 @@ PrimitiveAttributes attributes_under(const ValueContext& context, const Fragment
   return attributes_of(context.primitive_of(fragment), choices, context.scene.target);
 }
 
-Point place_of(const ValueContext& context, const Fragment& fragment) {
+Point plain_place_of(const ValueContext& context, const Fragment& fragment) {
   return context.depth_place_of(fragment, context.choices.values.locations);
 }
 
 bool is_exact(const ValueContext& context, const Fragment& fragment,
               const PrimitiveAttributes& attributes) {
-  return to_float(middle(depth_exact(attributes, place_of(context, fragment)))) ==
+  return to_float(middle(depth_exact(attributes, plain_place_of(context, fragment)))) ==
          to_float(fragment.depth);
 }
 
 bool is_inexact(const ValueContext& context, const Fragment& fragment,
                 const PrimitiveAttributes& attributes) {
-  const Interval depth = interpolate_inexact(attributes.depth, place_of(context, fragment));
+  const Interval depth = interpolate_inexact(attributes.depth, plain_place_of(context, fragment));
   return rounded_to_float(clamped_depth(attributes, depth)).contains(to_float(fragment.depth));
 }
 

@@ -21,7 +21,7 @@
 namespace edgecase {
 namespace {
 
-bool holds(const std::uint8_t* pixel, const PixelTruth& truth) {
+bool is_stored(const std::uint8_t* pixel, const PixelTruth& truth) {
   for (std::size_t c = 0; c < 4; ++c) {
     const Unorm8Range range = unorm8_permitted(truth.permitted[c]);
     if (pixel[c] < range.low || pixel[c] > range.high) return false;
@@ -34,7 +34,7 @@ class PixelComparison {
   PixelComparison(const ValueContext& context, const Rendering& rendered)
       : context_(context), rendered_(rendered), clear_(truth_of_clear(context.scene)) {
     for (std::size_t c = 0; c < 4; ++c) clear_code_[c] = to_unorm8(clear_.exact[c]);
-    if (!holds(clear_code_.data(), clear_)) return;
+    if (!is_stored(clear_code_.data(), clear_)) return;
     clear_row_.resize(4 * static_cast<std::size_t>(rendered_.width));
     for (auto at = clear_row_.begin(); at != clear_row_.end(); at += 4)
       std::ranges::copy(clear_code_, at);
@@ -97,7 +97,7 @@ class PixelComparison {
     // Which of them alpha to coverage kept from writing is held against hits where they are told.
     const auto writers = rendered_.hits.empty() ? left_by_alpha(context_, all) : all;
     const auto holds_color_of = [&](const Fragment* writer) {
-      return holds(stored, truth_of(writer));
+      return is_stored(stored, truth_of(writer));
     };
     const auto found = std::ranges::find_if(writers, holds_color_of);
     if (found != writers.end()) {
@@ -138,7 +138,7 @@ class PixelComparison {
                               const std::uint8_t* stored) const {
     for (const MultisampleSwitch choice : switches_beside(context_, fragments))
       for (const Fragment* writer : last_writers(context_, fragments, sample, choice))
-        if (holds(stored, truth_of(writer))) return cause_of(choice);
+        if (is_stored(stored, truth_of(writer))) return cause_of(choice);
     return "";
   }
 
@@ -163,7 +163,7 @@ class PixelComparison {
     for (const Fragment& fragment : fragments) {
       if (&fragment == last) break;
       if (covers_sample(context_, fragment, sample) &&
-          holds(stored, truth_of_fragment(context_, fragment)))
+          is_stored(stored, truth_of_fragment(context_, fragment)))
         earlier = &fragment;
     }
     return earlier;
@@ -187,7 +187,7 @@ class PixelComparison {
     std::string note;
     if (earlier != nullptr)
       note = fmt::format("; that is the colour of primitive {}, drawn earlier", earlier->primitive);
-    else if (last != nullptr && holds(stored, clear_))
+    else if (last != nullptr && is_stored(stored, clear_))
       note = "; that is the clear colour";
     d.explanation = fmt::format("the {} should hold {}, ({}); it holds ({}){}",
                                 is_multisampled() ? fmt::format("sample {}", sample) : "pixel",

@@ -17,7 +17,7 @@
 namespace edgecase {
 namespace {
 
-bool is_front_facing(const ScenePrimitive& primitive) {
+bool faces_front(const ScenePrimitive& primitive) {
   const auto at = [&](std::size_t i) { return primitive.vertices[i]->position; };
   return turn(at(1) - at(0), at(2) - at(0)) > 0;
 }
@@ -27,7 +27,7 @@ SampleFragment fragment_of(const ScenePrimitive& primitive) {
   SampleFragment fragment;
   std::copy_n(vertex.color.begin(), fragment.color.size(), fragment.color.begin());
   fragment.depth = (vertex.z.to_double() + 1) / 2;
-  fragment.front_facing = is_front_facing(primitive);
+  fragment.front_facing = faces_front(primitive);
   return fragment;
 }
 

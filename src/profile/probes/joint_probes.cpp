@@ -50,7 +50,7 @@ bool centre_chain(Chain& chain) {
 }
 
 // A strip has each joint once, separate lines have it twice.
-Scene chain_scene(Surface surface, const Chain& chain, bool as_strip) {
+Scene joint_scene(Surface surface, const Chain& chain, bool as_strip) {
   if (as_strip) return scene_of(surface, kTarget, Primitive::line_strip, chain);
   Chain pairs;
   for (std::size_t i = 1; i < chain.size(); ++i) {
@@ -128,7 +128,7 @@ void add_placed(std::vector<JointProbe>& probes, Surface surface) {
         probe.place = static_cast<DiamondPlace>(place);
         const int segments = variant < 2 ? 2 : static_cast<int>(random.between(3, 6));
         const Chain chain = placed_chain(random, *probe.direction, *probe.place, segments);
-        probe.scene = chain_scene(surface, chain, variant % 2 == 0);
+        probe.scene = joint_scene(surface, chain, variant % 2 == 0);
         probes.push_back(std::move(probe));
       }
 }
@@ -138,7 +138,7 @@ void add_wandering(std::vector<JointProbe>& probes, Surface surface) {
     RandomSource random(kSeed, kWandering, static_cast<std::uint64_t>(i));
     JointProbe probe;
     const Chain chain = wandering_chain(random, static_cast<int>(random.between(2, 6)));
-    probe.scene = chain_scene(surface, chain, i % 2 == 0);
+    probe.scene = joint_scene(surface, chain, i % 2 == 0);
     probes.push_back(std::move(probe));
   }
 }
@@ -155,7 +155,7 @@ void add_turning(std::vector<JointProbe>& probes, Surface surface) {
                                         static_cast<LineDirection>(to), *probe.place);
       if (!turns(chain)) continue;
       probe.goes_on = false;
-      probe.scene = chain_scene(surface, chain, number % 2 == 0);
+      probe.scene = joint_scene(surface, chain, number % 2 == 0);
       probes.push_back(std::move(probe));
     }
 }

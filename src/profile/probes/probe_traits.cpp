@@ -18,7 +18,7 @@
 namespace edgecase {
 namespace {
 
-bool holds(const std::vector<PixelPosition>& pixels, PixelPosition p) {
+bool has_pixel(const std::vector<PixelPosition>& pixels, PixelPosition p) {
   return std::find(pixels.begin(), pixels.end(), p) != pixels.end();
 }
 
@@ -52,7 +52,7 @@ Rate foretold(const Seen<Probe>& seen, const CoverageChoice& choice) {
     const auto own = covered_pixels(primitives[0], observation.scene.target, choice);
     const PixelPosition pixel = seen.probes[i].pixel;
     ++rate.of;
-    if (holds(own, pixel) == holds(observation.drawn[0], pixel)) ++rate.agreeing;
+    if (has_pixel(own, pixel) == has_pixel(observation.drawn[0], pixel)) ++rate.agreeing;
   }
   return rate;
 }
@@ -95,8 +95,8 @@ bool count_joint_faults(const Observation& observation, JointFaultCounts& counts
     any = true;
     const auto& first = observation.drawn[static_cast<std::size_t>(fault.first)];
     const auto& second = observation.drawn[static_cast<std::size_t>(fault.second)];
-    const bool twice =
-        std::any_of(first.begin(), first.end(), [&](PixelPosition p) { return holds(second, p); });
+    const bool twice = std::any_of(first.begin(), first.end(),
+                                   [&](PixelPosition p) { return has_pixel(second, p); });
     ++(twice ? counts.twice : counts.gaps);
   }
   return any;
@@ -116,7 +116,7 @@ std::vector<OwnershipTable> diamond_tables(const Seen<DiamondProbe>& seen) {
     OwnershipTable& table = tables[probe.at_start ? 0 : 1];
     count(table.cells[static_cast<std::size_t>(probe.place)]
                      [static_cast<std::size_t>(probe.direction)],
-          holds(seen.observations[i].drawn[0], probe.pixel));
+          has_pixel(seen.observations[i].drawn[0], probe.pixel));
   }
   return tables;
 }
@@ -136,7 +136,7 @@ std::vector<OwnershipTable> edge_tables(const Seen<EdgeProbe>& seen) {
     const auto side = static_cast<std::size_t>(probe.side);
     count(probe.corner_with ? corners.cells[side][static_cast<std::size_t>(*probe.corner_with)]
                             : edges.cells[0][side],
-          holds(seen.observations[i].drawn[0], probe.pixel));
+          has_pixel(seen.observations[i].drawn[0], probe.pixel));
   }
   return {edges, corners};
 }

@@ -22,12 +22,12 @@ bool is_upright(Side side) {
   return side == Side::left || side == Side::right;
 }
 
-Fixed place_of(std::size_t step) {
+Fixed place_of_step(std::size_t step) {
   return Fixed::from_raw(static_cast<std::int64_t>(step) * Fixed::kOne / kSweepSteps);
 }
 
 Scene sweep_scene(Side side, std::size_t step, int samples) {
-  const Fixed at = Fixed::from_integer(kPixel.x) + place_of(step);
+  const Fixed at = Fixed::from_integer(kPixel.x) + place_of_step(step);
   const Fixed near = Fixed::from_raw(Fixed::kOne / 16);
   const Fixed far = Fixed::from_integer(kSize) - near;
   const bool is_before = side == Side::left || side == Side::bottom;
@@ -41,7 +41,7 @@ Scene sweep_scene(Side side, std::size_t step, int samples) {
 }
 
 // Narrows intervals as edges are seen.
-class Interval {
+class StepRange {
  public:
   // An edge of a left or lower side, that leaves out what lies before it; or of the other sides.
   void add(bool is_before, Fixed edge, bool is_covered) {
@@ -63,15 +63,15 @@ bool covers(const Observation& observation, std::size_t sample) {
 }
 
 MeasuredPosition measured(std::span<const Observation> sweeps, std::size_t sample, Snap snap) {
-  Interval x;
-  Interval y;
+  StepRange x;
+  StepRange y;
   for (std::size_t i = 0; i < kSides.size(); ++i) {
     const Side side = kSides[i];
-    Interval& interval = is_upright(side) ? x : y;
+    StepRange& interval = is_upright(side) ? x : y;
     const auto edges = sweeps.subspan(i * (kSweepSteps + 1), kSweepSteps + 1);
     for (std::size_t step = 0; step < edges.size(); ++step) {
       if (!edges[step].failure.empty()) continue;
-      interval.add(side == Side::left || side == Side::bottom, snap(place_of(step)),
+      interval.add(side == Side::left || side == Side::bottom, snap(place_of_step(step)),
                    covers(edges[step], sample));
     }
   }
@@ -79,7 +79,7 @@ MeasuredPosition measured(std::span<const Observation> sweeps, std::size_t sampl
   return {{}, x.found(), y.found(), x.is_whole() && y.is_whole()};
 }
 
-bool holds(const MeasuredPosition& position, Point place) {
+bool has_place(const MeasuredPosition& position, Point place) {
   MeasuredPosition other = position;
   other.reported = place;
   return other.is_as_reported();
@@ -90,7 +90,7 @@ std::string placement_of(const std::vector<MeasuredPosition>& positions,
                          const SamplePositions& reported) {
   for (const SamplePlacement& placement : placements_of(static_cast<int>(reported.size()))) {
     const SamplePositions at = placed(placement, reported);
-    if (std::equal(positions.begin(), positions.end(), at.begin(), at.end(), holds))
+    if (std::equal(positions.begin(), positions.end(), at.begin(), at.end(), has_place))
       return name_of(placement);
   }
   return "";

@@ -35,8 +35,8 @@ constexpr double kLevelError = 0x1p-17;
 // Of one lookup, which combinations yield it.
 using Yields = std::vector<bool>;
 
-bool holds(const RampLevels& ramp, Interval scale, Log2Method log2, double told,
-           LevelSource source) {
+bool yields_level(const RampLevels& ramp, Interval scale, Log2Method log2, double told,
+                  LevelSource source) {
   const Interval lambda = log2_of(widened(scale, kScaleError), log2);
   const Interval level =
       ramp.tellable({lambda.low - kLevelError, lambda.high + kLevelError}, source);
@@ -53,7 +53,7 @@ Yields yields_of(const RampLevels& ramp, const ToldLookup& lookup, LevelSource s
       const Interval scale = scale_factor(footprint, all_scale_factors()[s]);
       for (std::size_t l = 0; l < all_log2_methods().size(); ++l)
         yields[Combination{s, l, d}.index()] =
-            holds(ramp, scale, all_log2_methods()[l], told, source);
+            yields_level(ramp, scale, all_log2_methods()[l], told, source);
     }
   }
   return yields;

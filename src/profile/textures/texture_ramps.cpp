@@ -29,7 +29,7 @@ std::uint64_t stream_of(const Ramps& of) {
 // Powers of two, unlike sides, sizes that halve unevenly, one dimension.
 constexpr std::array<ImageSize, 5> kSizes{{{64, 64}, {64, 64}, {64, 16}, {48, 20}, {64, 1}}};
 
-double sign(RandomSource& random) {
+double random_sign(RandomSource& random) {
   return static_cast<double>(random.sign());
 }
 
@@ -65,7 +65,7 @@ TexelSteps steps_of(RandomSource& random, RampKind kind, double length) {
     case RampKind::magnification:
     case RampKind::perspective: {
       const double shorter = random.one_in(2) ? length : length * (0.5 + unit(random) / 2);
-      steps = {{sign(random) * length, 0}, {0, sign(random) * shorter}};
+      steps = {{random_sign(random) * length, 0}, {0, random_sign(random) * shorter}};
       if (random.one_in(2)) steps = swapped(steps);
       break;
     }

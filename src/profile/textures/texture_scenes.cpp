@@ -51,7 +51,7 @@ void add_numbered_cell(Draw& draw, int n, const TexelSteps& steps) {
   add_cell(draw, {n % kAcross * kCell, n / kAcross * kCell, kCell}, {0, 0}, steps, kLarge);
 }
 
-double sign(RandomSource& random) {
+double random_sign(RandomSource& random) {
   return static_cast<double>(random.sign());
 }
 
@@ -95,9 +95,9 @@ Scene implicit_tie_scene(RandomSource& random, const TextureProbes& of) {
   for (int n = 0; n < kAcross * kAcross; ++n) {
     const double size = power_of_2(static_cast<double>(random.below(6)));
     const double shorter = size / 4;
-    TexelSteps steps{{sign(random) * size, sign(random) * size}, {-shorter, shorter}};
-    if (n % 4 == 3) steps = {{sign(random) * 1.5 * size, 0}, {0, shorter}};
-    if (n % 4 == 2) steps = {{sign(random) * size, 0}, {0, shorter}};
+    TexelSteps steps{{random_sign(random) * size, random_sign(random) * size}, {-shorter, shorter}};
+    if (n % 4 == 3) steps = {{random_sign(random) * 1.5 * size, 0}, {0, shorter}};
+    if (n % 4 == 2) steps = {{random_sign(random) * size, 0}, {0, shorter}};
     if (random.one_in(2)) std::swap(steps.dx, steps.dy);
     add_numbered_cell(draw, n, steps);
   }

@@ -14,7 +14,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kLine = "  {:<32} {:>12} {:>12}  {}\n";
 
-std::string words_of(const Spread& spread, const char* unit) {
+std::string spread_words(const Spread& spread, const char* unit) {
   return fmt::format("{:.2f}{} ({:.2f} to {:.2f})", spread.median, unit, spread.low, spread.high);
 }
 
@@ -38,7 +38,7 @@ void print_scene(const SceneTimes& scene) {
     const auto pixels = static_cast<std::size_t>(scene.side) * static_cast<std::size_t>(scene.side);
     fmt::print(
         kLine, one.renderer, rate_of(scene.items / spread_of(one.seconds).median), rate_of(exact),
-        fmt::format("{}, {} pixels differ", words_of(ratio_of(one.seconds, scene.exact), "x"),
+        fmt::format("{}, {} pixels differ", spread_words(ratio_of(one.seconds, scene.exact), "x"),
                     pixels - one.same_pixels));
   }
 }
@@ -55,13 +55,13 @@ void print_pipeline(const PipelineRates& rates) {
   fmt::print("  {}, {} cases\n", rates.renderer, rates.cases);
   print("  the worker alone", rates.worker, "");
   const auto to_worker = [&](const std::vector<double>& values) {
-    return words_of(ratio_of(values, rates.worker), "x") + " of the worker alone";
+    return spread_words(ratio_of(values, rates.worker), "x") + " of the worker alone";
   };
   print("  run, one core", rates.one_core, to_worker(rates.one_core));
   print("  run, one job", rates.one_job, to_worker(rates.one_job));
   print("  run, two jobs", rates.two_jobs,
         fmt::format("{}, {} of one core", to_worker(rates.two_jobs),
-                    words_of(ratio_of(rates.two_jobs, rates.one_core), "x")));
+                    spread_words(ratio_of(rates.two_jobs, rates.one_core), "x")));
   print("  fuzz, one job", rates.fuzzed, "");
 }
 
@@ -69,9 +69,9 @@ void print_diff(const DiffRates& diff) {
   fmt::print("pictures of 4096x4096 RGBA8\n");
   fmt::print(kLine, "memcmp", rate_of(spread_of(diff.memcmp).median), "", "");
   fmt::print(kLine, "identical", rate_of(spread_of(diff.identical).median), "",
-             words_of(ratio_of(diff.identical, diff.memcmp), "x") + " of memcmp");
+             spread_words(ratio_of(diff.identical, diff.memcmp), "x") + " of memcmp");
   fmt::print(kLine, "different everywhere", rate_of(spread_of(diff.different).median), "",
-             words_of(ratio_of(diff.different, diff.memcmp), "x") + " of memcmp");
+             spread_words(ratio_of(diff.different, diff.memcmp), "x") + " of memcmp");
 }
 
 void print_stages(const StageTimes& times) {

@@ -44,7 +44,7 @@ std::string thickness(const RendererInfo& info, const char* trait, int drawn) {
   return fmt::format("{} / {}", claim == info.traits.end() ? "?" : one_line(claim->second), drawn);
 }
 
-Row describe(const RendererInfo& info, const ProbeResult& result) {
+Row row_of(const RendererInfo& info, const ProbeResult& result) {
   const std::string bits = result.subpixel_bits == 0 ? "?"
                                                      : fmt::format("{}{}", result.subpixel_bits,
                                                                    result.more_bits ? "+" : "");
@@ -116,7 +116,7 @@ Examinations examine(const std::vector<ProcessSpec>& specs, const BackendsComman
 
 // Of programs: 4 where one does not start, 1 where a check fails. One that was asked nothing before
 // the command was interrupted has done neither.
-ExitCode exit_code_of(const Examinations& examinations) {
+ExitCode examined_exit_code(const Examinations& examinations) {
   ExitCode code = ExitCode::as_expected;
   for (const auto& [name, examination] : examinations) {
     if (!examination.started && !examination.checks.empty()) code = worse(code, ExitCode::renderer);
@@ -146,7 +146,7 @@ ExitCode print_probes(std::vector<ProcessSpec>& specs, const Examinations& exami
     ProcessRenderer renderer(spec);
     const ProbeResult result = probe(renderer);
     if (result.problem.empty() || is_program(spec)) ++working;
-    rows.push_back(describe(renderer.info(), result));
+    rows.push_back(row_of(renderer.info(), result));
     if (!result.problem.empty()) rows.back().back() = one_line(result.problem);
   }
   if (rows.size() > 1) {
@@ -182,7 +182,7 @@ ExitCode run_backends(const BackendsCommand& command) {
   }
   const InterruptGuard guard;
   const Examinations examinations = examine(specs, command);
-  ExitCode code = exit_code_of(examinations);
+  ExitCode code = examined_exit_code(examinations);
   if (!command.json.empty()) {
     const std::string text = examinations_json(examinations);
     if (command.json == "-")

@@ -32,19 +32,20 @@ struct BlessCommand {
   bool apply = false;
 };
 
-std::string describe(const Expectation& entry) {
+std::string expectation_words(const Expectation& entry) {
   return fmt::format("{} {}: {}", name_of(entry.verdict), entry.fingerprint, entry.reason);
 }
 
 // Results and decisions are files that others may have written: what they hold is printed as
 // one_line() shows it.
-std::string words_of(const Decision& decision) {
+std::string decision_words(const Decision& decision) {
   return one_line(fmt::format("{} {}", decision.id, decision.renderer));
 }
 
 void print_change(const ExpectationChange& change) {
   const auto print = [&](char sign, const Expectation& entry) {
-    fmt::print("{} {}\n", sign, one_line(fmt::format("{}: {}", change.id, describe(entry))));
+    fmt::print("{} {}\n", sign,
+               one_line(fmt::format("{}: {}", change.id, expectation_words(entry))));
   };
   if (change.before != nullptr) print('-', *change.before);
   if (change.after) print('+', *change.after);
@@ -128,9 +129,9 @@ ExitCode decide_renderer(const BlessCommand& command, const Results& results, st
     if (outcome.change) changes.push_back(*outcome.change);
     if (!outcome.refusal.empty()) {
       exit = ExitCode::unexpected;
-      fmt::print("! {}: refused: {}\n", words_of(decision), one_line(outcome.refusal));
+      fmt::print("! {}: refused: {}\n", decision_words(decision), one_line(outcome.refusal));
     } else if (!decision.accepts) {
-      fmt::print("  {}: rejected, and stays unexpected: {}\n", words_of(decision),
+      fmt::print("  {}: rejected, and stays unexpected: {}\n", decision_words(decision),
                  one_line(decision.reason));
     }
   }
@@ -151,7 +152,7 @@ ExitCode decide(const BlessCommand& command, const Results& results) {
     if (std::ranges::find(results.renderers, decision.renderer, &RendererInfo::name) !=
         results.renderers.end())
       continue;
-    fmt::print("! {}: refused: the results have no such renderer\n", words_of(decision));
+    fmt::print("! {}: refused: the results have no such renderer\n", decision_words(decision));
     exit = ExitCode::unexpected;
   }
   for (std::size_t r = 0; r < results.renderers.size(); ++r)

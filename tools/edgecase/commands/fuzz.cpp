@@ -247,7 +247,7 @@ void print_summary(const FuzzReport& report, const FuzzWords& words, double seco
              static_cast<double>(report.scenes) / std::max(seconds, 1e-3), counts_of(verdicts));
 }
 
-ExitCode exit_code_of(const FuzzReport& report) {
+ExitCode fuzz_exit_code(const FuzzReport& report) {
   ExitCode exit = report.finds.empty() ? ExitCode::as_expected : ExitCode::unexpected;
   for (const FuzzedRenderer& renderer : report.renderers)
     if (renderer.drawn == 0 && renderer.failure) exit = worse(exit, ExitCode::renderer);
@@ -270,7 +270,7 @@ ExitCode run_fuzz(FuzzCommand command) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   progress.clear();
 
-  ExitCode exit = exit_code_of(report);
+  ExitCode exit = fuzz_exit_code(report);
   FuzzWords words{kToolName, command.policy.policy, command.seed, command.renderers, {}};
   if (!command.save.empty()) words.files = save(command, report, exit);
   if (command.json != "-") print_summary(report, words, seconds.count());

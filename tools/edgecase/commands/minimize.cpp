@@ -179,7 +179,7 @@ CaseWords words_for(const Minimized& minimized, const Signature& signature, cons
   return words;
 }
 
-const char* words_of(MinimizeEnd end) {
+const char* ending_words(MinimizeEnd end) {
   switch (end) {
     case MinimizeEnd::finished:
       return "";
@@ -238,7 +238,7 @@ ExitCode deliver(const MinimizeCommand& command, const Case& original, const Min
              words_of_size(original.scene), words_of_size(minimized.scene),
              scene_words(minimized.scene),
              counted(static_cast<std::int64_t>(minimized.asks), "scene asked", "scenes asked"),
-             words_of(minimized.end));
+             ending_words(minimized.end));
   const std::string text =
       command.json ? json_text(minimized, signature, original, info, written.text) : written.text;
   if (command.output.empty())

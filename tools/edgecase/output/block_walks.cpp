@@ -53,7 +53,7 @@ Totals totals_of(const BlockWalk& walk, int size) {
 }
 
 // "12 accepted, 3 tested, 1 of them for nothing, 2 rejected".
-std::string words_of(const Totals& totals, bool is_last) {
+std::string totals_words(const Totals& totals, bool is_last) {
   std::string words = fmt::format("{} accepted, ", totals.accepted);
   words +=
       is_last ? fmt::format("{} tested", totals.tested) : fmt::format("{} divided", totals.divided);
@@ -127,7 +127,7 @@ std::string walk_text(const PrimitiveBlocks& blocks, const Target& target,
   std::string text = drawing_of(walk, target, sizes.back());
   for (int size : sizes)
     text += fmt::format("  blocks of {}: {}.\n", side_words(size),
-                        words_of(totals_of(walk, size), size == sizes.back()));
+                        totals_words(totals_of(walk, size), size == sizes.back()));
   text += edge_text(blocks);
   int tested = 0;
   for (const WalkedBlock& block : walk.blocks) tested += samples_of(block.covered);
@@ -140,7 +140,7 @@ std::string walk_text(const PrimitiveBlocks& blocks, const Target& target,
   return text;
 }
 
-DrawnBlock::Kind kind_of(BlockDecision decision) {
+DrawnBlock::Kind drawn_kind(BlockDecision decision) {
   switch (decision) {
     case BlockDecision::rejected:
       return DrawnBlock::Kind::rejected;
@@ -177,13 +177,14 @@ BlocksPanel panel_of(int primitive, const PrimitiveBlocks& blocks, const BlockSi
     panel.outline.points.push_back(position_of(vertex_of(blocks, i)));
   for (const WalkedBlock& block : blocks.walk.blocks) {
     const PixelBounds& p = block.pixels;
-    panel.blocks.push_back({kind_of(block.decision), p.x_min, p.y_min, p.x_max - p.x_min + 1,
+    panel.blocks.push_back({drawn_kind(block.decision), p.x_min, p.y_min, p.x_max - p.x_min + 1,
                             p.y_max - p.y_min + 1, block.edge});
     if (block.decision == BlockDecision::tested) add_samples(block, blocks, panel);
   }
   for (int size : sizes)
-    panel.caption.push_back(fmt::format(
-        "{}: {}", side_words(size), words_of(totals_of(blocks.walk, size), size == sizes.back())));
+    panel.caption.push_back(
+        fmt::format("{}: {}", side_words(size),
+                    totals_words(totals_of(blocks.walk, size), size == sizes.back())));
   panel.caption.push_back(fmt::format("{} edge functions, {} sample by sample",
                                       blocks.walk.evaluations, blocks.walk.plain_evaluations));
   return panel;

@@ -34,18 +34,18 @@ constexpr const char* kStayAlive =
 constexpr const char* kFollow = "compare the answer with \"The answer\" in reference/PROTOCOL.md";
 
 // What came of a check.
-struct Verdict {
+struct CheckResult {
   CheckOutcome outcome = CheckOutcome::pass;
   std::string finding;
   std::string remedy;
 };
 
-Verdict failed(std::string finding, std::string remedy) {
+CheckResult failed(std::string finding, std::string remedy) {
   return {CheckOutcome::fail, std::move(finding), std::move(remedy)};
 }
 
 // Of a reply that is neither a rendering nor a refusal.
-Verdict no_answer(const Reply& reply) {
+CheckResult no_answer(const Reply& reply) {
   if (reply.kind == Reply::Kind::silence) return failed(reply.problem, kStayAlive);
   return failed("its answer is refused: " + reply.problem, kFollow);
 }
@@ -55,14 +55,14 @@ bool is_answer(const Reply& reply) {
 }
 
 // A rendering passes, a refusal is not supported, all else fails.
-Verdict by_kind(const Reply& reply) {
+CheckResult by_kind(const Reply& reply) {
   if (reply.kind == Reply::Kind::rendering) return {};
   if (reply.kind == Reply::Kind::refusal) return {CheckOutcome::not_supported, reply.problem, ""};
   return no_answer(reply);
 }
 
-Verdict by_fault(const std::optional<PictureFault>& fault) {
-  return fault ? failed(fault->finding, fault->remedy) : Verdict{};
+CheckResult by_fault(const std::optional<PictureFault>& fault) {
+  return fault ? failed(fault->finding, fault->remedy) : CheckResult{};
 }
 
 class Examiner {
@@ -85,9 +85,9 @@ class Examiner {
   }
 
  private:
-  void check(std::string name, const std::function<Verdict()>& run) {
+  void check(std::string name, const std::function<CheckResult()>& run) {
     if (stop_ != nullptr && stop_->load()) return;
-    Verdict verdict = run();
+    CheckResult verdict = run();
     // After garbage nobody knows what else is on its way.
     if (verdict.outcome == CheckOutcome::fail) session_.restart();
     if (stop_ != nullptr && stop_->load()) return;
@@ -137,7 +137,7 @@ class Examiner {
             [&, &change = change] { return changed(change, false); });
   }
 
-  Verdict starts() {
+  CheckResult starts() {
     const Reply reply = session_.ask("conformance/start", empty_scene(1, 1));
     if (session_.starts() == 0)
       return failed(reply.problem, "check the path, and that the file may be executed");
@@ -145,7 +145,7 @@ class Examiner {
     return {};
   }
 
-  Verdict empty() {
+  CheckResult empty() {
     const Scene scene = empty_scene(4, 3);
     const Reply reply = session_.ask("conformance/empty", scene);
     if (reply.kind != Reply::Kind::rendering) return by_kind(reply);
@@ -163,7 +163,7 @@ class Examiner {
   }
 
   // Of two scenes: what is told of the second must not be that of the first.
-  Verdict repeats_digest() {
+  CheckResult repeats_digest() {
     for (const Scene& scene : {empty_scene(2, 2), empty_scene(3, 2)}) {
       const std::string digest = digest_of(scene_json(scene));
       const Reply reply = session_.ask("conformance/digest", scene);
@@ -177,7 +177,7 @@ class Examiner {
     return {};
   }
 
-  Verdict one_line_each() {
+  CheckResult one_line_each() {
     for (int width = 1; width <= 4; ++width) {
       const Reply reply = session_.ask("conformance/order", empty_scene(width, 2));
       if (!is_answer(reply)) return no_answer(reply);
@@ -186,7 +186,7 @@ class Examiner {
   }
 
   // Nothing more has come since the last answer.
-  Verdict quiet() {
+  CheckResult quiet() {
     const Reply reply = session_.ask("conformance/quiet", scene_of(Primitive::triangles));
     if (!is_answer(reply)) return no_answer(reply);
     const std::string more = session_.process()->unasked_output(kQuiet).substr(0, 60);
@@ -196,7 +196,7 @@ class Examiner {
                   "write to standard error whatever is no answer");
   }
 
-  Verdict one_process() {
+  CheckResult one_process() {
     const int starts = session_.starts();
     for (const Primitive primitive :
          {Primitive::points, Primitive::lines, Primitive::triangles, Primitive::points}) {
@@ -208,7 +208,7 @@ class Examiner {
     return {};
   }
 
-  Verdict alike() {
+  CheckResult alike() {
     const Scene scene = scene_of(Primitive::triangles);
     std::array<json, 2> answers;
     for (json& answer : answers) {
@@ -224,7 +224,7 @@ class Examiner {
                   "start each scene afresh: nothing of the one before may be left");
   }
 
-  Verdict sizes(const std::vector<std::pair<int, int>>& sizes) {
+  CheckResult sizes(const std::vector<std::pair<int, int>>& sizes) {
     for (const auto& [width, height] : sizes) {
       Scene scene = empty_scene(width, height);
       Draw draw;
@@ -233,7 +233,7 @@ class Examiner {
       draw.vertices[0].position = {Fixed::centre_of(width - 1), Fixed::centre_of(height - 1)};
       scene.draws = {draw};
       const Reply reply = session_.ask("conformance/sizes", scene);
-      Verdict verdict = by_kind(reply);
+      CheckResult verdict = by_kind(reply);
       if (verdict.outcome == CheckOutcome::pass && reply.rendering.fragments.empty())
         verdict = failed("a point in the last pixel has no fragment", kFollow);
       if (verdict.outcome == CheckOutcome::pass) continue;
@@ -243,27 +243,27 @@ class Examiner {
     return {};
   }
 
-  Verdict coverage_alone() {
+  CheckResult coverage_alone() {
     return by_kind(session_.ask("conformance/coverage", scene_of(Primitive::triangles), true));
   }
 
-  Verdict drawing(Primitive primitive) {
+  CheckResult drawing(Primitive primitive) {
     const Scene scene = scene_of(primitive);
     const Reply reply = session_.ask("conformance/primitives", scene);
     if (reply.kind != Reply::Kind::rendering) return by_kind(reply);
     return by_fault(fault_of_drawing(scene, reply.rendering));
   }
 
-  Verdict values() {
+  CheckResult values() {
     const Reply reply = session_.ask("conformance/without-extent", scene_without_extent());
     if (reply.kind != Reply::Kind::rendering) return by_kind(reply);
     return by_fault(fault_of_values(reply.rendering));
   }
 
-  Verdict optional_feature(const FeatureScene& feature) {
+  CheckResult optional_feature(const FeatureScene& feature) {
     const Reply reply = session_.ask("conformance/features", feature.scene);
     if (reply.kind == Reply::Kind::garbage) {
-      Verdict verdict = no_answer(reply);
+      CheckResult verdict = no_answer(reply);
       verdict.remedy = kRefuse;
       return verdict;
     }
@@ -275,7 +275,7 @@ class Examiner {
                   kRefuse);
   }
 
-  Verdict ids() {
+  CheckResult ids() {
     const std::string ids[] = {"",
                                "quotes \" and \\ backslashes",
                                "a line\nbreak, a tab\t and a bell\x07",
@@ -285,7 +285,7 @@ class Examiner {
     for (const std::string& id : ids) {
       const Reply reply = session_.ask(id, empty_scene(2, 1));
       if (is_answer(reply)) continue;
-      Verdict verdict = no_answer(reply);
+      CheckResult verdict = no_answer(reply);
       verdict.finding =
           fmt::format("to the id {}: {}", json(id.substr(0, 40)).dump(), verdict.finding);
       return verdict;
@@ -294,22 +294,22 @@ class Examiner {
   }
 
   // A request that was changed is to be drawn as it was, or refused.
-  Verdict changed(const std::function<void(json&)>& change, bool draws) {
+  CheckResult changed(const std::function<void(json&)>& change, bool draws) {
     const Scene scene = scene_of(Primitive::points);
     const std::string text = scene_json(scene);
     json request = json::parse(request_line("conformance/changed", text));
     change(request);
     const Reply reply = session_.ask_text(request.dump(), digest_of(text), scene);
-    if (draws) return is_answer(reply) ? Verdict{} : no_answer(reply);
+    if (draws) return is_answer(reply) ? CheckResult{} : no_answer(reply);
     if (reply.kind == Reply::Kind::refusal) return {};
     if (reply.kind == Reply::Kind::rendering)
       return failed("it draws the scene as if it knew", kRefuse);
-    Verdict verdict = no_answer(reply);
+    CheckResult verdict = no_answer(reply);
     verdict.remedy = kRefuse;
     return verdict;
   }
 
-  Verdict ends() {
+  CheckResult ends() {
     const Reply reply = session_.ask("conformance/end", empty_scene(1, 1));
     if (!is_answer(reply)) return no_answer(reply);
     ChildProcess& process = *session_.process();
