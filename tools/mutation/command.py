@@ -13,6 +13,7 @@ from mutation.project import ROOT, BuildError, edgecase, processors
 from mutation.record import UnmutatedFailure, record
 from mutation.source import SourceError
 from mutation.trial import Trial
+from share import in_share
 
 ARGUMENTS = ROOT / "tests/mutation/equivalent.json"
 PAGE = ROOT / "tests/mutation/SCORE.md"
@@ -26,6 +27,8 @@ def parser():
         "stale, 2 usage, 3 the mutated copy cannot be built or fails without a mutant.")
     result.add_argument("--sample", type=int, metavar="N", help="only N mutants, drawn by chance")
     result.add_argument("--seed", type=int, default=1, metavar="S", help="of the sample")
+    result.add_argument("--share", metavar="I/N", default="1/16",
+                        help="how much of their scenes tests ask (1/16, as the quick tier); 1/1: all")
     result.add_argument("--file", action="append", metavar="PATH",
                         help="only mutants of files whose path holds this; may be repeated")
     result.add_argument("--jobs", type=int, default=processors(), metavar="N",
@@ -53,7 +56,8 @@ def selected(mutants, options):
     if options.sample is not None and options.sample < len(chosen):
         chosen = sorted(chosen, key=lambda mutant: lot(mutant, options.seed))[:options.sample]
         chosen.sort(key=lambda mutant: mutant.number)
-    return chosen
+    # A part of the test that plants a sample plants its share.
+    return in_share(chosen)
 
 
 class Progress:
@@ -87,7 +91,7 @@ def fate(outcome, arguments):
 
 
 def run(options):
-    project = edgecase(options.build.resolve())
+    project = edgecase(options.build.resolve(), options.share)
     mutants, texts = project.mutate()
     chosen = selected(mutants, options)
     if options.list:

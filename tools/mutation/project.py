@@ -3,7 +3,7 @@
 
 import os
 import subprocess
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 from mutation.tree import copy_tree, mutate_files, source_files
@@ -22,8 +22,7 @@ class Project:
     mutated: tuple             # folders
     copied: tuple              # files and folders that the build needs, the mutated ones included
     programs: tuple            # test programs, those that kill most for the least time first
-    # Tests that take many seconds and ask what shorter ones ask of fewer scenes.
-    left_out: frozenset = field(default_factory=frozenset)
+    share: str = "1/16"        # of their scenes that tests ask: the quick tier's
 
     def mutate(self):
         """(mutants, {file: mutated text})"""
@@ -36,7 +35,7 @@ class Project:
         copy_tree(self.root, tree, texts, self.copied)
         binary = self.build / "build"
         self.call("configure", ["cmake", "-S", tree, "-B", binary, "-G", "Ninja",
-                                "-DCMAKE_BUILD_TYPE=",
+                                "-DCMAKE_BUILD_TYPE=", "-DEDGECASE_TESTS=ON",
                                 f"-DCMAKE_PROJECT_INCLUDE={ROOT}/tests/mutation/mutated.cmake"])
         self.call("build", ["ninja", "-C", binary, f"-j{jobs}",
                             *[f"test_{name}" for name in self.programs]])
@@ -50,11 +49,15 @@ class Project:
             tail = "\n".join(log.read_text(encoding="utf-8").splitlines()[-15:])
             raise BuildError(f"the mutated copy does not {step}; {log} ends with\n{tail}")
 
+    def environment(self, **more):
+        """What a test program is run with."""
+        return dict(os.environ, EDGECASE_SHARE=self.share, **more)
+
     def program(self, name):
         return self.build / "build" / "bin" / f"test_{name}"
 
 
-def edgecase(build):
+def edgecase(build, share):
     """The exact side of this repository."""
     return Project(
         ROOT, build, ("src/exact", "src/rules", "src/raster"),
@@ -63,8 +66,7 @@ def edgecase(build):
          "supersample", "texture_stage", "output_rules", "fragment_operations", "clipping",
          "clipped_lines", "diff_clipping", "framebuffer",
          "oracles"),
-        frozenset({"RandomScenes.AMillionAgree", "InterpolationOracles.AMillionTrianglesAgree",
-                   "FramebufferSuite.DrawsItsCasesAsThePlainPath"}))
+        share)
 
 
 def processors():

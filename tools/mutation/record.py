@@ -41,7 +41,8 @@ def test_names(program):
 def run_unmutated(project, program, name):
     with tempfile.TemporaryDirectory() as folder:
         reached = Path(folder) / "reached"
-        environment = dict(os.environ, EDGECASE_MUTANT="-1", EDGECASE_MUTANTS_REACHED=str(reached))
+        environment = project.environment(EDGECASE_MUTANT="-1",
+                                          EDGECASE_MUTANTS_REACHED=str(reached))
         with subprocess.Popen([project.program(program), f"--gtest_filter={name}"],
                               env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               text=True) as process:
@@ -60,7 +61,7 @@ def digest_of(project):
     digest = hashlib.sha256()
     for program in project.programs:
         digest.update(project.program(program).read_bytes())
-    digest.update(" ".join(sorted(project.left_out)).encode())
+    digest.update(project.share.encode())
     return digest.hexdigest()
 
 
@@ -73,7 +74,7 @@ def record(project, jobs):
         if known["digest"] == digest:
             return [TestCase(p, n, s, frozenset(r)) for p, n, s, r in known["tests"]]
     wanted = [(program, name) for program in project.programs
-              for name in test_names(project.program(program)) if name not in project.left_out]
+              for name in test_names(project.program(program))]
     with ThreadPoolExecutor(jobs) as pool:
         tests = list(pool.map(lambda pair: run_unmutated(project, *pair), wanted))
     memory.write_text(json.dumps({"digest": digest, "tests": [

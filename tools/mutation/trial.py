@@ -4,7 +4,6 @@ fails. A crash, an endless loop and too much memory are failures too."""
 
 import json
 import math
-import os
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -90,7 +89,7 @@ class Trial:
                    str(self.project.program(program)), "--gtest_fail_fast", "--gtest_brief=1",
                    "--gtest_filter=" + ":".join(test.name for test in tests)]
         try:
-            done = subprocess.run(command, env=dict(os.environ, EDGECASE_MUTANT=str(mutant.number)),
+            done = subprocess.run(command, env=self.project.environment(EDGECASE_MUTANT=str(mutant.number)),
                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                   stdin=subprocess.DEVNULL, timeout=60 + 10 * seconds, check=False)
         except subprocess.TimeoutExpired:
