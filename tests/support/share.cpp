@@ -7,8 +7,8 @@
 namespace edgecase {
 namespace {
 
-// The finalizer of SplitMix64, a bijection: Steele, Lea, Flood, "Fast Splittable Pseudorandom Number
-// Generators", 2014.
+// The finalizer of SplitMix64, a bijection: Steele, Lea, Flood, "Fast Splittable Pseudorandom
+// Number Generators", 2014.
 std::uint64_t mixed(std::uint64_t word) {
   word += 0x9e3779b97f4a7c15u;
   word = (word ^ (word >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -44,6 +44,15 @@ std::uint64_t share_seed(std::uint64_t seed) {
 
 bool is_in_share(std::uint64_t item) {
   return share().count == 1 || mixed(item) % share().count == share().number;
+}
+
+int kernel_scene_factor() {
+  const char* text = std::getenv("EDGECASE_KERNEL_SCENES");
+  return std::max(1, text ? std::atoi(text) : 1);
+}
+
+int kernel_scenes(int count) {
+  return share_of(count * kernel_scene_factor());
 }
 
 }  // namespace edgecase

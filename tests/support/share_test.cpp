@@ -45,8 +45,33 @@ TEST_F(ShareDeathTest, EachItemIsInExactlyOne) {
     });
 }
 
+TEST_F(ShareDeathTest, ShowsHalfOfItsPartAtLeast) {
+  expect_of_share("1/1", [] { return least_of(1000) == 1000; });
+  expect_of_share("2/10", [] { return least_of(1000) == 50 && least_of(3) == 0; });
+}
+
+TEST_F(ShareDeathTest, IsDealtInTurn) {
+  expect_of_share("2/3", [] {
+    Dealer dealer;
+    bool agrees = true;
+    for (std::uint64_t item = 0; item < 100; ++item)
+      agrees = agrees && dealer.deal() == is_in_share(item);
+    return agrees && dealer.items() == 100;
+  });
+}
+
+TEST_F(ShareDeathTest, IsOfAsManyScenesOfKernelsAsAreAskedFor) {
+  expect_of_share("1/4", [] { return kernel_scenes(1000) == 250; });
+  expect_of_share("1/4", [] {
+    setenv("EDGECASE_KERNEL_SCENES", "3", 1);
+    return kernel_scenes(1000) == 750;
+  });
+}
+
 TEST_F(ShareDeathTest, HasAScene) {
-  expect_of_share("2/100", [] { return share_of(7) == 1 && share_of(1000) == 10; });
+  expect_of_share("2/100",
+                  [] { return share_of(7) == 1 && share_of(1000) == 10 && share_of(0) == 0; });
+  expect_of_share("2/100", [] { return share_of(1000, 64) == 64 && share_of(7, 64) == 7; });
   expect_of_share("2/3", [] { return share_of(7) == 3 && share_seed(5) != 5; });
 }
 
