@@ -8,6 +8,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/share.h"
+
 namespace edgecase {
 namespace {
 
@@ -67,8 +69,8 @@ TEST(Binary32, RoundsWhereOneOperandIsFarSmaller) {
 }
 
 TEST(Binary32, ComputesWhatTheProcessorDoes) {
-  std::mt19937_64 random(5);
-  for (int i = 0; i < 300'000; ++i) {
+  std::mt19937_64 random(share_seed(5));
+  for (int i = 0; i < share_of(300'000); ++i) {
     // Raw values of every size, so that sums cancel, swallow and round in every way.
     const auto draw = [&] {
       const int bits = static_cast<int>(random() % 30);

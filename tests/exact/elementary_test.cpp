@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "tests/support/share.h"
+
 namespace edgecase {
 namespace {
 
@@ -25,11 +27,11 @@ constexpr double kMost = 0.5 + 4.0 / 2048;
 constexpr int kDraws = 20'000;
 
 TEST(Elementary, DrawnAnswersAreOffByLittleMoreThanHalfAUnit) {
-  std::mt19937_64 random(7);
+  std::mt19937_64 random(share_seed(7));
   const auto between = [&](double low, double high) {
     return low + (high - low) * std::ldexp(static_cast<double>(random() >> 11), -53);
   };
-  for (int i = 0; i < kDraws; ++i) {
+  for (int i = 0; i < share_of(kDraws); ++i) {
     const double angle = between(-7, 7);
     EXPECT_LE(units_off(cosine(angle), cos(Wide(angle))), kMost) << angle;
     EXPECT_LE(units_off(sine(angle), sin(Wide(angle))), kMost) << angle;

@@ -4,7 +4,6 @@
 #include <hwy/targets.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 namespace edgecase {
@@ -20,11 +19,6 @@ std::vector<std::int64_t> kernel_targets() {
 void use_kernel_target(std::int64_t target) {
   hwy::SetSupportedTargetsForTest(target);
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
-
-int scaled_count(int count) {
-  const char* text = std::getenv("EDGECASE_KERNEL_SCENES");
-  return count * std::max(1, text ? std::atoi(text) : 1);
 }
 
 Canvas::Canvas(int width, int height) : width_(width), height_(height) {

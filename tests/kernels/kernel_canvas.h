@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// For tests of kernels: planes to draw on, every SIMD target in turn, and how many scenes to ask.
+// For tests of kernels: planes to draw on, and every SIMD target in turn.
 #pragma once
 
 #include <random>
@@ -14,9 +14,6 @@ namespace edgecase {
 std::vector<std::int64_t> kernel_targets();
 // Kernels run on that target until this is called again; 0: on the best.
 void use_kernel_target(std::int64_t target);
-
-// `count` times EDGECASE_KERNEL_SCENES, an environment variable that is 1 where it is not set.
-int scaled_count(int count);
 
 // A plane of which every pixel is 0 until it is drawn, and what surrounds it must stay.
 class Canvas {

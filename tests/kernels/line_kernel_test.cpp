@@ -11,6 +11,7 @@
 #include "kernels/covered_pixels_kernel.h"
 #include "rules/coverage/diamond_exit.h"
 #include "tests/kernels/kernel_canvas.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -54,6 +55,7 @@ TEST(LineKernel, EverySegmentOfASmallGrid) {
   };
   const PixelBounds bounds{0, 0, 3, 3};
   for (int i = 0; i < kPoints * kPoints; ++i) {
+    if (!is_in_share(static_cast<std::uint64_t>(i))) continue;
     const Segment s{point(i % kPoints), point(i / kPoints)};
     for (const DiamondBoundary& boundary : perturbed_boundaries())
       ASSERT_NO_FATAL_FAILURE(expect_same(s, bounds, boundary));
@@ -61,8 +63,8 @@ TEST(LineKernel, EverySegmentOfASmallGrid) {
 }
 
 TEST(LineKernel, RandomSegmentsOfEveryGrid) {
-  RandomPoints random(5);
-  for (int i = 0; i < scaled_count(150000); ++i) {
+  RandomPoints random(share_seed(5));
+  for (int i = 0; i < kernel_scenes(150000); ++i) {
     const int size = i % 4 != 0 ? 1 + random.below(12) : 1 + random.below(50);
     const int bits = random.below(17);
     const Segment s{random.point(size, bits), random.point(size, bits)};
@@ -77,9 +79,9 @@ TEST(LineKernel, RandomSegmentsOfEveryGrid) {
 
 // Heights at a column's centre that are a whole number, or off by the least there is.
 TEST(LineKernel, NearestToTheBorderOfRows) {
-  RandomPoints random(8);
+  RandomPoints random(share_seed(8));
   const PixelBounds bounds{0, 0, 15, 15};
-  for (int i = 0; i < scaled_count(60000); ++i) {
+  for (int i = 0; i < kernel_scenes(60000); ++i) {
     const std::int64_t run = 1 + random.below(1 << 20);
     const std::int64_t rise = random.below(static_cast<int>(2 * run + 1)) - run;
     if (std::gcd(run, rise) != 1) continue;
@@ -98,9 +100,9 @@ TEST(LineKernel, NearestToTheBorderOfRows) {
 // As far out as coordinates go, in a strip of the window that the line passes: at its borders, at
 // its middle, and where a target's own border is.
 TEST(LineKernel, TheLongestSegments) {
-  RandomPoints random(6);
+  RandomPoints random(share_seed(6));
   const std::int64_t far = kLargestRaw;
-  for (int i = 0; i < scaled_count(100000); ++i) {
+  for (int i = 0; i < kernel_scenes(100000); ++i) {
     const auto extreme = [&] {
       const auto at = [&] {
         const std::int64_t raw = (random.below(3) - 1) * far + random.below(131072) - 65536;

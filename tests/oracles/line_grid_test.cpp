@@ -6,6 +6,7 @@
 
 #include "rules/coverage/diamond_exit.h"
 #include "tests/oracles/support.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -22,9 +23,10 @@ std::vector<Segment> segments(std::int64_t step) {
 }
 
 // Compares all of the segments, as the scene draws them.
-void compare(LineScene scene, const std::vector<Segment>& all, Tally& tally) {
-  for (std::size_t i = 0; i < all.size(); i += kShare) {
-    scene.segment = all[i];
+void compare(LineScene scene, const std::vector<Segment>& all, Dealer& dealer, Tally& tally) {
+  for (const Segment& segment : all) {
+    if (!dealer.deal()) continue;
+    scene.segment = segment;
     ASSERT_TRUE(agrees(scene, kWindow, tally));
   }
 }
@@ -33,10 +35,11 @@ TEST(LineGrid, EveryThinLineOnAQuarterGrid) {
   const auto all = segments(Fixed::kOne / 4);
   const auto kinds = thin_line_kinds();
   EXPECT_EQ(kinds.size(), 12u + 12 + 2 * 10 + 6);
+  Dealer dealer;
   Tally tally;
-  for (const LineScene& kind : kinds) ASSERT_NO_FATAL_FAILURE(compare(kind, all, tally));
+  for (const LineScene& kind : kinds) ASSERT_NO_FATAL_FAILURE(compare(kind, all, dealer, tally));
   tally.print("thin lines on a grid");
-  EXPECT_GE(tally.scenes, 50L * 81 * 81 / kShare);
+  EXPECT_EQ(dealer.items(), 50L * 81 * 81);
   EXPECT_GT(tally.tied, tally.scenes / 3);
 }
 
@@ -45,18 +48,20 @@ constexpr std::int64_t kWideQuarters[] = {2, 5, 6, 8, 12};
 // Moved half a pixel down, a line of width 2 lies on the half grid again.
 TEST(LineGrid, EveryWideLineOnAHalfGrid) {
   const auto all = segments(Fixed::kOne / 2);
+  Dealer dealer;
   Tally tally;
   for (LineScene scene : thin_line_kinds())
     for (std::int64_t quarters : kWideQuarters) {
       scene.width = Fixed::from_raw(quarters * Fixed::kOne / 4);
-      ASSERT_NO_FATAL_FAILURE(compare(scene, all, tally));
+      ASSERT_NO_FATAL_FAILURE(compare(scene, all, dealer, tally));
     }
   tally.print("replicated lines on a grid");
-  EXPECT_GE(tally.scenes, 50L * 5 * 25 * 25 / kShare);
+  EXPECT_EQ(dealer.items(), 50L * 5 * 25 * 25);
 }
 
 TEST(LineGrid, EveryWideAreaOnAHalfGrid) {
   const auto all = segments(Fixed::kOne / 2);
+  Dealer dealer;
   Tally tally;
   LineScene scene;
   for (WideLine wide : {WideLine::rectangle, WideLine::parallelogram})
@@ -65,15 +70,16 @@ TEST(LineGrid, EveryWideAreaOnAHalfGrid) {
         scene.wide = wide;
         scene.ties = ties.name;
         scene.width = Fixed::from_raw(quarters * Fixed::kOne / 4);
-        ASSERT_NO_FATAL_FAILURE(compare(scene, all, tally));
+        ASSERT_NO_FATAL_FAILURE(compare(scene, all, dealer, tally));
       }
   tally.print("wide areas on a grid");
-  EXPECT_GE(tally.scenes, 2L * 10 * 5 * 25 * 25 / kShare);
+  EXPECT_EQ(dealer.items(), 2L * 10 * 5 * 25 * 25);
 }
 
 // Every set of parts that a diamond can own, not only those that someone uses.
 TEST(LineGrid, EveryOwnershipOfADiamond) {
   const auto all = segments(Fixed::kOne / 2);
+  Dealer dealer;
   for (unsigned parts = 0; parts < 256; ++parts) {
     const auto has = [&](DiamondPart part) { return (parts & part) != 0; };
     const oracle::Owned owned{has(kLowerLeftEdge),  has(kLowerRightEdge), has(kUpperLeftEdge),
@@ -86,12 +92,13 @@ TEST(LineGrid, EveryOwnershipOfADiamond) {
           &theirs.y_major.upper_right, &theirs.y_major.left, &theirs.y_major.right,
           &theirs.y_major.bottom, &theirs.y_major.top})
       *part = !*part;
-    for (std::size_t i = 0; i < all.size(); i += kShare) {
-      const oracle::Line line = oracle_line(all[i]);
-      ASSERT_EQ(meets_diamond(all[i], 0, 0, ours), oracle::meets_diamond(line, theirs, 0, 0))
-          << parts << " " << describe(all[i]);
-      ASSERT_EQ(ends_in_diamond(all[i], 0, 0, ours), oracle::ends_in_diamond(line, theirs, 0, 0))
-          << parts << " " << describe(all[i]);
+    for (const Segment& segment : all) {
+      if (!dealer.deal()) continue;
+      const oracle::Line line = oracle_line(segment);
+      ASSERT_EQ(meets_diamond(segment, 0, 0, ours), oracle::meets_diamond(line, theirs, 0, 0))
+          << parts << " " << describe(segment);
+      ASSERT_EQ(ends_in_diamond(segment, 0, 0, ours), oracle::ends_in_diamond(line, theirs, 0, 0))
+          << parts << " " << describe(segment);
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "rules/coverage/triangle_fill.h"
 #include "tests/oracles/areas.h"
 #include "tests/oracles/support.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -37,7 +38,7 @@ class Random {
   }
 
  private:
-  std::mt19937_64 engine_{20260331};
+  std::mt19937_64 engine_{share_seed(20260331)};
 };
 
 LineScene random_line(Random& random, const std::vector<LineScene>& kinds) {
@@ -154,13 +155,13 @@ TEST(RandomScenes, AMillionAgree) {
     EXPECT_GT(tally.tied, tally.scenes / 3) << what;
     all.add(tally);
   };
-  take("random lines", compare_lines(600'000 / kShare));
-  take("random triangles", compare_triangles(250'000 / kShare));
-  take("random points", compare_points(250'000 / kShare));
+  take("random lines", compare_lines(share_of(600'000L)));
+  take("random triangles", compare_triangles(share_of(250'000L)));
+  take("random points", compare_points(share_of(250'000L)));
   all.print("random scenes");
   RecordProperty("scenes", static_cast<int>(all.scenes));
-  EXPECT_GE(all.scenes, 1'100'000 / kShare);
-  EXPECT_GT(all.decisions, 10'000'000 / kShare);
+  EXPECT_GE(all.scenes, share_of(1'100'000L));
+  EXPECT_GT(all.decisions, share_of(10'000'000L));
 }
 
 }  // namespace

@@ -11,13 +11,6 @@
 
 namespace edgecase {
 
-// A sanitized program is slow, and looks for other faults: it compares one scene of ten.
-#ifdef __SANITIZE_ADDRESS__
-constexpr long kShare = 10;
-#else
-constexpr long kShare = 1;
-#endif
-
 // What a run compared. A scene is one primitive under one choice of rules; a decision is one pixel
 // of it; a tied scene holds a decision that hangs on a convention (open and closed boundaries
 // differ, a line midway between two pixels, ...).

@@ -12,6 +12,7 @@
 #include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/snap.h"
 #include "tests/oracles/quotients.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -45,7 +46,7 @@ class Quotients {
   }
 
  private:
-  std::mt19937_64 random_{11};
+  std::mt19937_64 random_{share_seed(11)};
 };
 
 std::array<oracle::Location, 3> divided(const HomogeneousTriangle& t) {
@@ -55,7 +56,7 @@ std::array<oracle::Location, 3> divided(const HomogeneousTriangle& t) {
 TEST(HomogeneousTriangle, HoldsTheSamplesThatFractionsSay) {
   Quotients random;
   long tied = 0;
-  for (int round = 0; round < 1500; ++round) {
+  for (int round = 0; round < share_of(1500, 200); ++round) {
     HomogeneousTriangle t = {random.any(round), random.any(round), random.any(round)};
     if (round % 3 == 0) t[1] = random.opposite(t[0]);
     for (int y = 0; y < 3; ++y)
@@ -70,7 +71,7 @@ TEST(HomogeneousTriangle, HoldsTheSamplesThatFractionsSay) {
                     : 0;
       }
   }
-  EXPECT_GT(tied, 300) << "samples on edges are what this is about";
+  EXPECT_GT(tied, least_of(300)) << "samples on edges are what this is about";
 }
 
 TEST(HomogeneousTriangle, StaysWithinItsIntegersAtTheRangesCorners) {
@@ -90,7 +91,7 @@ TEST(HomogeneousTriangle, StaysWithinItsIntegersAtTheRangesCorners) {
 TEST(HomogeneousSegment, ExitsTheDiamondsThatFractionsSay) {
   Quotients random;
   long tied = 0;
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < share_of(400, 60); ++round) {
     const HomogeneousSegment s{random.any(round), random.any(round)};
     const auto a = oracle::divided(s.a);
     const auto b = oracle::divided(s.b);
@@ -107,12 +108,12 @@ TEST(HomogeneousSegment, ExitsTheDiamondsThatFractionsSay) {
                     ? 1
                     : 0;
   }
-  EXPECT_GT(tied, 60);
+  EXPECT_GT(tied, least_of(60));
 }
 
 TEST(HomogeneousSegment, StaysWithinItsIntegersAtTheRangesCorners) {
   Quotients random;
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < share_of(100, 20); ++round) {
     const HomogeneousSegment given{random.far(), random.far()};
     const HomogeneousSegment wide = lowest_segment(given, 64);
     for (const HomogeneousSegment& s : {given, wide})
@@ -155,7 +156,7 @@ TEST(HomogeneousSegment, IsDrawnAsItIsByTheRuleAndFromNearestMultiplesOtherwise)
 TEST(HomogeneousPoint, HoldsTheSamplesThatFractionsSay) {
   Quotients random;
   long tied = 0;
-  for (int round = 0; round < 6000; ++round) {
+  for (int round = 0; round < share_of(6000, 1000); ++round) {
     const HomogeneousPoint vertex = random.any(round);
     const Fixed size = Fixed::from_raw(random.between(1, 12) * Fixed::kOne / 4);
     const PointOffset offset = round % 2 == 0 ? PointOffset::none : PointOffset::right_down;
@@ -177,13 +178,13 @@ TEST(HomogeneousPoint, HoldsTheSamplesThatFractionsSay) {
                 ? 1
                 : 0;
   }
-  EXPECT_GT(tied, 50);
+  EXPECT_GT(tied, least_of(50));
 }
 
 // Rounded once: 1/3 pixel and the like, ties, and the ends of the range, in every snap.
 TEST(Snap, RoundsQuotientsOnce) {
   Quotients random;
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < share_of(3000, 500); ++round) {
     HomogeneousPoint p = round % 5 == 4 ? random.far() : random.any(round);
     // Halves of a step of 12 bits, with a w that hides them.
     if (round % 5 == 3) {

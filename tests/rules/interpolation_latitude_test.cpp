@@ -15,6 +15,7 @@
 #include "tests/oracles/attribute_planes.h"
 #include "tests/oracles/inverse_matrix.h"
 #include "tests/rules/interpolants.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -64,7 +65,7 @@ class Latitude : public ::testing::Test {
     return f;
   }
 
-  RandomNumbers numbers_{20260501};
+  RandomNumbers numbers_{share_seed(20260501)};
 
  private:
   // The third vertex up to half a pixel beside the line of the two others.
@@ -139,7 +140,7 @@ TEST_F(Latitude, PermittedHoldsFloat32FromMovedVertices) {
 
 TEST_F(Latitude, PermittedHoldsInexactHoldsExact) {
   for (const Shape shape : kShapes)
-    for (int i = 0; i < kScenes; ++i) {
+    for (int i = 0; i < share_of(kScenes); ++i) {
       Example e = example(shape, 20);
       if (i % 3 == 0) e.f.kind = PrimitiveKind::line;
       const Interval exact = interpolate_exact(e.f, e.sample());

@@ -17,6 +17,7 @@
 #include "tests/oracles/attribute_planes.h"
 #include "tests/oracles/inverse_matrix.h"
 #include "tests/rules/interpolants.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -133,7 +134,7 @@ void expect_agreement(int count, std::uint64_t seed) {
 }
 
 TEST(InterpolationOracles, AMillionTrianglesAgree) {
-  expect_agreement(1'000'000, 20260301);
+  expect_agreement(share_of(1'000'000), share_seed(20260301));
 }
 
 TEST(InterpolationOracles, TenThousandTrianglesAgree) {

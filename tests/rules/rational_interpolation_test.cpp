@@ -7,6 +7,7 @@
 
 #include "tests/oracles/area_ratios.h"
 #include "tests/rules/interpolants.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 // A random primitive and what it says at a sample, by the formulas of 14.5.1 and 14.6.1.
 class RationalSource {
  public:
-  explicit RationalSource(std::uint64_t seed) : numbers_(seed) {}
+  explicit RationalSource(std::uint64_t seed) : numbers_(share_seed(seed)) {}
 
   Interpolant next() {
     Interpolant f;
@@ -84,7 +85,7 @@ bool holds(Interval interval, const Rational& value) {
 
 TEST(RationalInterpolation, ValuesAreThoseOfTheFormula) {
   RationalSource source(1);
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < share_of(20'000); ++i) {
     const Interpolant f = source.next();
     const Point sample = source.sample();
     const auto value = interpolate_rational(f, sample);
@@ -97,7 +98,7 @@ TEST(RationalInterpolation, ValuesAreThoseOfTheFormula) {
 
 TEST(RationalInterpolation, DerivativesAreDifferences) {
   RationalSource source(2);
-  for (int i = 0; i < 2'000; ++i) {
+  for (int i = 0; i < share_of(2'000, 250); ++i) {
     const Interpolant f = source.next();
     const QuadPixel at = in_quad(source.pixel(), RowOrder::bottom_up, 20);
     const auto [qx, qy] = at.quad;
@@ -134,7 +135,7 @@ TEST(RationalInterpolation, DerivativesAreDifferences) {
 TEST(RationalInterpolation, TheAnalyticDerivativeIsWhatDifferencesTendTo) {
   RationalSource source(3);
   const Rational h = power_of_two(-60);
-  for (int i = 0; i < 2'000; ++i) {
+  for (int i = 0; i < share_of(2'000, 250); ++i) {
     const Interpolant f = source.next();
     const QuadPixel at = in_quad(source.pixel(), RowOrder::bottom_up, 20);
     const Rational x = at.pixel.x + Rational(1, 2), y = at.pixel.y + Rational(1, 2);

@@ -11,15 +11,10 @@
 
 #include "rules/textures/texel_filter.h"
 #include "tests/rules/texels.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
-
-#ifdef __SANITIZE_ADDRESS__
-constexpr int kShare = 10;
-#else
-constexpr int kShare = 1;
-#endif
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -100,9 +95,10 @@ Rational defined(double coordinate) {
 }
 
 TEST(Points, YieldWhatALiteralFilterYields) {
-  Inputs inputs(1);
+  Inputs inputs(static_cast<unsigned>(share_seed(1)));
   int lookups = 0;
-  for (int round = 0; round < 5000 / kShare; ++round) {
+  const int rounds = share_of(5000, 500);
+  for (int round = 0; round < rounds; ++round) {
     const Situation at = situation(inputs);
     const Texel border = decode_border(at.border, at.format);
     for (int i = 0; i < 20; ++i, ++lookups) {
@@ -121,7 +117,7 @@ TEST(Points, YieldWhatALiteralFilterYields) {
       ASSERT_LE(found.high - found.low, kWidest) << s << " " << t;
     }
   }
-  EXPECT_EQ(lookups, 100000 / kShare);
+  EXPECT_EQ(lookups, 20 * rounds);
 }
 
 Rational on_literal_grid(const Rational& u, TexelGrid grid) {
@@ -136,7 +132,7 @@ Rational on_literal_grid(const Rational& u, TexelGrid grid) {
 // On a grid, of coordinates that are exact in texels.
 TEST(PointsOnAGrid, YieldWhatALiteralFilterYields) {
   Inputs inputs(2);
-  for (int round = 0; round < 2000 / kShare; ++round) {
+  for (int round = 0; round < 2000; ++round) {
     const Situation at = situation(inputs);
     const Texel border = decode_border(at.border, at.format);
     for (int i = 0; i < 12; ++i) {
@@ -170,7 +166,7 @@ bool one_meets(const std::vector<Texel>& boxes, const Texel& colour) {
 
 TEST(Intervals, HoldWhatTheirPointsYield) {
   Inputs inputs(3);
-  for (int round = 0; round < 4000 / kShare; ++round) {
+  for (int round = 0; round < 4000; ++round) {
     const Situation at = situation(inputs);
     TexelLookup lookup{at.wrap, at.border};
     lookup.grid = all_texel_grids()[static_cast<std::size_t>(inputs.whole(0, 3))];
@@ -212,7 +208,7 @@ TEST(Intervals, HoldWhatTheirPointsYield) {
 // Nearest: the texels from that of the low end to that of the high end, and no others.
 TEST(Intervals, YieldNoOtherTexels) {
   Inputs inputs(4);
-  for (int round = 0; round < 5000 / kShare; ++round) {
+  for (int round = 0; round < 5000; ++round) {
     const int size = inputs.whole(1, 9);
     const Wrap wrap = inputs.one_of(kAllWraps);
     const Interval s = {inputs.whole(-60, 60) / 16.0, 0};
@@ -236,7 +232,7 @@ TEST(Intervals, OfAQuadAreBoundedByItsCorners) {
   Inputs inputs(5);
   const std::array<Wrap, 2> wrap{Wrap::repeat, Wrap::mirrored_repeat};
   const std::array<float, 4> border{};
-  for (int round = 0; round < 2000 / kShare; ++round) {
+  for (int round = 0; round < 2000; ++round) {
     const DecodedLevel level = inputs.level(TextureFormat::rgba32f);
     const auto within_quad = [&](int size) {
       const int first = inputs.whole(-9, 9);
