@@ -15,6 +15,7 @@
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/coverage/homogeneous_point.h"
 #include "rules/coverage/homogeneous_triangle.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -103,6 +104,7 @@ std::vector<PixelPosition> covered(const Scene& scene, const Policy& policy) {
 TEST(ClipCoordinates, AreDrawnAsThePositionsThatTheyGive) {
   Random random;
   const auto all = policies();
+  Dealer dealer;
   std::size_t pixels = 0;
   for (int round = 0; round < 120; ++round)
     for (Primitive kind : {Primitive::points, Primitive::lines, Primitive::triangles}) {
@@ -115,12 +117,13 @@ TEST(ClipCoordinates, AreDrawnAsThePositionsThatTheyGive) {
       // In every third scene the first vertex is given where it lands.
       if (round % 3 == 0 && draw.vertices.size() > 1) draw.vertices[0].clip.reset();
       for (const Policy& policy : all) {
+        if (!dealer.deal()) continue;
         const auto drawn = covered(scene, policy);
         ASSERT_EQ(drawn, covered(without_clip(scene), policy)) << name_of(kind) << " " << round;
         pixels += drawn.size();
       }
     }
-  EXPECT_GT(pixels, 10000u);
+  EXPECT_GT(pixels, least_of(10000u));
 }
 
 // Under a choice that snaps, a quotient is drawn where it is snapped to.

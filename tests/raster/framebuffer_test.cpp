@@ -7,13 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <span>
 
 #include "kernels/tile_bins.h"
 #include "raster/exact_drawing.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/random_scenes.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -21,12 +21,6 @@ namespace {
 constexpr const char* kOrders[] = {"left-bottom", "left-top",  "right-bottom", "right-top",
                                    "bottom-left", "top-right", "open",         "closed"};
 constexpr const char* kSnaps[] = {"none", "8-half-even", "4-truncate", "6-half-up"};
-
-// As many times as many as EDGECASE_KERNEL_SCENES says.
-int scaled_count(int count) {
-  const char* text = std::getenv("EDGECASE_KERNEL_SCENES");
-  return count * std::max(1, text ? std::atoi(text) : 1);
-}
 
 Policy random_policy(RandomScenes& random) {
   Policy policy;
@@ -52,9 +46,9 @@ std::vector<std::uint8_t> fast_pixels(const Scene& scene, const Policy& policy, 
 }
 
 TEST(Framebuffer, DrawsRandomScenesAsThePlainPath) {
-  RandomScenes random(21);
+  RandomScenes random(share_seed(21));
   int drawn = 0;
-  const int count = scaled_count(6000);
+  const int count = kernel_scenes(6000);
   for (int i = 0; i < count; ++i) {
     const SceneKind kind{4 + random.below(36), Fixed::kOne >> random.below(17), 4, i % 2 == 0};
     const Scene scene = random.next(kind);
@@ -67,9 +61,9 @@ TEST(Framebuffer, DrawsRandomScenesAsThePlainPath) {
 // Colours that lie between two codes at many samples: ramps of whole and half codes a pixel, halves
 // all over, and values beyond 0 to 1.
 TEST(Framebuffer, LeavesTiesOfCodesToThePlainPath) {
-  RandomScenes random(22);
+  RandomScenes random(share_seed(22));
   int drawn = 0;
-  for (int i = 0; i < scaled_count(300); ++i) {
+  for (int i = 0; i < kernel_scenes(300); ++i) {
     const int size = 5 + random.below(30);
     Scene scene = blank_scene(size, size);
     const auto at = [&](int x, int y) {
@@ -90,9 +84,9 @@ TEST(Framebuffer, LeavesTiesOfCodesToThePlainPath) {
 }
 
 TEST(Framebuffer, DividesByWWhereTheDrawDoes) {
-  RandomScenes random(23);
+  RandomScenes random(share_seed(23));
   int drawn = 0;
-  for (int i = 0; i < scaled_count(300); ++i) {
+  for (int i = 0; i < kernel_scenes(300); ++i) {
     Scene scene = random.next({16, Fixed::kOne / 16, 3, true});
     for (Draw& draw : scene.draws) {
       if (random.below(3) == 0) draw.interpolation = Interpolation::noperspective;
@@ -106,9 +100,9 @@ TEST(Framebuffer, DividesByWWhereTheDrawDoes) {
 }
 
 TEST(Framebuffer, DrawsSamplesAsThePlainPath) {
-  RandomScenes random(24);
+  RandomScenes random(share_seed(24));
   int drawn = 0, asked = 0;
-  for (int i = 0; i < scaled_count(1500); ++i) {
+  for (int i = 0; i < kernel_scenes(1500); ++i) {
     Scene scene = random.next({4 + random.below(24), Fixed::kOne >> random.below(17), 4, false});
     scene.target.samples = random.below(4) == 0 ? 2 << random.below(3) : 4;
     std::erase_if(scene.draws, [](const Draw& draw) {
@@ -129,9 +123,9 @@ TEST(Framebuffer, DrawsSamplesAsThePlainPath) {
 
 // Scissor rectangles, and policies that see the target upside down.
 TEST(Framebuffer, HoldsTheScissorAndOtherRowOrders) {
-  RandomScenes random(25);
+  RandomScenes random(share_seed(25));
   int drawn = 0;
-  for (int i = 0; i < scaled_count(600); ++i) {
+  for (int i = 0; i < kernel_scenes(600); ++i) {
     const int size = 4 + random.below(28);
     Scene scene = random.next({size, Fixed::kOne >> random.below(17), 4, true});
     for (Draw& draw : scene.draws)
@@ -148,9 +142,9 @@ TEST(Framebuffer, HoldsTheScissorAndOtherRowOrders) {
 // Targets of several tiles, whole ones and some that are cut, and triangles enough to go tile by
 // tile: flat and smooth, of one sample and of four.
 TEST(Framebuffer, DrawsTileByTileAsInOrder) {
-  RandomScenes random(27);
+  RandomScenes random(share_seed(27));
   int drawn = 0, by_tiles = 0;
-  const int count = scaled_count(24);
+  const int count = kernel_scenes(24);
   for (int i = 0; i < count; ++i) {
     const int size = 190 + random.below(80);
     Scene scene = random.next({size, Fixed::kOne >> random.below(17), 1, false});

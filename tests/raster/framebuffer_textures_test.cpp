@@ -9,6 +9,7 @@
 #include "tests/raster/random_scenes.h"
 #include "tests/raster/random_textured_scenes.h"
 #include "tests/raster/texture_scenes.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -25,13 +26,13 @@ int expect_same(const Scene& scene, const Policy& policy) {
 }
 
 TEST(FramebufferTextures, EverySamplerAndLookup) {
-  TexturedScenes scenes(31);
+  TexturedScenes scenes(share_seed(31));
   int drawn = 0;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < share_of(1500); ++i) {
     if (expect_same(scenes.next(), {}) >= 0) ++drawn;
     ASSERT_FALSE(testing::Test::HasFailure()) << i;
   }
-  EXPECT_GT(drawn, 1000);
+  EXPECT_GT(drawn, least_of(1000));
 }
 
 // Two triangles whose coordinates turn, shrink and repeat the texture; linear filters of one level
@@ -66,9 +67,9 @@ Scene random_scene(RandomScenes& random) {
 }
 
 TEST(FramebufferTextures, LinearFiltersByKernels) {
-  RandomScenes random(32);
+  RandomScenes random(share_seed(32));
   int by_kernels = 0;
-  const int count = 700;
+  const int count = share_of(700);
   for (int i = 0; i < count; ++i) {
     by_kernels += std::max(0, expect_same(random_scene(random), {}));
     ASSERT_FALSE(testing::Test::HasFailure()) << i;

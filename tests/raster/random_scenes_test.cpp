@@ -12,6 +12,7 @@
 #include "raster/rasterizer.h"
 #include "tests/oracles/oracles.h"
 #include "tests/raster/random_scenes.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -122,10 +123,10 @@ Scene scene_with_tie(RandomScenes& scenes) {
 }
 
 TEST(RandomScenes, AreDrawnAsTheOraclesSay) {
-  constexpr int kScenes = 100000;
-  RandomScenes scenes(2026);
+  const int count = share_of(100000);
+  RandomScenes scenes(share_seed(2026));
   long fragments = 0;
-  for (int i = 0; i < kScenes; ++i) {
+  for (int i = 0; i < count; ++i) {
     const Scene scene =
         i % 2 == 0 ? scene_with_tie(scenes) : scenes.next({8, Fixed::kOne / 8, 4, false});
     const std::string order = kOrders[scenes.below(8)];
@@ -134,8 +135,8 @@ TEST(RandomScenes, AreDrawnAsTheOraclesSay) {
     if (HasFatalFailure()) FAIL() << "scene " << i << " under " << order;
     fragments += static_cast<long>(rendering.fragments.size());
   }
-  EXPECT_GT(fragments, 10L * kScenes);
-  std::printf("%d scenes, every other one with ties, %ld fragments\n", kScenes, fragments);
+  EXPECT_GT(fragments, 10L * count);
+  std::printf("%d scenes, every other one with ties, %ld fragments\n", count, fragments);
 }
 
 TEST(RandomScenes, ATriangleDoesNotDependOnTheOrderOfItsVertices) {

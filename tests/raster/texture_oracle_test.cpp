@@ -10,6 +10,7 @@
 #include "tests/oracles/area_ratios.h"
 #include "tests/oracles/texture_lookup.h"
 #include "tests/raster/random_textured_scenes.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -182,9 +183,9 @@ void compare_scene(const Scene& scene, const RuleChoices& choices, Tally& tally)
 }
 
 TEST(TextureOracle, RandomFragmentsAgree) {
-  TexturedScenes scenes(6);
+  TexturedScenes scenes(share_seed(6));
   Tally tally;
-  for (int i = 0; tally.fragments < 25'000; ++i) {
+  for (int i = 0; tally.fragments < share_of(25'000, 2'500); ++i) {
     RuleChoices choices;
     choices.textures.crossover = i % 2 == 0 ? Crossover::zero : Crossover::by_filters;
     choices.textures.nearest_level =

@@ -6,6 +6,7 @@
 
 #include "raster/texture_stage.h"
 #include "tests/raster/random_textured_scenes.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -49,11 +50,12 @@ TEST(TexturePolicies, EveryChoiceHasOneAnswer) {
   TexturedScenes scenes(3);
   int fragments = 0;
   const std::vector<TextureChoice> all = all_choices();
-  for (int i = 0; i < 1'500; ++i) {
+  for (std::uint64_t i = 0; i < 1'500; ++i) {
     Scene scene = scenes.next();
+    if (!is_in_share(i)) continue;
     if (i % 4 == 0) scene.draws[0].texture->sampler.max_anisotropy = 3.5F;
     RuleChoices choices;
-    choices.textures = all[static_cast<std::size_t>(i) % all.size()];
+    choices.textures = all[i % all.size()];
     if (i % 8 == 0) choices.textures.anisotropy = Anisotropy::gaussian_5;
     const TextureStage stage(scene, choices);
     const ScenePrimitive primitive = primitives_of(scene).at(0);
@@ -68,7 +70,7 @@ TEST(TexturePolicies, EveryChoiceHasOneAnswer) {
       ++fragments;
     }
   }
-  EXPECT_GT(fragments, 4'000);
+  EXPECT_GT(fragments, least_of(4'000));
 }
 
 bool meet(Interval a, Interval b) {
