@@ -12,7 +12,6 @@
 #include "raster/rasterizer.h"
 #include "rules/values/cut_line.h"
 #include "tests/raster/clipped_scenes.h"
-#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -40,9 +39,9 @@ std::set<Rational> crossings(const RationalClip& a, const RationalClip& b) {
 }
 
 TEST(ClippedLine, IsSeenBetweenTheCrossingsThatLieInside) {
-  ClippedScenes scenes(share_seed(3));
+  ClippedScenes scenes(3);
   int seen = 0, unseen = 0;
-  for (int round = 0; round < share_of(20000); ++round) {
+  for (int round = 0; round < 20000; ++round) {
     const RationalClip a = rational_clip(scenes.vertex(), kViewport);
     const RationalClip b = rational_clip(scenes.vertex(), kViewport);
     const auto part = visible_part(a, b);
@@ -55,14 +54,14 @@ TEST(ClippedLine, IsSeenBetweenTheCrossingsThatLieInside) {
     ++(part ? seen : unseen);
     if (HasFailure()) return;
   }
-  EXPECT_GT(seen, least_of(2000));
-  EXPECT_GT(unseen, least_of(2000));
+  EXPECT_GT(seen, 2000);
+  EXPECT_GT(unseen, 2000);
 }
 
 TEST(ClippedLine, HasItsEndsInTheWindowWhereTheyAreMapped) {
-  ClippedScenes scenes(share_seed(4));
+  ClippedScenes scenes(4);
   int cut = 0;
-  for (int round = 0; round < share_of(8000); ++round) {
+  for (int round = 0; round < 8000; ++round) {
     const Scene scene = scenes.scene(Primitive::lines, 2, kViewport);
     const ScenePrimitive line = primitives_of(scene).front();
     const RationalClip a = rational_clip(*line.vertices[0], kViewport);
@@ -80,13 +79,13 @@ TEST(ClippedLine, HasItsEndsInTheWindowWhereTheyAreMapped) {
     }
     if (HasFailure()) return;
   }
-  EXPECT_GT(cut, least_of(500));
+  EXPECT_GT(cut, 500);
 }
 
 TEST(ClippedLine, CarriesTheValuesOfItsPlacesInClipSpace) {
-  ClippedScenes scenes(share_seed(5));
+  ClippedScenes scenes(5);
   int cut = 0;
-  for (int round = 0; round < share_of(8000); ++round) {
+  for (int round = 0; round < 8000; ++round) {
     const Scene scene = scenes.scene(Primitive::lines, 2, kViewport);
     const ScenePrimitive line = primitives_of(scene).front();
     if (!line.is_cut) continue;
@@ -124,14 +123,14 @@ TEST(ClippedLine, CarriesTheValuesOfItsPlacesInClipSpace) {
     }
     if (HasFailure()) return;
   }
-  EXPECT_GT(cut, least_of(500));
+  EXPECT_GT(cut, 500);
 }
 
 // A line through the near plane draws what the line from there on draws.
 TEST(ClippedLine, DrawsWhatTheLineBetweenItsEndsDraws) {
-  ClippedScenes scenes(share_seed(6));
+  ClippedScenes scenes(6);
   int cut = 0;
-  for (int round = 0; round < share_of(8000); ++round) {
+  for (int round = 0; round < 8000; ++round) {
     Scene scene = scenes.scene(Primitive::lines, 2, {0, 0, 8, 8});
     const ScenePrimitive line = primitives_of(scene).front();
     if (!line.is_cut) continue;
@@ -153,7 +152,7 @@ TEST(ClippedLine, DrawsWhatTheLineBetweenItsEndsDraws) {
               covered_pixels(primitives_of(given).front(), given.target, choice));
     if (HasFailure()) return;
   }
-  EXPECT_GT(cut, least_of(100));
+  EXPECT_GT(cut, 100);
 }
 
 TEST(ClippedLine, IsNotDrawnWhereNothingIsSeen) {

@@ -3,7 +3,6 @@
 // Random scenes whose vertices lie inside and outside of the clip volume, behind the eye too.
 #pragma once
 
-#include <cstdint>
 #include <random>
 
 #include "model/scene.h"
@@ -12,7 +11,7 @@ namespace edgecase {
 
 class ClippedScenes {
  public:
-  explicit ClippedScenes(std::uint64_t seed) : random_(seed) {}
+  explicit ClippedScenes(unsigned seed) : random_(seed) {}
 
   int between(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
   // Clip coordinates that are small integers, so that vertices lie on planes and edges run through

@@ -53,7 +53,7 @@ TEST_P(MultisampledQuotients, CoverWhatFractionsSay) {
   RandomPoints random(share_seed(static_cast<std::uint64_t>(GetParam()) + 100));
   long covered = 0;
   long tied = 0;
-  for (int round = 0; round < share_of(150, 24); ++round) {
+  for (int round = 0; round < share_of(150, 48); ++round) {
     Scene scene = multisampled_scene(kSize, 4, GetParam(), {});
     Draw& draw = scene.draws[0];
     for (int i = 0; i < vertices_of(kind_of(GetParam())); ++i)
@@ -76,6 +76,8 @@ TEST_P(MultisampledQuotients, CoverWhatFractionsSay) {
             const bool ours = (mask_at(coverage, {x, y}) >> s & 1) != 0;
             ASSERT_EQ(ours, oracle_has(primitive, sample, ties)) << rule.name << " " << round;
             covered += ours ? 1 : 0;
+            // Which samples are tied does not depend on the rule.
+            if (&rule != &all_tie_rules().front()) continue;
             tied += oracle_has(primitive, sample, oracle::ties_named("closed")) !=
                             oracle_has(primitive, sample, oracle::ties_named("open"))
                         ? 1
@@ -84,7 +86,7 @@ TEST_P(MultisampledQuotients, CoverWhatFractionsSay) {
     }
   }
   EXPECT_GT(covered, least_of(5000));
-  EXPECT_GT(tied, least_of(50));
+  EXPECT_GT(tied, least_of(5));
 }
 
 // A target seen upside down, with the samples turned over too, draws what the target seen upright
