@@ -20,6 +20,7 @@
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/raster/random_scenes.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -63,7 +64,9 @@ TEST(EqualValues, AreCorrectInEveryNamedScene) {
 TEST(EqualValues, AreCorrectInEveryCaseOfTheSuite) {
   const std::filesystem::path suite[] = {std::filesystem::path(EDGECASE_ROOT) / "cases"};
   int known = 0, smooth = 0, clipped = 0;
-  for (const CaseFile& file : find_cases(suite).cases)
+  Dealer files;
+  for (const CaseFile& file : find_cases(suite).cases) {
+    if (!files.deal()) continue;
     for (const Case& one : load_cases(file.file, file.id).cases) {
       if (one.scene.target.samples > 1 || !one.scene.textures.empty()) continue;
       const Rendering exact = rasterize_without_details(one.scene, {});
@@ -76,10 +79,11 @@ TEST(EqualValues, AreCorrectInEveryCaseOfTheSuite) {
       expect_correct_values(one.scene, exact, 8);
       if (HasFailure()) FAIL() << one.id;
     }
+  }
   std::printf("%d cases, %d of them smooth, %d clipped\n", known, smooth, clipped);
-  EXPECT_GT(known, 1000);
-  EXPECT_GT(smooth, 50);
-  EXPECT_GT(clipped, 50);
+  EXPECT_GT(known, least_of(1000));
+  EXPECT_GT(smooth, least_of(50));
+  EXPECT_GT(clipped, least_of(50));
 }
 
 // A target with a depth buffer, so that there is a value of each kind.

@@ -15,6 +15,7 @@
 #include "generate/random_scenes.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/point_ownership.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -134,6 +135,7 @@ std::map<Pair, std::size_t> count_differing(const std::vector<NamedChoice>& choi
                                             SceneOf scene_of) {
   std::map<Pair, std::size_t> differing;
   for (std::uint64_t index = 0; index < kScenes; ++index) {
+    if (!is_in_share(index)) continue;
     const std::vector<std::size_t> drawings = drawings_of(scene_of(index), choices);
     for (std::size_t i = 0; i < choices.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) differing[{i, j}] += drawings[i] != drawings[j] ? 1u : 0u;
@@ -147,17 +149,21 @@ void expect_told_apart(const char* what, const std::vector<NamedChoice>& choices
                        const std::set<Pair>& same = {}) {
   std::size_t least = kScenes;
   std::string least_pair;
+  std::size_t pairs = 0, alike = 0;
   for (const auto& [pair, count] : count_differing(choices, scene_of)) {
     const std::string names = choices[pair.first].name + " and " + choices[pair.second].name;
     if (same.contains(pair)) {
       EXPECT_EQ(count, 0u) << what << ": " << names;
       continue;
     }
-    EXPECT_GE(count, kLeast) << what << ": " << names;
+    EXPECT_GE(count, least_of(kLeast)) << what << ": " << names;
+    ++pairs;
+    if (count == 0) ++alike;
     if (count >= least) continue;
     least = count;
     least_pair = names;
   }
+  EXPECT_LE(alike, pairs / 10) << what << ": a share tells nine pairs of ten apart";
   std::printf("%s: %zu alternatives, least told apart %s, by %zu scenes\n", what, choices.size(),
               least_pair.c_str(), least);
 }
