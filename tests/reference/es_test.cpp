@@ -163,8 +163,8 @@ TEST_P(EsTest, WhatItLacksItSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Everywhere, EsTest,
-                         ::testing::Combine(::testing::ValuesIn(opengl_es_renderer_names()),
-                                            ::testing::Values(Surface::fbo, Surface::window)),
+                         ::testing::ValuesIn(places_of_share(opengl_es_renderer_names(),
+                                                             {Surface::fbo, Surface::window})),
                          place_name);
 
 }  // namespace

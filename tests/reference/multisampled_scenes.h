@@ -54,7 +54,7 @@ class MultisampleTest : public OpenGlTest {
 };
 
 #define EDGECASE_ALL_FRAMEBUFFER_OBJECTS \
-  ::testing::Combine(::testing::ValuesIn(opengl_renderer_names()), ::testing::Values(Surface::fbo))
+  ::testing::ValuesIn(places_of_share(opengl_renderer_names(), {Surface::fbo}))
 
 // All samples that the fragments of a pixel cover; no entry where there are no fragments.
 inline std::map<std::pair<int, int>, std::uint32_t> coverage_masks(const Rendering& rendering) {

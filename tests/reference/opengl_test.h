@@ -6,14 +6,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <memory>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "run/renderer_names.h"
 #include "tests/reference/drawings.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 
@@ -60,8 +63,26 @@ inline std::string place_name(const ::testing::TestParamInfo<OpenGlTest::ParamTy
   return name + "_" + name_of(std::get<1>(test.param));
 }
 
-#define EDGECASE_ALL_PLACES                                        \
-  ::testing::Combine(::testing::ValuesIn(opengl_renderer_names()), \
-                     ::testing::Values(Surface::fbo, Surface::window))
+// The places of this share, of each of these renderers on each of these surfaces: at least one, and
+// of the next test others. Softpipe lacks much of what is tested, so that where it is alone the
+// first place is asked too. To be called once for each test, as gtest does.
+inline std::vector<OpenGlTest::ParamType> places_of_share(const std::vector<std::string>& renderers,
+                                                          const std::vector<Surface>& surfaces) {
+  std::vector<OpenGlTest::ParamType> all, mine;
+  for (const std::string& renderer : renderers)
+    for (const Surface surface : surfaces) all.emplace_back(renderer, surface);
+  static std::size_t tests = 0;
+  ++tests;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (is_in_share_of_few((i + tests) % all.size(), all.size())) mine.push_back(all[i]);
+  if (std::all_of(mine.begin(), mine.end(), [](const OpenGlTest::ParamType& place) {
+        return std::get<0>(place).ends_with("softpipe");
+      }))
+    mine.push_back(all.front());
+  return mine;
+}
+
+#define EDGECASE_ALL_PLACES \
+  ::testing::ValuesIn(places_of_share(opengl_renderer_names(), {Surface::fbo, Surface::window}))
 
 }  // namespace edgecase

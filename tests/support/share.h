@@ -46,6 +46,13 @@ std::uint64_t share_seed(std::uint64_t seed);
 // dealt by a hash of their number, so that a share has some of every row of a grid.
 bool is_in_share(std::uint64_t item);
 
+// Whether an item of a few is in this share: each of them is in one, or several, and each share has
+// at least one of them.
+inline bool is_in_share_of_few(std::uint64_t item, std::uint64_t items) {
+  const std::uint64_t count = std::min(share().count, items);
+  return item % count == share().number % count;
+}
+
 // Deals the items of an enumeration in the order in which they come, which has to be the same each
 // time: `if (!dealer.deal()) continue;` in the innermost loop whose body takes its time.
 class Dealer {

@@ -60,6 +60,13 @@ TEST_F(ShareDeathTest, IsDealtInTurn) {
   });
 }
 
+TEST_F(ShareDeathTest, HasOneOfAFew) {
+  expect_of_share("2/3", [] {
+    return !is_in_share_of_few(0, 5) && is_in_share_of_few(1, 5) && is_in_share_of_few(4, 5);
+  });
+  expect_of_share("4/9", [] { return is_in_share_of_few(1, 2) && !is_in_share_of_few(0, 2); });
+}
+
 TEST_F(ShareDeathTest, IsOfAsManyScenesOfKernelsAsAreAskedFor) {
   expect_of_share("1/4", [] { return kernel_scenes(1000) == 250; });
   expect_of_share("1/4", [] {
