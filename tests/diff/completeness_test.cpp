@@ -13,6 +13,7 @@
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "tests/raster/random_scenes.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -82,10 +83,10 @@ void damage(Rendering& rendering, RandomScenes& random, int primitives) {
 }
 
 TEST(Completeness, DisagreementsAreThePlainDifferenceOfFragments) {
-  constexpr std::size_t kPairs = 2000;
-  RandomScenes random(21);
+  const std::size_t pairs = share_of(2000u);
+  RandomScenes random(share_seed(21));
   std::size_t differing = 0, total = 0;
-  for (std::size_t i = 0; i < kPairs; ++i) {
+  for (std::size_t i = 0; i < pairs; ++i) {
     const Scene scene =
         random.next({10, i % 2 == 0 ? Fixed::kOne / 2 : Fixed::kOne / 512, 4, false});
     const Rendering exact = rasterize(scene, {});
@@ -97,8 +98,8 @@ TEST(Completeness, DisagreementsAreThePlainDifferenceOfFragments) {
     if (!expected.empty()) ++differing;
     total += expected.size();
   }
-  std::printf("%zu pairs, %zu of them differ, %zu disagreements\n", kPairs, differing, total);
-  EXPECT_GT(differing, kPairs / 2);
+  std::printf("%zu pairs, %zu of them differ, %zu disagreements\n", pairs, differing, total);
+  EXPECT_GT(differing, pairs / 2);
 }
 
 // Disagreements come in the order that the results file promises.
@@ -119,9 +120,9 @@ TEST(Completeness, DisagreementsAreSorted) {
 // What a rendering breaks is the same whatever it is held against: places that two policies both
 // disagree with are judged alike.
 TEST(Legality, DoesNotDependOnThePolicy) {
-  RandomScenes random(23);
+  RandomScenes random(share_seed(23));
   long compared = 0, illegal = 0;
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < share_of(4000); ++i) {
     const Scene scene =
         random.next({10, i % 2 == 0 ? Fixed::kOne / 2 : Fixed::kOne / 512, 4, false});
     Rendering rendered = rasterize(scene, random_policy(random));
@@ -150,8 +151,8 @@ TEST(Legality, DoesNotDependOnThePolicy) {
       illegal += judgements.begin()->first ? 0 : 1;
     }
   }
-  EXPECT_GT(compared, 10000);
-  EXPECT_GT(illegal, 1000);
+  EXPECT_GT(compared, least_of(10000));
+  EXPECT_GT(illegal, least_of(1000));
 }
 
 }  // namespace

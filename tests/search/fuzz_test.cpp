@@ -19,6 +19,7 @@
 #include "search/scene_size.h"
 #include "search/trial.h"
 #include "tests/profile/altered_renderer.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -82,7 +83,7 @@ TEST(Fuzz, FindsAPlantedFaultOfLinesAndMakesItSmall) {
   FuzzOptions options = few({"lines"}, 128);
   options.finds = 1;
   options.least = Verdict::violation;
-  options.minimize.max_asks = 400;
+  options.minimize.max_asks = share_of(std::size_t{400}, std::size_t{120});
   const FuzzReport report = fuzz({altered(lose_last_of_a_line)}, options);
   ASSERT_FALSE(report.finds.empty());
   const Find& find = report.finds.front();
@@ -152,7 +153,7 @@ FuzzWords words_of_test() {
 }
 
 TEST(Fuzz, IsTheSameForAnyNumberOfThreads) {
-  FuzzOptions options = few({"shared-edges"}, 1'300);
+  FuzzOptions options = few({"shared-edges"}, share_of(std::size_t{1'300}, std::size_t{200}));
   options.minimize.max_asks = 10;
   const std::string one = fuzz_json(fuzz({altered(tear_diagonal)}, options), words_of_test());
   options.jobs = 3;
@@ -176,7 +177,9 @@ TEST(Fuzz, TellsOfRenderersWhoseNamesAreNoText) {
 }
 
 TEST(Fuzz, TellsEachFindOnce) {
-  const FuzzReport report = fuzz({altered(lose_last_of_a_line)}, few({"lines", "joints"}, 96));
+  const FuzzReport report =
+      fuzz({altered(lose_last_of_a_line)},
+           few({"lines", "joints"}, share_of(std::size_t{96}, std::size_t{32})));
   for (std::size_t i = 0; i < report.finds.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) EXPECT_NE(report.finds[i].key, report.finds[j].key);
 }
