@@ -8,15 +8,21 @@ set(EDGECASE_QUICK_SHARE 1/16)
 set(EDGECASE_TURNS 8)
 
 # edgecase_add_test(NAME COMMAND word... [SECONDS n [PARTS n] [QUICK_SHARE i/n] [NOT_QUICK]]
-#                   [ENVIRONMENT name=value...] [TIMEOUT seconds] [PROCESSORS n])
+#                   [ENVIRONMENT name=value...] [TIMEOUT seconds] [PROCESSORS n]
+#                   [SETS_UP fixture] [FIXTURES fixture...])
 #
 # Registers the command with ctest. Without SECONDS the test is in both tiers. With SECONDS, which
 # is about how long all of it takes on one core, the quick tier has NAME, which asks one share of its
 # scenes (EDGECASE_SHARE: tests/support/share.h), unless NOT_QUICK; and the full tier has NAME.1 to
 # NAME.PARTS, which together ask all of them. Each of those is in the turn that is the shortest so far.
+#
+# A test that SETS_UP a fixture makes what tests with it among their FIXTURES read: ctest runs it
+# before those, whichever of them are chosen, so that it is in no turn. SHARE in the name of a fixture
+# stands for the share that a test asks: both need the same PARTS.
 function(edgecase_add_test name)
-  cmake_parse_arguments(arg "NOT_QUICK" "SECONDS;PARTS;QUICK_SHARE;TIMEOUT;PROCESSORS"
-                        "COMMAND;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(arg "NOT_QUICK"
+                        "SECONDS;PARTS;QUICK_SHARE;TIMEOUT;PROCESSORS;SETS_UP"
+                        "COMMAND;ENVIRONMENT;FIXTURES" ${ARGN})
   if(NOT arg_SECONDS)
     edgecase_add_labelled(${name} "quick;all" "")
     return()
@@ -32,8 +38,12 @@ function(edgecase_add_test name)
   endif()
   math(EXPR seconds "${arg_SECONDS} / ${arg_PARTS}")
   foreach(part RANGE 1 ${arg_PARTS})
-    edgecase_take_turn(turn ${seconds})
-    edgecase_add_labelled(${name}.${part} "all;turn-${turn}" ${part}/${arg_PARTS})
+    set(labels all)
+    if(NOT arg_SETS_UP)
+      edgecase_take_turn(turn ${seconds})
+      list(APPEND labels turn-${turn})
+    endif()
+    edgecase_add_labelled(${name}.${part} "${labels}" ${part}/${arg_PARTS})
     set_tests_properties(${name}.${part} PROPERTIES COST ${seconds})
   endforeach()
 endfunction()
@@ -50,6 +60,10 @@ function(edgecase_add_labelled name labels share)
       set_tests_properties(${name} PROPERTIES ${property} ${arg_${property}})
     endif()
   endforeach()
+  string(REPLACE SHARE "${share}" sets_up "${arg_SETS_UP}")
+  string(REPLACE SHARE "${share}" fixtures "${arg_FIXTURES}")
+  set_tests_properties(${name} PROPERTIES FIXTURES_SETUP "${sets_up}"
+                                          FIXTURES_REQUIRED "${fixtures}")
 endfunction()
 
 # Sets `result` to the turn with the fewest seconds so far, and adds `seconds` to it.

@@ -1,25 +1,14 @@
 # SPDX-License-Identifier: MIT
 """The subcommands beside `run`: explain, rules, validate, render, report; what `run` selects."""
-import functools
 import json
 import shlex
 import struct
-import subprocess
 import unittest
 import zlib
 
-from support import (A_FIFTH, EDGECASE, MESA, PATIENCE, PROBES, ROOT, SUITE, UNEXPECTED, USAGE,
-                     CommandTest, contents, environment, only_result, report_options, triangle_case)
+from support import ROOT, SUITE, UNEXPECTED, USAGE, CommandTest, only_result, triangle_case
 
 TIE = f"{SUITE}/triangles/ties/flat-bottom.json"
-
-
-@functools.lru_cache(maxsize=None)
-def softpipe_results():
-    """What `edgecase run` finds of softpipe on the whole suite."""
-    run = subprocess.run([EDGECASE, "run", *PROBES, "--against", "osmesa:softpipe", "--json", "-"],
-                         env=environment(), capture_output=True, text=True, timeout=PATIENCE)
-    return json.loads(run.stdout)
 
 
 class Texts(CommandTest):
@@ -90,35 +79,6 @@ class Texts(CommandTest):
             words = shlex.split(line)
             x, y = words[words.index("--pixel") + 1].split(",")
             self.assertIn(f"  ({x}, {y}) ", self.command(*words).stdout)
-
-    def test_clusters_count_every_disagreement_once(self):
-        results = softpipe_results()
-        clusters = results["clusters"]["osmesa:softpipe"]
-        told = [d for case in results["cases"] for d in only_result(case)["disagreements"]]
-        values = [v for case in results["cases"] for v in only_result(case)["values"]]
-        self.assertEqual(sum(c["disagreements"] for c in clusters),
-                         len(told) + sum(len(v["differing"]) for v in values))
-        self.assertEqual(sum(c["disagreements"] for c in clusters if "cause" in c),
-                         sum(1 for d in told if d["cause"]) +
-                         sum(len(v["differing"]) for v in values if "cause" in v))
-        causes = ["cause" in cluster for cluster in clusters]
-        self.assertEqual(causes, sorted(causes), "those without cause come first")
-
-    def test_every_ruling_and_rule_that_results_cite_exists(self):
-        rules = json.loads(self.command("rules", "--json").stdout)
-        ids = {rule["id"] for rule in rules}
-        numbers = {ruling["number"] for rule in rules for ruling in rule["rulings"]}
-        results = softpipe_results()
-        for case in results["cases"]:
-            self.assertLessEqual(set(case["rules"]), ids)
-            for told in only_result(case)["disagreements"]:
-                self.assertIn(told["rule"], ids)
-                self.assertIn(told["ruling"], numbers)
-                self.assertRegex(told["explanation"], r"\d")
-                for cause in filter(None, told["cause"].split(" + ")):
-                    rule, _, name = cause.partition("=")
-                    self.assertIn(rule, ids)
-                    self.assertTrue(name)
 
     def test_validate(self):
         run = self.command("validate", SUITE, "--check-format")
@@ -197,16 +157,6 @@ class Render(CommandTest):
 
 
 class Report(CommandTest):
-    def test_reports_from_a_results_file_are_those_of_the_run(self):
-        against = [word for renderer in MESA for word in ("--against", renderer)]
-        for name, *words in (("run", *PROBES, *against, *A_FIFTH), ("report", "run/reports.json")):
-            (self.folder / name).mkdir()
-            self.command(name, *words, *report_options(name), expect=None)
-        first, again = (contents(self.folder / name) for name in ("run", "report"))
-        self.assertEqual(first.keys(), again.keys())
-        for name in first:
-            self.assertTrue(first[name] == again[name], name)
-
     def test_json_on_standard_output_is_nothing_but_json(self):
         run = self.command("run", f"{SUITE}/lines", "--against", "exact", "--json", "-")
         self.assertGreater(len(json.loads(run.stdout)["cases"]), 50)
@@ -238,15 +188,6 @@ class Selection(CommandTest):
         self.assertEqual(self.listed(SUITE, "--shard", "1/3", TEST_TOTAL_SHARDS="7",
                                      TEST_SHARD_INDEX="2"), by_option[0])
 
-    def test_a_shard_is_judged_as_the_whole_is(self):
-        against = ["--against", "osmesa:softpipe"]
-        whole = {c["id"]: c for c in softpipe_results()["cases"]}
-        for shard in ("1/6", "4/6"):
-            part = self.results(*PROBES, *against, "--shard", shard, expect=None)
-            for case in part["cases"]:
-                self.assertEqual(only_result(case)["fingerprint"],
-                                 only_result(whole[case["id"]])["fingerprint"])
-
     def test_filters_excludes_and_tags(self):
         everything = set(self.listed(SUITE))
         # An option takes one value: what follows is a path.
@@ -274,18 +215,6 @@ class Selection(CommandTest):
     def test_against_takes_one_renderer(self):
         results = self.results("--against", "exact", f"{SUITE}/points")
         self.assertEqual([info["name"] for info in results["renderers"]], ["exact"])
-
-
-class Strict(CommandTest):
-    def test_strict_grants_no_latitude(self):
-        against = ["--against", "osmesa:llvmpipe", "--against", "osmesa:softpipe"]
-        lenient = self.results(*PROBES, *against, *A_FIFTH, expect=None)
-        strict = self.results(*PROBES, *against, *A_FIFTH, "--strict", expect=UNEXPECTED)
-        for before, after in zip(lenient["cases"], strict["cases"]):
-            for renderer, result in after["results"].items():
-                verdict = before["results"][renderer]["verdict"]
-                kept = verdict in ("agree", "not-run")
-                self.assertEqual(result["verdict"], verdict if kept else "violation", after["id"])
 
 
 if __name__ == "__main__":

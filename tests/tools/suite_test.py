@@ -1,129 +1,80 @@
 # SPDX-License-Identifier: MIT
 """The whole suite: as expected on the four Mesa renderers, the same bytes each time and whoever
-else is judged; exact agrees with itself; the Python example agrees; a new case needs no build; no
-disagreement is lost."""
+else is judged; exact agrees with itself; a new case needs no build; no disagreement is lost."""
 import collections
 import fractions
-import functools
+import itertools
 import json
 import math
 import operator
-import pathlib
 import re
 import struct
-import subprocess
-import tempfile
 import unittest
 import xml.etree.ElementTree
 
-from support import (A_FIFTH, EDGECASE, MESA, PATIENCE, PROBES, REPORTS, ROOT, UNHURRIED,
-                     CommandTest, component_bits, contents, drawings, environment, float32,
-                     known_not_run, lines_of_suite, only_result, places, rendered_suite,
-                     report_options, triangle_case, verdicts)
+from suite_data import (AGAINST_MESA, cases_of, exact_lines, head_of, lines_of, mesa, run_share,
+                        shard)
+from support import (MESA, PROBES, REPORTS, UNHURRIED, CommandTest, component_bits, drawings,
+                     float32, known_not_run, only_result, places, triangle_case, verdicts)
 
-AGAINST_MESA = [word for renderer in MESA for word in ("--against", renderer)] + UNHURRIED
-
-
-def reports(jobs):
-    """Runs the suite against all Mesa renderers; what is in the files of its reports."""
-    with tempfile.TemporaryDirectory(prefix="edgecase-") as folder:
-        words = ["run", *PROBES, *AGAINST_MESA, *report_options("."), "--jobs", jobs]
-        subprocess.run([EDGECASE, *words], cwd=folder, env=environment(),
-                       stdout=subprocess.DEVNULL, check=True, timeout=PATIENCE)
-        return contents(pathlib.Path(folder))
+SAMPLES = re.compile(r'"samples":(\d+)')
 
 
-@functools.lru_cache(maxsize=None)
-def reports_of_one_thread():
-    return reports("1")
-
-
-@functools.lru_cache(maxsize=None)
-def results_of_mesa():
-    return json.loads(reports_of_one_thread()["reports.json"])
+def known_of_share(renderer):
+    """id -> why one of MESA does not render a case of this share, or none."""
+    return {name: known_not_run(renderer, name, int(SAMPLES.search(line)[1]))
+            for name, line in exact_lines()}
 
 
 class WholeSuite(CommandTest):
-    def test_mesa_is_as_expected_and_the_same_bytes_each_time(self):
-        results = results_of_mesa()
-        self.assertGreaterEqual(len(results["cases"]), 50)
-        self.assertEqual(results["diagnostics"], [])
-        exact = rendered_suite()
-        for case in results["cases"]:
+    def test_mesa_is_as_expected(self):
+        path = mesa() / "reports.json"
+        self.assertEqual(head_of(path)["diagnostics"], [])
+        known = {renderer: known_of_share(renderer) for renderer in MESA}
+        count = 0
+        for case in cases_of(path):
+            count += 1
             self.assertEqual(list(case["results"]), MESA)
             for renderer, result in case["results"].items():
                 self.assertEqual(result["standing"], "expected", case["id"])
-                known = known_not_run(renderer, exact[case["id"]])
-                self.assertEqual(result["verdict"] == "not-run", known is not None, case["id"])
-                if known:
-                    self.assertIn(known, result["failure"]["reason"])
-        first, again = reports_of_one_thread(), reports("4")
-        self.assertEqual(again.keys(), first.keys())
-        for file in first:
-            self.assertTrue(again[file] == first[file], f"{file} of four threads differs")
-        self.check_that_each_is_judged_alone(results)
+                reason = known[renderer][case["id"]]
+                self.assertEqual(result["verdict"] == "not-run", reason is not None, case["id"])
+                if reason:
+                    self.assertIn(reason, result["failure"]["reason"])
+        self.assertGreaterEqual(count, 50)
+        for renderer in MESA:
+            self.check_renderings(renderer, known[renderer])
 
-    def check_that_each_is_judged_alone(self, together):
-        alone = self.results(*PROBES, "--against", "osmesa:softpipe", *UNHURRIED, expect=None)
-        for one, many in zip(alone["cases"], together["cases"], strict=True):
+    def check_renderings(self, renderer, known):
+        """There are those of the cases that it has to render, and of the others it is told why not."""
+        lines = lines_of(renderer)
+        self.assertEqual(set(lines), {name for name, reason in known.items() if reason is None})
+        told = (mesa() / f"{renderer}.errors").read_text(encoding="utf-8").splitlines()
+        self.assertEqual(len(told), len(known) - len(lines))
+
+    def test_one_thread_and_several_make_the_same_bytes(self):
+        run_share(self.folder, 1, *AGAINST_MESA)
+        several = {path.name: path for path in mesa().glob("reports.*")}
+        single = {path.name: path for path in self.folder.iterdir()}
+        self.assertLessEqual({f"reports.{kind}" for kind in REPORTS}, set(single))
+        self.assertEqual(single.keys(), several.keys())
+        for name, path in single.items():
+            self.assertTrue(path.read_bytes() == several[name].read_bytes(), f"{name} differs")
+
+    def test_each_is_judged_alone(self):
+        path = self.folder / "alone.json"
+        self.command("run", *PROBES, *shard(), "--against", "osmesa:softpipe", *UNHURRIED, "--json",
+                     path)
+        for one, many in itertools.zip_longest(cases_of(path), cases_of(mesa() / "reports.json")):
             self.assertEqual(one["results"]["osmesa:softpipe"], many["results"]["osmesa:softpipe"])
 
     def test_exact_agrees_with_itself_without_expectations(self):
         nothing = self.write("none.json", {"renderer": "exact", "measured": "", "expectations": []})
-        results = self.results(*PROBES, "--against", "exact", "--expectations", nothing)
+        results = self.results(*PROBES, *shard(), "--against", "exact", "--expectations", nothing)
         self.assertEqual(set(verdicts(results).values()), {"agree"})
         for case in results["cases"]:
             self.assertEqual(case["expect_failures"], [])
             self.assertEqual(only_result(case)["values"], [])
-
-    def check_the_python_example(self, refusal, *selection):
-        """(cases that it draws, cases that it says it does not)"""
-        program = f"exec:/usr/bin/env python3 {ROOT / 'reference/examples/rasterizer.py'}"
-        results = self.results(*selection, "--against", program, *UNHURRIED, expect=None)
-        drawn = refused = 0
-        for case in results["cases"]:
-            result = only_result(case)
-            self.assertEqual(result["disagreements"], [], case["id"])
-            if result["verdict"] == "not-run":
-                refused += 1
-                self.assertEqual(result["failure"]["kind"], "unsupported")
-                self.assertRegex(result["failure"]["reason"], refusal)
-            else:
-                drawn += 1
-                self.assertIn(result["verdict"], ("agree", "permitted"), case["id"])
-        return drawn, refused
-
-    def test_the_python_example_agrees(self):
-        others = [word for folder in ("textures", "samples", "output", "clipping", "gallery")
-                  for word in ("--exclude", f"{folder}/*")]
-        drawn, refused = self.check_the_python_example("draws lines of width 1", *PROBES, *others,
-                                                        *A_FIFTH)
-        self.assertGreater(drawn, 1000)
-        self.assertLess(refused, drawn / 9)
-
-    def test_the_python_example_agrees_on_samples(self):
-        drawn, _ = self.check_the_python_example("draws lines of width 1|draws one pass",
-                                                 ROOT / "cases/samples", *A_FIFTH)
-        self.assertGreater(drawn, 1000)
-
-    def test_the_python_example_agrees_on_what_becomes_of_fragments(self):
-        folders = [ROOT / "cases/output" / name
-                   for name in ("depth", "stencil", "blending", "culling", "order", "offset")]
-        folders.append(ROOT / "cases/gallery")
-        drawn, refused = self.check_the_python_example("this example ", *folders, *A_FIFTH)
-        self.assertGreater(drawn, 1000)
-        self.assertLess(refused, drawn / 100)
-
-    def test_the_python_example_agrees_on_what_leaves_the_clip_volume(self):
-        drawn, refused = self.check_the_python_example("this example ", ROOT / "cases/clipping",
-                                                       *A_FIFTH)
-        self.assertGreater(drawn, 500)
-        self.assertLess(refused, drawn / 20)
-
-    def test_the_python_example_agrees_on_nearest_texels(self):
-        folders = [ROOT / "cases/textures" / name for name in ("wrap", "filter", "formats")]
-        drawn, _ = self.check_the_python_example("this example ", *folders)
-        self.assertGreater(drawn, 200)
 
     def test_a_run_without_arguments(self):
         self.copy_suite("points")
@@ -354,21 +305,23 @@ class NothingIsLost(CommandTest):
                                      largest * 2 ** -23)
 
     def test_of_all_renderers(self):
-        results, exact = results_of_mesa(), rendered_suite()
-        self.assertEqual([case["id"] for case in results["cases"]], sorted(exact))
+        lines = {renderer: lines_of(renderer) for renderer in MESA}
         coverage = values = 0
-        for case in results["cases"]:
-            checked = []
+        # Of each case: the one line of the truth, and the one of the results.
+        pairs = itertools.zip_longest(exact_lines(), cases_of(mesa() / "reports.json"))
+        for (name, truth), case in pairs:
+            self.assertEqual(case["id"], name)
+            exact, checked = json.loads(truth), []
             for renderer in MESA:
-                if known_not_run(renderer, exact[case["id"]]):
+                if known_not_run(renderer, name, exact["samples"]):
                     continue
                 # Two that answer the same and of which the same is told need one check.
-                line, result = lines_of_suite(renderer)[case["id"]], case["results"][renderer]
+                line, result = lines[renderer][name], case["results"][renderer]
                 if (line, result) in checked:
                     continue
                 checked.append((line, result))
-                with self.subTest(case=case["id"], renderer=renderer):
-                    found = self.check_all(exact[case["id"]], json.loads(line), result)
+                with self.subTest(case=name, renderer=renderer):
+                    found = self.check_all(exact, json.loads(line), result)
                     coverage += found[0]
                     values += found[1]
                     if result["verdict"] == "agree":

@@ -5,8 +5,6 @@ A test owns a temporary folder and runs the command there; it never touches the 
 program is the built one (EDGECASE_BIN), the suite that of the checkout (EDGECASE_ROOT), both set by
 tests/tools/CMakeLists.txt.
 """
-import atexit
-import functools
 import json
 import os
 import pathlib
@@ -35,9 +33,6 @@ SHARD_VARIABLES = ("TEST_TOTAL_SHARDS", "TEST_SHARD_INDEX", "TEST_SHARD_STATUS_F
 PATIENCE = int(os.environ.get("EDGECASE_TEST_PATIENCE", "1200"))
 # For one answer of a renderer: the command's own ten seconds, and as many more as builds are slow.
 UNHURRIED = ["--timeout", str(PATIENCE // 120)]
-# A fifth of the suite, some of each folder: where a test says the same of every case, and parsing
-# the results of all of them would take minutes.
-A_FIFTH = ["--shard", "1/5"]
 
 # Exit codes.
 AS_EXPECTED, UNEXPECTED, USAGE, INTERNAL, RENDERER, NOTHING_SELECTED = range(6)
@@ -90,9 +85,8 @@ CONTRADICTIONS = {("egl:llvmpipe", "surfaces/snapping:surface=window:d=0.0019531
 CLAMPED_OFFSET = re.compile(r"output/offset/clamp:.*clamp=(?!0:)")
 
 
-def known_not_run(renderer, exact):
-    """Why one of MESA does not render what exact made of a case; none where it has to."""
-    name, samples = exact["id"], exact["samples"]
+def known_not_run(renderer, name, samples):
+    """Why one of MESA does not render a case with so many samples; none where it has to."""
     if (renderer, name) in CONTRADICTIONS:
         return "contradict each other"
     if renderer.endswith(":softpipe") and CLAMPED_OFFSET.match(name):
@@ -104,40 +98,6 @@ def known_not_run(renderer, exact):
     if name.startswith("samples/placed/"):
         return "samples cannot be placed on this driver: it lacks GL_ARB_sample_locations"
     return None if samples == 4 else f"asked for {samples} samples, this driver makes 4"
-
-
-@functools.lru_cache(maxsize=None)
-def truth_of_suite():
-    """The file in which `edgecase render` wrote what exact makes of the suite's probes."""
-    folder = tempfile.TemporaryDirectory(prefix="edgecase-truth-")
-    atexit.register(folder.cleanup)
-    path = pathlib.Path(folder.name) / "truth.jsonl"
-    subprocess.run([EDGECASE, "render", *PROBES, "--json", str(path)], env=environment(),
-                   check=True, timeout=PATIENCE)
-    return path
-
-
-# How the line of a rendering begins; ids hold nothing that JSON escapes.
-ID = re.compile(r'\{"id":"([^"\\]+)"')
-
-
-@functools.lru_cache(maxsize=None)
-def lines_of_suite(renderer="exact"):
-    """What `edgecase render` makes of the suite's probes: id -> line."""
-    words = ["render", *PROBES, "--with", renderer, *UNHURRIED, "--json", "-"]
-    run = subprocess.run([EDGECASE, *words], env=environment(), capture_output=True, text=True,
-                         timeout=PATIENCE)
-    known = [] if renderer == "exact" else [
-        name for name, exact in rendered_suite().items() if known_not_run(renderer, exact)]
-    if run.returncode != (4 if known else 0) or len(run.stderr.splitlines()) != len(known):
-        raise AssertionError(f"exit {run.returncode}: {run.stderr[:4000]}")
-    return {ID.match(line)[1]: line for line in run.stdout.splitlines()}
-
-
-@functools.lru_cache(maxsize=None)
-def rendered_suite():
-    """What exact makes of the suite's probes: id -> rendering."""
-    return {name: json.loads(line) for name, line in lines_of_suite().items()}
 
 
 class CommandTest(unittest.TestCase):
@@ -192,7 +152,8 @@ class CommandTest(unittest.TestCase):
         """exec: name of a program that answers as exact does, save for an odd behaviour."""
         truth = self.folder / "truth.jsonl"
         if cases == SUITE and not truth.exists():
-            truth.symlink_to(truth_of_suite())
+            import suite_data  # which needs this module
+            truth.symlink_to(suite_data.truth_of_suite())
         elif cases != SUITE:
             self.command("render", cases, "--json", truth, expect=None)
         words = [sys.executable, str(HERE / "odd_renderer.py"), behaviour, str(truth)]

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+"""The example rasterizer in Python, judged over a fifth of what the suite has of what it draws."""
+import unittest
+
+from suite_data import COUNT, shard
+from support import PROBES, ROOT, UNHURRIED, CommandTest, only_result
+
+PROGRAM = f"exec:/usr/bin/env python3 {ROOT / 'reference/examples/rasterizer.py'}"
+
+
+class PythonExample(CommandTest):
+    def check(self, refusal, *selection):
+        """(cases that it draws, cases that it says it does not)"""
+        results = self.results(*selection, "--against", PROGRAM, *UNHURRIED, expect=None)
+        drawn = refused = 0
+        for case in results["cases"]:
+            result = only_result(case)
+            self.assertEqual(result["disagreements"], [], case["id"])
+            if result["verdict"] == "not-run":
+                refused += 1
+                self.assertEqual(result["failure"]["kind"], "unsupported")
+                self.assertRegex(result["failure"]["reason"], refusal)
+            else:
+                drawn += 1
+                self.assertIn(result["verdict"], ("agree", "permitted"), case["id"])
+        return drawn, refused
+
+    def test_it_agrees(self):
+        others = [word for folder in ("textures", "samples", "output", "clipping", "gallery")
+                  for word in ("--exclude", f"{folder}/*")]
+        drawn, refused = self.check("draws lines of width 1", *PROBES, *others,
+                                                        *shard(1, 5))
+        self.assertGreater(drawn, 1000 / COUNT)
+        self.assertLess(refused, drawn / 9)
+
+    def test_it_agrees_on_samples(self):
+        drawn, _ = self.check("draws lines of width 1|draws one pass",
+                                                 ROOT / "cases/samples", *shard(1, 5))
+        self.assertGreater(drawn, 1000 / COUNT)
+
+    def test_it_agrees_on_what_becomes_of_fragments(self):
+        folders = [ROOT / "cases/output" / name
+                   for name in ("depth", "stencil", "blending", "culling", "order", "offset")]
+        folders.append(ROOT / "cases/gallery")
+        drawn, refused = self.check("this example ", *folders, *shard(1, 5))
+        self.assertGreater(drawn, 1000 / COUNT)
+        self.assertLess(refused, drawn / 100)
+
+    def test_it_agrees_on_what_leaves_the_clip_volume(self):
+        drawn, refused = self.check("this example ", ROOT / "cases/clipping",
+                                                       *shard(1, 5))
+        self.assertGreater(drawn, 500 / COUNT)
+        self.assertLess(refused, drawn / 20)
+
+    def test_it_agrees_on_nearest_texels(self):
+        folders = [ROOT / "cases/textures" / name for name in ("wrap", "filter", "formats")]
+        drawn, _ = self.check("this example ", *folders, *shard())
+        self.assertGreater(drawn, 200 / COUNT)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""What results of the suite say, those of the four Mesa renderers: clusters count what is told, what
+is cited exists, reports can be made of them again, a shard is judged as the whole, and --strict."""
+import json
+import unittest
+
+from suite_data import cases_of, head_of, mesa, shard
+from support import MESA, PROBES, UNEXPECTED, UNHURRIED, CommandTest, contents, report_options
+
+
+class Results(CommandTest):
+    def test_clusters_count_every_disagreement_once(self):
+        keys = ("disagreements", "differing", "with a cause")
+        counts = {renderer: dict.fromkeys(keys, 0) for renderer in MESA}
+        for case in cases_of(mesa() / "reports.json"):
+            for renderer, result in case["results"].items():
+                count, told, values = counts[renderer], result["disagreements"], result["values"]
+                count["disagreements"] += len(told)
+                count["differing"] += sum(len(v["differing"]) for v in values)
+                count["with a cause"] += (
+                    sum(1 for d in told if d["cause"]) +
+                    sum(len(v["differing"]) for v in values if "cause" in v))
+        for renderer, clusters in head_of(mesa() / "reports.json")["clusters"].items():
+            count = counts.pop(renderer)
+            self.assertGreater(count["disagreements"], 0)
+            self.assertEqual(sum(c["disagreements"] for c in clusters),
+                             count["disagreements"] + count["differing"])
+            self.assertEqual(sum(c["disagreements"] for c in clusters if "cause" in c),
+                             count["with a cause"])
+            causes = ["cause" in cluster for cluster in clusters]
+            self.assertEqual(causes, sorted(causes), "those without cause come first")
+        self.assertEqual(counts, {})
+
+    def test_every_ruling_and_rule_that_results_cite_exists(self):
+        rules = json.loads(self.command("rules", "--json").stdout)
+        ids = {rule["id"] for rule in rules}
+        numbers = {ruling["number"] for rule in rules for ruling in rule["rulings"]}
+        for case in cases_of(mesa() / "reports.json"):
+            self.assertLessEqual(set(case["rules"]), ids)
+            for told in (d for result in case["results"].values() for d in result["disagreements"]):
+                self.assertIn(told["rule"], ids)
+                self.assertIn(told["ruling"], numbers)
+                self.assertRegex(told["explanation"], r"\d")
+                for cause in filter(None, told["cause"].split(" + ")):
+                    rule, _, name = cause.partition("=")
+                    self.assertIn(rule, ids)
+                    self.assertTrue(name)
+
+    def test_reports_from_a_results_file_are_those_of_the_run(self):
+        self.command("report", mesa() / "reports.json", *report_options("."), expect=None)
+        first = {path.name: path.read_bytes() for path in mesa().glob("reports.*")}
+        again = contents(self.folder)
+        self.assertEqual(first.keys(), again.keys())
+        for name in first:
+            self.assertTrue(first[name] == again[name], name)
+
+    def test_a_shard_is_judged_as_the_whole_is(self):
+        fingerprints = {case["id"]: case["results"]["osmesa:softpipe"]["fingerprint"]
+                        for case in cases_of(mesa() / "reports.json")}
+        for part in 1, 4:
+            self.command("run", *PROBES, "--against", "osmesa:softpipe", *UNHURRIED,
+                         *shard(part, 6), "--json", "part.json")
+            found = {case["id"]: case["results"]["osmesa:softpipe"]["fingerprint"]
+                     for case in cases_of(self.folder / "part.json")}
+            self.assertLessEqual(found.items(), fingerprints.items())
+            self.assertAlmostEqual(len(found), len(fingerprints) / 6, delta=1)
+
+    def test_strict_grants_no_latitude(self):
+        against = ["--against", "osmesa:llvmpipe", "--against", "osmesa:softpipe"]
+        self.command("run", *PROBES, *against, *UNHURRIED, *shard(1, 5), "--strict", "--json",
+                     "strict.json", expect=UNEXPECTED)
+        strict = {case["id"]: case["results"] for case in cases_of(self.folder / "strict.json")}
+        for lenient in cases_of(mesa() / "reports.json"):
+            for renderer, result in strict.pop(lenient["id"], {}).items():
+                verdict = lenient["results"][renderer]["verdict"]
+                kept = verdict in ("agree", "not-run")
+                self.assertEqual(result["verdict"], verdict if kept else "violation",
+                                 lenient["id"])
+        self.assertEqual(strict, {})
+
+
+if __name__ == "__main__":
+    unittest.main()
