@@ -6,9 +6,13 @@ import struct
 import unittest
 import zlib
 
+from suite_data import COUNT, files_of_share
 from support import ROOT, SUITE, UNEXPECTED, USAGE, CommandTest, only_result, triangle_case
 
 TIE = f"{SUITE}/triangles/ties/flat-bottom.json"
+# What filters and shards are asked of: a share of it says less of the suite, and no less of them.
+SELECTED = [SUITE] if COUNT == 1 else [
+    f"{SUITE}/{folder}" for folder in ("lines", "points", "triangles")]
 
 
 class Texts(CommandTest):
@@ -81,7 +85,7 @@ class Texts(CommandTest):
             self.assertIn(f"  ({x}, {y}) ", self.command(*words).stdout)
 
     def test_validate(self):
-        run = self.command("validate", SUITE, "--check-format")
+        run = self.command("validate", *([SUITE] if COUNT == 1 else files_of_share()), "--check-format")
         self.assertRegex(run.stdout,
                          r"(?m)^\d+ cases are well formed, 0 faults, 0 drawings not met$")
         self.assertEqual(run.stderr, "")
@@ -144,15 +148,15 @@ class Render(CommandTest):
                         self.assertEqual(rows[y][x], rendering["pixels"][4 * index:4 * index + 4])
 
     def test_json_is_one_line_per_case_in_order(self):
-        folders = [f"{SUITE}/{name}" for name in ("lines", "points", "output")]
-        out = self.command("render", *folders).stdout
+        files = files_of_share("lines", "points", "output")
+        out = self.command("render", *files).stdout
         lines = [json.loads(line) for line in out.splitlines()]
         self.assertEqual([line["id"] for line in lines], sorted(line["id"] for line in lines))
         for line in lines:
             self.assertEqual(len(line["pixels"]), 4 * line["width"] * line["height"])
             order = [(f["y"], f["x"], f["primitive"]) for f in line["fragments"]]
             self.assertEqual(order, sorted(order))
-        self.command("render", *folders, "--json", "all.jsonl")
+        self.command("render", *files, "--json", "all.jsonl")
         self.assertEqual((self.folder / "all.jsonl").read_text(encoding="utf-8"), out)
 
 
@@ -174,40 +178,40 @@ class Selection(CommandTest):
         return self.command("run", *arguments, "--list", **variables).stdout.split()
 
     def test_shards_partition_the_suite(self):
-        everything = self.listed(SUITE)
-        by_option = [self.listed(SUITE, "--shard", f"{i}/3") for i in (1, 2, 3)]
+        everything = self.listed(*SELECTED)
+        by_option = [self.listed(*SELECTED, "--shard", f"{i}/3") for i in (1, 2, 3)]
         self.assertEqual(sorted(sum(by_option, [])), everything)
         sizes = [len(part) for part in by_option]
         self.assertLessEqual(max(sizes) - min(sizes), 1)
         for i in range(3):
-            by_bazel = self.listed(SUITE, TEST_TOTAL_SHARDS="3", TEST_SHARD_INDEX=str(i))
-            by_gitlab = self.listed(SUITE, CI_NODE_TOTAL="3", CI_NODE_INDEX=str(i + 1))
+            by_bazel = self.listed(*SELECTED, TEST_TOTAL_SHARDS="3", TEST_SHARD_INDEX=str(i))
+            by_gitlab = self.listed(*SELECTED, CI_NODE_TOTAL="3", CI_NODE_INDEX=str(i + 1))
             self.assertEqual(by_bazel, by_option[i])
             self.assertEqual(by_gitlab, by_option[i])
         # The option has the last word.
-        self.assertEqual(self.listed(SUITE, "--shard", "1/3", TEST_TOTAL_SHARDS="7",
+        self.assertEqual(self.listed(*SELECTED, "--shard", "1/3", TEST_TOTAL_SHARDS="7",
                                      TEST_SHARD_INDEX="2"), by_option[0])
 
     def test_filters_excludes_and_tags(self):
-        everything = set(self.listed(SUITE))
+        everything = set(self.listed(*SELECTED))
         # An option takes one value: what follows is a path.
-        points = set(self.listed("--filter", "points/*", SUITE))
+        points = set(self.listed("--filter", "points/*", *SELECTED))
         self.assertEqual(points, {name for name in everything if name.startswith("points/")})
-        both = set(self.listed("--filter", "points/*", "--filter", "lines/*", SUITE))
+        both = set(self.listed("--filter", "points/*", "--filter", "lines/*", *SELECTED))
         self.assertEqual(both, {n for n in everything if n.startswith(("points/", "lines/"))})
-        self.assertEqual(set(self.listed(SUITE, "--exclude", "points/*")), everything - points)
-        self.assertEqual(set(self.listed(SUITE, "--filter", "*", "--exclude", "lines/*",
+        self.assertEqual(set(self.listed(*SELECTED, "--exclude", "points/*")), everything - points)
+        self.assertEqual(set(self.listed(*SELECTED, "--filter", "*", "--exclude", "lines/*",
                                          "--exclude", "points/*")), everything - both)
-        slivers = set(self.listed("--tag", "sliver", SUITE))
-        fans = set(self.listed("--tag", "fan", SUITE))
+        slivers = set(self.listed("--tag", "sliver", *SELECTED))
+        fans = set(self.listed("--tag", "fan", *SELECTED))
         self.assertTrue(slivers and fans)
-        self.assertEqual(set(self.listed("--tag", "fan", "--tag", "sliver", SUITE)),
+        self.assertEqual(set(self.listed("--tag", "fan", "--tag", "sliver", *SELECTED)),
                          slivers | fans)
 
     def test_single_files_and_folders_keep_their_ids(self):
         self.assertEqual(self.listed(TIE), ["triangles/ties/flat-bottom"])
         self.assertEqual(self.listed(f"{SUITE}/points"),
-                         [name for name in self.listed(SUITE) if name.startswith("points/")])
+                         [name for name in self.listed(*SELECTED) if name.startswith("points/")])
         # A case that is named twice runs once.
         self.assertEqual(self.listed(TIE, TIE, f"{SUITE}/triangles/ties").count(
             "triangles/ties/flat-bottom"), 1)

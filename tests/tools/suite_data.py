@@ -22,11 +22,12 @@ from support import (AS_EXPECTED, BIN, EDGECASE, MESA, PATIENCE, PROBES, RENDERE
 
 sys.path.insert(0, str(ROOT / "tests" / "support"))
 
-from share import COUNT, NUMBER  # noqa: E402
+from share import COUNT, NUMBER, in_share  # noqa: E402
 
 KEPT = pathlib.Path(os.environ.get("EDGECASE_BUILD", BIN.parent)) / "suite-data"
 SHARE = f"{NUMBER}-of-{COUNT}"
 AGAINST_MESA = [word for renderer in MESA for word in ("--against", renderer)] + UNHURRIED
+NO_CASES = {"expectations", "galleries", "meshes", "policies", "profiles"}
 # How the line of a rendering or of a result begins; ids hold nothing that JSON escapes.
 ID = re.compile(r'\{"id":"([^"\\]+)"')
 
@@ -35,6 +36,13 @@ def shard(part=1, parts=1):
     """Options: of this process's share of a selection, one part in so many. They deal the cases in
     turn, as in_share does."""
     return ["--shard", f"{NUMBER + COUNT * (part - 1)}/{COUNT * parts}"]
+
+
+def files_of_share(*folders):
+    """The case files of this share, of these folders of the suite or of all that hold cases."""
+    suite = ROOT / "cases"
+    folders = folders or sorted({path.name for path in suite.iterdir() if path.is_dir()} - NO_CASES)
+    return in_share(file for folder in folders for file in sorted((suite / folder).rglob("*.json")))
 
 
 @functools.lru_cache(maxsize=None)

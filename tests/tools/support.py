@@ -120,10 +120,11 @@ class CommandTest(unittest.TestCase):
         return run
 
     def results(self, *arguments, expect=AS_EXPECTED, **variables):
-        """`edgecase run`, and the results that it wrote."""
+        """`edgecase run`, and the results that it wrote; `self.summary` is what it printed."""
         path = self.folder / "results.json"
         path.unlink(missing_ok=True)
-        self.command("run", *arguments, "--json", path, expect=expect, **variables)
+        self.summary = self.command("run", *arguments, "--json", path, expect=expect,
+                                    **variables).stdout
         return json.loads(path.read_text(encoding="utf-8"))
 
     def write(self, name, content):

@@ -58,28 +58,33 @@ CASES = {
 
 
 class TextureMutants(CommandTest):
-    def run_fault(self, fault, name, expect):
-        path = self.write(f"{name.replace(' ', '-')}.json", CASES[name])
+    def against(self, fault):
         words = [sys.executable, "-B", str(HERE / "texture_mutant.py"), fault]
-        about = [path, "--against", "exec:" + " ".join(map(shlex.quote, words))]
-        (of_case,) = self.results(*about, expect=expect)["cases"]
-        return only_result(of_case), about
+        return "exec:" + " ".join(map(shlex.quote, words))
+
+    def run_fault(self, fault, name, expect):
+        path = self.write("case.json", CASES[name])
+        (of_case,) = self.results(path, "--against", self.against(fault), expect=expect)["cases"]
+        return only_result(of_case)
 
     def assert_told(self, fault, name, rule, cause):
         """A violation, and every disagreement that is one names this rule and this cause."""
-        result, about = self.run_fault(fault, name, UNEXPECTED)
+        result = self.run_fault(fault, name, UNEXPECTED)
         self.assertEqual(result["verdict"], "violation", name)
         found = {(d["rule"], d.get("cause", "")) for d in result["disagreements"]}
         self.assertEqual(found, {(rule, cause)}, name)
         for d in result["disagreements"]:
             self.assertEqual((d["kind"], d["legal"]), ("value", False))
-        summary = self.command("run", *about, expect=UNEXPECTED).stdout
-        self.assertIn(f"not legal  {cause or rule}", summary)
+        self.assertIn(f"not legal  {cause or rule}", self.summary)
 
     def test_the_unspoilt_program_is_not_blamed(self):
-        for name in CASES:
-            with self.subTest(name):
-                result, _ = self.run_fault("none", name, AS_EXPECTED)
+        for name, case_of_name in CASES.items():
+            self.write(f"cases/{name.replace(' ', '-')}.json", case_of_name)
+        results = self.results("cases", "--against", self.against("none"), expect=AS_EXPECTED)
+        self.assertEqual(len(results["cases"]), len(CASES))
+        for of_case in results["cases"]:
+            with self.subTest(of_case["id"]):
+                result = only_result(of_case)
                 self.assertIn(result["verdict"], ("agree", "permitted"))
                 self.assertEqual(result["disagreements"], [])
 
