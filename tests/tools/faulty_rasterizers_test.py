@@ -11,6 +11,7 @@ import sys
 import typing
 import unittest
 
+from suite_data import in_share
 from support import HERE, SUITE, UNEXPECTED, CommandTest, only_result
 
 
@@ -127,10 +128,15 @@ class FaultyRasterizers(CommandTest):
 
 def add_tests():
     for title in FAULTS:
-        name = title.replace(" ", "_").replace(",", "").replace("-", "_")
-        setattr(FaultyRasterizers, f"test_{name}", lambda self, title=title: self.check(title))
-        setattr(FaultyRasterizers, f"test_without_{name}",
+        setattr(FaultyRasterizers, test_name("test", title),
+                lambda self, title=title: self.check(title))
+    for title in in_share(FAULTS):
+        setattr(FaultyRasterizers, test_name("test_without", title),
                 lambda self, title=title: self.check_correct(title))
+
+
+def test_name(prefix, title):
+    return f"{prefix}_{title.replace(' ', '_').replace(',', '').replace('-', '_')}"
 
 
 add_tests()

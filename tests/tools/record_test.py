@@ -7,6 +7,7 @@ import subprocess
 import time
 import unittest
 
+from suite_data import in_share
 from support import (AS_EXPECTED, EDGECASE, INTERNAL, NOTHING_SELECTED, PATIENCE, RENDERER, SUITE,
                      UNEXPECTED, USAGE, CommandTest, environment, only_result, triangle_case)
 
@@ -32,7 +33,7 @@ class Record(CommandTest):
         return (self.folder / "results.json").read_text(encoding="utf-8")
 
     def test_a_recording_is_judged_as_the_renderer_is(self):
-        for renderer in ("osmesa:llvmpipe", "osmesa:softpipe"):
+        for renderer in in_share(("osmesa:llvmpipe", "osmesa:softpipe")):
             with self.subTest(renderer):
                 self.record(renderer, *SOME)
                 # Green: its expectations are those of the renderer.
