@@ -82,6 +82,46 @@ std::vector<Candidate> all_candidates(const InferenceQuestion& question,
   return candidates;
 }
 
+// Rectangles of multisampled lines that are rounded have a grid of their own: whatever the snap,
+// they are drawn alike.
+bool has_no_snap(const CoverageChoice& choice) {
+  switch (choice.multisampled_line) {
+    case MultisampledLine::snapped_offset:
+    case MultisampledLine::snapped_offset_across_borders:
+    case MultisampledLine::snapped_corners:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// In how many scenes choices draw what was seen; those that draw alike are asked once.
+class SceneCounts {
+ public:
+  SceneCounts(std::span<const Observation* const> scenes, bool are_multisampled_lines)
+      : scenes_(scenes), are_multisampled_lines_(are_multisampled_lines) {}
+
+  std::size_t of(CoverageChoice choice) {
+    if (!are_multisampled_lines_ || !has_no_snap(choice)) return count(choice);
+    choice.snap = {};
+    const auto known = std::find_if(known_.begin(), known_.end(),
+                                    [&](const auto& one) { return one.first == choice; });
+    if (known != known_.end()) return known->second;
+    return known_.emplace_back(choice, count(choice)).second;
+  }
+
+ private:
+  std::size_t count(const CoverageChoice& choice) const {
+    return static_cast<std::size_t>(
+        std::count_if(scenes_.begin(), scenes_.end(),
+                      [&](const Observation* scene) { return draws(choice, *scene); }));
+  }
+
+  std::span<const Observation* const> scenes_;
+  bool are_multisampled_lines_;
+  std::vector<std::pair<CoverageChoice, std::size_t>> known_;  // those without a snap
+};
+
 class Contest {
  public:
   Contest(const InferenceQuestion& question, std::span<const Observation* const> observations)
@@ -93,6 +133,11 @@ class Contest {
       return observation->scene.target.width > kCheapTarget;
     });
     if (all_.empty()) return;
+    are_multisampled_lines_ =
+        question.kind == PrimitiveKind::line &&
+        std::all_of(all_.begin(), all_.end(), [](const Observation* observation) {
+          return is_multisampled(observation->scene.draws[0], observation->scene.target);
+        });
     rules_ = open_rules(question, *all_.front());
     candidates_ = all_candidates(question, rules_);
   }
@@ -100,7 +145,8 @@ class Contest {
   Inference operator()() {
     if (all_.empty()) return {start_, {}, {}};
     play_rounds();
-    for (Candidate& finalist : candidates_) finalist.agreeing = count(finalist.choice, all_);
+    SceneCounts counts(all_, are_multisampled_lines_);
+    for (Candidate& finalist : candidates_) finalist.agreeing = counts.of(finalist.choice);
     Candidate best = *std::min_element(candidates_.begin(), candidates_.end(), better);
     // A rival that does better on all scenes takes the place of the best; this ends, since the
     // number of scenes only grows.
@@ -120,18 +166,13 @@ class Contest {
     return a.causes.size() < b.causes.size();
   }
 
-  static std::size_t count(const CoverageChoice& choice, std::span<const Observation* const> in) {
-    return static_cast<std::size_t>(std::count_if(
-        in.begin(), in.end(), [&](const Observation* scene) { return draws(choice, *scene); }));
-  }
-
   void play_rounds() {
     std::size_t from = 0;
     for (std::size_t size = kFirstRound; candidates_.size() > kFinalists && from < cheap_.size();
          size *= 2) {
       const auto scenes = std::span(cheap_).subspan(from, std::min(size, cheap_.size() - from));
-      for (Candidate& candidate : candidates_)
-        candidate.agreeing += count(candidate.choice, scenes);
+      SceneCounts counts(scenes, are_multisampled_lines_);
+      for (Candidate& candidate : candidates_) candidate.agreeing += counts.of(candidate.choice);
       std::stable_sort(candidates_.begin(), candidates_.end(), better);
       candidates_.resize(std::max(kFinalists, candidates_.size() / 3));
       from += scenes.size();
@@ -142,16 +183,18 @@ class Contest {
   // For each rule the best other alternatives, everything else as the best has it.
   std::vector<Candidate> rivals_of(const Candidate& best) const {
     std::vector<Candidate> rivals;
+    const auto some = std::span(all_).first(std::min(kRivalRound, all_.size()));
+    SceneCounts counts_of_some(some, are_multisampled_lines_);
+    SceneCounts counts_of_all(all_, are_multisampled_lines_);
     for (const RuleAlternatives& rule : rules_) {
       const std::string id = rule_of(rule.front().cause);
       if (is_idle(best, id)) continue;
       std::vector<Candidate> others = others_of(best, rule, id);
-      const auto some = std::span(all_).first(std::min(kRivalRound, all_.size()));
-      for (Candidate& other : others) other.agreeing = count(other.choice, some);
+      for (Candidate& other : others) other.agreeing = counts_of_some.of(other.choice);
       std::stable_sort(others.begin(), others.end(), better);
       if (others.size() > kRivals) others.resize(kRivals);
       for (Candidate& other : others) {
-        other.agreeing = count(other.choice, all_);
+        other.agreeing = counts_of_all.of(other.choice);
         rivals.push_back(std::move(other));
       }
     }
@@ -207,6 +250,7 @@ class Contest {
 
   Scenes all_;
   Scenes cheap_;
+  bool are_multisampled_lines_ = false;
   CoverageChoice start_;
   std::vector<RuleAlternatives> rules_;
   std::vector<Candidate> candidates_;
