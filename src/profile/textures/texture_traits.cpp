@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "diff/values/value_diff.h"
@@ -67,33 +68,41 @@ double as_float(double coordinate) {
   return std::fabs(rounded - coordinate) <= 0x1p-45 * std::fabs(coordinate) ? rounded : coordinate;
 }
 
-// The lookups of one scene under one candidate.
+// The lookups of one scene's primitives under one candidate.
 class CandidateScene {
  public:
-  CandidateScene(const Scene& scene, const RuleChoices& found, const TextureChoice& choice)
-      : choices_(found) {
+  CandidateScene(const Scene& scene, std::span<const ScenePrimitive> primitives,
+                 const RuleChoices& found, const TextureChoice& choice)
+      : primitives_(primitives), choices_(found), textured_(primitives.size()) {
     choices_.textures = choice;
     stage_ = std::make_unique<TextureStage>(scene, choices_);
+    for (const ScenePrimitive& primitive : primitives)
+      attributes_.push_back(attributes_of(primitive, choices_, scene.target));
   }
   CandidateScene(const CandidateScene&) = delete;
   CandidateScene& operator=(const CandidateScene&) = delete;
 
   // All colours that come out where the renderer looks, at the exact level of detail.
-  std::vector<Texel> colors(const ScenePrimitive& primitive, const ToldLookup& told) const {
-    const Scene& scene = stage_->scene();
-    const ExactLookup exact =
-        stage_->look_up(primitive, attributes_of(primitive, choices_, scene.target), told.pixel);
+  std::vector<Texel> colors(const ToldLookup& told) {
+    const auto number = static_cast<std::size_t>(told.primitive);
+    const ScenePrimitive& primitive = primitives_[number];
+    std::optional<TexturedPrimitive>& textured = textured_[number];
+    if (!textured) textured.emplace(*stage_, primitive, attributes_[number]);
+    const ExactLookup exact = textured->look_up(told.pixel);
     const TextureUse& use = *primitive.state->texture;
     TexturePoint point = exact.point;
     if (told.has_coordinates)
       point = {as_float(told.coordinates[0]), as_float(told.coordinates[1])};
-    return sample(stage_->decoded(use.texture), *scene.textures[use.texture], use.sampler,
+    return sample(stage_->decoded(use.texture), *stage_->scene().textures[use.texture], use.sampler,
                   choices_.textures, {point, exact.lambda});
   }
 
  private:
+  std::span<const ScenePrimitive> primitives_;
   RuleChoices choices_;
   std::unique_ptr<TextureStage> stage_;
+  std::vector<PrimitiveAttributes> attributes_;
+  std::vector<std::optional<TexturedPrimitive>> textured_;  // those that were asked for
 };
 
 bool is_code(double component) {
@@ -160,15 +169,15 @@ Trait infer_texture_rule(TextureRule rule, std::string id, std::span<const ToldS
   const double tolerance = tolerance_of(rule, scenes);
   Tally tally(names_of(candidates), 0);
   for (const ToldScene& told : scenes) {
+    const auto primitives = primitives_of(told.scene);
     std::vector<std::unique_ptr<CandidateScene>> ways;
     for (const Candidate& candidate : candidates)
-      ways.push_back(std::make_unique<CandidateScene>(told.scene, found, candidate.choice));
-    const auto primitives = primitives_of(told.scene);
+      ways.push_back(
+          std::make_unique<CandidateScene>(told.scene, primitives, found, candidate.choice));
     for (const ToldLookup& lookup : told.lookups) {
-      const ScenePrimitive& primitive = primitives[static_cast<std::size_t>(lookup.primitive)];
       std::vector<bool> agree;
       for (const auto& way : ways)
-        agree.push_back(yields(way->colors(primitive, lookup), lookup.color, tolerance));
+        agree.push_back(yields(way->colors(lookup), lookup.color, tolerance));
       tally.add(agree);
     }
   }
