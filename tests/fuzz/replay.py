@@ -18,7 +18,12 @@ import tempfile
 
 import fuzz
 
-# How many spoilt files each target is asked: about four seconds each.
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+import share  # noqa: E402  the path comes first
+
+# How many spoilt files each target is asked, or the share of them that is wanted: about four seconds
+# each.
 INPUTS = {"case_file": 6000, "policy": 10000, "expectations": 10000, "decisions": 20000,
           "results": 4000, "recording": 10000, "answer": 6000, "mesh": 6000, "image": 2000}
 FINDS = fuzz.BIN.parent / "fuzz-finds"
@@ -74,7 +79,8 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         outcomes = [check_control(pathlib.Path(folder))]
-    outcomes += [check(target, INPUTS[target] if options.inputs is None else options.inputs)
+    outcomes += [check(target, INPUTS[target] // share.COUNT if options.inputs is None
+                       else options.inputs)
                  for target in options.targets or INPUTS]
     sys.exit(0 if all(outcomes) else 1)
 
