@@ -83,7 +83,7 @@ TEST(Fuzz, FindsAPlantedFaultOfLinesAndMakesItSmall) {
   FuzzOptions options = few({"lines"}, 128);
   options.finds = 1;
   options.least = Verdict::violation;
-  options.minimize.max_asks = share_of(std::size_t{400}, std::size_t{120});
+  options.minimize.max_asks = 400;
   const FuzzReport report = fuzz({altered(lose_last_of_a_line)}, options);
   ASSERT_FALSE(report.finds.empty());
   const Find& find = report.finds.front();
@@ -153,7 +153,7 @@ FuzzWords words_of_test() {
 }
 
 TEST(Fuzz, IsTheSameForAnyNumberOfThreads) {
-  FuzzOptions options = few({"shared-edges"}, share_of(std::size_t{1'300}, std::size_t{200}));
+  FuzzOptions options = few({"shared-edges"}, 1'300);
   options.minimize.max_asks = 10;
   const std::string one = fuzz_json(fuzz({altered(tear_diagonal)}, options), words_of_test());
   options.jobs = 3;
@@ -203,7 +203,7 @@ TEST(Fuzz, StopsAtFindsCountTimeAndWhenAsked) {
 }
 
 TEST(Fuzz, CountsWhatIsKnownAndNoMore) {
-  FuzzOptions options = few({"lines"}, 128);
+  FuzzOptions options = few({"lines"}, share_of(std::size_t{128}, std::size_t{48}));
   const FuzzReport report = fuzz({altered(lose_last_of_a_line)}, options);
   ASSERT_FALSE(report.finds.empty());
   // By an earlier search's JSON.
