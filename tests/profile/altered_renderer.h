@@ -3,11 +3,8 @@
 // A renderer to measure that follows a known policy and has known faults.
 #pragma once
 
-#include <algorithm>
 #include <functional>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "model/policy.h"
 #include "model/renderer.h"
@@ -17,19 +14,21 @@ namespace edgecase {
 
 using Alter = std::function<void(const Task&, Rendering&)>;
 
-// The exact rasterizer under a policy, with something put wrong. It refuses scenes whose ids do not
-// begin with one of `families`, if there are any.
+// Whether a scene is drawn. Empty: all are.
+using IsDrawn = std::function<bool(const Task&)>;
+
+// The exact rasterizer under a policy, with something put wrong. It refuses what is not drawn.
 class AlteredRenderer final : public Renderer {
  public:
-  AlteredRenderer(Policy policy, Alter alter, std::vector<std::string_view> families = {})
-      : policy_(std::move(policy)), alter_(std::move(alter)), families_(std::move(families)) {}
+  AlteredRenderer(Policy policy, Alter alter, IsDrawn is_drawn = {})
+      : policy_(std::move(policy)), alter_(std::move(alter)), is_drawn_(std::move(is_drawn)) {}
   const RendererInfo& info() const override {
     static const RendererInfo info{"altered", "", "", "altered", 8, {}};
     return info;
   }
   void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-      if (!is_drawn(tasks[i].id)) {
+      if (is_drawn_ && !is_drawn_(tasks[i])) {
         sink(i, Failure{FailureKind::unsupported, "not this test's"});
         continue;
       }
@@ -40,15 +39,9 @@ class AlteredRenderer final : public Renderer {
   }
 
  private:
-  bool is_drawn(std::string_view id) const {
-    return families_.empty() ||
-           std::any_of(families_.begin(), families_.end(),
-                       [&](std::string_view family) { return id.starts_with(family); });
-  }
-
   Policy policy_;
   Alter alter_;
-  std::vector<std::string_view> families_;
+  IsDrawn is_drawn_;
 };
 
 }  // namespace edgecase

@@ -197,15 +197,16 @@ TEST(OutputMeasurement, SaysThatNoRoundingFits) {
 
 TEST(OutputMeasurement, SaysThatNoUnitFits) {
   // Offsets of one and a half of the standard's.
-  const OutputFindings findings = findings_of(OutputRenderer({}, [](const Scene& scene,
-                                                                    Rendering& rendering) {
-    for (Fragment& fragment : rendering.fragments) {
-      const auto& offset =
-          primitives_of(scene)[static_cast<std::size_t>(fragment.primitive)].state->polygon_offset;
-      if (offset && scene.target.depth == DepthFormat::depth16)
-        fragment.depth += static_cast<double>(offset->units) / 2 / 65535;
-    }
-  }));
+  const OutputFindings findings =
+      findings_of(OutputRenderer({}, [](const Scene& scene, Rendering& rendering) {
+        const auto primitives = primitives_of(scene);
+        for (Fragment& fragment : rendering.fragments) {
+          const auto& offset =
+              primitives[static_cast<std::size_t>(fragment.primitive)].state->polygon_offset;
+          if (offset && scene.target.depth == DepthFormat::depth16)
+            fragment.depth += static_cast<double>(offset->units) / 2 / 65535;
+        }
+      }));
   EXPECT_EQ(trait_of(findings, "offset.unit:depth16").alternative, kNoneFits);
   EXPECT_EQ(trait_of(findings, "offset.unit:depth24").alternative, "step");
   EXPECT_EQ(trait_of(findings, "offset.unit").alternative, kNoneFits);

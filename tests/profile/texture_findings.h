@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -27,7 +28,11 @@ using Families = std::vector<std::string_view>;
 // `families`: beginnings of the ids of the scenes that are drawn; without any, all are.
 inline TextureFindings findings_of(const Choices& rules, Surface surface = Surface::fbo,
                                    const Families& families = {}, const Alter& alter = {}) {
-  AlteredRenderer renderer(policy_of(rules), alter, families);
+  AlteredRenderer renderer(policy_of(rules), alter, [&](const Task& task) {
+    return families.empty() || std::ranges::any_of(families, [&](std::string_view family) {
+             return task.id.starts_with(family);
+           });
+  });
   TextureMeasureQuestion question;
   question.surface = surface;
   question.scenes_per_kind = 100;
