@@ -59,6 +59,6 @@ function(edgecase_precompiled target kind)
     # Behind a precompiled header g++ 12 forgets which lines are the system's, and tells what it does
     # not tell of them elsewhere.
     target_compile_options(${target} PRIVATE
-      $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow -Wno-array-bounds>)
+      "$<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow;-Wno-array-bounds>")
   endif()
 endfunction()
