@@ -17,6 +17,7 @@
 #include "casefile/viewport.h"
 #include "model/scene_words.h"
 #include "tests/raster/random_scenes.h"
+#include "tests/support/share.h"
 
 namespace edgecase {
 namespace {
@@ -58,7 +59,9 @@ TEST(CaseWriter, EveryFileOfTheSuiteComesBack) {
   constexpr std::size_t kStep = 5;
   const fs::path suite[] = {fs::path(EDGECASE_ROOT) / "cases"};
   std::size_t count = 0;
+  Dealer files;
   for (const CaseFile& file : find_cases(suite).cases) {
+    if (!files.deal()) continue;
     const LoadedCases loaded = load_cases(file.file, file.id);
     for (std::size_t i = 0; i < loaded.cases.size(); i += kStep) {
       const Case& one = loaded.cases[i];
@@ -68,7 +71,7 @@ TEST(CaseWriter, EveryFileOfTheSuiteComesBack) {
       if (HasFailure()) return;
     }
   }
-  EXPECT_GT(count, 6000U);
+  EXPECT_GT(count, least_of(6000U));
 }
 
 TEST(CaseWriter, RandomScenesComeBack) {
