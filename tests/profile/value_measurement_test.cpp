@@ -352,8 +352,9 @@ TEST(ValueMeasurement, AnotherSeedFindsTheSameRules) {
       {{"attribute.perspective", "always"}, {"derivative.coarse", "quad-coarse-top-right"}},
       {{"attribute.smooth", "major-axis"}, {"derivative.plain", "forward"}}};
   for (std::size_t i = 0; i < rounds.size(); ++i)
-    if (is_round_in_share(i, rounds.size()))
+    if (is_round_in_share(i, rounds.size())) {
       EXPECT_EQ(findings_of(rounds[i], {}, 3).choices, findings_of(rounds[i], {}, 4).choices);
+    }
 }
 
 }  // namespace
