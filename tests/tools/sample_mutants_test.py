@@ -49,7 +49,7 @@ class SampleMutants(CommandTest):
     def assert_told(self, fault, of_case, told, *omitted):
         """A violation, and every disagreement that is one is one of `told`: (rule, cause)."""
         result = self.run_fault(fault, of_case, UNEXPECTED, *omitted)
-        self.assertEqual(result["verdict"], "violation")
+        self.assertEqual(result["verdict"], "violation", result.get("failure"))
         self.assertEqual({(d["rule"], d["cause"]) for d in result["disagreements"]}, told)
         return result
 
@@ -85,7 +85,7 @@ class SampleMutants(CommandTest):
         self.assertEqual(len(found["results"]), len(swaps))
         for swap, result in zip(swaps, found["results"].values()):
             with self.subTest(swap):
-                self.assertEqual(result["verdict"], "violation")
+                self.assertEqual(result["verdict"], "violation", result.get("failure"))
                 self.assertEqual({(d["rule"], d["cause"]) for d in result["disagreements"]},
                                  {("triangle.fill-rule", "sample.positions=swapped")})
 
@@ -159,14 +159,14 @@ class SampleMutants(CommandTest):
         # One that tells nothing of all that draws something else.
         everything = ["hits", "sample_positions", "sample_pixels"]
         result = self.run_fault("four-for-two", case(2), UNEXPECTED, *everything)
-        self.assertEqual(result["verdict"], "violation")
+        self.assertEqual(result["verdict"], "violation", result.get("failure"))
 
     def test_samples_that_are_ignored(self):
         self.assert_refused("one-sample", case(), "/hits must have 1024 elements, but it has 256")
         self.assert_refused("one-sample", case(), "no \"coverage\", and the target has several",
                             "hits", "coverage")
         result = self.run_fault("one-sample", case(), UNEXPECTED, "hits")
-        self.assertEqual(result["verdict"], "violation")
+        self.assertEqual(result["verdict"], "violation", result.get("failure"))
 
     def test_samples_that_are_refused(self):
         result = self.run_fault("refused", case(), UNEXPECTED)

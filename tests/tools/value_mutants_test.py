@@ -38,7 +38,7 @@ class ValueMutants(CommandTest):
     def assert_told(self, fault, rule, cause, others=(), **draw):
         """A violation for which rule and cause are named, and nothing but `others` beside it."""
         result, about = self.run_fault(fault, UNEXPECTED, **draw)
-        self.assertEqual(result["verdict"], "violation")
+        self.assertEqual(result["verdict"], "violation", result.get("failure"))
         found = {(d["rule"], d.get("cause", "")) for d in result["disagreements"]}
         self.assertEqual(found, {(rule, cause), *((other, cause) for other in others)})
         for d in result["disagreements"]:
