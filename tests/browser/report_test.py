@@ -5,10 +5,14 @@ comes back as expectations. How long it takes is not a matter of these tests: to
 import json
 import pathlib
 import re
+import sys
 import unittest
 from urllib.parse import quote
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
 from report_pages import ReportTest
+from share import in_full_tier
 import synthetic_results as synthetic
 
 HOSTILE = ("</script><script>document.title='owned'</script><img src=x onerror=\"document.title="
@@ -40,6 +44,7 @@ class Report(ReportTest):
                 "document.querySelector('#list [data-row]')?.dataset.row ?? ''"))
         self.assertGreater(len(seen), 5, "the list does not move")
 
+    @in_full_tier
     def test_twenty_thousand_cases(self):
         page = self.report(synthetic.make(20_000, 60_000))
         self.browser.open(page)
@@ -107,6 +112,7 @@ class Report(ReportTest):
         self.assertLessEqual(self.browser.ask("document.documentElement.scrollWidth"), 1280)
         self.assert_quiet(page)
 
+    @in_full_tier
     def test_axe_finds_nothing(self):
         page = self.report(synthetic.make(60, 300))
         case = next(c for c in synthetic.make(60, 300)["cases"] if c["id"].startswith("lines"))

@@ -3,6 +3,7 @@
 import os
 import re
 import sys
+import unittest
 
 
 def share_of_environment():
@@ -23,3 +24,12 @@ NUMBER, COUNT = share_of_environment()
 def in_share(items):
     """The items of this share: each item is in exactly one."""
     return list(items)[NUMBER - 1::COUNT]
+
+
+# No test of the full tier has as many parts as the quick tier has shares.
+IS_QUICK = COUNT >= 16
+
+
+def in_full_tier(test):
+    """Decorates a test that the first part of the full tier asks, and the quick tier does not."""
+    return unittest.skipIf(IS_QUICK or NUMBER > 1, "the full tier asks this, once")(test)

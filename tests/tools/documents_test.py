@@ -17,6 +17,7 @@ import sys
 import tempfile
 import unittest
 
+from suite_data import in_share
 from support import BIN, EDGECASE, PATIENCE, ROOT, CommandTest, environment
 
 DOCUMENTS = ("README.md", "CONTRIBUTING.md", "cases/README.md", "reference/PROTOCOL.md",
@@ -201,7 +202,7 @@ class Documents(CommandTest):
             self.assertIn("\n" + output, "\n" + said, f"{place}: {commands[-1]}")
 
     def check(self, document):
-        for number, (line, commands, output) in enumerate(blocks_of(document)):
+        for number, (line, commands, output) in in_share(enumerate(blocks_of(document))):
             with self.subTest(line=line):
                 folder = self.folder / f"block-{number}"
                 shutil.copytree(self.checkout, folder, symlinks=True)

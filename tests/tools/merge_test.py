@@ -4,6 +4,7 @@ systems' variables ask for shards."""
 import json
 import unittest
 
+from suite_data import IS_QUICK
 from support import (AS_EXPECTED, NOTHING_SELECTED, SUITE, UNEXPECTED, USAGE, CommandTest,
                      only_result)
 
@@ -11,6 +12,8 @@ RENDERERS = ["--against", "osmesa:llvmpipe", "--against", "osmesa:softpipe"]
 # Lines and joints, both surfaces, samples, ramps, and pictures large enough to be folded.
 FOLDERS = ["lines/joints", "lines/directions", "lines/ends", "samples/shading",
            "surfaces/lines.json", "textures/scenes", "colors/smooth", "scenes/floor.json"]
+if IS_QUICK:
+    FOLDERS = ["lines/joints", "samples/shading", "surfaces/lines.json"]
 PATHS = [f"{SUITE}/{folder}" for folder in FOLDERS]
 SHARDS = 4
 

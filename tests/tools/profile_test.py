@@ -3,11 +3,13 @@
 import json
 import unittest
 
+from suite_data import IS_QUICK, in_full_tier, in_share
 from support import (AS_EXPECTED, PROBES, RENDERER, ROOT, SUITE, UNEXPECTED, USAGE, CommandTest,
                      triangle_case, verdicts)
 
 PROFILES = ROOT / "cases" / "profiles"
 FEW = ("--scenes", "600")
+FEWEST = ("--scenes", "100" if IS_QUICK else "200")
 
 
 class Profile(CommandTest):
@@ -38,21 +40,24 @@ class Profile(CommandTest):
             found.add(rule)
         return found
 
+    @unittest.skipIf(IS_QUICK, "the full tier asks this")
     def test_two_seeds_find_what_is_committed(self):
+        """Each seed in a part of its own."""
         triangles = {"triangle.algorithm", "triangle.row-order", "triangle.snap"}
         for renderer, known in (
-                ("osmesa:llvmpipe", triangles | {"triangle.fill-rule"}),
                 ("osmesa:softpipe",
                  triangles | {"point.offset", "point.ownership", "point.row-order", "point.snap",
-                              "line.algorithm", "line.row-order", "line.snap"})):
+                              "line.algorithm", "line.row-order", "line.snap"}),
+                ("osmesa:llvmpipe", triangles | {"triangle.fill-rule"})):
             file = PROFILES / (renderer.replace(":", "-") + ".json")
             expected = json.loads(file.read_text(encoding="utf-8"))
-            for seed in ("11", "12"):
+            for seed in in_share(("11", "12")):
                 with self.subTest(renderer=renderer, seed=seed):
                     profile = self.profile(renderer, *FEW, "--seed", seed)
                     for surface in ("fbo", "window"):
                         self.assertLessEqual(known, self.decided(profile, expected, surface))
 
+    @in_full_tier
     def test_softpipe_tears_shared_edges(self):
         traits = self.traits(self.profile("osmesa:softpipe", *FEW, "--surface", "fbo"), "fbo")
         shared = traits["triangle.shared-edge"]
@@ -62,20 +67,21 @@ class Profile(CommandTest):
                          r"and \d+ hit pixel \(\d+, \d+\) [02] times in triangle")
 
     def test_is_the_same_every_time(self):
-        outputs = {self.command("profile", "--against", "osmesa:softpipe", "--scenes", "200",
+        outputs = {self.command("profile", "--against", "osmesa:softpipe", *FEWEST,
                                 "--jobs", jobs, "--json", "-").stdout for jobs in ("1", "2")}
         self.assertEqual(len(outputs), 1)
 
     def test_the_policy_file_is_a_policy(self):
         path = self.folder / "policy.json"
         self.command("profile", "--against", "exact", "--policy",
-                     ROOT / "cases/policies/cs184.json", "--scenes", "200", "--policy-file", path)
+                     ROOT / "cases/policies/cs184.json", *FEWEST, "--policy-file", path)
         results = self.results(SUITE, "--filter", "triangles/*", "--policy", path, "--against",
                                "exact", expect=UNEXPECTED)
         # Closed edges are found, and remain what OpenGL forbids.
         self.assertIn("violation", verdicts(results).values())
         self.assertEqual(json.loads(path.read_text())["rules"]["triangle.fill-rule"], "closed")
 
+    @in_full_tier
     def test_every_smallest_scene_is_a_case(self):
         profile = self.profile("osmesa:softpipe", *FEW, "--surface", "fbo")
         clusters = profile["surfaces"][0]["clusters"]

@@ -2,11 +2,13 @@
 """Whole scenes: what is told of their pixels, in how much room, and what they show."""
 import base64
 import json
+import pathlib
 import subprocess
 import sys
 import unittest
 import zlib
 
+from suite_data import COUNT, in_share
 from support import ROOT, SUITE, CommandTest, contents, only_result
 
 SCENES = f"{SUITE}/scenes"
@@ -44,14 +46,16 @@ class WholeScenes(CommandTest):
     def test_every_pixel_is_counted_in_little_room(self):
         for name in ("run", "again"):
             (self.folder / name).mkdir()
-        results = self.results(SCENES, "--against", "osmesa:llvmpipe", "--html", "run/report.html")
-        self.assertGreater(len(results["cases"]), 50)
+        # More than fifty cases, from files of which each has at least one large scene.
+        files = in_share(sorted(pathlib.Path(SCENES).glob("*.json")))
+        results = self.results(*files, "--against", "osmesa:llvmpipe", "--html", "run/report.html")
+        self.assertGreater(len(results["cases"]), 50 // COUNT)
         large = 0
         for case in results["cases"]:
             with self.subTest(case=case["id"]):
                 self.check_case(case, only_result(case))
                 large += case["width"] == 512
-        self.assertGreater(large, 20)
+        self.assertGreater(large, 20 // COUNT)
         page = contents(self.folder / "run")
         self.assertLess(sum(map(len, page.values())), 1_000_000 * large * 2)
         # What was folded is read back: the report of the file is that of the run.

@@ -3,8 +3,6 @@
 // The cause of values that one rule alone decides.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <span>
 #include <string>
 
@@ -16,7 +14,7 @@ template <class Choice, class Yields>
 std::string cause_among(std::span<const Choice> all, Choice chosen, const char* rule,
                         const Yields& yields) {
   for (const Choice choice : all)
-    if (choice != chosen && yields(choice)) return fmt::format("{}={}", rule, name_of(choice));
+    if (choice != chosen && yields(choice)) return std::string(rule) + "=" + name_of(choice);
   return "";
 }
 
