@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Where EDGECASE_UNITY is on, several sources are compiled as one, upon precompiled headers: what is
-# built once and as a whole is built in less than half the time. Whoever edits builds one source at a
+# built once and as a whole is built in half the time. Whoever edits builds one source at a
 # time, as the preset `dev` does, which also shows a missing include.
 #
 # CMake's own UNITY_BUILD puts sources together whatever they hold. Ours give the same name to many a

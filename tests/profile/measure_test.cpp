@@ -41,7 +41,7 @@ bool is_random_coverage(const Task& task) {
 // theirs, random scenes of coverage are drawn and probes of colours. The first share is nobody's.
 enum class WholeMeasurement : std::size_t { other_seed = 1, odd, no_lines };
 bool is_measured(const Task& task, WholeMeasurement test) {
-  return is_round_in_share(static_cast<std::size_t>(test), 4) || is_random_coverage(task) ||
+  return is_in_share_of_few(static_cast<std::size_t>(test), 4) || is_random_coverage(task) ||
          task.id.starts_with("probe/");
 }
 
@@ -124,7 +124,7 @@ const std::vector<Known> kKnown{{"opengl", {}},
 TEST(Measure, FindsKnownPolicies) {
   const std::vector<Surface> surfaces{Surface::fbo, Surface::window};
   for (std::size_t i = 0; i < 2 * kKnown.size(); ++i) {
-    if (!is_round_in_share(i, 2 * kKnown.size())) continue;
+    if (!is_in_share_of_few(i, 2 * kKnown.size())) continue;
     const Known& known = kKnown[i / 2];
     SCOPED_TRACE(known.name);
     Policy policy;

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -22,12 +21,6 @@ struct PlantedRound {
   Choices rules;
   std::vector<std::string> hidden;  // rules of which nothing tells under these
 };
-
-// Rounds are dealt to the shares in turn; where there are more shares, each asks one round.
-inline bool is_round_in_share(std::size_t number, std::size_t rounds) {
-  const std::size_t shares = std::min<std::size_t>(share().count, rounds);
-  return number % shares == share().number % shares;
-}
 
 // The policy's own rules and those of `standard` that it leaves alone, but for the hidden ones.
 inline Choices rules_to_find(const PlantedRound& round, const Choices& standard) {

@@ -14,6 +14,7 @@
 
 #include "profile/samples/sample_measurement.h"
 #include "raster/rasterizer.h"
+#include "tests/profile/found_traits.h"
 
 namespace edgecase {
 
@@ -95,25 +96,6 @@ inline SampleFindings plane_findings_of(const Choices& rules, SampleAlter alter 
 inline const SampleFindings& opengl_findings() {
   static const SampleFindings findings = findings_of(SampleRenderer({}));
   return findings;
-}
-
-inline const Trait& trait_of(const SampleFindings& findings, const std::string& id) {
-  for (const Trait& trait : findings.traits)
-    if (trait.id == id) return trait;
-  ADD_FAILURE() << "no trait " << id;
-  static const Trait none;
-  return none;
-}
-
-// Found, agreed with by all that tells, and by nothing as well as by it.
-inline void expect_found(const SampleFindings& findings, const std::string& id,
-                         const std::string& alternative) {
-  const Trait& trait = trait_of(findings, id);
-  EXPECT_EQ(trait.alternative, alternative) << id;
-  EXPECT_GT(trait.rate.of, 50u) << id;
-  EXPECT_EQ(trait.rate.agreeing, trait.rate.of) << id << " " << trait.remark;
-  EXPECT_LT(trait.runner_up_rate.agreeing, trait.rate.agreeing) << id << " " << trait.runner_up;
-  EXPECT_EQ(findings.choices.at(id), alternative) << id;
 }
 
 }  // namespace edgecase

@@ -84,7 +84,7 @@ TEST(SampleMeasurement, FindsOpenGlsOwnRules) {
 
 TEST(SampleMeasurement, FindsEveryAlternative) {
   for (std::size_t i = 0; i < kRounds.size(); ++i) {
-    if (!is_round_in_share(i, kRounds.size())) continue;
+    if (!is_in_share_of_few(i, kRounds.size())) continue;
     SCOPED_TRACE(i);
     expect_all_found(findings_of(SampleRenderer(kRounds[i].rules)), kRounds[i]);
   }
@@ -103,7 +103,7 @@ TEST(SampleMeasurement, FindsEveryPlacement) {
   const std::vector<std::string> names{"ordered-grid", "centre", "mirrored-x",
                                        "mirrored-y",   "turned", "swapped"};
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!is_round_in_share(i, names.size())) continue;
+    if (!is_in_share_of_few(i, names.size())) continue;
     SCOPED_TRACE(names[i]);
     const SampleFindings findings =
         findings_of(SampleRenderer({{"sample.positions", names[i]}}).with(RandomScenes::triangles));

@@ -121,7 +121,7 @@ TEST(TextureMeasurement, FindsOpenGlsOwnRules) {
 
 TEST(TextureMeasurement, FindsEveryAlternative) {
   for (std::size_t i = 0; i < kRounds.size(); ++i) {
-    if (!is_round_in_share(i, kRounds.size())) continue;
+    if (!is_in_share_of_few(i, kRounds.size())) continue;
     SCOPED_TRACE(i);
     expect_all_found(kRounds[i]);
   }
@@ -141,7 +141,7 @@ TEST(TextureMeasurement, FindsTheSameOfWindows) {
                                       {"texture.log2", "linear-mantissa"},
                                       {"texture.derivatives", "quad-coarse-bottom-right"}}};
   for (std::size_t i = 0; i < planted.size(); ++i)
-    if (is_round_in_share(i, planted.size())) expect_all_found({planted[i], {}}, Surface::window);
+    if (is_in_share_of_few(i, planted.size())) expect_all_found({planted[i], {}}, Surface::window);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST(ValueMeasurement, FindsOpenGlsOwnRules) {
 TEST(ValueMeasurement, FindsSnappedPositions) {
   const std::vector<const char*> snaps{"8-half-even", "4-truncate"};
   for (std::size_t i = 0; i < snaps.size(); ++i) {
-    if (!is_round_in_share(i, snaps.size())) continue;
+    if (!is_in_share_of_few(i, snaps.size())) continue;
     const Choices rules{
         {"triangle.snap", snaps[i]}, {"line.snap", snaps[i]}, {"attribute.positions", "snapped"}};
     expect_found(findings_of(rules), "attribute.positions", "snapped");
@@ -101,7 +101,7 @@ TEST(ValueMeasurement, TellsNothingOfPositionsThatNothingSnaps) {
 TEST(ValueMeasurement, FindsPerspectiveThatIsNotAsSet) {
   const std::vector<const char*> choices{"always", "never"};
   for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (!is_round_in_share(i, choices.size())) continue;
+    if (!is_in_share_of_few(i, choices.size())) continue;
     expect_found(findings_of({{"attribute.perspective", choices[i]}}), "attribute.perspective",
                  choices[i]);
   }
@@ -126,7 +126,7 @@ TEST(ValueMeasurement, SaysThatLinesAndTrianglesDiffer) {
 TEST(ValueMeasurement, FindsEveryMethodOfDerivatives) {
   const auto methods = all_derivative_methods();
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    if (!is_round_in_share(i, methods.size())) continue;
+    if (!is_in_share_of_few(i, methods.size())) continue;
     const Choices rules{{"derivative.plain", name_of(methods[i])},
                         {"derivative.fine", name_of(methods[(i + 1) % methods.size()])},
                         {"derivative.coarse", name_of(methods[(i + 2) % methods.size()])}};
@@ -154,7 +154,7 @@ TEST(ValueMeasurement, FindsFromWhichEndQuadsAreCounted) {
                                                             {"bottom-up", Surface::window},
                                                             {"bottom-up", Surface::fbo}};
   for (std::size_t i = 0; i < rounds.size(); ++i) {
-    if (!is_round_in_share(i, rounds.size())) continue;
+    if (!is_in_share_of_few(i, rounds.size())) continue;
     const auto& [rows, surface] = rounds[i];
     const Choices rules{{"derivative.quad-rows", rows}, {"derivative.plain", "quad-fine"}};
     const ValueFindings findings = findings_of(rules, {}, 1, surface);
@@ -365,7 +365,7 @@ TEST(ValueMeasurement, AnotherSeedFindsTheSameRules) {
       {{"attribute.perspective", "always"}, {"derivative.coarse", "quad-coarse-top-right"}},
       {{"attribute.smooth", "major-axis"}, {"derivative.plain", "forward"}}};
   for (std::size_t i = 0; i < rounds.size(); ++i) {
-    if (!is_round_in_share(i, rounds.size())) continue;
+    if (!is_in_share_of_few(i, rounds.size())) continue;
     EXPECT_EQ(findings_of(rounds[i], {}, 3).choices, findings_of(rounds[i], {}, 4).choices);
   }
 }
