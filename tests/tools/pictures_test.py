@@ -60,6 +60,15 @@ class DrawAgainst(CommandTest):
         words = "".join(root.itertext())
         self.assertIn("violation: pixel (3, 3) extra, line.diamond-exit, ruling 2", words)
 
+    def test_one_pane_has_no_words_and_needs_a_picture(self):
+        svg = self.folder / "pane.svg"
+        for pane in ("exact", "difference", "renderer"):
+            self.command("draw", BETWEEN, *SOFTPIPE, "--pane", pane, "--svg", svg)
+            root = xml.etree.ElementTree.parse(svg).getroot()
+            self.assertFalse(root.findall(".//{*}text"), pane)
+        self.command("draw", BETWEEN, *SOFTPIPE, "--pane", "exact", expect=USAGE)
+        self.command("draw", BETWEEN, "--pane", "exact", "--svg", svg, expect=USAGE)
+
     def test_filters_choose_one_case_of_a_sweep(self):
         swept = f"{SUITE}/lines/wide/rounded-widths.json"
         drawn = {self.command("draw", swept, "--filter", f"*:width={width}", *SOFTPIPE).stdout
