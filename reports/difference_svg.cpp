@@ -57,13 +57,12 @@ struct Panel {
   double row(double y) const { return heading + (crop.top - y) * cell; }
 };
 
-// `pixel_kind` is called with the pixel's index in the picture and names its CSS class.
-template <typename Kind>
-void add_pixels(const Panel& panel, int width, const Kind& pixel_kind) {
+// The pixels with their CSS classes, `width` to a row of the target, and a grid over them.
+void add_pixels(const Panel& panel, int width, const std::vector<const char*>& kinds) {
   for (int y = panel.crop.bottom; y < panel.crop.top; ++y)
     for (int x = panel.crop.left; x < panel.crop.right; ++x)
-      add_rectangle(panel.node, pixel_kind(static_cast<std::size_t>(y * width + x)),
-                    panel.column(x), panel.row(y + 1), panel.cell, panel.cell);
+      add_rectangle(panel.node, kinds[static_cast<std::size_t>(y * width + x)], panel.column(x),
+                    panel.row(y + 1), panel.cell, panel.cell);
   std::string path;
   for (int x = panel.crop.left; x <= panel.crop.right; ++x)
     path += fmt::format("M{} {}V{}", panel.column(x), panel.row(panel.crop.bottom),
@@ -201,17 +200,24 @@ pugi::xml_node add_window(const Panel& panel) {
   return window;
 }
 
-const char* kind_of(int hits) {
-  return hits == 0 ? "none" : hits == 1 ? "once" : "more";
+// The CSS class of each pixel of the target in a pane.
+std::vector<const char*> pixel_kinds(const DifferencePicture& picture, Pane pane) {
+  std::vector<const char*> kinds;
+  kinds.reserve(picture.exact_hits.size());
+  for (std::size_t i = 0; i < picture.exact_hits.size(); ++i) {
+    const int exact = picture.exact_hits[i];
+    const int rendered = picture.rendered_hits[i];
+    const int hits = pane == Pane::exact ? exact : rendered;
+    if (pane == Pane::difference)
+      kinds.push_back(exact > 0 || rendered > 0 ? "pale" : "none");
+    else
+      kinds.push_back(hits == 0 ? "none" : hits == 1 ? "once" : "more");
+  }
+  return kinds;
 }
 
 void add_drawing(const Panel& panel, const DifferencePicture& picture, Pane pane) {
-  add_pixels(panel, picture.width, [&](std::size_t index) {
-    const int exact = picture.exact_hits[index];
-    const int rendered = picture.rendered_hits[index];
-    if (pane == Pane::difference) return exact > 0 || rendered > 0 ? "pale" : "none";
-    return kind_of(pane == Pane::exact ? exact : rendered);
-  });
+  add_pixels(panel, picture.width, pixel_kinds(picture, pane));
   add_frames(panel, picture.disagreements);
   Panel inside = panel;
   inside.node = add_window(panel);
