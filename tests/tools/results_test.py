@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What results of the suite say, those of the four Mesa renderers: clusters count what is told, what
-is cited exists, reports can be made of them again, a shard is judged as the whole, and --no-latitude."""
+is cited exists, reports can be made of them again, a shard is judged as the whole, and
+--no-latitude."""
 import json
 import unittest
 
