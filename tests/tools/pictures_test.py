@@ -45,10 +45,10 @@ class Gallery(CommandTest):
                                        expect=None)
                 told = only_result(results["cases"][0])["disagreements"]
                 is_allowed = finding["does"] == "allows"
-                rulings = {d["ruling"] for d in told if d["legal"] == is_allowed}
+                rulings = {d["ruling"] for d in told if (d["legality"] == "legal") == is_allowed}
                 self.assertTrue(rulings & {int(n) for n in finding["rulings"].split(",")}, told)
                 if is_allowed:
-                    self.assertTrue(all(d["legal"] for d in told))
+                    self.assertTrue(all(d["legality"] == "legal" for d in told))
 
 
 class DrawAgainst(CommandTest):
