@@ -35,10 +35,14 @@ constexpr const char* kStyle =
     ".sample{fill:none;stroke:#8a4b00;stroke-width:1.4}"
     ".forbidden{fill:none;stroke:#c0182b;stroke-width:2.4}"
     ".allowed{fill:none;stroke:#6a5400;stroke-width:2.4;stroke-dasharray:4 2.5}"
-    ".contested{fill:none;stroke:#7a2fa0;stroke-width:2.4;stroke-dasharray:1.5 2}"
-    ".badge{fill:#c0182b}.badge.contested-badge{fill:#7a2fa0}.badge.allowed-badge{fill:#6a5400}"
+    ".badge{fill:#c0182b}.badge.allowed-badge{fill:#6a5400}"
     ".sign{fill:none;stroke:#fff;stroke-width:1.8}"
     ".digit{font-weight:bold;font-size:11px;fill:#fff;text-anchor:middle}";
+
+// Beside it where something is contested.
+constexpr const char* kContestedStyle =
+    ".contested{fill:none;stroke:#7a2fa0;stroke-width:2.4;stroke-dasharray:1.5 2}"
+    ".badge.contested-badge{fill:#7a2fa0}";
 
 struct Panel {
   pugi::xml_node node;
@@ -298,7 +302,11 @@ void write_difference_svg(const DifferencePicture& picture, std::ostream& out) {
   set(svg, "width", width);
   set(svg, "height", height);
   set(svg, "viewBox", fmt::format("0 0 {} {}", width, height));
-  svg.append_child("style").text().set(kStyle);
+  const bool is_contested =
+      std::ranges::find(picture.disagreements, Legality::contested, &Disagreement::legality) !=
+      picture.disagreements.end();
+  const std::string style = std::string(kStyle) + (is_contested ? kContestedStyle : "");
+  svg.append_child("style").text().set(style.c_str());
   add_rectangle(svg, "paper", 0, 0, width, height);
   for (std::size_t i = 0; i < title.size(); ++i)
     add_text(svg, "title", kGap, kGap + 6 + kLine * static_cast<double>(i), title[i]);
