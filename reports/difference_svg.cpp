@@ -40,10 +40,14 @@ constexpr const char* kStyle =
     ".sample{fill:none;stroke:#8a4b00;stroke-width:1.4}"
     ".forbidden{fill:none;stroke:#c0182b;stroke-width:2.4}"
     ".allowed{fill:none;stroke:#6a5400;stroke-width:2.4;stroke-dasharray:4 2.5}"
-    ".contested{fill:none;stroke:#7a2fa0;stroke-width:2.4;stroke-dasharray:1.5 2}"
-    ".badge{fill:#c0182b}.badge.contested-badge{fill:#7a2fa0}.badge.allowed-badge{fill:#6a5400}"
+    ".badge{fill:#c0182b}.badge.allowed-badge{fill:#6a5400}"
     ".sign{fill:none;stroke:#fff;stroke-width:1.8}"
     ".digit{font-weight:bold;font-size:11px;fill:#fff;text-anchor:middle}";
+
+// Beside it where something is contested.
+constexpr const char* kContestedStyle =
+    ".contested{fill:none;stroke:#7a2fa0;stroke-width:2.4;stroke-dasharray:1.5 2}"
+    ".badge.contested-badge{fill:#7a2fa0}";
 
 struct Panel {
   pugi::xml_node node;
@@ -254,13 +258,18 @@ double cell_of(const Crop& crop) {
 }
 
 // An SVG document of this size, and its background.
-pugi::xml_node add_paper(pugi::xml_document& document, double width, double height) {
+pugi::xml_node add_paper(pugi::xml_document& document, const DifferencePicture& picture,
+                         double width, double height) {
   pugi::xml_node svg = document.append_child("svg");
   set(svg, "xmlns", std::string("http://www.w3.org/2000/svg"));
   set(svg, "width", width);
   set(svg, "height", height);
   set(svg, "viewBox", fmt::format("0 0 {} {}", width, height));
-  svg.append_child("style").text().set(kStyle);
+  const bool is_contested =
+      std::ranges::find(picture.disagreements, Legality::contested, &Disagreement::legality) !=
+      picture.disagreements.end();
+  const std::string style = std::string(kStyle) + (is_contested ? kContestedStyle : "");
+  svg.append_child("style").text().set(style.c_str());
   add_rectangle(svg, "paper", 0, 0, width, height);
   return svg;
 }
@@ -353,7 +362,7 @@ void write_difference_svg(const DifferencePicture& picture, std::ostream& out) {
   const double height = below + kLine * (1.5 + static_cast<double>(caption.size())) + kGap / 2;
 
   pugi::xml_document document;
-  pugi::xml_node svg = add_paper(document, width, height);
+  pugi::xml_node svg = add_paper(document, picture, width, height);
   for (std::size_t i = 0; i < title.size(); ++i)
     add_text(svg, "title", kGap, kGap + 6 + kLine * static_cast<double>(i), title[i]);
   pugi::xml_node panes = svg.append_child("g");
@@ -379,8 +388,8 @@ void write_pane_svg(const DifferencePicture& picture, Pane pane, std::ostream& o
   const Crop crop = crop_of(picture);
   const double cell = cell_of(crop);
   pugi::xml_document document;
-  pugi::xml_node svg =
-      add_paper(document, crop.width() * cell + 2 * kMargin, crop.height() * cell + 2 * kMargin);
+  pugi::xml_node svg = add_paper(document, picture, crop.width() * cell + 2 * kMargin,
+                                 crop.height() * cell + 2 * kMargin);
   pugi::xml_node node = svg.append_child("g");
   set(node, "transform", fmt::format("translate({} 0)", kMargin));
   add_drawing({node, cell, crop, kMargin}, picture, pane);

@@ -105,7 +105,7 @@ class FaultyRasterizers(CommandTest):
         if fault.causes is not None:
             self.assertLessEqual({cause for _, cause in found}, fault.causes, found)
         verdicts = {result["verdict"] for result in results}
-        order = ["not-run", "agree", "convention", "permitted", "violation"]
+        order = ["not-run", "agree", "convention", "permitted", "contested", "violation"]
         self.assertEqual(max(verdicts, key=order.index), fault.verdict)
         # What is drawn right agrees, and the fault is seen more often than once.
         self.assertIn("agree", verdicts)
