@@ -65,11 +65,20 @@ TEST(UntoldSamples, HitsTellWhichSamplesAlphaHasLeft) {
       rasterize(scene, policy_with("sample.alpha-to-coverage", "ignored"));
   Rendering rendering = without_samples(drawn);
   rendering.pixels = all_written.pixels;
-  const Result contradicted = judged(scene, rendering);
-  EXPECT_EQ(contradicted.verdict, Verdict::violation);
-  EXPECT_EQ(rules_of(contradicted), std::set<std::string>{"sample.resolve"});
-  rendering.hits.clear();
-  EXPECT_EQ(judged(scene, rendering).disagreements.size(), 0U);
+  const auto differing = [&] {
+    const Result result = judged(scene, rendering);
+    EXPECT_EQ(result.disagreements.size(), 0U);
+    std::size_t pixels = 0;
+    for (const ValueAggregate& values : result.values)
+      if (values.rule == "sample.resolve") pixels += values.differing.size();
+    return pixels;
+  };
+  // With hits the pixels are no means of what they left, which is legal near its range; without
+  // them they may be.
+  const std::size_t contradicted = differing();
+  EXPECT_GT(contradicted, 0U);
+  const Result nothing = judged(scene, without_samples(drawn));
+  EXPECT_EQ(nothing.values.size() + nothing.disagreements.size(), 0U);
 }
 
 TEST(UntoldSamples, AlphasOfZeroAndOneAreHeededWithoutHits) {
