@@ -91,8 +91,10 @@ TEST(OutputLatitude, DepthsThatAreComparedUnconvertedAreContested) {
   for (const CompareFunction function :
        {CompareFunction::equal, CompareFunction::lequal, CompareFunction::notequal}) {
     EXPECT_EQ(rulings(function, DepthFormat::depth16, kLow), std::set<int>{55});
-    // 1/8 is a float32 number, and no quotient of either format; in float32 nothing is converted.
-    EXPECT_EQ(rulings(function, DepthFormat::depth24, 0.125), std::set<int>{55});
+    // 1/8 is a float32 number, and no quotient of 24 bits. It is stored as the larger neighbour,
+    // than which it is less. In float32 nothing is converted.
+    EXPECT_EQ(rulings(function, DepthFormat::depth24, 0.125),
+              std::set<int>{function == CompareFunction::lequal ? 39 : 55});
     EXPECT_EQ(rulings(function, DepthFormat::depth32f, 0.125), std::set<int>{39});
   }
   // 1 is a code.
