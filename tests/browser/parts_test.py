@@ -5,6 +5,7 @@ import struct
 import unittest
 
 from report_pages import ReportTest
+from share import IS_QUICK
 import synthetic_results as synthetic
 
 
@@ -74,7 +75,9 @@ class Parts(ReportTest):
             self.assertIn(name + ": ", words)
         self.assertNotIn(synthetic.RENDERERS[2], words)
         self.assertIn("outside the permitted band", words)
-        self.assertEqual(self.browser.violations(), [])
+        if not IS_QUICK:
+            # axe comes by npm, which the quick tier does without.
+            self.assertEqual(self.browser.violations(), [])
         self.browser.driver.find_element("css selector", ".ramp-card").click()
         self.browser.wait("document.querySelector('main.case .ramps svg[role=slider]')")
         self.assertIn(self.browser.ask("CaseView.one.id"), [case["id"] for case in cases[:2]])

@@ -6,7 +6,8 @@ import sys
 import tempfile
 from urllib.parse import quote
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tools"))
+TESTS = pathlib.Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(TESTS / "tools"), str(TESTS / "support")]
 
 from browser import Browser  # noqa: E402
 from support import CommandTest  # noqa: E402

@@ -5,11 +5,8 @@ comes back as expectations. How long it takes is not a matter of these tests: to
 import json
 import pathlib
 import re
-import sys
 import unittest
 from urllib.parse import quote
-
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
 from report_pages import ReportTest
 from share import in_full_tier

@@ -56,15 +56,19 @@ TEST(OutputLatitude, DepthsWithinOneCodeMayCompareEitherWay) {
   EXPECT_EQ(verdict(CompareFunction::less, kFar, kLow, false), Verdict::violation);
 }
 
+// Where it is not, no depth that is between two codes equals any, which is contested.
 TEST(OutputLatitude, OneNumberIsConvertedToOneCode) {
-  for (const double depth : {kLow, 0.5, kHigh}) {
-    EXPECT_EQ(verdict(CompareFunction::less, depth, depth, true), Verdict::violation);
-    EXPECT_NE(verdict(CompareFunction::less, depth, depth, false), Verdict::violation);
-    EXPECT_NE(verdict(CompareFunction::lequal, depth, depth, true), Verdict::violation);
-    EXPECT_EQ(verdict(CompareFunction::lequal, depth, depth, false), Verdict::violation);
-    EXPECT_NE(verdict(CompareFunction::equal, depth, depth, true), Verdict::violation);
-    EXPECT_EQ(verdict(CompareFunction::equal, depth, depth, false), Verdict::violation);
-  }
+  const auto is_wrong = [](CompareFunction function, double depth, bool passes) {
+    const Verdict found = verdict(function, depth, depth, passes);
+    return found == Verdict::contested || found == Verdict::violation;
+  };
+  for (const double depth : {kLow, 0.5, kHigh})
+    for (const CompareFunction function :
+         {CompareFunction::less, CompareFunction::lequal, CompareFunction::equal}) {
+      const bool passes = function != CompareFunction::less;
+      EXPECT_FALSE(is_wrong(function, depth, passes)) << name_of(function) << depth;
+      EXPECT_TRUE(is_wrong(function, depth, !passes)) << name_of(function) << depth;
+    }
 }
 
 std::set<int> rulings_in(const Result& result) {

@@ -48,7 +48,7 @@ bool is_coarse(const std::string& choice) {
 }
 
 bool is_contested(const Disagreement& d) {
-  return d.ruling == 50 && !d.legal;
+  return d.ruling == 50 && d.legality == Legality::contested;
 }
 
 // A colour that is looked up in the levels that another rule's fault leads to is told beside it.
@@ -78,7 +78,7 @@ void expect_no_other_fault(const Result& result, const std::string& choice,
                                                   << describe_textures(result);
   } else if (result.verdict == Verdict::violation) {
     for (const Disagreement& d : result.disagreements) {
-      EXPECT_FALSE(d.legal) << choice << " / " << scene;
+      EXPECT_FALSE(is_legal(d)) << choice << " / " << scene;
       EXPECT_TRUE(is_contested(d) || d.cause.empty() || !is_open_choice(d.cause))
           << choice << " / " << scene << " " << d.cause;
     }

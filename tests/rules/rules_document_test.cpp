@@ -47,10 +47,10 @@ TEST(RulesDocument, IsTheCommittedFile) {
 TEST(RulesDocument, HoldsEveryRuleAndEveryRulingInOrder) {
   const std::string text = rules_document();
   std::size_t at = text.find("\n## Rulings\n");
-  std::set<int> rulings;
+  std::set<int> numbers;
   for (const Rule& rule : all_rules())
-    for (const Ruling& ruling : rule.rulings) rulings.insert(ruling.number);
-  for (const int number : rulings) {
+    for (const Ruling& ruling : rule.rulings) numbers.insert(ruling.number);
+  for (const int number : numbers) {
     const std::size_t next = text.find("\n### Ruling " + std::to_string(number) + "\n", at);
     ASSERT_NE(next, std::string::npos) << number;
     at = next;

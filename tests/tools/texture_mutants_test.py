@@ -77,8 +77,8 @@ class TextureMutants(CommandTest):
         found = {(d["rule"], d.get("cause", "")) for d in result["disagreements"]}
         self.assertEqual(found, {(rule, cause)}, name)
         for d in result["disagreements"]:
-            self.assertEqual((d["kind"], d["legal"]), ("value", False))
-        self.assertIn(f"not legal  {cause or rule}", self.summary)
+            self.assertEqual((d["kind"], d["legality"]), ("value", "illegal"))
+        self.assertIn(f"not allowed  {cause or rule}", self.summary)
 
     def test_the_unspoilt_program_is_not_blamed(self):
         for name, case_of_name in CASES.items():
@@ -123,7 +123,7 @@ class TextureMutants(CommandTest):
     def rulings_on(self, fault, name):
         path = self.write("case.json", CASES[name])
         (of_case,) = self.results(path, "--against", self.against(fault), expect=None)["cases"]
-        return {d["ruling"] for d in only_result(of_case)["disagreements"] if not d["legal"]}
+        return {d["ruling"] for d in only_result(of_case)["disagreements"] if d["legality"] != "legal"}
 
     def test_no_fault_is_found_within_the_bounds(self):
         for fault in "floor-6", "nearest-6", "length-of-both", "short-logarithm":

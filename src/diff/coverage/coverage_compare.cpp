@@ -201,16 +201,17 @@ class CoverageComparison {
     d.figure = std::move(why.figure);
     // Rulings on lines speak of whole segments: judge_line and judge() complete these.
     if (is_line(primitive) && difference.sample == 0) return d;
-    const Legality legality = judge(primitive, difference);
-    d.legal = legality.legal;
+    const CoverageLegality legality = judge(primitive, difference);
+    d.legality = by_letter(legality.legal);
     d.rule = legality.rule;
     d.ruling = legality.ruling;
     d.explanation += fmt::format(" Ruling {}: {}.", legality.ruling, legality.reason);
     return d;
   }
 
-  Legality judge(const ScenePrimitive& primitive, const CoverageDifference& difference) const {
-    Legality legality =
+  CoverageLegality judge(const ScenePrimitive& primitive,
+                         const CoverageDifference& difference) const {
+    CoverageLegality legality =
         judge_sample(primitive, difference, within(primitive, difference), context_.bits);
     return judge_facing(primitive, difference, is_missing(primitive), std::move(legality),
                         context_.bits);
@@ -242,7 +243,7 @@ class CoverageComparison {
   }
 
   void add_excused(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                   const Legality& why) {
+                   const CoverageLegality& why) {
     Disagreement d = at(primitive, difference);
     d.policy_agrees = true;
     d.rule = why.rule;
@@ -274,7 +275,7 @@ class CoverageComparison {
   void compare_samples_with_specification(const ScenePrimitive& primitive) {
     if (is_line(primitive)) return;
     for (const CoverageDifference& difference : excused_by_policy(primitive)) {
-      const Legality legality = judge(primitive, difference);
+      const CoverageLegality legality = judge(primitive, difference);
       if (!legality.legal) add_excused(primitive, difference, legality);
     }
   }
@@ -346,7 +347,7 @@ class CoverageComparison {
           "of once",
           fault.first, fault.second, fault.hits);
       if (blame(fault, reason) || context_.latitude != Latitude::opengl) continue;
-      const Legality broken{false, 5, "triangle.shared-edge", reason};
+      const CoverageLegality broken{false, 5, "triangle.shared-edge", reason};
       for (int index : {fault.first, fault.second})
         for (const CoverageDifference& difference : excused_by_policy(primitive_at(index)))
           if (difference.pixel == fault.pixel && difference.sample == fault.sample)
@@ -364,7 +365,7 @@ class CoverageComparison {
       if (!concerned || (d.rule != "triangle.fill-rule" && d.rule != "triangle.shared-edge"))
         continue;
       found = true;
-      d.legal = false;
+      d.legality = Legality::illegal;
       d.rule = "triangle.shared-edge";
       d.ruling = 5;
       d.explanation += fmt::format(" Ruling 5: {}.", reason);

@@ -103,15 +103,16 @@ const char* rule_on_coverage(const ScenePrimitive& primitive, const Target& targ
 namespace {
 
 // What no sample may be covered by, wherever the primitive lies; none.
-std::optional<Legality> judge_mask(const ScenePrimitive& primitive,
-                                   const CoverageDifference& difference) {
+std::optional<CoverageLegality> judge_mask(const ScenePrimitive& primitive,
+                                           const CoverageDifference& difference) {
   const Multisampling& use = primitive.state->multisampling;
   if (difference.drawn == 0) return std::nullopt;
   if (!use.enabled && difference.sample > 0)
-    return Legality{false, 35, "sample.enable",
-                    "without GL_MULTISAMPLE a fragment has no sample but the first"};
+    return CoverageLegality{false, 35, "sample.enable",
+                            "without GL_MULTISAMPLE a fragment has no sample but the first"};
   if (use.enabled && (use.mask >> difference.sample & 1) == 0)
-    return Legality{false, 32, "sample.mask", "the sample is not in the draw's sample mask"};
+    return CoverageLegality{false, 32, "sample.mask",
+                            "the sample is not in the draw's sample mask"};
   return std::nullopt;
 }
 
@@ -120,7 +121,8 @@ std::optional<Legality> judge_mask(const ScenePrimitive& primitive,
 namespace {
 
 // Of a primitive that reaches out of the clip volume: ruling 42.
-Legality judge_clipped(const ScenePrimitive& primitive, bool extra, Point sample, int bits) {
+CoverageLegality judge_clipped(const ScenePrimitive& primitive, bool extra, Point sample,
+                               int bits) {
   constexpr int kRuling = 42;
   if (primitive.kind != PrimitiveKind::triangle)
     return {!extra, kRuling, kClipVolume, "the vertex lies outside the clip volume"};
@@ -137,15 +139,15 @@ Legality judge_clipped(const ScenePrimitive& primitive, bool extra, Point sample
 
 }  // namespace
 
-Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      Point within, int bits) {
+CoverageLegality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                              Point within, int bits) {
   if (auto judged = judge_mask(primitive, difference)) return *judged;
   const bool point = primitive.kind == PrimitiveKind::point;
   const bool line = primitive.kind == PrimitiveKind::line;
   const bool extra = difference.drawn > difference.exact;
   const Point sample = place_in(difference.pixel, within);
   if (primitive.is_clipped) return judge_clipped(primitive, extra, sample, bits);
-  Legality result;
+  CoverageLegality result;
   result.rule = line ? kMultisampledLine : coverage_rule_of(primitive.kind);
   result.ruling = point ? 6 : line ? 28 : 4;
   const Fixed reach = reach_of(primitive, bits);
@@ -159,8 +161,8 @@ Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference&
   return result;
 }
 
-Legality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      bool whole, Legality otherwise, int bits) {
+CoverageLegality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                              bool whole, CoverageLegality otherwise, int bits) {
   constexpr const char* kRule = "polygon.facing";
   constexpr int kRuling = 40;
   if (primitive.kind != PrimitiveKind::triangle || primitive.state->cull == CullMode::none)

@@ -25,8 +25,8 @@ inline constexpr const char* kClipVolume = "clip.volume";
 const char* rule_on_coverage(const ScenePrimitive& primitive, const Target& target);
 
 // Whether one difference of one primitive is allowed, by which rule and ruling.
-struct Legality {
-  bool legal = false;
+struct CoverageLegality {
+  bool legal = false;  // by the letter
   int ruling = 0;
   std::string rule;    // the rule that is broken or under which the difference is allowed
   std::string reason;  // one clause, why
@@ -34,13 +34,13 @@ struct Legality {
 
 // Points, triangles and multisampled lines: `difference` judged by itself. `within`: where in its
 // pixel the sample lies.
-Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      Point within, int bits);
+CoverageLegality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                              Point within, int bits);
 
 // The same of triangles of draws that cull: which way they face may be what differs (ruling 40).
 // `whole`: nothing of the triangle was drawn. `otherwise`: what judge_sample says.
-Legality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      bool whole, Legality otherwise, int bits);
+CoverageLegality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                              bool whole, CoverageLegality otherwise, int bits);
 
 // Lines: names of the catalogued snaps under which the segment's drawn pixels break a ruling.
 std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,

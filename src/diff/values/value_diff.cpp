@@ -156,7 +156,7 @@ Disagreement value_disagreement(PixelPosition pixel, int primitive, std::string 
   d.kind = DisagreementKind::value;
   d.rule = std::move(rule);
   d.ruling = ruling;
-  d.legal = false;
+  d.legality = Legality::illegal;
   d.figure.marks = {sample_mark(pixel_centre(pixel.x, pixel.y))};
   return d;
 }

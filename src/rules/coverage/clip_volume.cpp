@@ -117,7 +117,10 @@ Rule clip_volume_rule() {
         "Of a line the segment is drawn that lies in the volume; an end that clipping made may be "
         "off likewise, and the rulings on lines speak of that segment. A point is drawn where its "
         "vertex lies in the volume, its border included, and not where it lies outside, however "
-        "large the point is."}}};
+        "large the point is."},
+       {54,
+        "Points and lines have fragments beyond the viewport's sides, wherever their square or "
+        "their width reaches into the framebuffer."}}};
 }
 
 }  // namespace edgecase
