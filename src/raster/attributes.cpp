@@ -84,12 +84,17 @@ bool are_constant(const PrimitiveAttributes& attributes) {
   return is_constant(attributes.depth) && std::ranges::all_of(attributes.color, is_constant);
 }
 
+Interpolant depth_without_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
+                                 const Target& target) {
+  return VertexAttributes(primitive, choices, target).depth();
+}
+
 Interpolant depth_with_permitted_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
-                                        const Target& target, double reach) {
-  const Interpolant depth = VertexAttributes(primitive, choices, target).depth();
+                                        const Target& target, double reach, Interval fixed_unit) {
+  const Interpolant depth = depth_without_offset(primitive, choices, target);
   if (!has_polygon_offset(primitive)) return depth;
-  return plus(depth,
-              offset_permitted(*primitive.state->polygon_offset, depth, target.depth, reach));
+  return plus(depth, offset_permitted(*primitive.state->polygon_offset, depth, target.depth, reach,
+                                      fixed_unit));
 }
 
 Interval clamped_depth(const PrimitiveAttributes& attributes, Interval interpolated) {

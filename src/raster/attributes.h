@@ -46,10 +46,14 @@ bool are_constant(const PrimitiveAttributes& attributes);
 PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleChoices& choices,
                                   const Target& target);
 
+// PrimitiveAttributes::depth without any polygon offset.
+Interpolant depth_without_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
+                                 const Target& target);
+
 // PrimitiveAttributes::depth with every polygon offset that is permitted, in place of the one that
-// the choices say: values are as wide as offset_permitted is. `reach`: as there.
+// the choices say: values are as wide as offset_permitted is. `reach`, `fixed_unit`: as there.
 Interpolant depth_with_permitted_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
-                                        const Target& target, double reach);
+                                        const Target& target, double reach, Interval fixed_unit);
 
 // The pixel within its quad.
 QuadPixel quad_of(PixelPosition pixel, const ValueChoice& choice, const Target& target);

@@ -107,7 +107,10 @@ class Judge {
   Component depth(double rendered) const {
     const Interval exact = depth_is_zero_ ? 0 : depth_exact(values_.chosen, depth_place_);
     if (values_.lawful.clamps_depth) return offset_depth(exact, rendered);
-    return component(exact, values_.chosen.depth, values_.lawful.depth, depth_place_, rendered);
+    Component result =
+        component(exact, values_.chosen.depth, values_.lawful.depth, depth_place_, rendered);
+    result.permitted = or_clamped(result.permitted);
+    return result;
   }
   Component inverse_w(double rendered) const {
     return component(interpolate_exact(values_.chosen.inverse_w, depth_place_),
@@ -115,6 +118,12 @@ class Judge {
   }
 
  private:
+  // Where a fragment's centre lies beyond the primitive, its depth may lie beyond 0 to 1, clamped
+  // or not: 14.6.5 speaks of clamping where it speaks of polygon offset.
+  static Interval or_clamped(Interval depth) {
+    return hull(depth, {std::clamp(depth.low, 0.0, 1.0), std::clamp(depth.high, 0.0, 1.0)});
+  }
+
   // With a polygon offset, which has a range of its own, and clamped after that.
   Component offset_depth(Interval exact, double rendered) const {
     Component result =
@@ -224,8 +233,22 @@ void blame(Disagreement& d, const std::string& cause) {
     std::tie(d.rule, d.ruling) = std::pair("attribute.centroid", 30);
 }
 
+// Would the depth be right if it were clamped? Then that it is not is contested (ruling 45).
+bool is_unclamped_alone(const ValueContext& context, const Fragment& fragment) {
+  const PrimitiveValues& values = context.values_of(fragment);
+  const Point place = context.depth_place_of(fragment, context.choices.values.locations);
+  const double depth = fragment.depth;
+  return std::isfinite(depth) && (depth < 0 || depth > 1) &&
+         rounded_to_float(PermittedPlace(values.moved(), place).value(values.permitted_depth))
+             .contains(depth);
+}
+
 // So is what is added to a depth.
 void blame_depth(const ValueContext& context, const Fragment& fragment, Disagreement& d) {
+  if (has_offset(context, fragment) && is_unclamped_alone(context, fragment)) {
+    std::tie(d.rule, d.ruling) = std::pair(offset_rule(context, fragment), 45);
+    return;
+  }
   blame(d, cause_of_depth(context, fragment));
   if (!has_offset(context, fragment)) return;
   if (d.cause.empty())

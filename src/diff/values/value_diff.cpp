@@ -11,16 +11,16 @@
 #include "diff/values/vertex_latitude.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/explain.h"
+#include "rules/output/polygon_offset.h"
 
 namespace edgecase {
-namespace {
-
-// What OpenGL's own rules say about attributes.
 RuleChoices lawful_choices(const RuleChoices& chosen) {
   RuleChoices result = chosen;
   result.values = ValueChoice{};
   return result;
 }
+
+namespace {
 
 bool interpolates_lawfully(const ValueChoice& choice) {
   const ValueChoice lawful;
@@ -39,6 +39,7 @@ ValueContext::ValueContext(const Scene& of, std::span<const ScenePrimitive> all,
       choices(under),
       latitude(granted),
       bits_(bits),
+      fixed_unit_(permitted_fixed_unit(of.target.depth)),
       positions_(positions_of(of.target, CoverageChoice{}, reported)),
       values_(all.size()) {}
 
@@ -94,11 +95,11 @@ const PrimitiveValues& ValueContext::values_of(const Fragment& fragment) const {
     const ScenePrimitive& primitive = primitive_of(fragment);
     const RuleChoices lawful = lawful_choices(choices);
     const double reach = reach_of(primitive, bits_).to_double();
-    values = std::make_unique<PrimitiveValues>(
-        PrimitiveValues{attributes_of(primitive, choices, scene.target),
-                        attributes_of(primitive, lawful, scene.target),
-                        depth_with_permitted_offset(primitive, lawful, scene.target, reach),
-                        !interpolates_lawfully(choices.values), reach, std::nullopt});
+    values = std::make_unique<PrimitiveValues>(PrimitiveValues{
+        attributes_of(primitive, choices, scene.target),
+        attributes_of(primitive, lawful, scene.target),
+        depth_with_permitted_offset(primitive, lawful, scene.target, reach, fixed_unit_),
+        !interpolates_lawfully(choices.values), reach, std::nullopt});
   }
   return *values;
 }
