@@ -84,12 +84,17 @@ bool are_constant(const PrimitiveAttributes& attributes) {
   return is_constant(attributes.depth) && std::ranges::all_of(attributes.color, is_constant);
 }
 
-Interpolant depth_with_permitted_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
-                                        const Target& target, double reach) {
-  const Interpolant depth = VertexAttributes(primitive, choices, target).depth();
-  if (!has_polygon_offset(primitive)) return depth;
-  return plus(depth,
-              offset_permitted(*primitive.state->polygon_offset, depth, target.depth, reach));
+Interpolant permitted_depth(const ScenePrimitive& primitive, const RuleChoices& choices,
+                            const Target& target, double reach) {
+  const VertexAttributes vertices(primitive, choices, target);
+  if (!has_polygon_offset(primitive)) return vertices.permitted_depth();
+  return plus(vertices.permitted_depth(), offset_permitted(*primitive.state->polygon_offset,
+                                                           vertices.depth(), target.depth, reach));
+}
+
+Interpolant permitted_inverse_w(const ScenePrimitive& primitive, const RuleChoices& choices,
+                                const Target& target) {
+  return VertexAttributes(primitive, choices, target).permitted_inverse_w();
 }
 
 Interval clamped_depth(const PrimitiveAttributes& attributes, Interval interpolated) {
