@@ -21,8 +21,9 @@ constexpr std::size_t kMostAnnotations = 10;
 constexpr std::size_t kMostOfTitle = 200;
 constexpr std::size_t kMostOfMessage = 1200;
 
-// What fails in one file.
+// What fails in one file, or is contested there.
 struct Group {
+  bool is_error = false;
   std::string file;  // empty: the run, or a case that the suite has no more
   int line = 0;
   int severity = -1;       // of the heaviest test, which is the one that is told
@@ -35,9 +36,11 @@ struct Group {
 
 // A test that is no renderer's answer says that something else is wrong: that comes first.
 int severity_of(const TestOutcome& outcome) {
-  if (outcome.result == nullptr) return outcome.status == TestStatus::error ? 6 : 5;
+  if (outcome.result == nullptr) return outcome.status == TestStatus::error ? 7 : 6;
   switch (outcome.result->verdict) {
     case Verdict::violation:
+      return 5;
+    case Verdict::contested:
       return 4;
     case Verdict::not_run:
       return 3;
@@ -69,18 +72,24 @@ void add(const TestOutcome& outcome, Group& group) {
 std::vector<Group> groups_of(const Results& results) {
   std::map<std::string, Group> groups;
   visit_outcomes(results, [&groups](const TestOutcome& outcome) {
-    if (outcome.status < TestStatus::failed) return;
+    const bool is_error = outcome.status >= TestStatus::failed;
+    const bool is_tolerated =
+        outcome.result != nullptr && outcome.result->standing == Standing::tolerated;
+    if (!is_error && !is_tolerated) return;
     // What has no file stands for itself; no path holds a zero byte.
-    const std::string key = outcome.file.empty()
-                                ? std::string(1, '\0') + outcome.suite.front() + outcome.name
-                                : outcome.file;
-    add(outcome, groups[key]);
+    std::string key = outcome.file.empty()
+                          ? std::string(1, '\0') + outcome.suite.front() + outcome.name
+                          : outcome.file;
+    if (!is_error) key += std::string(1, '\0');
+    Group& group = groups[key];
+    group.is_error = is_error;
+    add(outcome, group);
   });
   std::vector<Group> sorted;
   for (auto& [key, group] : groups) sorted.push_back(std::move(group));
   std::stable_sort(sorted.begin(), sorted.end(), [](const Group& a, const Group& b) {
     const auto order = [](const Group& g) {
-      return std::tuple(g.severity, g.disagreements, g.tests);
+      return std::tuple(g.is_error, g.severity, g.tests, g.disagreements);
     };
     return order(a) > order(b);
   });
@@ -126,10 +135,14 @@ std::string place_of(const Group& group, const PathInRepository& path_of) {
 std::string command_of(const Group& group, const PathInRepository& path_of) {
   std::string message = shortened(group.message, kMostOfMessage);
   while (message.ends_with('\n')) message.pop_back();
-  if (group.tests == 2) message += "\nOne more test of this file fails.";
+  const bool is_error = group.is_error;
+  if (group.tests == 2)
+    message += fmt::format("\nOne more test of this file {}.", is_error ? "fails" : "is contested");
   if (group.tests > 2)
-    message += fmt::format("\n{} more tests of this file fail.", group.tests - 1);
-  return fmt::format("::error {}title={}::{}", place_of(group, path_of),
+    message += fmt::format("\n{} more tests of this file {}.", group.tests - 1,
+                           is_error ? "fail" : "are contested");
+  return fmt::format("::{} {}title={}::{}", is_error ? "error" : "warning",
+                     place_of(group, path_of),
                      escaped_property(shortened(group.title, kMostOfTitle)), escaped_data(message));
 }
 

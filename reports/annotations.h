@@ -3,11 +3,13 @@
 // Annotations for GitHub Actions: workflow commands that show on the case files of a pull request.
 //
 //   ::error file=cases/a.json,line=1,title=…::what failed, and why
+//   ::warning file=cases/b.json,line=1,title=…::what is contested, and why
 //
-// One command per case file that has a failing test (reports/test_outcomes.h), and the ten heaviest
-// files only, since GitHub shows ten of a step and drops the others in silence; a notice says how
-// many there are beyond them. Heavier is the worse verdict, then more disagreements, then more
-// failing tests; ties go by the file's path. What the run as a whole lacks comes first.
+// One error per case file that has a failing test (reports/test_outcomes.h), one warning per file
+// with what is contested and tolerated, and the ten heaviest only, since GitHub shows ten of a step
+// and drops the others in silence; a notice says how many there are beyond them. Errors come before
+// warnings. Heavier is the worse verdict, then more of its tests, then more disagreements; ties go
+// by the file's path. What the run as a whole lacks comes first.
 #pragma once
 
 #include <functional>

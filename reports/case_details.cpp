@@ -7,13 +7,16 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <span>
 #include <string>
-#include <tuple>
+#include <utility>
 
 #include "reports/pixels.h"
 #include "reports/ramp.h"
 #include "reports/sample_data.h"
 #include "reports/text.h"
+#include "results/worst_first.h"
 
 namespace edgecase {
 namespace {
@@ -53,7 +56,7 @@ Json disagreement_json(const Disagreement& d, int samples) {
   Json json = {{"x", d.x}, {"y", d.y}, {"kind", name_of(d.kind)}, {"rule", d.rule}};
   if (names_sample(d, samples)) json["sample"] = d.sample;
   if (d.primitive >= 0) json["primitive"] = d.primitive;
-  json["legal"] = d.legal;
+  json["legality"] = name_of(d.legality);
   if (!d.cause.empty()) json["cause"] = d.cause;
   if (!d.situation.empty()) json["situation"] = d.situation;
   if (d.ruling != 0) json["ruling"] = d.ruling;
@@ -138,10 +141,11 @@ void add_images(Json& json, const CaseResults& one, const Result& result) {
 // Those of one side, as far as disagreements are listed.
 Json fragments_json(const std::vector<Result::ToldFragment>& fragments, const Result& result) {
   const std::size_t listed = std::min(result.disagreements.size(), kMaxDisagreementsPerAnswer);
+  const std::vector<const Disagreement*> disagreements = worst_first(result);
+  std::set<std::pair<int, int>> pixels;
+  for (const Disagreement* d : std::span(disagreements).first(listed)) pixels.emplace(d->x, d->y);
   const auto is_beyond = [&](const Fragment& f) {
-    if (listed == result.disagreements.size()) return false;
-    const Disagreement& last = result.disagreements[listed - 1];
-    return std::tie(f.y, f.x) > std::tie(last.y, last.x);
+    return listed < result.disagreements.size() && !pixels.contains({f.x, f.y});
   };
   Json list = Json::array();
   for (const auto& [f, pass] : fragments) {
@@ -162,8 +166,9 @@ Json answer_json(const CaseResults& one, const Result& result) {
   add_images(json, one, result);
   Json list = Json::array();
   const std::size_t listed = std::min(result.disagreements.size(), kMaxDisagreementsPerAnswer);
+  const std::vector<const Disagreement*> disagreements = worst_first(result);
   for (std::size_t i = 0; i < listed; ++i)
-    list.push_back(disagreement_json(result.disagreements[i], one.samples.samples));
+    list.push_back(disagreement_json(*disagreements[i], one.samples.samples));
   json["disagreements"] = std::move(list);
   if (listed < result.disagreements.size()) json["omitted"] = result.disagreements.size() - listed;
   Json values = Json::array();
@@ -187,11 +192,9 @@ Json answer_json(const CaseResults& one, const Result& result) {
 }
 
 Json pixel_counts_json(const PixelCounts& counts) {
-  return {{"agree", counts.agree},
-          {"convention", counts.convention},
-          {"permitted", counts.permitted},
-          {"violation", counts.violation},
-          {"same", counts.same}};
+  return {{"agree", counts.agree},         {"convention", counts.convention},
+          {"permitted", counts.permitted}, {"contested", counts.contested},
+          {"violation", counts.violation}, {"same", counts.same}};
 }
 
 Json outcome_json(const Judgement& answer) {

@@ -16,11 +16,12 @@
 namespace edgecase {
 namespace {
 
-constexpr std::size_t kMaxListed = 5;  // of those without cause, and of the causes
+constexpr std::size_t kMaxListed = 5;  // of a renderer's clusters of one legality
 
-std::string legality(const Cluster& cluster, const Painter& paint) {
-  return paint(style_of(cluster.legal ? Verdict::permitted : Verdict::violation),
-               fmt::format("{:<9}", cluster.legal ? "legal" : "not legal"));
+fmt::text_style style_of(Legality legality) {
+  return style_of(legality == Legality::illegal     ? Verdict::violation
+                  : legality == Legality::contested ? Verdict::contested
+                                                    : Verdict::permitted);
 }
 
 std::string counts_of(const Cluster& cluster) {
@@ -35,50 +36,45 @@ std::string command_for(const Cluster& cluster, const std::string& renderer,
                                  std::pair(cluster.x, cluster.y)});
 }
 
-void write_more(std::size_t count, std::ostream& out) {
-  if (count > kMaxListed) out << fmt::format("  and {} more\n", count - kMaxListed);
+// What an alternative accounts for and the specification allows needs no look at its smallest case.
+bool needs_a_look(const Cluster& cluster) {
+  return cluster.legality != Legality::legal || cluster.cause.empty();
 }
 
-// Each with the command that shows its smallest case.
-void write_unexplained(std::span<const Cluster> clusters, const Results& results,
-                       const std::string& renderer, const Painter& paint, std::ostream& out) {
-  for (const Cluster& cluster : clusters.first(std::min(kMaxListed, clusters.size())))
-    out << fmt::format("  {}  {}\n             {}: {}\n", legality(cluster, paint),
-                       one_line(title_of(cluster)), counts_of(cluster),
-                       command_for(cluster, renderer, results.policy));
-  write_more(clusters.size(), out);
+void write_cluster(const Cluster& cluster, const std::string& renderer, const std::string& policy,
+                   const Painter& paint, std::ostream& out) {
+  out << fmt::format(
+      "  {}  {}: {}\n",
+      paint(style_of(cluster.legality), fmt::format("{:<11}", describe(cluster.legality))),
+      one_line(title_of(cluster)), counts_of(cluster));
+  if (needs_a_look(cluster))
+    out << fmt::format("               {}\n", command_for(cluster, renderer, policy));
 }
 
-void write_causes(std::span<const Cluster> clusters, const Painter& paint, std::ostream& out) {
-  for (const Cluster& cluster : clusters.first(std::min(kMaxListed, clusters.size())))
-    out << fmt::format("  {}  {}: {}\n", legality(cluster, paint), one_line(title_of(cluster)),
-                       counts_of(cluster));
-  write_more(clusters.size(), out);
-}
-
-void write_heading(const std::string& text, const std::string& renderer, const Painter& paint,
-                   std::ostream& out) {
-  out << '\n' << paint.bold(fmt::format("{} {}:", text, one_line(renderer))) << '\n';
+// In the order of clusters_of: what is not allowed, then what is contested, then what is allowed.
+void write_renderer(std::span<const Cluster> clusters, const std::string& renderer,
+                    const std::string& policy, const Painter& paint, std::ostream& out) {
+  if (clusters.empty()) return;
+  out << '\n' << paint.bold(fmt::format("What differs with {}:", one_line(renderer))) << '\n';
+  while (!clusters.empty()) {
+    const auto other = std::ranges::find_if(clusters, [&](const Cluster& cluster) {
+      return cluster.legality != clusters.front().legality;
+    });
+    const auto alike = clusters.first(static_cast<std::size_t>(other - clusters.begin()));
+    for (const Cluster& cluster : alike.first(std::min(kMaxListed, alike.size())))
+      write_cluster(cluster, renderer, policy, paint, out);
+    if (alike.size() > kMaxListed)
+      out << fmt::format("  {:<11}  and {} more\n", "", alike.size() - kMaxListed);
+    clusters = clusters.subspan(alike.size());
+  }
 }
 
 }  // namespace
 
 void write_clusters(const Results& results, const Painter& paint, std::ostream& out) {
   for (std::size_t r = 0; r < results.renderers.size(); ++r) {
-    const std::string& renderer = results.renderers[r].name;
     const std::vector<Cluster> clusters = clusters_of(results, r);
-    const auto first_cause = std::ranges::find_if(
-        clusters, [](const Cluster& cluster) { return !cluster.cause.empty(); });
-    const std::span<const Cluster> unexplained(clusters.begin(), first_cause);
-    const std::span<const Cluster> causes(first_cause, clusters.end());
-    if (!unexplained.empty()) {
-      write_heading("No alternative accounts for these differences of", renderer, paint, out);
-      write_unexplained(unexplained, results, renderer, paint, out);
-    }
-    if (!causes.empty()) {
-      write_heading("Alternatives account for these differences of", renderer, paint, out);
-      write_causes(causes, paint, out);
-    }
+    write_renderer(clusters, results.renderers[r].name, results.policy, paint, out);
   }
 }
 

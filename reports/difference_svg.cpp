@@ -35,7 +35,8 @@ constexpr const char* kStyle =
     ".sample{fill:none;stroke:#8a4b00;stroke-width:1.4}"
     ".forbidden{fill:none;stroke:#c0182b;stroke-width:2.4}"
     ".allowed{fill:none;stroke:#6a5400;stroke-width:2.4;stroke-dasharray:4 2.5}"
-    ".badge{fill:#c0182b}.badge.allowed-badge{fill:#6a5400}"
+    ".contested{fill:none;stroke:#7a2fa0;stroke-width:2.4;stroke-dasharray:1.5 2}"
+    ".badge{fill:#c0182b}.badge.contested-badge{fill:#7a2fa0}.badge.allowed-badge{fill:#6a5400}"
     ".sign{fill:none;stroke:#fff;stroke-width:1.8}"
     ".digit{font-weight:bold;font-size:11px;fill:#fff;text-anchor:middle}";
 
@@ -119,23 +120,34 @@ void add_evidence(const Panel& panel, const Figure& figure) {
 struct Sign {
   DisagreementKind kind = DisagreementKind::missing;
   int hits = 0;  // of a duplicate
-  bool legal = false;
-  auto key() const { return std::tuple(kind, hits, legal); }
+  Legality legality = Legality::illegal;
+  auto key() const { return std::tuple(kind, hits, legality); }
 };
 
 Sign sign_of(const DifferencePicture& picture, const Disagreement& d) {
-  Sign sign{d.kind, 0, d.legal};
+  Sign sign{d.kind, 0, d.legality};
   const auto index = static_cast<std::size_t>(d.y * picture.width + d.x);
   const int hits = picture.rendered_hits[index];
   const bool is_more = hits > std::max(1, picture.exact_hits[index]);
   if (d.kind == DisagreementKind::duplicate || (d.kind == DisagreementKind::extra && is_more))
-    sign = {DisagreementKind::duplicate, hits, d.legal};
+    sign = {DisagreementKind::duplicate, hits, d.legality};
   return sign;
+}
+
+// Classes of kStyle, by legality: colour and dashes tell them apart.
+const char* frame_of(Legality legality) {
+  constexpr const char* kFrames[] = {"allowed", "contested", "forbidden"};
+  return kFrames[static_cast<int>(legality)];
+}
+
+const char* badge_of(Legality legality) {
+  constexpr const char* kBadges[] = {"badge allowed-badge", "badge contested-badge", "badge"};
+  return kBadges[static_cast<int>(legality)];
 }
 
 // A sign in a box with its upper left corner at x, y.
 void add_badge(pugi::xml_node node, const Sign& sign, double x, double y, double size) {
-  add_rectangle(node, sign.legal ? "badge allowed-badge" : "badge", x, y, size, size);
+  add_rectangle(node, badge_of(sign.legality), x, y, size, size);
   const double half = size / 2;
   const double arm = size * .32;
   if (sign.kind == DisagreementKind::duplicate) {
@@ -164,7 +176,7 @@ double badge_size(double cell) {
 void add_frames(const Panel& panel, const std::vector<Disagreement>& all) {
   const double inset = std::min(1.2, panel.cell / 8);
   for (const Disagreement& d : all)
-    add_rectangle(panel.node, d.legal ? "allowed" : "forbidden", panel.column(d.x) + inset,
+    add_rectangle(panel.node, frame_of(d.legality), panel.column(d.x) + inset,
                   panel.row(d.y + 1) + inset, panel.cell - 2 * inset, panel.cell - 2 * inset);
 }
 
@@ -217,12 +229,10 @@ std::vector<std::string> broken(const std::string& text, std::size_t most) {
   return lines;
 }
 
-// The disagreement that a caption names: the first that is not allowed, else the first.
+// The disagreement that a caption names: the first of the worst.
 const Disagreement* first_of(const std::vector<Disagreement>& all) {
-  const auto found =
-      std::find_if(all.begin(), all.end(), [](const Disagreement& d) { return !d.legal; });
-  if (found != all.end()) return &*found;
-  return all.empty() ? nullptr : &all.front();
+  const auto worst = std::ranges::max_element(all, {}, &Disagreement::legality);
+  return worst == all.end() ? nullptr : &*worst;
 }
 
 std::string caption_of(const DifferencePicture& picture) {
@@ -237,7 +247,9 @@ std::string words_of(const Sign& sign, int count) {
   const std::string what = sign.kind == DisagreementKind::duplicate
                                ? fmt::format("drawn {} times", sign.hits)
                                : name_of(sign.kind);
-  return fmt::format("{} {}{}", count, what, sign.legal ? ", allowed" : "");
+  const bool is_illegal = sign.legality == Legality::illegal;
+  return fmt::format("{} {}{}{}", count, what, is_illegal ? "" : ", ",
+                     is_illegal ? "" : describe(sign.legality));
 }
 
 // The signs that the picture has, each with its meaning and how often it occurs.
@@ -246,8 +258,8 @@ void add_legend(pugi::xml_node svg, const DifferencePicture& picture, double y) 
   for (const Disagreement& d : picture.disagreements) ++counts[sign_of(picture, d).key()];
   double x = kGap;
   for (const auto& [key, count] : counts) {
-    const auto [kind, hits, legal] = key;
-    const Sign sign{kind, hits, legal};
+    const auto [kind, hits, legality] = key;
+    const Sign sign{kind, hits, legality};
     const std::string words = words_of(sign, count);
     add_badge(svg, sign, x, y - 10, 11);
     add_text(svg, "name", x + 16, y, words);

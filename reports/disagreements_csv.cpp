@@ -37,7 +37,7 @@ std::string begin_row(const std::string& id, const std::string& renderer, const 
 
 std::string row(const Disagreement& d) {
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", d.x, d.y, d.sample, d.primitive,
-                     name_of(d.kind), field(d.rule), d.legal, d.ruling, field(d.cause),
+                     name_of(d.kind), field(d.rule), name_of(d.legality), d.ruling, field(d.cause),
                      field(d.situation), numbers(d.exact), numbers(d.rendered),
                      field(d.explanation));
 }
@@ -45,7 +45,7 @@ std::string row(const Disagreement& d) {
 }  // namespace
 
 void write_disagreements_csv(const Results& results, std::ostream& out) {
-  out << "case,renderer,verdict,standing,x,y,sample,primitive,kind,rule,legal,ruling,cause,"
+  out << "case,renderer,verdict,standing,x,y,sample,primitive,kind,rule,legality,ruling,cause,"
          "situation,exact,rendered,explanation,file\r\n";
   std::vector<std::string> names;
   for (const RendererInfo& info : results.renderers) names.push_back(field(info.name));

@@ -16,6 +16,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "results/comparison.h"
@@ -36,6 +37,7 @@ struct RuleText {
 struct RulingText {
   int number = 0;
   std::string text;
+  std::vector<std::pair<std::string, std::string>> facts;  // name -> what it rests on, and so on
 };
 
 // What renderers are measured to follow: name -> "" or a surface -> rule -> alternative.

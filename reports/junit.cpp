@@ -61,7 +61,11 @@ class Document {
     pugi::xml_node test = suite_.append_child("testcase");
     test.append_attribute("classname") = fmt::format("{}", fmt::join(outcome.suite, ".")).c_str();
     test.append_attribute("name") = outcome.name.c_str();
-    if (outcome.status == TestStatus::passed) return;
+    if (outcome.status == TestStatus::passed) {
+      if (!outcome.message.empty())
+        test.append_child("system-out").text().set(outcome.message.c_str());
+      return;
+    }
     pugi::xml_node node = test.append_child(element_of(outcome.status));
     node.append_attribute("message") = outcome.message.c_str();
     if (!outcome.details.empty())

@@ -3,7 +3,8 @@
 // JUnit XML, for continuous integration.
 //
 // One `testsuite` per renderer and in it one `testcase` per case, with the renderer and the id's
-// folders as class; reports/test_outcomes.h says what fails, and what else is a suite. No times are
+// folders as class; reports/test_outcomes.h says what fails, and what else is a suite. What a
+// test that passed has to tell is its `system-out`. No times are
 // written: the same results give the same bytes.
 #pragma once
 

@@ -33,6 +33,8 @@ inline fmt::text_style style_of(Verdict verdict) {
       return fmt::fg(fmt::terminal_color::cyan);
     case Verdict::permitted:
       return fmt::fg(fmt::terminal_color::yellow);
+    case Verdict::contested:
+      return fmt::fg(fmt::terminal_color::magenta);
     case Verdict::violation:
       return fmt::fg(fmt::terminal_color::red) | fmt::emphasis::bold;
     case Verdict::not_run:

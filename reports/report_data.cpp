@@ -78,7 +78,7 @@ std::vector<std::size_t> worth_a_look(const Results& results) {
     bool unexpected = false;
     Verdict worst = Verdict::agree;
     for (const KnownResult& result : results.cases[i].results) {
-      unexpected = unexpected || result.standing != Standing::expected;
+      unexpected = unexpected || is_unexpected(result.standing);
       if (result.verdict != Verdict::not_run) worst = std::max(worst, result.verdict);
     }
     return std::pair(unexpected, worst);

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "results/clusters.h"
+#include "results/worst_first.h"
 
 namespace edgecase {
 namespace {
@@ -46,8 +48,7 @@ class FindingsOf {
 
   Findings operator()(const Result& result) const {
     Findings found;
-    for (const Disagreement& d : result.disagreements)
-      add(found, d.rule, d.legal ? verdict_of(d.cause) : Verdict::violation);
+    for (const Disagreement& d : result.disagreements) add(found, d.rule, verdict_of(d));
     for (const ValueAggregate& values : result.values)
       if (!values.differing.empty()) add(found, values.rule, verdict_of(values.cause));
     return found;
@@ -57,6 +58,12 @@ class FindingsOf {
   static void add(Findings& found, const std::string& rule, Verdict verdict) {
     Verdict& worst = found[rule];
     worst = std::max(worst, verdict);
+  }
+
+  Verdict verdict_of(const Disagreement& d) const {
+    if (is_legal(d)) return verdict_of(d.cause);
+    const bool is_contested = d.legality == Legality::contested && latitude_ != Latitude::none;
+    return is_contested ? Verdict::contested : Verdict::violation;
   }
 
   // Of what is legal by itself.
@@ -104,6 +111,16 @@ class Outcomes {
   Json list_ = Json::array();
 };
 
+// The cases with something to tell, by index, the worst first.
+Json order_of(const Results& results) {
+  Json order = Json::array();
+  std::set<std::size_t> seen;
+  for (const AnswerPlace& place : worst_first(
+           results, [](const KnownResult& result) { return result.verdict != Verdict::agree; }))
+    if (seen.insert(place.one).second) order.push_back(place.one);
+  return order;
+}
+
 void add_cases(Json& json, const Results& results, const ReportTexts& texts, const CaseHeads& heads,
                const DetailLines& lines) {
   Names rules;
@@ -132,6 +149,7 @@ void add_cases(Json& json, const Results& results, const ReportTexts& texts, con
   json["heads"] = std::move(head_list);
   json["outcomes"] = outcomes.list();
   json["cases"] = std::move(cases);
+  json["order"] = order_of(results);
   json["untrue"] = std::move(untrue);
 }
 
@@ -141,20 +159,26 @@ std::size_t place_of(const Results& results, std::size_t renderer, const Cluster
       std::lower_bound(results.cases.begin(), results.cases.end(), cluster.smallest_case,
                        [](const CaseResults& a, const std::string& id) { return a.id < id; });
   if (one == results.cases.end() || one->id != cluster.smallest_case) return 0;
-  const auto& list = one->results[renderer].disagreements;
-  const auto found = std::find_if(list.begin(), list.end(), [&](const Disagreement& d) {
-    return d.x == cluster.x && d.y == cluster.y && d.cause == cluster.cause &&
-           (cluster.kind.empty() || cluster.kind == name_of(d.kind));
+  const auto list = worst_first(one->results[renderer]);  // as case_details lists them
+  const auto found = std::ranges::find_if(list, [&](const Disagreement* d) {
+    return d->x == cluster.x && d->y == cluster.y && d->cause == cluster.cause &&
+           d->legality == cluster.legality &&
+           (cluster.kind.empty() || cluster.kind == name_of(d->kind));
   });
   return found == list.end() ? 0 : static_cast<std::size_t>(found - list.begin()) + 1;
 }
 
 Json cluster_json(const Cluster& cluster, std::size_t at) {
-  Json json = {{"cause", cluster.cause},         {"rule", cluster.rule},
-               {"kind", cluster.kind},           {"situation", cluster.situation},
-               {"attribute", cluster.attribute}, {"surface", cluster.surface},
-               {"legal", cluster.legal},         {"disagreements", cluster.disagreements},
-               {"cases", cluster.cases},         {"smallest", cluster.smallest_case}};
+  Json json = {{"cause", cluster.cause},
+               {"rule", cluster.rule},
+               {"kind", cluster.kind},
+               {"situation", cluster.situation},
+               {"attribute", cluster.attribute},
+               {"surface", cluster.surface},
+               {"legality", name_of(cluster.legality)},
+               {"disagreements", cluster.disagreements},
+               {"cases", cluster.cases},
+               {"smallest", cluster.smallest_case}};
   if (at > 0) json["at"] = at;
   return json;
 }
@@ -198,6 +222,7 @@ Json scenes_json(const Results& results, std::size_t renderer) {
     all.agree += counts.agree;
     all.convention += counts.convention;
     all.permitted += counts.permitted;
+    all.contested += counts.contested;
     all.violation += counts.violation;
     all.same += counts.same;
   }
@@ -205,6 +230,7 @@ Json scenes_json(const Results& results, std::size_t renderer) {
           {"agree", all.agree},
           {"convention", all.convention},
           {"permitted", all.permitted},
+          {"contested", all.contested},
           {"violation", all.violation},
           {"same", all.same}};
 }
@@ -244,7 +270,8 @@ void add_texts(Json& json, const ReportTexts& texts) {
                              {"latitude", rule.latitude},
                              {"standard", rule.standard}});
   for (const RulingText& ruling : texts.rulings)
-    json["rulings"].push_back({{"number", ruling.number}, {"text", ruling.text}});
+    json["rulings"].push_back(
+        {{"number", ruling.number}, {"text", ruling.text}, {"facts", ruling.facts}});
 }
 
 void add_problems(Json& json, const Results& results) {

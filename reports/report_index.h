@@ -3,15 +3,16 @@
 // What the HTML report needs before a case is opened, as JSON: the first page and the list.
 //
 // {"tool", "policy", "interrupted", "left_out", "renderers", "rules", "rulings", "diagnostics",
-// "missing", "names", "heads", "outcomes", "cases", "untrue"}. Cases are many and much alike, so
-// that what they share stands once: "names" are ids of rules, "heads" what cases of one file share,
-// "outcomes" are [verdict, standing, [index of a rule, worst verdict by it, ...]]. A case is [head,
-// rest of its id, fragments, outcomes' indices by renderer, details or absent, 1 where it has
-// levels of detail along a row]: "details" is the number of its line, counted over all blocks
-// (report_data.h). "untrue" are hand-drawn truths that exact does not meet, [case, texts]. A
-// renderer holds its "clusters" (results/clusters.h) in their order, with "at", the number of the
-// smallest case's disagreement counted from 1; "values", per attribute the sum of all cases, with
-// the histogram of errors; and "scenes", how the pixels of whole scenes fare.
+// "missing", "names", "heads", "outcomes", "cases", "order", "untrue"}. Cases are many and much
+// alike, so that what they share stands once: "names" are ids of rules, "heads" what cases of one
+// file share, "outcomes" are [verdict, standing, [index of a rule, worst verdict by it, ...]]. A
+// case is [head, rest of its id, fragments, outcomes' indices by renderer, details or absent, 1
+// where it has levels of detail along a row]: "details" is the number of its line, counted over all
+// blocks (report_data.h). "order" are the indices of cases in which something differs, the worst
+// first (results/worst_first.h). "untrue" are hand-drawn truths that exact does not meet, [case,
+// texts]. A renderer holds its "clusters" (results/clusters.h) in their order, with "at", the
+// number of the smallest case's disagreement counted from 1; "values", per attribute the sum of all
+// cases, with the histogram of errors; and "scenes", how the pixels of whole scenes fare.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

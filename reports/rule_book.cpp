@@ -142,6 +142,12 @@ void add_rule(Node section, const RuleBook& book, const BookRule& rule) {
     set(text, "id", anchor_of(ruling));
     add_words(text, "b", nullptr, fmt::format("Ruling {}. ", ruling.number));
     append_prose(text, sentence(ruling.text));
+    if (ruling.facts.empty()) continue;
+    Node beside = add(section, "dl", "ruling-facts");
+    for (const auto& [name, fact] : ruling.facts) {
+      add_words(beside, "dt", nullptr, name);
+      append_prose(add(beside, "dd"), sentence(fact));
+    }
   }
   if (!rule.alike.empty()) {
     Node alike = add_words(section, "p", "about", "Its alternatives are those of ");

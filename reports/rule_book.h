@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <iosfwd>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/pixel_svg.h"
@@ -25,6 +26,7 @@ struct BookAlternative {
 struct BookRuling {
   int number = 0;
   std::string text;
+  std::vector<std::pair<std::string, std::string>> facts;  // name -> what it rests on, and so on
 };
 
 struct BookRule {

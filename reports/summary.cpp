@@ -14,18 +14,19 @@
 #include "reports/cluster_summary.h"
 #include "reports/painter.h"
 #include "reports/text.h"
+#include "results/worst_first.h"
 
 namespace edgecase {
 namespace {
 
 constexpr std::size_t kMaxListed = 20;
 constexpr std::size_t kLabelWidth = 12;
-constexpr Verdict kWorstFirst[] = {Verdict::violation, Verdict::permitted, Verdict::convention,
-                                   Verdict::agree, Verdict::not_run};
+constexpr Verdict kWorstFirst[] = {Verdict::violation,  Verdict::contested, Verdict::permitted,
+                                   Verdict::convention, Verdict::agree,     Verdict::not_run};
 
 std::size_t count_unexpected(const Results& results, std::size_t renderer) {
   const auto stands_out = [renderer](const CaseResults& one) {
-    return renderer < one.results.size() && one.results[renderer].standing != Standing::expected;
+    return renderer < one.results.size() && is_unexpected(one.results[renderer].standing);
   };
   return static_cast<std::size_t>(
       std::count_if(results.cases.begin(), results.cases.end(), stands_out));
@@ -104,10 +105,9 @@ std::string unexpected_line(const Results& results, const CaseResults& one, std:
 
 std::vector<std::string> unexpected_lines(const Results& results, const Painter& paint) {
   std::vector<std::string> lines;
-  for (const CaseResults& one : results.cases)
-    for (std::size_t r = 0; r < one.results.size(); ++r)
-      if (one.results[r].standing != Standing::expected)
-        lines.push_back(unexpected_line(results, one, r, paint));
+  for (const auto& [i, r] : worst_first(
+           results, [](const KnownResult& result) { return is_unexpected(result.standing); }))
+    lines.push_back(unexpected_line(results, results.cases[i], r, paint));
   return lines;
 }
 

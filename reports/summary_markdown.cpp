@@ -13,6 +13,7 @@
 #include "reports/markdown.h"
 #include "reports/text.h"
 #include "results/clusters.h"
+#include "results/worst_first.h"
 
 namespace edgecase {
 namespace {
@@ -20,8 +21,8 @@ namespace {
 constexpr std::size_t kMostUnexpected = 50;
 constexpr std::size_t kMostListed = 20;
 constexpr std::size_t kMostClusters = 10;
-constexpr Verdict kWorstFirst[] = {Verdict::violation, Verdict::permitted, Verdict::convention,
-                                   Verdict::agree, Verdict::not_run};
+constexpr Verdict kWorstFirst[] = {Verdict::violation,  Verdict::contested, Verdict::permitted,
+                                   Verdict::convention, Verdict::agree,     Verdict::not_run};
 
 // A page that takes whole lines for as long as there is room.
 class Page {
@@ -52,7 +53,7 @@ void add_list(const std::string& heading, const std::string& head,
 
 std::size_t count_unexpected(const Results& results, std::size_t renderer) {
   const auto stands_out = [renderer](const CaseResults& one) {
-    return renderer < one.results.size() && one.results[renderer].standing != Standing::expected;
+    return renderer < one.results.size() && is_unexpected(one.results[renderer].standing);
   };
   return static_cast<std::size_t>(
       std::count_if(results.cases.begin(), results.cases.end(), stands_out));
@@ -76,31 +77,32 @@ void add_table(const Results& results, Page& page) {
   }
 }
 
-// The worst verdict first, and cases in their order.
-std::vector<std::string> unexpected_rows(const Results& results) {
-  std::vector<std::pair<int, std::string>> rows;
-  for (const CaseResults& one : results.cases)
-    for (std::size_t r = 0; r < one.results.size() && r < results.renderers.size(); ++r) {
-      const Result& result = one.results[r];
-      if (result.standing == Standing::expected) continue;
-      const std::string explanation = first_explanation(result, one.samples.samples);
-      rows.emplace_back(static_cast<int>(std::find(std::begin(kWorstFirst), std::end(kWorstFirst),
-                                                   result.verdict) -
-                                         std::begin(kWorstFirst)),
-                        fmt::format("| {} | {} | {} | {} |", markdown_cell(one.id),
-                                    markdown_cell(results.renderers[r].name), headline(result),
-                                    markdown_cell(explanation)));
-    }
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+std::vector<std::string> rows_of(const Results& results, const WantedAnswer& is_wanted) {
   std::vector<std::string> lines;
-  for (auto& [rank, line] : rows) lines.push_back(std::move(line));
+  for (const auto& [i, r] : worst_first(results, is_wanted)) {
+    const CaseResults& one = results.cases[i];
+    const Result& result = one.results[r];
+    lines.push_back(fmt::format("| {} | {} | {} | {} |", markdown_cell(one.id),
+                                markdown_cell(results.renderers[r].name), headline(result),
+                                markdown_cell(first_explanation(result, one.samples.samples))));
+  }
   return lines;
 }
 
 void add_unexpected(const Results& results, Page& page) {
-  add_list("Unexpected", "| case | renderer | verdict | why |\n|---|---|---|---|\n",
-           unexpected_rows(results), kMostUnexpected, page);
+  add_list(
+      "Unexpected", "| case | renderer | verdict | why |\n|---|---|---|---|\n",
+      rows_of(results, [](const KnownResult& result) { return is_unexpected(result.standing); }),
+      kMostUnexpected, page);
+}
+
+// What is told and is not red.
+void add_tolerated(const Results& results, Page& page) {
+  add_list(
+      "Contested", "| case | renderer | verdict | why |\n|---|---|---|---|\n",
+      rows_of(results,
+              [](const KnownResult& result) { return result.standing == Standing::tolerated; }),
+      kMostListed, page);
 }
 
 void add_faults(const Results& results, Page& page) {
@@ -125,7 +127,10 @@ std::string cluster_row(const Cluster& cluster, const std::string& renderer,
                         const std::string& policy) {
   const ExplainCommand command{cluster.smallest_file, cluster.smallest_case, renderer, policy,
                                std::pair(cluster.x, cluster.y)};
-  return fmt::format("| {} | {} | {}{} | {} | {} |\n", cluster.legal ? "yes" : "**no**",
+  return fmt::format("| {} | {} | {}{} | {} | {} |\n",
+                     cluster.legality == Legality::legal     ? "yes"
+                     : cluster.legality == Legality::illegal ? "**no**"
+                                                             : "contested",
                      markdown_cell(title_of(cluster)), cluster.disagreements,
                      cluster.attribute.empty() ? "" : " values", cluster.cases,
                      markdown_cell(words_of(command)));
@@ -157,6 +162,7 @@ void write_markdown_summary(const Results& results, std::ostream& out) {
   add_table(results, page);
   add_unexpected(results, page);
   add_faults(results, page);
+  add_tolerated(results, page);
   for (std::size_t r = 0; r < results.renderers.size(); ++r) add_clusters(results, r, page);
   out << page.text();
 }

@@ -11,6 +11,7 @@
 
 #include "reports/explain_command.h"
 #include "reports/text.h"
+#include "results/worst_first.h"
 
 namespace edgecase {
 namespace {
@@ -45,8 +46,10 @@ std::string ending_of(const CaseResults& one, const Result& result, const Result
     if (!values.differing.empty()) text += line_of(describe(values));
   if (!result.expectation.empty()) text += line_of("expectation: " + result.expectation);
   ExplainCommand command{one.file, one.id, renderer, results.policy, {}};
-  if (!result.disagreements.empty())
-    command.pixel = {result.disagreements.front().x, result.disagreements.front().y};
+  if (!result.disagreements.empty()) {
+    const Disagreement& worst = *worst_first(result).front();
+    command.pixel = {worst.x, worst.y};
+  }
   return text + line_of("explained by: " + words_of(command));
 }
 
@@ -58,9 +61,10 @@ std::string details_of(const CaseResults& one, const Result& result, const std::
   if (result.failure) text += line_of(result.failure->reason);
   std::size_t size = size_in_xml(text) + size_in_xml(ending) + 40;  // "and … more"
   if (size > most) return "";
+  const std::vector<const Disagreement*> disagreements = worst_first(result);
   std::size_t listed = 0;
   for (; listed < std::min(kMostListed, result.disagreements.size()); ++listed) {
-    const std::string line = line_of(describe(result.disagreements[listed], one.samples.samples));
+    const std::string line = line_of(describe(*disagreements[listed], one.samples.samples));
     size += size_in_xml(line);
     if (size > most) break;
     text += line;
@@ -131,8 +135,8 @@ class Visit {
   void visit_renderer(std::size_t index) {
     const std::string& name = results_.renderers[index].name;
     begin(name);
-    for (const CaseResults& one : results_.cases) {
-      if (index >= one.results.size()) continue;
+    for (const std::size_t i : order_of(index)) {
+      const CaseResults& one = results_.cases[i];
       const Result& result = one.results[index];
       TestOutcome outcome = test_of(one);
       outcome.one = &one;
@@ -142,12 +146,30 @@ class Visit {
     }
   }
 
+  // Indices of cases: those whose answer is not as expected, the worst first, then the others.
+  std::vector<std::size_t> order_of(std::size_t renderer) const {
+    std::vector<std::size_t> order;
+    for (const AnswerPlace& place : told_)
+      if (place.renderer == renderer) order.push_back(place.one);
+    for (std::size_t i = 0; i < results_.cases.size(); ++i) {
+      const auto& answers = results_.cases[i].results;
+      if (renderer < answers.size() && answers[renderer].standing == Standing::expected)
+        order.push_back(i);
+    }
+    return order;
+  }
+
   void describe_result(const std::string& renderer, TestOutcome& outcome) const {
     const Result& result = *outcome.result;
-    const bool is_expected = result.standing == Standing::expected;
+    const bool is_expected = !is_unexpected(result.standing);
     const bool was_run = result.verdict != Verdict::not_run;
-    if (is_expected && was_run) return;
+    if (is_expected && was_run && result.standing != Standing::tolerated) return;
     outcome.message = one_line(headline(result));
+    if (result.standing == Standing::tolerated) {
+      const std::string why = first_explanation(result, outcome.one->samples.samples);
+      outcome.message += ": " + one_line(shortened(why, kMostOfLine));
+      return;
+    }
     if (is_expected) {
       const std::string reason = result.failure ? result.failure->reason : "no reason given";
       outcome.status = TestStatus::skipped;
@@ -218,6 +240,8 @@ class Visit {
   const Results& results_;
   std::size_t most_;
   const TestSink& sink_;
+  const std::vector<AnswerPlace> told_ = worst_first(
+      results_, [](const KnownResult& result) { return result.standing != Standing::expected; });
   std::string suite_;
   std::set<std::string> suites_;
   std::set<std::string> names_;  // of the suite

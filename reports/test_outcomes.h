@@ -3,10 +3,12 @@
 // A run as tests, as CI systems know them: what JUnit XML, CTRF and annotations tell of it.
 //
 // One suite per renderer and in it one test per case, named by the case's id. A result that stands
-// as expected passes, whatever its verdict; everything else is a failure, and a renderer that did
-// not answer is an error. `skipped` says one thing only: not run, and known not to run. Case files
-// that could not be loaded, hand-drawn truths that exact does not meet, expectations of cases that
-// are no more, and a run that was stopped have suites of their own.
+// as expected passes, whatever its verdict; one that is contested and tolerated passes with a
+// message; everything else is a failure, and a renderer that did not answer is an error. Those with
+// something to tell come first, the worst before the others (results/worst_first.h). `skipped` says
+// one thing only: not run, and known not to run. Case files that could not be loaded, hand-drawn
+// truths that exact does not meet, expectations of cases that are no more, and a run that was
+// stopped have suites of their own.
 #pragma once
 
 #include <functional>
@@ -24,7 +26,8 @@ struct TestOutcome {
   std::vector<std::string> suite;
   std::string name;  // unique among the tests of suite.front(): no consumer merges two
   TestStatus status = TestStatus::passed;
-  std::string message;               // one line; empty exactly where the test passed
+  // One line; empty exactly where the test passed with nothing to tell.
+  std::string message;
   std::string details;               // lines, each with its end, that say why; may be empty
   std::string file;                  // path of the case file, as given; empty where there is none
   int line = 0;                      // in the file, from 1; 0: the file as a whole

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "results/worst_first.h"
+
 namespace edgecase {
 namespace {
 
@@ -148,7 +150,7 @@ std::string place_of(const Disagreement& d, int samples) {
 std::string describe(const Disagreement& d, int samples) {
   std::string text = place_of(d, samples);
   if (d.primitive >= 0) text += fmt::format(", primitive {}", d.primitive);
-  text += fmt::format(", {}, {}, {}", name_of(d.kind), d.rule, d.legal ? "legal" : "not legal");
+  text += fmt::format(", {}, {}, {}", name_of(d.kind), d.rule, describe(d.legality));
   if (d.ruling > 0) text += fmt::format(" by ruling {}", d.ruling);
   if (!d.cause.empty()) text += fmt::format(", cause {}", d.cause);
   return text + ": " + d.explanation;
@@ -169,7 +171,7 @@ std::string describe(const ValueAggregate& values) {
 std::string first_explanation(const Result& result, int samples) {
   if (result.failure) return result.failure->reason;
   if (!result.disagreements.empty()) {
-    const Disagreement& first = result.disagreements.front();
+    const Disagreement& first = *worst_first(result).front();
     return fmt::format("{}: {}", place_of(first, samples), first.explanation);
   }
   for (const ValueAggregate& values : result.values)

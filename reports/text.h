@@ -38,7 +38,8 @@ bool names_sample(const Disagreement& disagreement, int samples);
 // "pixel (3, 4)"; "pixel (3, 4), sample 0" where it names one of so many samples.
 std::string place_of(const Disagreement& disagreement, int samples);
 
-// "pixel (3, 4), missing, line.diamond-exit, not legal: EXPLANATION", of a case of so many samples.
+// "pixel (3, 4), missing, line.diamond-exit, not allowed: EXPLANATION", of a case of so many
+// samples.
 std::string describe(const Disagreement& disagreement, int samples);
 
 // "color: 12 of 340 values differ within what is permitted, worst 1 ULP at pixel (3, 4): 0.5 exact,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What to look at first: per renderer the clusters of differences that nothing explains, each with
-// its smallest case, then the causes of the rest.
+// What to look at first: per renderer the clusters of differences that are not allowed, each with its
+// smallest case, then those that are contested, then the rest.
 
 const CLUSTERS_SHOWN = 5;
 
@@ -55,27 +55,31 @@ function clusterTable(kind, clusters, renderer) {
       "smallest case"].map((text) => h("th", {scope: "col"}, text)))), body)), more];
 }
 
+// What is not allowed, what is contested, and what is allowed and has no cause, each in a table; what
+// is allowed and has one is folded.
 function rendererClusters(info) {
-  const unexplained = info.clusters.filter((cluster) => !cluster.cause);
-  const explained = info.clusters.filter((cluster) => cluster.cause);
-  const illegal = unexplained.filter((cluster) => !cluster.legal).length;
-  const facts = unexplained.length
-    ? plural(unexplained.length, "cluster", "clusters") + " without a cause"
-    : "everything has a cause";
+  const of = (legality) => info.clusters.filter((cluster) => cluster.legality === legality);
+  const unexplained = of("legal").filter((cluster) => !cluster.cause);
+  const explained = of("legal").filter((cluster) => cluster.cause);
+  const facts = [[of("illegal"), "not allowed"], [of("contested"), "contested"],
+    [of("legal"), "allowed"]].filter(([list]) => list.length)
+    .map(([list, words]) => list.length.toLocaleString("en") + " " + words);
+  const table = (kind, list) => list.length > 0 && clusterTable(kind, list, info.name);
   return h("div.card.unexplained", {},
-    h("h3", {}, info.name, " ", h("span.faint", {}, facts),
-      illegal > 0 && h("span.alarm", {}, ", " + illegal + " not legal")),
-    unexplained.length > 0 && clusterTable("no alternative accounts for", unexplained, info.name),
+    h("h3", {}, info.name, " ", h("span.faint", {}, facts.join(", "))),
+    table("not allowed", of("illegal")), table("contested", of("contested")),
+    table("allowed, without a cause", unexplained),
     explained.length > 0 && h("details", {},
-      h("summary", {}, plural(explained.length, "cluster", "clusters") + " with a cause"),
+      h("summary", {}, plural(explained.length, "cluster", "clusters") + " allowed, with a cause"),
       clusterTable("cause", explained, info.name)));
 }
 
 function clustersSection() {
   const differing = Data.renderers.filter((info) => info.clusters.length);
   if (!differing.length) return null;
-  return h("section.first", {}, h("h2", {}, "Unexplained first"),
+  return h("section.first", {}, h("h2", {}, "What differs"),
     h("p.faint", {}, "Differences that share a cause, or a rule, a kind and a situation, are one " +
-      "cluster. Those that no catalogued alternative accounts for come first."),
+      "cluster. What the specification does not allow comes first, then what is contested; of " +
+      "these, what most cases share."),
     differing.map(rendererClusters));
 }

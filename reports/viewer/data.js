@@ -6,7 +6,7 @@ const Data = JSON.parse(byId("data").textContent);
 const Rules = new Map(Data.rules.map((rule) => [rule.id, rule]));
 const Rulings = new Map(Data.rulings.map((ruling) => [ruling.number, ruling]));
 const CasesById = new Map();
-const isSurprise = (result) => result.standing !== "expected";
+const isSurprise = (result) => isRed(result.standing);
 
 // What was found, by rule: the worst verdict.
 function findingsOf(numbers) {
@@ -20,6 +20,10 @@ const Heads = Data.heads.map((head) => ({
 }));
 const Outcomes = Data.outcomes.map(([verdict, standing, found]) =>
   ({verdict, standing, found: findingsOf(found)}));
+
+// Place of a case among those with something to tell, the worst first.
+const Order = [];
+Data.order.forEach((index, place) => { Order[index] = place; });
 
 // One line of the list; what else there is of a case comes with its details (details.js).
 class Case {
@@ -45,6 +49,7 @@ class Case {
       ({...Outcomes[number], renderer: Data.renderers[r].name}));
     this.surprises = this.results.filter(isSurprise).length;
     this.worst = this.results.reduce((worst, r) => Math.max(worst, VERDICTS[r.verdict].rank), 0);
+    this.order = Order[index] ?? Data.cases.length;  // among those of one verdict
     this.words = null;
   }
 

@@ -4,7 +4,9 @@
 const PAGE = 25;
 
 function legality(d) {
-  return h("span.legal", {class: d.legal ? "" : "alarm"}, d.legal ? "legal" : "not legal");
+  const words = LEGALITIES[d.legality];
+  return h("span.legal", {class: words.class},
+    d.legality === "contested" && verdictIcon("contested"), words.label);
 }
 
 const pixelText = (d) =>
@@ -25,7 +27,7 @@ function findingOf(d) {
   ];
 }
 
-// Keyboard and buttons go through all of a result's disagreements in their order.
+// Keyboard and buttons go through all of a result's disagreements, the worst first.
 function stepper(index, count, choose) {
   if (count < 2) return null;
   const at = (step) => (Math.max(index, step < 0 ? 0 : -1) + step + count) % count;

@@ -38,13 +38,15 @@ function forgetFilter() {
   lastFilter = null;
 }
 
-// Unexpected ones first, then the worst verdicts, then by id (the order of the data).
+// Unexpected ones first, then the worst verdicts, of these what most cases share, then by id (the
+// order of the data).
 function filteredCases(state) {
   const key = FILTER_KEYS.map((k) => state[k]).join("\u0000");
   if (key === lastFilter) return lastCases;
   lastFilter = key;
   lastCases = Cases.filter((one) => matches(one, state)).sort((a, b) =>
-    Math.sign(b.surprises) - Math.sign(a.surprises) || b.worst - a.worst || a.index - b.index);
+    Math.sign(b.surprises) - Math.sign(a.surprises) || b.worst - a.worst ||
+    a.order - b.order || a.index - b.index);
   return lastCases;
 }
 

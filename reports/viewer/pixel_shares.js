@@ -2,7 +2,7 @@
 // How many pixels of a result's image fare how, as shares: beside a case's pictures, and of all
 // scenes together on the first page.
 
-const PIXEL_VERDICTS = ["agree", "convention", "permitted", "violation"];
+const PIXEL_VERDICTS = ["agree", "convention", "permitted", "contested", "violation"];
 
 const pixelsOf = (counts) => PIXEL_VERDICTS.reduce((sum, verdict) => sum + counts[verdict], 0);
 

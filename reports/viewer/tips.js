@@ -55,7 +55,8 @@ function ruleChip(id) {
 function rulingChip(number) {
   const ruling = Rulings.get(number);
   return chip("ruling " + number,
-    ruling && (() => [h("strong", {}, "Ruling " + number), h("p", {}, ruling.text)]));
+    ruling && (() => [h("strong", {}, "Ruling " + number), h("p", {}, ruling.text),
+      ...ruling.facts.map(([name, fact]) => h("p", {}, h("b", {}, name + ": "), fact))]));
 }
 
 // "line.end=closed + line.snap=4": each part tells its rule.

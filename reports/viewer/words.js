@@ -4,8 +4,12 @@
 
 const VERDICTS = {
   violation: {
-    rank: 4, path: "M3.5 3.5l9 9M12.5 3.5l-9 9",
+    rank: 5, path: "M3.5 3.5l9 9M12.5 3.5l-9 9",
     means: "Something is outside what the specification allows.",
+  },
+  contested: {
+    rank: 4, path: "M5.2 5.8a2.8 2.8 0 1 1 4.2 2.4C8.4 8.8 8 9.3 8 10.2M8 13v.2",
+    means: "The letter of the specification forbids it, and there is good reason to read it otherwise.",
   },
   permitted: {
     rank: 3, path: "M8 2.5 14.2 13.5H1.8z",
@@ -32,8 +36,18 @@ const STANDINGS = {
   "unexpected-agreement": {
     label: "now agrees", means: "It agrees, although an expectation says that it differs.",
   },
+  tolerated: {
+    label: "tolerated", means: "It is contested, and no expectation says so: told, and not red.",
+  },
   flake: {label: "flake", means: "Asked a second time, the renderer answered otherwise."},
   expected: {label: "expected", means: "It agrees, or differs exactly as an expectation says."},
+};
+
+// Of a difference or a cluster of them.
+const LEGALITIES = {
+  illegal: {label: "not allowed", class: "alarm"},
+  contested: {label: "contested", class: "v-contested"},
+  legal: {label: "allowed", class: ""},
 };
 
 const KINDS = {
@@ -48,6 +62,9 @@ const KINDS = {
 
 const BANG = "M8 2.5v7M8 12.4v1";
 
+// Is it told as something that nobody expects? What is tolerated is not.
+const isRed = (standing) => standing !== "expected" && standing !== "tolerated";
+
 const verdictIcon = (verdict) => icon(VERDICTS[verdict].path, "v-" + verdict);
 const kindIcon = (kind) => icon(KINDS[kind].path, "k-" + kind);
 
@@ -57,7 +74,7 @@ function verdictBadge(verdict, extra) {
 }
 
 function standingBadge(standing) {
-  const known = standing === "expected";
+  const known = !isRed(standing);
   return h("span.standing", {class: known ? "" : "alarm", title: STANDINGS[standing].means},
     known ? null : icon(BANG), STANDINGS[standing].label);
 }

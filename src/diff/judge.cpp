@@ -19,6 +19,7 @@
 #include "diff/coverage/legality.h"
 #include "diff/pixel_verdicts.h"
 #include "diff/upside_down.h"
+#include "rules/all_rules.h"
 #include "rules/coverage/snap.h"
 #include "rules/coverage/window_origin.h"
 
@@ -81,7 +82,7 @@ bool is_legal(const Result& result, const Result::Evidence& evidence, const std:
       result.disagreements.begin(), result.disagreements.end(), [&](const Disagreement& d) {
         if (!is_of(d, evidence) || d.policy_agrees) return true;
         if (d.kind == DisagreementKind::value) return true;
-        return is_about_a_line(d) ? !contains(evidence.illegal_line_snaps, reading) : d.legal;
+        return is_about_a_line(d) ? !contains(evidence.illegal_line_snaps, reading) : is_legal(d);
       });
 }
 
@@ -149,9 +150,9 @@ void judge_primitive(const Result::Evidence& evidence, const std::string& readin
     if (d.policy_agrees) continue;
     d.cause = cause;
     if (!is_about_a_line(d)) continue;
-    d.legal = !contains(evidence.illegal_line_snaps, reading);
+    d.legality = by_letter(!contains(evidence.illegal_line_snaps, reading));
     // An illegal gap is judged as compare() did; it may have been legal among other results.
-    if (cause == kInteriorGap) d.ruling = d.legal ? 3 : d.rule == "line.joint" ? 14 : 1;
+    if (cause == kInteriorGap) d.ruling = is_legal(d) ? 3 : d.rule == "line.joint" ? 14 : 1;
   }
 }
 
@@ -178,6 +179,13 @@ void name_switch(const Counts& counts, Result& result) {
   }
 }
 
+// Of what the letter of a ruling forbids, the basis of the ruling says whether it is contested.
+// Nothing else knows which rulings are. Judged again, it is what the ruling makes of it now.
+void weigh_rulings(Result& result) {
+  for (Disagreement& d : result.disagreements)
+    if (!is_legal(d)) d.legality = legality_against(d.ruling);
+}
+
 Verdict verdict_of(const Result& result, Latitude latitude) {
   if (result.failure) return Verdict::not_run;
   Verdict worst = Verdict::agree;
@@ -189,9 +197,10 @@ Verdict verdict_of(const Result& result, Latitude latitude) {
 }
 
 // FNV-1a, 64 bits, of rule, kind and set of pixels or samples. Values inside the permitted interval
-// count by rule only, and beside a violation not at all: which of them are off by an ULP may change
-// with the processor. Whether the whole answer is upside down is left to the run: rules are those
-// that the case alone tells. Without a rendering, the kind of failure stands in its place.
+// count by rule only, and beside what the letter forbids not at all: which of them are off by an
+// ULP may change with the processor. Whether the whole answer is upside down is left to the run:
+// rules are those that the case alone tells. Without a rendering, the kind of failure stands in its
+// place.
 std::string fingerprint_of(const Result& result) {
   if (result.failure) return name_of(result.failure->kind);
   std::set<std::string> lines;
@@ -200,7 +209,7 @@ std::string fingerprint_of(const Result& result) {
                              name_of(d.kind), d.x, d.y,
                              d.sample > 0 ? fmt::format(" {}", d.sample) : ""));
   for (const ValueAggregate& values : result.values)
-    if (result.verdict != Verdict::violation)
+    if (result.verdict < Verdict::contested)
       lines.insert(fmt::format("{} {} {}\n", values.rule, values.attribute,
                                values.cause.empty() ? "permitted" : values.cause));
   if (lines.empty()) return "";
@@ -232,6 +241,7 @@ void judge(std::span<Result* const> results, Latitude latitude, const RunReading
     name_switch(counts, *result);
     if (is_noted_upside_down(*result) && count_of(counts, kWindowOrigin) > 0)
       tell_upside_down(*result);
+    weigh_rulings(*result);
     result->verdict = verdict_of(*result, latitude);
     count_pixels(*result, latitude);
     result->fingerprint = fingerprint_of(*result);

@@ -39,8 +39,9 @@ struct RunReading {
 // rendering say nothing. Judged results have the reading that they had before.
 RunReading read_run(std::span<Result* const> results);
 
-// Fills legal (of lines), cause, ruling, verdict and fingerprint of every result that ran, under
-// the reading of a run that they need not be part of. Judging twice changes nothing.
+// Fills legality (of lines, and by the basis of rulings), cause, ruling, verdict and fingerprint of
+// every result that ran, under the reading of a run that they need not be part of. Judging twice
+// changes nothing.
 void judge(std::span<Result* const> results, Latitude latitude, const RunReading& reading);
 
 // The same under their own reading. Returns the name of the snap with which lines were read.

@@ -41,7 +41,9 @@ std::vector<JudgedPixel> judged_pixels(const Result& result, Latitude latitude) 
 }  // namespace
 
 Verdict verdict_of(const Disagreement& disagreement, Latitude latitude) {
-  if (latitude == Latitude::none || !disagreement.legal) return Verdict::violation;
+  if (latitude == Latitude::none || disagreement.legality == Legality::illegal)
+    return Verdict::violation;
+  if (disagreement.legality == Legality::contested) return Verdict::contested;
   return is_open_choice(disagreement.cause) ? Verdict::convention : Verdict::permitted;
 }
 
@@ -52,15 +54,17 @@ Verdict verdict_of(const ValueAggregate& values, Latitude latitude) {
 
 void count_pixels(Result& result, Latitude latitude) {
   const PixelCounts before = result.pixel_counts;
-  const std::size_t all = before.agree + before.convention + before.permitted + before.violation;
+  const std::size_t all =
+      before.agree + before.convention + before.permitted + before.contested + before.violation;
   if (all == 0) return;
   PixelCounts& counts = result.pixel_counts = {};
   counts.same = before.same;
   for (const JudgedPixel& pixel : judged_pixels(result, latitude))
     ++(pixel.verdict == Verdict::violation   ? counts.violation
+       : pixel.verdict == Verdict::contested ? counts.contested
        : pixel.verdict == Verdict::permitted ? counts.permitted
                                              : counts.convention);
-  counts.agree = all - counts.convention - counts.permitted - counts.violation;
+  counts.agree = all - counts.convention - counts.permitted - counts.contested - counts.violation;
 }
 
 }  // namespace edgecase

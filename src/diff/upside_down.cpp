@@ -88,7 +88,7 @@ bool is_covered_upside_down(const Rendering& exact, const Rendering& rendered) {
 bool breaks_a_ruling(const Result& result) {
   const std::size_t snaps = all_snaps().size();
   return std::any_of(result.disagreements.begin(), result.disagreements.end(),
-                     [](const Disagreement& d) { return !d.legal && !is_about_a_line(d); }) ||
+                     [](const Disagreement& d) { return !is_legal(d) && !is_about_a_line(d); }) ||
          std::any_of(
              result.evidence.begin(), result.evidence.end(),
              [&](const Result::Evidence& e) { return e.illegal_line_snaps.size() == snaps; });
@@ -109,10 +109,10 @@ bool is_noted_upside_down(const Result& result) {
 void tell_upside_down(Result& result) {
   for (Disagreement& d : result.disagreements) {
     if (d.upright) continue;
-    d.upright = Disagreement::Told{d.rule, d.ruling, d.legal, d.cause};
+    d.upright = Disagreement::Told{d.rule, d.ruling, d.legality, d.cause};
     d.rule = d.cause = kWindowOrigin;
     d.ruling = kRulingOnOrigin;
-    d.legal = false;
+    d.legality = Legality::illegal;
     d.explanation += sentence();
   }
 }
@@ -122,7 +122,7 @@ void tell_upright(Result& result) {
     if (!d.upright) continue;
     d.rule = d.upright->rule;
     d.ruling = d.upright->ruling;
-    d.legal = d.upright->legal;
+    d.legality = d.upright->legality;
     d.cause = d.upright->cause;
     d.upright.reset();
     if (d.explanation.ends_with(sentence()))

@@ -27,10 +27,16 @@ enum class Standing {
   unexpected,            // differs, and no expectation says so
   changed,               // differs, but not as its expectation says
   unexpected_agreement,  // agrees, although an expectation says that it differs
+  tolerated,             // is contested, and no expectation says so: told, and nobody is accused
   flake,                 // asked again, the renderer answered otherwise: no answer can be expected
 };
 
 const char* name_of(Standing);
+
+// Is it red? What is tolerated is not.
+constexpr bool is_unexpected(Standing standing) {
+  return standing != Standing::expected && standing != Standing::tolerated;
+}
 
 // How many pixels of the target fare how. Each counts once, by the worst that was found at it: in
 // a fragment there, seen or hidden, in what its samples hold, in the image or in one of its passes.
@@ -40,6 +46,7 @@ struct PixelCounts {
   std::size_t agree = 0;       // nothing differs
   std::size_t convention = 0;  // the verdicts of cases, of what is found at the pixel alone
   std::size_t permitted = 0;
+  std::size_t contested = 0;
   std::size_t violation = 0;
   std::size_t same = 0;  // the stored colour is exact's to the bit, whatever else is found there
   friend bool operator==(const PixelCounts&, const PixelCounts&) = default;

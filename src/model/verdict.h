@@ -23,6 +23,24 @@ enum class DisagreementKind {
 
 const char* name_of(DisagreementKind);
 
+// Does the specification allow a difference? By the ruling that decides.
+enum class Legality {
+  legal,      // whatever explains it
+  contested,  // the letter of the text forbids it, and there is good reason to read it otherwise
+  illegal,
+};
+
+const char* name_of(Legality);
+bool parse_name(const std::string& name, Legality& value);
+// For people: "allowed", "contested", "not allowed".
+const char* describe(Legality);
+
+// What the letter of the text makes of a difference; whether that is contested is the ruling's to
+// say (rules/all_rules.h).
+constexpr Legality by_letter(bool is_allowed) {
+  return is_allowed ? Legality::legal : Legality::illegal;
+}
+
 // One fragment or sample on which a renderer differs from exact.
 struct Disagreement {
   int x = 0;  // pixel column
@@ -32,18 +50,20 @@ struct Disagreement {
   int sample = 0;
   int primitive = -1;  // index in drawing order; -1: the pixel as a whole
   DisagreementKind kind = DisagreementKind::missing;
-  std::string rule;       // id, "line.diamond-exit"
-  bool legal = false;     // the specification allows it, whatever explains it
+  std::string rule;  // id, "line.diamond-exit"
+  // compare() decides by the letter of the text; judge() tells what is contested from what is
+  // illegal.
+  Legality legality = Legality::illegal;
   std::string cause;      // "rule=alternative", several joined by " + "; empty: none found
   std::string situation;  // where it lies on the primitive, in words (diff/coverage/situation.h)
-  int ruling = 0;         // number of the ruling by which `legal` was decided
+  int ruling = 0;         // number of the ruling by which `legality` was decided
   bool policy_agrees = false;  // the policy draws it too: held against the specification alone
   // Set where the whole answer is told to be upside down (rule window.origin): what is told of this
   // sample without that.
   struct Told {
     std::string rule;
     int ruling = 0;
-    bool legal = false;
+    Legality legality = Legality::illegal;
     std::string cause;
   };
   std::optional<Told> upright;
@@ -84,8 +104,12 @@ struct ValueAggregate {
   std::map<int, std::uint64_t> ulp_histogram;  // floor(log2(error in ULP)) -> components
 };
 
+inline bool is_legal(const Disagreement& disagreement) {
+  return disagreement.legality == Legality::legal;
+}
+
 // Ordered from best to worst; a case gets the worst that applies.
-enum class Verdict { agree, convention, permitted, violation, not_run };
+enum class Verdict { agree, convention, permitted, contested, violation, not_run };
 
 const char* name_of(Verdict);
 bool parse_name(const std::string& name, Verdict& value);

@@ -58,7 +58,7 @@ Json to_json(const ProfileCluster& found) {
   Json json = {{"title", title_of(cluster)},
                {"rule", cluster.rule},
                {"kind", cluster.kind},
-               {"legal", cluster.legal},
+               {"legality", name_of(cluster.legality)},
                {"cause", cluster.cause},
                {"situation", cluster.situation},
                {"disagreements", cluster.disagreements},

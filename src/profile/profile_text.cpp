@@ -67,7 +67,8 @@ void print_clusters(Buffer& out, const SurfaceProfile& surface, std::size_t most
     const auto& [cluster, scene] = surface.clusters[i];
     print(out, "    {} {} in {} scenes, {}\n      smallest: {}, pixel ({}, {})\n",
           cluster.disagreements, title_of(cluster), cluster.cases,
-          cluster.legal ? "allowed" : "NOT allowed", scene_words(scene), cluster.x, cluster.y);
+          cluster.legality == Legality::illegal ? "NOT allowed" : describe(cluster.legality),
+          scene_words(scene), cluster.x, cluster.y);
   }
   if (shown < surface.clusters.size())
     print(out, "    and {} more clusters; --json has all\n", surface.clusters.size() - shown);

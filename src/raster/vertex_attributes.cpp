@@ -189,16 +189,19 @@ Interval VertexAttributes::permitted_w(std::size_t vertex) const {
   return made_of(geometry_.w[vertex], largest_of(*primitive_, clip_w));
 }
 
+// As for places in the window (ruling 15), nothing errs where a vertex is given there and w is 1:
+// half of such a z and 1/2 are added exactly in single precision, if the range is 0 to 1.
 Interpolant VertexAttributes::permitted_depth() const {
-  Interpolant f = geometry_;
+  Interpolant f = depth();
   for (std::size_t i = 0; i < count_of(*primitive_); ++i) {
-    Interval z;
+    const Interval w = permitted_w(i);
+    const bool is_given = !primitive_->vertices[i]->clip && is_number(w, 1);
+    if (is_given && primitive_->depth_range == DepthRange()) continue;
+    Interval z = clip_z(*primitive_->vertices[i]);
     if (plane_ || cut_)
       z = made_of((plane_ ? plane_->depths()[i] : cut_->depths()[i]) * geometry_.w[i],
                   largest_of(*primitive_, clip_z));
-    else
-      z = clip_z(*primitive_->vertices[i]);
-    f.values[i] = inexact_depth_in(primitive_->depth_range, inexact_quotient(z, permitted_w(i)));
+    f.values[i] = inexact_depth_in(primitive_->depth_range, inexact_quotient(z, w));
   }
   return f;
 }

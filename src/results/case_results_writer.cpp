@@ -35,6 +35,7 @@ void write_pixel_counts(JsonWriter& json, const PixelCounts& counts) {
     json.member("agree", counts.agree);
     json.member("convention", counts.convention);
     json.member("permitted", counts.permitted);
+    json.member("contested", counts.contested);
     json.member("violation", counts.violation);
     json.member("same", counts.same);
   });

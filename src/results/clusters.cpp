@@ -16,7 +16,7 @@ namespace {
 struct Key {
   std::string cause;
   std::string surface;
-  bool legal = false;
+  Legality legality = Legality::illegal;
   std::string rule;
   std::string kind;
   std::string situation;
@@ -84,7 +84,7 @@ class Gatherer {
     for (auto& [key, entry] : entries_) {
       Cluster& cluster = entry.cluster;
       cluster.surface = key.surface;
-      cluster.legal = key.legal;
+      cluster.legality = key.legality;
       cluster.cause = key.cause;
       cluster.situation = key.situation;
       cluster.attribute = key.attribute;
@@ -107,7 +107,7 @@ void gather_disagreements(const SizedCase& place, const Result& result, Gatherer
     Key key;
     key.cause = d.cause;
     key.surface = place.one->surface;
-    key.legal = d.legal;
+    key.legality = d.legality;
     if (d.cause.empty()) {
       key.rule = d.rule;
       key.kind = name_of(d.kind);
@@ -121,7 +121,8 @@ void gather_values(const SizedCase& place, const Result& result, Gatherer& gathe
   const char* const kind = name_of(DisagreementKind::value);
   for (const ValueAggregate& values : result.values) {
     if (values.differing.empty()) continue;
-    Key key{values.cause, place.one->surface, true, values.rule, kind, "", values.attribute};
+    Key key{values.cause, place.one->surface, Legality::legal, values.rule, kind,
+            "",           values.attribute};
     if (!values.cause.empty()) key.rule = key.kind = key.attribute = "";
     const ValueAggregate::Place& worst = values.worst;
     gatherer.add(key, place,
@@ -129,20 +130,12 @@ void gather_values(const SizedCase& place, const Result& result, Gatherer& gathe
   }
 }
 
-// 0: unexplained and illegal, 1: unexplained and legal, 2: values inside what is permitted, 3:
-// explained.
-int urgency_of(const Cluster& cluster) {
-  if (!cluster.cause.empty()) return 3;
-  if (!cluster.attribute.empty()) return 2;
-  return cluster.legal ? 1 : 0;
-}
-
 bool comes_before(const Cluster& a, const Cluster& b) {
   const auto order = [](const Cluster& c) {
     // The key of the cluster is part of it, so that no two are equal.
-    return std::tuple(
-        urgency_of(c), -static_cast<long>(c.disagreements),
-        std::tie(c.cause, c.rule, c.kind, c.situation, c.attribute, c.surface, c.legal));
+    return std::tuple(-static_cast<int>(c.legality), -static_cast<long>(c.cases),
+                      -static_cast<long>(c.disagreements),
+                      std::tie(c.cause, c.rule, c.kind, c.situation, c.attribute, c.surface));
   };
   return order(a) < order(b);
 }

@@ -6,8 +6,8 @@
 // A run may show ten thousand disagreements that are three faults. What an alternative of the
 // catalogue accounts for is one cluster per cause, wherever on a primitive it lies. The rest is
 // what nobody has explained yet: it is grouped by rule, kind and situation ("first pixel, start on
-// the diamond's lower corner"), shown first, each with its smallest case to begin with. Surfaces
-// and legality are never mixed. What the clusters mean is left to the reader.
+// the diamond's lower corner"). Each has its smallest case to begin with. Surfaces and legality are
+// never mixed. What the clusters mean is left to the reader.
 #pragma once
 
 #include <cstddef>
@@ -19,12 +19,12 @@
 namespace edgecase {
 
 struct Cluster {
-  std::string rule;       // id; empty: several, which the cause joins
-  std::string kind;       // "missing"; empty: several, which the cause joins
-  std::string surface;    // "fbo", "window"
-  bool legal = false;     // the specification allows all of them; otherwise none
-  std::string cause;      // empty: none found
-  std::string situation;  // in words; empty where there is a cause, and for values
+  std::string rule;                       // id; empty: several, which the cause joins
+  std::string kind;                       // "missing"; empty: several, which the cause joins
+  std::string surface;                    // "fbo", "window"
+  Legality legality = Legality::illegal;  // of all of them
+  std::string cause;                      // empty: none found
+  std::string situation;                  // in words; empty where there is a cause, and for values
   // "color", "depth", "pixel": values that differ inside what is permitted, empty otherwise.
   std::string attribute;
   std::size_t disagreements = 0;  // with `attribute`: values
@@ -39,9 +39,9 @@ struct Cluster {
   int primitive = -1;         // index in drawing order; -1: the pixel as a whole
 };
 
-// The clusters of the renderer at `renderer`. Those without cause come first: illegal ones, then
-// legal ones, then values inside what is permitted. Within each, and among those with a cause, the
-// largest come first; ties go by the texts. The same results give the same clusters.
+// The clusters of the renderer at `renderer`: illegal ones first, then contested ones, then legal
+// ones. Within each, those that most cases share come first, then those of most differences; ties
+// go by the texts. The same results give the same clusters.
 std::vector<Cluster> clusters_of(const Results& results, std::size_t renderer);
 
 // What tells a cluster from the others of its renderer, on one line: "line.diamond-exit extra,

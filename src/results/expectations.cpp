@@ -108,6 +108,14 @@ std::string words_of(const Judgement& answer) {
              : fmt::format("{} {}", name_of(answer.verdict), answer.fingerprint);
 }
 
+// Of an answer that its entry, or that there is none, does not expect.
+void set_unexpected(bool has_entry, KnownResult& result) {
+  const bool agrees = result.verdict == Verdict::agree;
+  result.standing = !has_entry ? Standing::unexpected
+                    : agrees   ? Standing::unexpected_agreement
+                               : Standing::changed;
+}
+
 // What is expected of an answer, if anything.
 void set_standing(const Expectation* entry, KnownResult& result) {
   const bool agrees = result.verdict == Verdict::agree;
@@ -117,17 +125,26 @@ void set_standing(const Expectation* entry, KnownResult& result) {
     result.standing = Standing::flake;
     result.expectation = fmt::format("it answered {}, and when asked again {}",
                                      words_of(judgement_of(result)), words_of(*result.again));
-  } else if (entry == nullptr) {
-    result.standing = agrees ? Standing::expected : Standing::unexpected;
-    result.expectation = agrees ? "" : "no expectation says that it differs";
-  } else if (same_answer(*entry, result)) {
+    return;
+  }
+  if (entry == nullptr && agrees) {
+    result.standing = Standing::expected;
+    result.expectation = "";
+    return;
+  }
+  if (entry != nullptr && same_answer(*entry, result)) {
     result.standing = Standing::expected;
     result.expectation = entry->reason;
-  } else {
-    result.standing = agrees ? Standing::unexpected_agreement : Standing::changed;
-    result.expectation = fmt::format("expected {} {} ({})", name_of(entry->verdict),
-                                     entry->fingerprint, entry->reason);
+    return;
   }
+  if (result.verdict == Verdict::contested)
+    result.standing = Standing::tolerated;
+  else
+    set_unexpected(entry != nullptr, result);
+  result.expectation = entry == nullptr
+                           ? "no expectation says that it differs"
+                           : fmt::format("expected {} {} ({})", name_of(entry->verdict),
+                                         entry->fingerprint, entry->reason);
 }
 
 }  // namespace
@@ -141,7 +158,7 @@ std::string reason_from(const Result& result) {
   for (const Disagreement& d : result.disagreements) {
     rules.insert(d.rule);
     causes.insert(d.cause);
-    if (!d.legal) broken.insert(d.ruling);
+    if (!is_legal(d)) broken.insert(d.ruling);
   }
   const bool unexplained = causes.erase("") > 0;
   std::string text;
@@ -208,6 +225,13 @@ void apply_expectations(Results& results, std::size_t index, const Expectations*
         entry = &found->second;
     set_standing(entry, one.results[index]);
   }
+}
+
+void hold_contested(Results& results) {
+  for (CaseResults& one : results.cases)
+    for (KnownResult& result : one.results)
+      if (result.standing == Standing::tolerated)
+        set_unexpected(result.expected.has_value(), result);
 }
 
 std::vector<MissingCase> missing_cases(const Results& results, const Expectations& expectations) {

@@ -51,8 +51,12 @@ std::string expectations_file_name(const std::string& renderer);
 
 // Sets standing, expectation and expected of every result of the renderer at `index`.
 // `expectations` may be null: then every case is expected to agree. A result that was another one
-// when it was asked for again is a flake, whatever is expected.
+// when it was asked for again is a flake, whatever is expected. A contested answer that no entry
+// expects is tolerated.
 void apply_expectations(Results& results, std::size_t index, const Expectations* expectations);
+
+// As --strict has it: what is tolerated becomes unexpected, or changed where there is an entry.
+void hold_contested(Results& results);
 
 // The entries without a case, of results that hold every case of the suite; of others none, since a
 // case may have been left out.

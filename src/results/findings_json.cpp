@@ -14,7 +14,7 @@ void write_told(JsonWriter& json, const Disagreement::Told& told) {
   json.object([&] {
     json.member("rule", told.rule);
     json.member("ruling", told.ruling);
-    json.member("legal", told.legal);
+    json.member("legality", name_of(told.legality));
     json.member("cause", told.cause);
   });
 }
@@ -37,7 +37,7 @@ void write_disagreement(JsonWriter& json, const Disagreement& d) {
     json.member("primitive", d.primitive);
     json.member("kind", name_of(d.kind));
     json.member("rule", d.rule);
-    json.member("legal", d.legal);
+    json.member("legality", name_of(d.legality));
     json.member("cause", d.cause);
     if (!d.situation.empty()) json.member("situation", d.situation);
     if (d.policy_agrees) json.member("policy_agrees", true);

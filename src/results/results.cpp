@@ -13,6 +13,8 @@ const char* name_of(Standing standing) {
       return "changed";
     case Standing::unexpected_agreement:
       return "unexpected-agreement";
+    case Standing::tolerated:
+      return "tolerated";
     case Standing::flake:
       return "flake";
   }

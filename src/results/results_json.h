@@ -22,10 +22,10 @@
 // asked a second time. "missing" are entries of cases that the suite has no more.
 //
 // A result's "pixel_counts", absent where it is not run, are {"agree", "convention", "permitted",
-// "violation", "same"} (model/result.h).
+// "contested", "violation", "same"} (model/result.h).
 //
 // A disagreement's "upright", absent but in answers that are told to be upside down, is {"rule",
-// "ruling", "legal", "cause"} as they are without that (Disagreement::upright).
+// "ruling", "legality", "cause"} as they are without that (Disagreement::upright).
 //
 // A result's "exact_fragments" and "rendered_fragments", absent where they are empty, are what
 // either side makes where they differ (Result::exact_fragments): lists of [x, y, primitive,

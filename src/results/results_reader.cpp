@@ -87,15 +87,16 @@ Disagreement to_disagreement(const Json& json) {
   d.primitive = WholeNumber(json.at("primitive"));
   d.kind = to_enum(json.at("kind"), DisagreementKind::missing, DisagreementKind::value);
   d.rule = json.at("rule");
-  d.legal = json.at("legal");
+  d.legality = to_enum(json.at("legality"), Legality::legal, Legality::illegal);
   d.cause = json.at("cause");
   d.situation = json.value("situation", "");
   d.policy_agrees = json.value("policy_agrees", false);
   d.ruling = json.at("ruling");
   if (json.contains("upright")) {
     const Json& upright = json.at("upright");
-    d.upright = Disagreement::Told{upright.at("rule"), upright.at("ruling"), upright.at("legal"),
-                                   upright.at("cause")};
+    d.upright = Disagreement::Told{
+        upright.at("rule"), upright.at("ruling"),
+        to_enum(upright.at("legality"), Legality::legal, Legality::illegal), upright.at("cause")};
   }
   d.exact = to_list<double>(json.at("exact"), to_number);
   d.rendered = to_list<double>(json.at("rendered"), to_number);
@@ -177,9 +178,9 @@ Result::LevelPoint to_level(const Json& json) {
 }
 
 PixelCounts to_pixel_counts(const Json& json) {
-  return {WholeNumber(json.at("agree")), WholeNumber(json.at("convention")),
-          WholeNumber(json.at("permitted")), WholeNumber(json.at("violation")),
-          WholeNumber(json.at("same"))};
+  return {WholeNumber(json.at("agree")),     WholeNumber(json.at("convention")),
+          WholeNumber(json.at("permitted")), WholeNumber(json.at("contested")),
+          WholeNumber(json.at("violation")), WholeNumber(json.at("same"))};
 }
 
 Judgement to_answer(const Json& json) {

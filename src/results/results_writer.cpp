@@ -80,7 +80,7 @@ Json cluster_json(const Cluster& cluster) {
   add("situation", cluster.situation);
   add("attribute", cluster.attribute);
   add("surface", cluster.surface);
-  object["legal"] = cluster.legal;
+  object["legality"] = name_of(cluster.legality);
   object["disagreements"] = cluster.disagreements;
   object["cases"] = cluster.cases;
   object["smallest"] = {{"case", cluster.smallest_case},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rules/all_rules.h"
 
+#include <map>
 #include <vector>
 
 #include "rules/coverage/clip_volume.h"
@@ -20,6 +21,7 @@
 #include "rules/output/depth_test.h"
 #include "rules/output/polygon_offset.h"
 #include "rules/output/stencil_test.h"
+#include "rules/ruling_sources.h"
 #include "rules/samples/accumulation.h"
 #include "rules/samples/alpha_to_coverage.h"
 #include "rules/samples/attribute_location.h"
@@ -55,9 +57,21 @@ const char* name_of(Openness openness) {
   return "?";
 }
 
+const char* name_of(Basis basis) {
+  switch (basis) {
+    case Basis::normative:
+      return "normative";
+    case Basis::contested:
+      return "contested";
+  }
+  return "?";
+}
+
+namespace {
+
 // The table of contents. An explicit list: nothing registers itself.
-std::span<const Rule> all_rules() {
-  static const std::vector<Rule> rules = {
+std::vector<Rule> table_of_contents() {
+  return {
       window_origin_rule(),
       fragment_once_rule(),
       point_ownership_rule(),
@@ -129,6 +143,17 @@ std::span<const Rule> all_rules() {
       depth_buffer_rule(),
       order_rule(),
   };
+}
+
+}  // namespace
+
+std::span<const Rule> all_rules() {
+  static const std::vector<Rule> rules = [] {
+    std::vector<Rule> complete = table_of_contents();
+    for (Rule& rule : complete)
+      for (Ruling& ruling : rule.rulings) ruling.source = source_of(ruling.number);
+    return complete;
+  }();
   return rules;
 }
 
@@ -145,10 +170,36 @@ const Alternative* find_alternative(const Rule& rule, std::string_view name) {
 }
 
 const Ruling* find_ruling(int number) {
-  for (const Rule& rule : all_rules())
-    for (const Ruling& ruling : rule.rulings)
-      if (ruling.number == number) return &ruling;
-  return nullptr;
+  static const std::map<int, const Ruling*> rulings = [] {
+    std::map<int, const Ruling*> numbered;
+    for (const Rule& rule : all_rules())
+      for (const Ruling& ruling : rule.rulings) numbered.emplace(ruling.number, &ruling);
+    return numbered;
+  }();
+  const auto found = rulings.find(number);
+  return found == rulings.end() ? nullptr : found->second;
+}
+
+std::vector<RulingFact> facts_of(const Ruling& ruling) {
+  const RulingSource& source = ruling.source;
+  std::vector<RulingFact> facts;
+  const auto add = [&facts](const char* name, const std::string& text) {
+    if (!text.empty()) facts.push_back({name, text});
+  };
+  add("Withdrawn", source.withdrawn);
+  add("Basis",
+      std::string(name_of(source.basis)) + (source.contest.empty() ? "" : ": " + source.contest));
+  if (!source.clause.empty())
+    add("Text", source.revision + ", " + source.clause + ": \"" + source.quotation + "\"");
+  add("Conformance tests", source.khronos);
+  add("OpenGL ES", source.es);
+  return facts;
+}
+
+Legality legality_against(int ruling) {
+  const Ruling* broken = find_ruling(ruling);
+  return broken != nullptr && broken->source.basis == Basis::contested ? Legality::contested
+                                                                       : Legality::illegal;
 }
 
 }  // namespace edgecase

@@ -23,6 +23,11 @@ How Edgecase reads OpenGL 4.6, core profile. A **rule** is one statement of the 
 **ruling** says how we read it where it is silent or loose, and verdicts cite its number. This page is
 printed by `edgecase rules --markdown` from the very entries that the program judges by.
 
+The **basis** of a ruling is *normative* where a sentence of the text says so and nothing speaks against
+it: what breaks it is a violation. It is *contested* where the letter forbids what the text elsewhere, an
+open issue of the specification or the Khronos conformance tests accept: what breaks it is contested. A
+ruling that fell is *withdrawn*; its number is not used again.
+
 Window coordinates have y up. An alternative is *open* where the specification leaves the choice to
 the implementation, *mandated* where it is the only one that conforms, and *illegal* where it is
 known from faulty implementations. The one in bold is the choice of policy `opengl`.
@@ -59,9 +64,15 @@ std::map<int, std::pair<const Ruling*, const Rule*>> numbered_rulings() {
 
 std::string rulings_section() {
   std::string text = "\n## Rulings\n";
-  for (const auto& [number, entry] : numbered_rulings())
+  for (const auto& [number, entry] : numbered_rulings()) {
     text += fmt::format("\n### Ruling {}\n\nRule {}.\n\n{}\n", number, link_to(*entry.second),
                         sentence(entry.first->text));
+    const char* separator = "\n";
+    for (const RulingFact& fact : facts_of(*entry.first)) {
+      text += fmt::format("{}- **{}.** {}\n", separator, fact.name, sentence(fact.text));
+      separator = "";
+    }
+  }
   return text;
 }
 

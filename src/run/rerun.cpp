@@ -55,7 +55,7 @@ class Rerun {
 
   // A renderer that could not be had at all is not asked for.
   static bool is_asked(const Result& result) {
-    return result.standing != Standing::expected &&
+    return is_unexpected(result.standing) &&
            !(result.failure && result.failure->kind == FailureKind::unavailable);
   }
 

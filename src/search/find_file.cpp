@@ -57,9 +57,11 @@ std::string explanation_of(const Find& find) {
 
 std::string judgement_of(const Find& find) {
   const Signature& signature = find.key.signature;
-  std::string text = find.result.failure ? ""
-                     : signature.legal   ? "The specification allows it"
-                                         : "The specification does not allow it";
+  std::string text = find.result.failure                     ? ""
+                     : signature.legality == Legality::legal ? "The specification allows it"
+                     : signature.legality == Legality::contested
+                         ? "The letter of the specification forbids it, which is contested"
+                         : "The specification does not allow it";
   if (!signature.cause.empty()) text += "; cause: " + signature.cause;
   if (!signature.situation.empty()) text += "; situation: " + signature.situation;
   return text.empty() ? text : text + ". ";

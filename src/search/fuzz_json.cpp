@@ -38,7 +38,7 @@ Json signature_json(const Signature& signature) {
   Json json = Json::object();
   for (const auto& [name, member] : kWords)
     if (!(signature.*member).empty()) json[name] = signature.*member;
-  json["legal"] = signature.legal;
+  json["legality"] = edgecase::name_of(signature.legality);
   return json;
 }
 
@@ -72,7 +72,9 @@ FindKey key_from(const nlohmann::json& find) {
   const nlohmann::json& signature = find.at("signature");
   for (const auto& [name, member] : kWords)
     if (signature.contains(name)) key.signature.*member = signature.at(name).get<std::string>();
-  key.signature.legal = signature.at("legal").get<bool>();
+  const auto legality = signature.at("legality").get<std::string>();
+  if (!parse_name(legality, key.signature.legality))
+    throw std::runtime_error(fmt::format("\"{}\" is no legality", legality));
   key.geometry = find.at("geometry").get<std::string>();
   return key;
 }

@@ -42,12 +42,12 @@ Drawn covered_under(const RuleChoices& choices, const Target& target,
 // thousand results wait to be judged.
 void lighten(Result& result) {
   result.pixel_counts = {};
-  std::map<std::tuple<std::string, DisagreementKind, int, int, bool, int, bool, std::string,
+  std::map<std::tuple<std::string, DisagreementKind, int, int, Legality, int, bool, std::string,
                       std::string>,
            std::size_t>
       alike;
   std::erase_if(result.disagreements, [&](const Disagreement& d) {
-    return ++alike[{d.rule, d.kind, d.primitive, d.sample, d.legal, d.ruling, d.policy_agrees,
+    return ++alike[{d.rule, d.kind, d.primitive, d.sample, d.legality, d.ruling, d.policy_agrees,
                     d.cause, d.situation}] > kMostAlike;
   });
   result.disagreements.shrink_to_fit();

@@ -13,7 +13,7 @@ Signature signature_of(const Cluster& cluster) {
   Signature signature;
   signature.cause = cluster.cause;
   signature.surface = cluster.surface;
-  signature.legal = cluster.legal;
+  signature.legality = cluster.legality;
   if (!cluster.cause.empty()) return signature;
   signature.rule = cluster.rule;
   signature.kind = cluster.kind;
@@ -23,10 +23,10 @@ Signature signature_of(const Cluster& cluster) {
 }
 
 // What a cause breaks: each rule and kind once, in the order of the disagreements.
-void add_broken(const Result& result, const std::string& cause, Surface surface,
+void add_broken(const Result& result, const std::string& cause, Legality legality, Surface surface,
                 std::vector<Signature>& signatures) {
   for (const Disagreement& d : result.disagreements) {
-    if (d.legal || d.cause != cause) continue;
+    if (d.legality != legality || d.cause != cause) continue;
     Signature signature = signature_of(d, surface);
     if (std::find(signatures.begin(), signatures.end(), signature) == signatures.end())
       signatures.push_back(std::move(signature));
@@ -59,10 +59,10 @@ std::vector<Signature> signatures_of(const Result& result, Surface surface) {
   one.results.front().values = result.values;
   std::vector<Signature> signatures;
   for (const Cluster& cluster : clusters_of(run, 0)) {
-    if (cluster.cause.empty() || cluster.legal)
+    if (cluster.cause.empty() || cluster.legality == Legality::legal)
       signatures.push_back(signature_of(cluster));
     else
-      add_broken(result, cluster.cause, surface, signatures);
+      add_broken(result, cluster.cause, cluster.legality, surface, signatures);
   }
   return signatures;
 }
@@ -77,10 +77,10 @@ Signature signature_of(const Disagreement& disagreement, Surface surface) {
   Signature signature;
   signature.cause = disagreement.cause;
   signature.surface = name_of(surface);
-  signature.legal = disagreement.legal;
+  signature.legality = disagreement.legality;
   // A cause that is allowed joins rules and kinds: that a scene shows one of them alone is no part
   // of it.
-  if (!disagreement.cause.empty() && disagreement.legal) return signature;
+  if (!disagreement.cause.empty() && is_legal(disagreement)) return signature;
   signature.rule = disagreement.rule;
   signature.kind = name_of(disagreement.kind);
   if (disagreement.cause.empty()) signature.situation = disagreement.situation;
@@ -91,7 +91,7 @@ Signature signature_of(const ValueAggregate& values, Surface surface) {
   Signature signature;
   signature.cause = values.cause;
   signature.surface = name_of(surface);
-  signature.legal = true;
+  signature.legality = Legality::legal;
   if (!values.cause.empty()) return signature;
   signature.rule = values.rule;
   signature.kind = name_of(DisagreementKind::value);
@@ -124,7 +124,7 @@ std::string title_of(const Signature& signature) {
   std::string title = title_of(cluster);
   if (!signature.cause.empty() && !signature.rule.empty())
     title = signature.rule + " " + signature.kind + " by " + title;
-  if (signature.attribute.empty()) title += signature.legal ? ", allowed" : ", not allowed";
+  if (signature.attribute.empty()) title += std::string(", ") + describe(signature.legality);
   return title + ", " + signature.surface;
 }
 

@@ -20,11 +20,11 @@
 namespace edgecase {
 
 struct Signature {
-  std::string cause;      // "rule=alternative", several joined by " + "; empty: none found
-  std::string rule;       // id; empty where there is a cause that the specification allows
-  std::string kind;       // "missing"; empty where there is a cause that the specification allows
-  std::string surface;    // "fbo", "window"
-  bool legal = false;     // the specification allows it
+  std::string cause;    // "rule=alternative", several joined by " + "; empty: none found
+  std::string rule;     // id; empty where there is a cause that the specification allows
+  std::string kind;     // "missing"; empty where there is a cause that the specification allows
+  std::string surface;  // "fbo", "window"
+  Legality legality = Legality::illegal;
   std::string situation;  // in words; empty where there is a cause, and for values
   std::string attribute;  // of values inside what is permitted: "color"; empty otherwise
   std::string failure;    // "crashed", "timed-out", "garbage"; then all but the surface is empty

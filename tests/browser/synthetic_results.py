@@ -39,7 +39,7 @@ def disagreement(number, place):
     exact, rendered = values[kind]
     return {
         "pixel": [x, y], "sample": 0, "primitive": number % 7, "kind": kind,
-        "rule": RULES[number % len(RULES)], "legal": legal,
+        "rule": RULES[number % len(RULES)], "legality": "legal" if legal else "contested" if number % 9 == 0 else "illegal",
         "cause": CAUSES[number % 3] if legal else "",
         "situation": "line, y-major right and down, last pixel", "ruling": 1 + number % 9,
         "exact": exact, "rendered": rendered,
@@ -81,7 +81,9 @@ def result_of(number, count, first):
     found.sort(key=lambda d: (d["pixel"][1], d["pixel"][0]))
     verdict = "agree"
     if found:
-        verdict = ("violation" if not all(d["legal"] for d in found)
+        legalities = {d["legality"] for d in found}
+        verdict = ("violation" if "illegal" in legalities
+                   else "contested" if "contested" in legalities
                    else "permitted" if not all(d["cause"] for d in found) else "convention")
     places = {tuple(d["pixel"]) for d in found}
     result = {
@@ -89,7 +91,7 @@ def result_of(number, count, first):
         "standing": "unexpected" if found and number % 10 == 0 else "expected",
         "expectation": "known since 22.3" if found and number % 10 else "",
         "pixel_counts": {"agree": SIZE * SIZE - len(places), "convention": 0, "permitted": 0,
-                         "violation": len(places), "same": SIZE * SIZE - len(places)},
+                         "contested": 0, "violation": len(places), "same": SIZE * SIZE - len(places)},
         "disagreements": found, "values": [], "evidence": [], "illegal_line_snaps": [],
         "refuted": "", "pixels": picture(number, places) if found else "exact",
     }

@@ -80,7 +80,7 @@ TEST(CauseChoice, AnOpenChoiceThatTheRunRefutesDoesNotHideAFault) {
 TEST(CauseChoice, WhatIsIllegalSpeaksForNoOpenChoice) {
   const std::string illegal = "triangle.fill-rule=closed", open = "triangle.fill-rule=left-bottom";
   std::deque<Result> results = {triangle_result({open, illegal}), triangle_result({illegal})};
-  results[0].disagreements[0].legal = false;
+  results[0].disagreements[0].legality = Legality::illegal;
   results[0].disagreements[0].rule = "triangle.shared-edge";
   judge_all(results);
   EXPECT_EQ(results[0].disagreements[0].cause, illegal);

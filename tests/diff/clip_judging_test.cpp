@@ -52,7 +52,7 @@ TEST(ClipJudging, IllegalWaysAreNamedAndConvicted) {
     EXPECT_EQ(causes_in(result), Names{std::string("clip.volume=") + name}) << told(result);
     EXPECT_EQ(rules_in(result), Names{"clip.volume"});
     for (const Disagreement& d : result.disagreements)
-      if (!d.legal) {
+      if (!is_legal(d)) {
         EXPECT_EQ(d.ruling, 42);
       }
   }

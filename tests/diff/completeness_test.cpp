@@ -140,7 +140,7 @@ TEST(Legality, DoesNotDependOnThePolicy) {
         const bool gap = d.cause == "line.interior-gap";
         const bool value = d.kind == DisagreementKind::value;
         seen[{d.x, d.y, d.primitive, d.kind, value ? d.rule : ""}].insert(
-            {d.legal, gap ? 1 : d.ruling});
+            {is_legal(d), gap ? 1 : d.ruling});
       }
     }
     for (const auto& [place, judgements] : seen) {

@@ -129,7 +129,7 @@ void expect_broken_joint(const Result& result, const std::string& what) {
   ASSERT_EQ(result.verdict, Verdict::violation) << what;
   ASSERT_FALSE(result.disagreements.empty()) << what;
   for (const Disagreement& d : result.disagreements) {
-    ASSERT_FALSE(d.legal) << what;
+    ASSERT_FALSE(is_legal(d)) << what;
     ASSERT_EQ(d.rule, "line.joint") << what << ": " << d.explanation;
     ASSERT_EQ(d.ruling, 14) << what;
     ASSERT_NE(d.explanation.find("Ruling 14, for the segment as given: "), std::string::npos);
@@ -182,7 +182,7 @@ TEST(JointMutants, AWalkThatDrawsBothEndsIsAViolationWhereverItDrawsAPixelTwice)
     ++twice;
     by_joint +=
         std::any_of(result.disagreements.begin(), result.disagreements.end(),
-                    [](const Disagreement& d) { return d.rule == "line.joint" && !d.legal; })
+                    [](const Disagreement& d) { return d.rule == "line.joint" && !is_legal(d); })
             ? 1
             : 0;
   });

@@ -3,6 +3,7 @@
 // What can only be said of a whole run: with which snap its lines are read, and which of several
 // causes is the likeliest.
 #include "diff/judge.h"
+#include "rules/all_rules.h"
 #include "rules/coverage/snap.h"
 
 #include <gtest/gtest.h>
@@ -46,9 +47,9 @@ TEST(Judge, ReadsLinesWithTheSnapThatMakesMostCasesLegal) {
                                 line_result({"8-truncate"}, {}), line_result({"none"}, {}),
                                 line_result({"8-truncate"}, {})};
   EXPECT_EQ(judge_all(results), "8-truncate");
-  EXPECT_TRUE(results[0].disagreements[0].legal);
-  EXPECT_TRUE(results[1].disagreements[0].legal);
-  EXPECT_FALSE(results[2].disagreements[0].legal);
+  EXPECT_TRUE(is_legal(results[0].disagreements[0]));
+  EXPECT_TRUE(is_legal(results[1].disagreements[0]));
+  EXPECT_FALSE(is_legal(results[2].disagreements[0]));
   EXPECT_EQ(results[2].verdict, Verdict::violation);
   EXPECT_EQ(results[3].verdict, Verdict::permitted);
 }
@@ -91,6 +92,68 @@ TEST(Judge, TheWorstDisagreementDecides) {
   EXPECT_EQ(results[0].verdict, Verdict::violation);
 }
 
+// A sample that the letter of a ruling forbids.
+Disagreement forbidden_by(int ruling) {
+  Disagreement d;
+  d.rule = "clip.volume";
+  d.ruling = ruling;
+  return d;
+}
+
+// The number of the first ruling of that basis.
+int ruling_of(Basis basis) {
+  for (const Rule& rule : all_rules())
+    for (const Ruling& ruling : rule.rulings)
+      if (ruling.source.basis == basis) return ruling.number;
+  return 0;
+}
+
+const int kNormative = ruling_of(Basis::normative);
+const int kContested = ruling_of(Basis::contested);
+
+TEST(Judge, WhatAContestedRulingForbidsIsContestedAndNoViolation) {
+  ASSERT_GT(kNormative, 0);
+  ASSERT_GT(kContested, 0);
+  Result contested, violation, both;
+  contested.disagreements = {forbidden_by(kContested)};
+  violation.disagreements = {forbidden_by(kNormative)};
+  both.disagreements = {forbidden_by(kNormative), forbidden_by(kContested)};
+  for (Result* result : {&contested, &violation, &both}) result->pixel_counts.agree = 4;
+  both.disagreements[1].x = 1;
+  std::deque<Result> results = {contested, violation, both};
+  judge_all(results);
+  EXPECT_EQ(results[0].verdict, Verdict::contested);
+  EXPECT_EQ(results[0].disagreements[0].legality, Legality::contested);
+  EXPECT_EQ(results[0].pixel_counts.contested, 1U);
+  EXPECT_EQ(results[0].pixel_counts.violation, 0U);
+  EXPECT_EQ(results[0].pixel_counts.agree, 3U);
+  EXPECT_EQ(results[1].verdict, Verdict::violation);
+  EXPECT_EQ(results[1].disagreements[0].legality, Legality::illegal);
+  EXPECT_EQ(results[2].verdict, Verdict::violation) << "the worst decides";
+  EXPECT_EQ(results[2].pixel_counts.contested, 1U);
+  EXPECT_EQ(results[2].pixel_counts.violation, 1U);
+}
+
+TEST(Judge, TheRulingOfTodayDecidesWhatIsContested) {
+  Result result;
+  result.disagreements = {forbidden_by(kNormative), forbidden_by(kContested)};
+  result.disagreements[0].legality = Legality::contested;  // as an earlier version judged
+  std::deque<Result> results = {result};
+  for (int round = 0; round < 2; ++round) {
+    judge_all(results);
+    EXPECT_EQ(results[0].disagreements[0].legality, Legality::illegal);
+    EXPECT_EQ(results[0].disagreements[1].legality, Legality::contested);
+  }
+}
+
+TEST(Judge, WhatIsContestedIsAViolationOfAPolicyWithoutLatitude) {
+  Result result;
+  result.disagreements = {forbidden_by(kContested)};
+  std::deque<Result> results = {result};
+  judge_all(results, Latitude::none);
+  EXPECT_EQ(results[0].verdict, Verdict::violation);
+}
+
 TEST(Judge, PermittedValuesArePermittedAndNeverAgreement) {
   Result result;
   ValueAggregate values;
@@ -111,7 +174,7 @@ TEST(Judge, WithoutLatitudeAnyDifferenceIsAViolation) {
                                 not_run({FailureKind::timed_out, "5 s"})};
   judge_all(results, Latitude::none);
   EXPECT_EQ(results[0].verdict, Verdict::violation);
-  EXPECT_TRUE(results[0].disagreements[0].legal) << "what OpenGL says of it is still told";
+  EXPECT_TRUE(is_legal(results[0].disagreements[0])) << "what OpenGL says of it is still told";
   EXPECT_EQ(results[1].verdict, Verdict::agree);
   EXPECT_EQ(results[2].verdict, Verdict::not_run);
 }
@@ -191,7 +254,7 @@ void expect_same(const std::deque<Result>& a, const std::deque<Result>& b) {
     EXPECT_EQ(a[i].fingerprint, b[i].fingerprint) << i;
     ASSERT_EQ(a[i].disagreements.size(), b[i].disagreements.size());
     for (std::size_t d = 0; d < a[i].disagreements.size(); ++d) {
-      EXPECT_EQ(a[i].disagreements[d].legal, b[i].disagreements[d].legal) << i;
+      EXPECT_EQ(is_legal(a[i].disagreements[d]), is_legal(b[i].disagreements[d])) << i;
       EXPECT_EQ(a[i].disagreements[d].cause, b[i].disagreements[d].cause) << i;
       EXPECT_EQ(a[i].disagreements[d].ruling, b[i].disagreements[d].ruling) << i;
     }
@@ -239,7 +302,7 @@ TEST(Judge, FindsWhatTheRendererOfARunFollows) {
 std::string words_of(const Result& result) {
   std::string text = std::string(name_of(result.verdict)) + " " + result.fingerprint;
   for (const Disagreement& d : result.disagreements)
-    text += (d.legal ? "; legal " : "; illegal ") + d.cause + " " + std::to_string(d.ruling);
+    text += (is_legal(d) ? "; legal " : "; illegal ") + d.cause + " " + std::to_string(d.ruling);
   return text;
 }
 

@@ -32,7 +32,7 @@ inline Result triangle_result(std::vector<std::string> causes, int x = 0) {
   d.primitive = 0;
   d.rule = "triangle.fill-rule";
   d.ruling = 4;
-  d.legal = true;
+  d.legality = Legality::legal;
   result.disagreements = {d};
   result.evidence = {{0, std::move(causes), {}, ""}};
   return result;

@@ -100,7 +100,7 @@ TEST(WidthsOfLines, ATieIsRoundedEitherWay) {
   const auto rulings = [](const Result& result) {
     std::set<int> numbers;
     for (const Disagreement& d : result.disagreements)
-      if (!d.legal && d.kind != DisagreementKind::value) numbers.insert(d.ruling);
+      if (!is_legal(d) && d.kind != DisagreementKind::value) numbers.insert(d.ruling);
     return numbers;
   };
   EXPECT_EQ(rulings(judged_as_wide(2.75, 2)), std::set<int>{56});
@@ -179,8 +179,10 @@ TEST(WidthsOfLines, ValuesAreThoseOfTheMiddleOfTheColumnOrTheirOwn) {
   };
   for (const double rows : {-1.99, -1.0, 1.0, 1.99})
     EXPECT_EQ(verdict_of(rows), Verdict::permitted) << rows;
-  for (const double rows : {-2.2, 2.2, 4.0})
-    EXPECT_EQ(verdict_of(rows), Verdict::violation) << rows;
+  // Up to the whole height of the column the ruling is contested.
+  for (const double rows : {-3.9, -2.2, 2.2, 3.9})
+    EXPECT_EQ(verdict_of(rows), Verdict::contested) << rows;
+  for (const double rows : {-4.2, 4.2}) EXPECT_EQ(verdict_of(rows), Verdict::violation) << rows;
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ std::string describe(const Result& result) {
   std::string text = std::string("verdict ") + name_of(result.verdict) + "\n";
   for (std::size_t i = 0; i < std::min<std::size_t>(3, result.disagreements.size()); ++i) {
     const Disagreement& d = result.disagreements[i];
-    text += std::string(name_of(d.kind)) + " " + d.rule + (d.legal ? " legal" : " illegal") +
+    text += std::string(name_of(d.kind)) + " " + d.rule + (is_legal(d) ? " legal" : " illegal") +
             " cause '" + d.cause + "': " + d.explanation + "\n";
   }
   for (const ValueAggregate& v : result.values)
@@ -109,10 +109,10 @@ bool comes_under_its_rule(const Mutant& mutant, const Scene& scene, const Result
     return primitive < 0 ? ""
                          : coverage_rule_of(primitives[static_cast<std::size_t>(primitive)].kind);
   };
-  const bool illegal = mutant.verdict == Verdict::violation;
+  const bool illegal = mutant.verdict >= Verdict::contested;
   return std::any_of(result.disagreements.begin(), result.disagreements.end(),
                      [&](const Disagreement& d) {
-                       return d.rule == own_rule(d.primitive) && d.legal != illegal;
+                       return d.rule == own_rule(d.primitive) && is_legal(d) != illegal;
                      }) ||
          (!illegal && std::any_of(result.values.begin(), result.values.end(),
                                   [&](const ValueAggregate& v) { return v.rule == mutant.rule; }));

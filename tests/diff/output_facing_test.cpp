@@ -43,7 +43,7 @@ TEST(OutputFacing, ACulledTriangleThatIsDrawnIsAViolation) {
   for (const Disagreement& d : result.disagreements) {
     EXPECT_EQ(d.ruling, 40);
     EXPECT_EQ(d.kind, DisagreementKind::extra);
-    EXPECT_FALSE(d.legal);
+    EXPECT_FALSE(is_legal(d));
   }
 }
 

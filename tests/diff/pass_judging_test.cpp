@@ -274,7 +274,7 @@ TEST(PassJudging, EvidenceIsOfItsPassAlone) {
     if (d.sample != 1) continue;
     ++of_pass_1;
     EXPECT_EQ(d.cause, "point.ownership=left-bottom");
-    EXPECT_TRUE(d.legal);
+    EXPECT_TRUE(is_legal(d));
   }
   EXPECT_EQ(of_pass_1, 2);
 }

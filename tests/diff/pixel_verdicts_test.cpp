@@ -22,7 +22,7 @@ Disagreement disagreement_at(int x, int y, bool legal, const char* cause) {
   Disagreement d;
   d.x = x;
   d.y = y;
-  d.legal = legal;
+  d.legality = by_letter(legal);
   d.cause = cause;
   return d;
 }
@@ -51,18 +51,18 @@ Verdict worst_of(const PixelCounts& counts) {
 TEST(PixelCounts, CountEachPixelByItsWorst) {
   Result result;
   result.pixel_counts.same = 5;
-  EXPECT_EQ(counted(result, 16), (PixelCounts{16, 0, 0, 0, 5}));
+  EXPECT_EQ(counted(result, 16), (PixelCounts{16, 0, 0, 0, 0, 5}));
   result.disagreements = {disagreement_at(1, 0, true, kOpen), disagreement_at(1, 0, true, kOpen),
                           disagreement_at(2, 0, true, ""),
                           disagreement_at(3, 0, true, "triangle.fill-rule=open")};
-  EXPECT_EQ(counted(result, 16), (PixelCounts{13, 1, 2, 0, 5}));
+  EXPECT_EQ(counted(result, 16), (PixelCounts{13, 1, 2, 0, 0, 5}));
   // x and y are not mistaken for each other.
   result.disagreements.push_back(disagreement_at(0, 1, false, kOpen));
-  EXPECT_EQ(counted(result, 16), (PixelCounts{12, 1, 2, 1, 5}));
+  EXPECT_EQ(counted(result, 16), (PixelCounts{12, 1, 2, 0, 1, 5}));
   result.values = {values_at({{1, 0, 4}, {2, 0, 4}, {5, 0, 4}, {5, 0, 6}}, ""),
                    values_at({{0, 1, 4}, {6, 0, 4}}, "texture.log2=mantissa-8")};
-  EXPECT_EQ(counted(result, 16), (PixelCounts{10, 1, 4, 1, 5}));
-  EXPECT_EQ(counted(result, 16, Latitude::none), (PixelCounts{10, 0, 0, 6, 5}));
+  EXPECT_EQ(counted(result, 16), (PixelCounts{10, 1, 4, 0, 1, 5}));
+  EXPECT_EQ(counted(result, 16, Latitude::none), (PixelCounts{10, 0, 0, 0, 6, 5}));
 }
 
 TEST(PixelCounts, AreZeroWithoutAPicture) {

@@ -46,7 +46,7 @@ bool is_exactly(const Result& result, const std::string& choice) {
   const std::string rule = choice.substr(0, choice.find('='));
   if (result.verdict != verdict_for(choice)) return false;
   for (const Disagreement& d : result.disagreements)
-    if (d.legal != is_open_choice(choice) || d.rule != rule || d.cause != choice) return false;
+    if (is_legal(d) != is_open_choice(choice) || d.rule != rule || d.cause != choice) return false;
   for (const ValueAggregate& values : result.values)
     if (is_open_choice(choice) && (values.rule != rule || values.cause != choice)) return false;
   return true;
@@ -61,7 +61,7 @@ void expect_no_other_fault(const Result& result, const std::string& choice,
                                                   << describe_textures(result);
   } else if (result.verdict == Verdict::violation) {
     for (const Disagreement& d : result.disagreements)
-      EXPECT_EQ(d.legal, is_open_choice(d.cause)) << choice << " / " << scene;
+      EXPECT_EQ(is_legal(d), is_open_choice(d.cause)) << choice << " / " << scene;
   }
 }
 

@@ -261,7 +261,7 @@ std::string describe_textures(const Result& result) {
   std::set<std::string> seen;
   for (const Disagreement& d : result.disagreements)
     if (seen.insert(d.rule + d.cause).second)
-      text += "\n" + d.rule + (d.legal ? " legal '" : " illegal '") + d.cause + "' " +
+      text += "\n" + d.rule + (is_legal(d) ? " legal '" : " illegal '") + d.cause + "' " +
               std::to_string(d.x) + "," + std::to_string(d.y) + ": " + d.explanation;
   for (const ValueAggregate& values : result.values)
     text += "\n" + values.attribute + " differs at " + std::to_string(values.differing.size()) +

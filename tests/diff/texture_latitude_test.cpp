@@ -30,7 +30,7 @@ void expect_one_fault(const Result& result, const std::string& rule) {
   ASSERT_EQ(result.disagreements.size(), 1u) << describe_textures(result);
   EXPECT_EQ(result.disagreements[0].rule, rule);
   EXPECT_EQ(result.disagreements[0].cause, "");
-  EXPECT_FALSE(result.disagreements[0].legal);
+  EXPECT_FALSE(is_legal(result.disagreements[0]));
   EXPECT_FALSE(result.disagreements[0].explanation.empty());
 }
 

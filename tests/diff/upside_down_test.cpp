@@ -154,7 +154,7 @@ TEST(UpsideDown, JudgingAgainTellsWhatTheRunSaysNow) {
     const Disagreement& b = once[0].disagreements[i];
     EXPECT_EQ(a.rule, b.rule);
     EXPECT_EQ(a.cause, b.cause);
-    EXPECT_EQ(a.legal, b.legal);
+    EXPECT_EQ(a.legality, b.legality);
     EXPECT_EQ(a.ruling, b.ruling);
     EXPECT_EQ(a.explanation, b.explanation);
     EXPECT_FALSE(a.upright);

@@ -68,7 +68,8 @@ void expect_found(const Policy& policy, const Profile& profile) {
           << trait.runner_up << " " << trait.runner_up_rate.agreeing;
     }
     // Nothing differs from the profile itself; what is found is outside the specification.
-    for (const ProfileCluster& found : surface.clusters) EXPECT_FALSE(found.cluster.legal);
+    for (const ProfileCluster& found : surface.clusters)
+      EXPECT_EQ(found.cluster.legality, Legality::illegal);
   }
 }
 

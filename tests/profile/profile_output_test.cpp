@@ -163,7 +163,7 @@ TEST(ProfileJson, HoldsEverythingAndTheSmallestSceneAsACase) {
   EXPECT_EQ(fbo["traits"][0]["runner_up"], "8-half-up");
   EXPECT_EQ(fbo["tables"][0]["drawn_of"][0][2], (nlohmann::json{1, 2}));
   const auto& cluster = fbo["clusters"][0];
-  EXPECT_EQ(cluster["legal"], false);
+  EXPECT_EQ(cluster["legality"], "illegal");
   EXPECT_EQ(cluster["case"]["draws"][0]["primitive"], "points");
   const auto& value = fbo["values"][0];
   EXPECT_EQ(value["attribute"], "point smooth");

@@ -250,10 +250,13 @@ TEST(WindowDepth, PermittedOffsetsHoldAllOpenChoices) {
   EXPECT_LT(permitted.values[0].high - permitted.values[0].low, 0.03);
   scene.draws[0].polygon_offset.reset();
   const Interpolant none = permitted_depth(primitives_of(scene)[0], {}, scene.target, 0);
-  // Without an offset, all that the scaling and the addition of 13.8.1 may be off by.
-  EXPECT_TRUE(none.values[0].contains(0.375));
-  EXPECT_LT(none.values[0].low, 0.375);
-  EXPECT_LT(none.values[0].high - none.values[0].low, 2.1e-5);
+  EXPECT_TRUE(is_number(none.values[0], 0.375));
+  // With a depth range of its own, all that the scaling and the addition may be off by.
+  scene.depth_range = {0.25F, 0.625F};
+  const Interval ranged = permitted_depth(primitives_of(scene)[0], {}, scene.target, 0).values[0];
+  EXPECT_LT(ranged.low, 0.390625);
+  EXPECT_GT(ranged.high, 0.390625);
+  EXPECT_LT(ranged.high - ranged.low, 2.1e-5);
 }
 
 TEST(WindowDepth, IntervalsAreClampedAtBothEnds) {

@@ -116,7 +116,7 @@ TEST(DifferenceSvg, APixelThatTwoPrimitivesDrawIsDrawnTwice) {
 
 TEST(DifferenceSvg, WhatIsAllowedIsDashedAndSaysSo) {
   DifferencePicture allowed = picture();
-  for (Disagreement& d : allowed.disagreements) d.legal = true;
+  for (Disagreement& d : allowed.disagreements) d.legality = Legality::legal;
   const auto document = parsed(text_of(allowed));
   EXPECT_EQ(count(document, "//rect[@class='forbidden']"), 0U);
   EXPECT_EQ(count(document, "//rect[@class='allowed']"), 6U);
@@ -130,9 +130,19 @@ TEST(DifferenceSvg, TheEvidenceIsInBothPanels) {
   EXPECT_EQ(count(document, "//polyline[@class='line']"), 2U);
 }
 
+TEST(DifferenceSvg, WhatIsContestedHasASignOfItsOwn) {
+  DifferencePicture contested = picture();
+  for (Disagreement& d : contested.disagreements) d.legality = Legality::contested;
+  const std::string text = text_of(contested);
+  EXPECT_THAT(text, HasSubstr("class=\"contested\""));
+  EXPECT_THAT(text, HasSubstr("class=\"badge contested-badge\""));
+  EXPECT_THAT(text, HasSubstr(", contested</text>"));
+  EXPECT_THAT(text, Not(HasSubstr("class=\"forbidden\"")));
+}
+
 TEST(DifferenceSvg, TheCaptionNamesTheFirstThatIsNotAllowed) {
   DifferencePicture mixed = picture();
-  mixed.disagreements[0].legal = true;
+  mixed.disagreements[0].legality = Legality::legal;
   EXPECT_THAT(text_of(mixed),
               HasSubstr("violation: pixel (1, 1) duplicate, line.diamond-exit, ruling 1"));
 }

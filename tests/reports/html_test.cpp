@@ -13,6 +13,8 @@
 #include "reports/pixels.h"
 #include "reports/report_data.h"
 #include "results/clusters.h"
+#include "results/worst_first.h"
+#include "tests/reports/large_run.h"
 #include "tests/reports/sample.h"
 #include "tests/reports/shown.h"
 
@@ -97,10 +99,35 @@ TEST(Html, DetailsHoldEveryDisagreement) {
     for (std::size_t r = 0; r < one.results.size(); ++r) {
       const json& answer = shown["answers"][shown["results"][r]["answer"].get<std::size_t>()];
       ASSERT_EQ(answer["disagreements"].size(), one.results[r].disagreements.size());
-      for (std::size_t d = 0; d < one.results[r].disagreements.size(); ++d)
-        EXPECT_EQ(answer["disagreements"][d]["x"], one.results[r].disagreements[d].x);
+      const auto worst = worst_first(one.results[r]);
+      for (std::size_t d = 0; d < worst.size(); ++d)
+        EXPECT_EQ(answer["disagreements"][d]["x"], worst[d]->x);
     }
   }
+}
+
+// The last of more than there is room for is the only violation.
+TEST(Html, DetailsBeginWithWhatIsNotAllowed) {
+  CaseResults one;
+  one.results.resize(1);
+  auto& list = one.results[0].disagreements;
+  list.assign(kMaxDisagreementsPerAnswer + 2,
+              sample::disagreement(0, 0, DisagreementKind::extra, true));
+  list[list.size() - 1] = sample::disagreement(7, 9, DisagreementKind::extra, false);
+  list[list.size() - 2] = sample::disagreement(6, 9, DisagreementKind::extra, false);
+  list[list.size() - 2].legality = Legality::contested;
+  const json shown = sample::details_of(one)["answers"][0]["disagreements"];
+  EXPECT_EQ(shown[0]["legality"], "illegal");
+  EXPECT_EQ(shown[0]["x"], 7);
+  EXPECT_EQ(shown[1]["legality"], "contested");
+  EXPECT_EQ(shown[2]["legality"], "legal");
+}
+
+TEST(Html, CasesHaveTheirPlaceAmongThoseThatDiffer) {
+  Results results = sample::large_run(3, 1);
+  const Verdict verdicts[] = {Verdict::agree, Verdict::contested, Verdict::violation};
+  for (std::size_t i = 0; i < 3; ++i) results.cases[i].results[0].verdict = verdicts[i];
+  EXPECT_EQ(sample::index_of(results)["order"], json({2, 1}));
 }
 
 TEST(Html, FindingsAreToldByRuleAsTheWorstOfEach) {
@@ -127,6 +154,9 @@ TEST(Html, FindingsAreToldByRuleAsTheWorstOfEach) {
   const json index = sample::index_of(results, texts);
   EXPECT_EQ(index["outcomes"][0][2], json({0, "convention", 1, "permitted", 2, "violation"}));
   EXPECT_EQ(index["names"], json({"a", "b", "c"}));
+  result.disagreements.back().legality = Legality::contested;
+  EXPECT_EQ(sample::index_of(results, texts)["outcomes"][0][2],
+            json({0, "convention", 1, "permitted", 2, "contested"}));
   results.latitude = Latitude::none;
   EXPECT_EQ(sample::index_of(results, texts)["outcomes"][0][2],
             json({0, "violation", 1, "violation", 2, "violation"}));
@@ -200,7 +230,7 @@ TEST(Html, RenderersHoldTheirClusters) {
     ASSERT_EQ(shown.size(), clusters.size());
     for (std::size_t i = 0; i < clusters.size(); ++i) {
       EXPECT_EQ(shown[i]["cause"], clusters[i].cause);
-      EXPECT_EQ(shown[i]["legal"], clusters[i].legal);
+      EXPECT_EQ(shown[i]["legality"], name_of(clusters[i].legality));
       EXPECT_EQ(shown[i]["disagreements"], clusters[i].disagreements);
       EXPECT_EQ(shown[i]["smallest"], clusters[i].smallest_case);
     }

@@ -88,6 +88,120 @@ TEST(Outcomes, ASuiteNamedTwiceAndATestNamedTwiceAreNumbered) {
                           "osmesa:softpipe (2) lines/tip", "osmesa:softpipe (2) lines/tip (2)"));
 }
 
+// A violation, something contested that is tolerated, and something permitted, in the order in
+// which they must not be told.
+Results side_by_side(Standing of_contested) {
+  Results results = sample::large_run(3, 1);
+  const Verdict verdicts[] = {Verdict::permitted, Verdict::contested, Verdict::violation};
+  const Legality legalities[] = {Legality::legal, Legality::contested, Legality::illegal};
+  for (std::size_t i = 0; i < 3; ++i) {
+    CaseResults& one = results.cases[i];
+    one.id = fmt::format("lines/{}", name_of(verdicts[i]));
+    one.file = "cases/" + one.id + ".json";
+    KnownResult& result = one.results[0];
+    result.verdict = verdicts[i];
+    result.standing = verdicts[i] == Verdict::contested ? of_contested : Standing::unexpected;
+    result.disagreements[0].legality = legalities[i];
+    result.disagreements[0].explanation = fmt::format("It is {}.", name_of(verdicts[i]));
+  }
+  return results;
+}
+
+TEST(Outcomes, WhatIsContestedPassesWithAMessageAndFailsWhereItIsHeld) {
+  for (const bool is_held : {false, true}) {
+    std::vector<std::string> names;
+    visit_outcomes(side_by_side(is_held ? Standing::unexpected : Standing::tolerated),
+                   [&](const TestOutcome& outcome) {
+                     names.push_back(outcome.name);
+                     if (outcome.name != "lines/contested") return;
+                     EXPECT_EQ(outcome.status, is_held ? TestStatus::failed : TestStatus::passed);
+                     EXPECT_THAT(outcome.message, StartsWith("contested, "));
+                     if (is_held) return;
+                     EXPECT_THAT(outcome.message, HasSubstr("It is contested."));
+                   });
+    EXPECT_THAT(names, ElementsAre("lines/violation", "lines/contested", "lines/permitted"));
+  }
+}
+
+TEST(Outcomes, DetailsTellWhatIsNotAllowedFirst) {
+  Results results = single();
+  auto& list = results.cases[0].results[0].disagreements;
+  list.resize(3, list[0]);
+  const Legality legalities[] = {Legality::legal, Legality::contested, Legality::illegal};
+  for (std::size_t i = 0; i < 3; ++i) {
+    list[i].x = static_cast<int>(i);
+    list[i].legality = legalities[i];
+  }
+  visit_outcomes(results, [](const TestOutcome& outcome) {
+    const std::size_t illegal = outcome.details.find("pixel (2, 0)");
+    const std::size_t contested = outcome.details.find("pixel (1, 0)");
+    EXPECT_LT(illegal, contested);
+    EXPECT_LT(contested, outcome.details.find("pixel (0, 0)"));
+    EXPECT_THAT(outcome.details, HasSubstr(", contested by ruling"));
+    EXPECT_THAT(outcome.details, HasSubstr("--pixel 2,0\n"));
+  });
+}
+
+TEST(Junit, WhatIsContestedIsSaidByATestThatPasses) {
+  pugi::xml_document junit;
+  junit.load_string(junit_of(side_by_side(Standing::tolerated)).c_str());
+  const pugi::xml_node suite = junit.child("testsuites").child("testsuite");
+  EXPECT_EQ(suite.attribute("failures").as_int(), 2);
+  const pugi::xml_node first = suite.child("testcase");
+  EXPECT_STREQ(first.attribute("name").value(), "lines/violation");
+  const pugi::xml_node second = first.next_sibling("testcase");
+  EXPECT_STREQ(second.attribute("name").value(), "lines/contested");
+  EXPECT_FALSE(second.child("failure"));
+  EXPECT_THAT(second.child_value("system-out"), HasSubstr("It is contested."));
+  junit.load_string(junit_of(side_by_side(Standing::unexpected)).c_str());
+  EXPECT_EQ(junit.child("testsuites").attribute("failures").as_int(), 3);
+}
+
+TEST(Ctrf, WhatIsContestedPassesAndSaysSo) {
+  const auto tests =
+      nlohmann::json::parse(ctrf_of(side_by_side(Standing::tolerated)))["results"]["tests"];
+  EXPECT_EQ(tests[1]["status"], "passed");
+  EXPECT_EQ(tests[1]["rawStatus"], "contested");
+  EXPECT_EQ(tests[1]["extra"]["standing"], "tolerated");
+  EXPECT_EQ(tests[0]["status"], "failed");
+}
+
+TEST(Csv, TellsOfEachRowWhetherItIsContested) {
+  const std::string csv = csv_of(side_by_side(Standing::tolerated));
+  EXPECT_THAT(csv, HasSubstr("lines/contested,osmesa:softpipe,contested,tolerated,"));
+  EXPECT_THAT(csv, HasSubstr(",contested,1,"));
+  EXPECT_THAT(csv, HasSubstr(",illegal,1,"));
+}
+
+TEST(Annotations, WhatIsContestedIsAWarningAfterTheErrors) {
+  const std::string text = annotations_of(side_by_side(Standing::tolerated));
+  EXPECT_THAT(text, StartsWith("::error file=cases/lines/violation.json,"));
+  const std::size_t warning = text.find("::warning file=cases/lines/contested.json,");
+  ASSERT_NE(warning, std::string::npos);
+  EXPECT_LT(text.find("::error file=cases/lines/permitted.json,"), warning);
+  EXPECT_THAT(annotations_of(side_by_side(Standing::unexpected)), Not(HasSubstr("::warning")));
+}
+
+TEST(Annotations, AFileMayFailAndBeContested) {
+  Results results = side_by_side(Standing::tolerated);
+  for (CaseResults& one : results.cases) one.file = "cases/all.json";
+  const std::string text = annotations_of(results);
+  EXPECT_EQ(lines_in(text), 2u);
+  EXPECT_THAT(text, StartsWith("::error file=cases/all.json,line=1,title=lines/violation"));
+  EXPECT_THAT(text, HasSubstr("One more test of this file fails."));
+  EXPECT_THAT(text, HasSubstr("\n::warning file=cases/all.json,line=1,title=lines/contested"));
+}
+
+TEST(Markdown, TellsWhatIsContestedAfterWhatIsUnexpected) {
+  const std::string text = markdown_of(side_by_side(Standing::tolerated));
+  EXPECT_THAT(text, HasSubstr("| renderer | violation | contested | permitted |"));
+  EXPECT_THAT(text, HasSubstr("| `osmesa:softpipe` | 1 | 1 | 1 | 0 | 0 | 0 | **2** |"));
+  EXPECT_THAT(text, HasSubstr("## Unexpected: 2\n"));
+  EXPECT_LT(text.find("## Unexpected"), text.find("## Contested: 1\n"));
+  EXPECT_THAT(text, HasSubstr("| contested | "));
+  EXPECT_THAT(markdown_of(side_by_side(Standing::unexpected)), HasSubstr("## Unexpected: 3\n"));
+}
+
 TEST(Outcomes, DetailsNameTheCaseAndTheCommand) {
   visit_outcomes(single(), [](const TestOutcome& outcome) {
     EXPECT_THAT(outcome.details,
@@ -161,8 +275,9 @@ TEST(Csv, HasARowForEachDisagreement) {
   const Results results = sample::large_run(3, 7);
   const std::string csv = csv_of(results);
   EXPECT_EQ(lines_in(csv), 1u + 21u);
-  EXPECT_THAT(csv, StartsWith("case,renderer,verdict,standing,x,y,sample,primitive,kind,rule,legal,"
-                              "ruling,cause,situation,exact,rendered,explanation,file\r\n"));
+  EXPECT_THAT(csv,
+              StartsWith("case,renderer,verdict,standing,x,y,sample,primitive,kind,rule,legality,"
+                         "ruling,cause,situation,exact,rendered,explanation,file\r\n"));
 }
 
 TEST(Csv, NumbersKeepTheirDigits) {
@@ -232,7 +347,7 @@ TEST(Markdown, TellsWhatIsUnexpectedWorstFirst) {
   results.cases[58].results[0].verdict = Verdict::permitted;
   results.cases[0].results[0].verdict = Verdict::convention;
   const std::string text = markdown_of(results);
-  EXPECT_THAT(text, HasSubstr("| `osmesa:softpipe` | 58 | 1 | 1 | 0 | 0 | **60** |"));
+  EXPECT_THAT(text, HasSubstr("| `osmesa:softpipe` | 58 | 0 | 1 | 1 | 0 | 0 | **60** |"));
   EXPECT_THAT(text, HasSubstr("## Unexpected: 60\n"));
   EXPECT_THAT(text, HasSubstr("\nand 10 more\n"));
   EXPECT_THAT(text, Not(HasSubstr("convention, unexpected"))) << "after the first 50";

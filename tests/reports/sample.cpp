@@ -332,7 +332,7 @@ Disagreement disagreement(int x, int y, DisagreementKind kind, bool legal) {
   d.primitive = 0;
   d.kind = kind;
   d.rule = kLineRule;
-  d.legal = legal;
+  d.legality = by_letter(legal);
   d.ruling = legal ? 2 : 1;
   d.exact = {kind == DisagreementKind::missing ? 1.0 : 0.0};
   d.rendered = {kind == DisagreementKind::missing ? 0.0 : 1.0};
@@ -389,9 +389,13 @@ ReportTexts texts() {
        "Which of the two is open.", "left-top"},
       {kColorRule, "Interpolated colours", "GL 4.6 core, 2.3.4", "About 1 part in 10^5.", ""}};
   texts.rulings = {
-      {1, "Every produced fragment has an exact fragment within one unit in x and y."},
-      {2, "The number of fragments differs by at most one."},
-      {9, "Values inside the interval of the floating-point clause are permitted. " + kHostile}};
+      {1,
+       "Every produced fragment has an exact fragment within one unit in x and y.",
+       {{"Basis", "normative"}, {"Text", "14.5.1: \"may not deviate\" " + kHostile}}},
+      {2, "The number of fragments differs by at most one.", {}},
+      {9,
+       "Values inside the interval of the floating-point clause are permitted. " + kHostile,
+       {}}};
   texts.is_open_choice = [](const std::string& cause) { return cause == "line.end=closed"; };
   return texts;
 }

@@ -102,29 +102,79 @@ Results clustered(int count) {
   return results;
 }
 
-TEST(Summary, ShowsWhatNoAlternativeAccountsForBeforeTheCauses) {
+TEST(Summary, ShowsWhatDiffersWithTheCommandThatExplainsIt) {
   const std::string text = summary_of(clustered(1), false);
   EXPECT_THAT(text, HasSubstr(R"(
-No alternative accounts for these differences of exec:python3 mine.py:
-  not legal  line.diamond-exit extra, line, place 0, fbo
-             1 in 1 case: edgecase explain cases/lines/a.json --filter lines/a:dx=0 --against 'exec:python3 mine.py' --pixel 0,1
-
-Alternatives account for these differences of exec:python3 mine.py:
-  not legal  line.algorithm=a0, fbo: 2 in 1 case
+What differs with exec:python3 mine.py:
+  not allowed  line.algorithm=a0, fbo: 2 in 1 case
+               edgecase explain cases/lines/a.json --filter lines/a:dx=0 --against 'exec:python3 mine.py' --pixel 0,1
+  not allowed  line.diamond-exit extra, line, place 0, fbo: 1 in 1 case
+               edgecase explain cases/lines/a.json --filter lines/a:dx=0 --against 'exec:python3 mine.py' --pixel 0,1
 )"));
 }
 
-TEST(Summary, ShowsFiveClustersWithoutCauseAndFiveCauses) {
-  const std::string five = summary_of(clustered(5), false);
+TEST(Summary, ShowsWhatIsNotAllowedThenWhatIsContestedThenWhatIsAllowed) {
+  Results results = clustered(3);
+  const Legality legalities[] = {Legality::legal, Legality::contested, Legality::illegal};
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto& list = results.cases[i].results[0].disagreements;
+    list.pop_back();  // the one without a cause
+    for (Disagreement& d : list) d.legality = legalities[i];
+  }
+  const std::string text = summary_of(results, false);
+  EXPECT_THAT(text, HasSubstr(R"(
+  not allowed  line.algorithm=a2, fbo: 2 in 1 case
+               edgecase explain cases/lines/a.json --filter lines/a:dx=2 --against 'exec:python3 mine.py' --pixel 2,1
+  contested    line.algorithm=a1, fbo: 2 in 1 case
+               edgecase explain cases/lines/a.json --filter lines/a:dx=1 --against 'exec:python3 mine.py' --pixel 1,1
+  allowed      line.algorithm=a0, fbo: 2 in 1 case
+)"));
+}
+
+TEST(Summary, ShowsFiveClustersOfEachLegality) {
+  const auto with_contested = [](int count) {
+    Results results = clustered(count);
+    for (CaseResults& one : results.cases)
+      one.results[0].disagreements[2].legality = Legality::contested;
+    return summary_of(results, false);
+  };
+  const std::string five = with_contested(5);
   EXPECT_THAT(five, HasSubstr("place 4,"));
   EXPECT_THAT(five, HasSubstr("algorithm=a4,"));
   EXPECT_THAT(five, Not(HasSubstr(" more\n")));
-  const std::string seven = summary_of(clustered(7), false);
+  const std::string seven = with_contested(7);
   EXPECT_THAT(seven, Not(HasSubstr("place 5,")));
   EXPECT_THAT(seven, Not(HasSubstr("algorithm=a5,")));
   const std::size_t first = seven.find("  and 2 more\n");
   ASSERT_NE(first, std::string::npos);
   EXPECT_NE(seven.find("  and 2 more\n", first + 1), std::string::npos);
+}
+
+TEST(Summary, WhatIsContestedIsCountedAndNotUnexpected) {
+  Results results = clustered(1);
+  KnownResult& result = results.cases[0].results[0];
+  result.verdict = Verdict::contested;
+  result.standing = Standing::tolerated;
+  EXPECT_THAT(summary_of(results, false), testing::ContainsRegex("contested +1\n"));
+  EXPECT_THAT(summary_of(results, false), testing::ContainsRegex("unexpected +0\n"));
+  EXPECT_THAT(summary_of(results, false), Not(HasSubstr("Unexpected:")));
+  result.standing = Standing::unexpected;
+  EXPECT_THAT(summary_of(results, false), HasSubstr("Unexpected:\n  lines/a:dx=0"));
+}
+
+TEST(Summary, UnexpectedOnesAreListedWorstFirst) {
+  Results results = clustered(3);
+  const Verdict verdicts[] = {Verdict::permitted, Verdict::contested, Verdict::violation};
+  for (std::size_t i = 0; i < 3; ++i) {
+    results.cases[i].results[0].verdict = verdicts[i];
+    results.cases[i].results[0].standing = Standing::unexpected;
+  }
+  const std::string text = summary_of(results, false);
+  const std::size_t violation = text.find("violation, unexpected");
+  const std::size_t contested = text.find("contested, unexpected");
+  ASSERT_NE(contested, std::string::npos);
+  EXPECT_LT(violation, contested);
+  EXPECT_LT(contested, text.find("permitted, unexpected"));
 }
 
 TEST(Summary, CommandsNameAPolicyOfTheirOwnAndNoFilterWithoutNeed) {
@@ -141,7 +191,7 @@ TEST(Summary, CommandsNameAPolicyOfTheirOwnAndNoFilterWithoutNeed) {
 TEST(Summary, WithoutDifferencesThereAreNoClusters) {
   Results results = clustered(1);
   results.cases[0].results[0].disagreements.clear();
-  EXPECT_THAT(summary_of(results, false), Not(HasSubstr("account")));
+  EXPECT_THAT(summary_of(results, false), Not(HasSubstr("What differs")));
 }
 
 TEST(Summary, NoTextSteersTheTerminal) {

@@ -45,7 +45,7 @@ TEST(ReportText, HeadlineCountsDisagreementsAndValues) {
 
 TEST(ReportText, DescribesADisagreementWithItsRule) {
   EXPECT_EQ(describe(sample::disagreement(3, 4, DisagreementKind::missing, false), 1),
-            "pixel (3, 4), primitive 0, missing, line.diamond-exit, not legal by ruling 1: "
+            "pixel (3, 4), primitive 0, missing, line.diamond-exit, not allowed by ruling 1: "
             "Pixel (3, 4) differs.");
 }
 

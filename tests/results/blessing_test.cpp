@@ -66,10 +66,10 @@ TEST(PlanBlessing, MakesAReasonOfWhatWasFound) {
       results_with({Verdict::convention, Verdict::permitted, Verdict::not_run, Verdict::permitted});
   for (Disagreement& d : results.cases[0].results[0].disagreements) {
     d.cause = "triangle.fill-rule=left-bottom";
-    d.legal = true;
+    d.legality = Legality::legal;
   }
   results.cases[1].results[0].disagreements.resize(1);
-  results.cases[1].results[0].disagreements[0].legal = false;
+  results.cases[1].results[0].disagreements[0].legality = Legality::illegal;
   results.cases[1].results[0].disagreements[0].ruling = 4;
   results.cases[3].results[0].disagreements.clear();
   results.cases[3].results[0].values.resize(1);

@@ -64,7 +64,7 @@ TEST(BrokenResults, DamageIsNamedWithItsCase) {
       {"\"again\":{\"verdict\":\"agree\"", "\"again\":{\"verdict\":\"fine\"", "\"fine\""},
       {"\"expected\":{\"verdict\"", "\"expected\":{\"versed\"", "verdict"},
       {"\"role\":\"edge\"", "\"role\":\"ledge\"", "\"ledge\""},
-      {"\"legal\":true", "\"legal\":\"yes\"", "boolean"},
+      {"\"legality\":\"legal\"", "\"legality\":\"yes\"", "not known"},
       {"\"situation\":\"", "\"situation\":7,\"x\":\"", "string"},
       {"\"rendered\":[\"nan\"", "\"rendered\":[\"many\"", "\"many\""},
       {"\"pixels\":\"000102ff10204080\"", "\"pixels\":\"000102ff1020408\"", "pixels"},

@@ -21,7 +21,7 @@ Disagreement disagreement(const char* rule, DisagreementKind kind, bool legal,
   Disagreement d;
   d.rule = rule;
   d.kind = kind;
-  d.legal = legal;
+  d.legality = by_letter(legal);
   d.cause = cause;
   d.situation = situation;
   return d;
@@ -101,14 +101,14 @@ TEST(Clusters, ExplainedOnesAreTakenTogetherByCauseAlone) {
                                         cause, "here")})}),
       0);
   ASSERT_EQ(clusters.size(), 2U) << "legal and illegal are not mixed";
-  EXPECT_EQ(clusters[0].rule, kFill);
-  EXPECT_EQ(clusters[0].kind, "") << "several kinds";
-  EXPECT_EQ(clusters[0].situation, "");
-  EXPECT_EQ(clusters[0].cause, cause);
-  EXPECT_TRUE(clusters[0].legal);
-  EXPECT_EQ(clusters[1].rule, "triangle.shared-edge");
-  EXPECT_EQ(clusters[1].kind, "missing");
-  EXPECT_FALSE(clusters[1].legal);
+  EXPECT_EQ(clusters[0].rule, "triangle.shared-edge");
+  EXPECT_EQ(clusters[0].kind, "missing");
+  EXPECT_EQ(clusters[0].legality, Legality::illegal);
+  EXPECT_EQ(clusters[1].rule, kFill);
+  EXPECT_EQ(clusters[1].kind, "") << "several kinds";
+  EXPECT_EQ(clusters[1].situation, "");
+  EXPECT_EQ(clusters[1].cause, cause);
+  EXPECT_EQ(clusters[1].legality, Legality::legal);
 }
 
 TEST(Clusters, SurfacesAreNotMixed) {
@@ -120,7 +120,25 @@ TEST(Clusters, SurfacesAreNotMixed) {
             (Titles{"line.diamond-exit missing, s, window", "line.diamond-exit missing, s, fbo"}));
 }
 
-TEST(Clusters, TheUnexplainedAndIllegalComeFirstAndThenTheLargest) {
+// Whatever the numbers are: illegal, contested, legal; then the cases that share them.
+TEST(Clusters, TheIllegalComeFirstThenTheContestedThenTheRest) {
+  Disagreement contested = disagreement(kFill, DisagreementKind::extra, false, "c=contested", "");
+  contested.legality = Legality::contested;
+  const Disagreement legal = disagreement(kFill, DisagreementKind::extra, true, "c=legal", "");
+  const Disagreement often = disagreement(kFill, DisagreementKind::extra, true, "c=often", "");
+  const Results results = results_of(
+      {case_of("a", 1, 4, {legal, legal, legal, legal, often, contested, contested}),
+       case_of("b", 1, 4, {often, contested, unexplained(false, "rare")}),
+       case_of("c", 1, 4, {often, disagreement(kFill, DisagreementKind::extra, false, "c=2", "")}),
+       case_of("d", 1, 4, {disagreement(kFill, DisagreementKind::extra, false, "c=2", "")})});
+  const auto clusters = clusters_of(results, 0);
+  EXPECT_EQ(titles(clusters), (Titles{"c=2, fbo", "line.diamond-exit missing, rare, fbo",
+                                      "c=contested, fbo", "c=often, fbo", "c=legal, fbo"}));
+  EXPECT_EQ(clusters[2].legality, Legality::contested);
+  EXPECT_EQ(clusters[2].cases, 2U);
+}
+
+TEST(Clusters, OfAsManyCasesTheLargestComesFirst) {
   const auto explained = [](const char* cause) {
     return disagreement(kFill, DisagreementKind::extra, false, cause, "");
   };
@@ -145,13 +163,13 @@ TEST(Clusters, TheUnexplainedAndIllegalComeFirstAndThenTheLargest) {
   const auto clusters = clusters_of(results, 0);
   EXPECT_EQ(
       titles(clusters),
-      (Titles{"line.diamond-exit missing, twice, fbo", "line.diamond-exit missing, once a, fbo",
-              "line.diamond-exit missing, once z, fbo", "line.diamond-exit missing, legal, fbo",
-              "attribute.smooth color within what is permitted, fbo", "c=3, fbo", "c=2, fbo",
-              "c=1, fbo"}));
-  EXPECT_EQ(clusters[4].disagreements, 50U);
-  EXPECT_EQ(clusters[4].x, 2);
-  EXPECT_EQ(clusters[4].y, 3);
+      (Titles{"c=2, fbo", "line.diamond-exit missing, twice, fbo",
+              "line.diamond-exit missing, once a, fbo", "line.diamond-exit missing, once z, fbo",
+              "c=1, fbo", "c=3, fbo", "attribute.smooth color within what is permitted, fbo",
+              "line.diamond-exit missing, legal, fbo"}));
+  EXPECT_EQ(clusters[6].disagreements, 50U);
+  EXPECT_EQ(clusters[6].x, 2);
+  EXPECT_EQ(clusters[6].y, 3);
 }
 
 // Fewest primitives, then the smallest target, then the shortest id, then the first: each decides
@@ -206,10 +224,10 @@ TEST(Clusters, StandInTheResultsFile) {
   const auto clusters = nlohmann::json::parse(out.str()).at("clusters");
   EXPECT_EQ(clusters, nlohmann::json::parse(R"({"fake": [
     {"rule": "line.diamond-exit", "kind": "missing", "situation": "first pixel", "surface": "fbo",
-     "legal": false, "disagreements": 1, "cases": 1,
+     "legality": "illegal", "disagreements": 1, "cases": 1,
      "smallest": {"case": "lines/a", "pixel": [0, 3], "primitive": 3}},
     {"cause": "c=d", "rule": "triangle.fill-rule", "kind": "extra", "surface": "fbo",
-     "legal": true, "disagreements": 1, "cases": 1,
+     "legality": "legal", "disagreements": 1, "cases": 1,
      "smallest": {"case": "lines/a", "pixel": [1, 3], "primitive": 3}}]})"));
 }
 

@@ -172,6 +172,46 @@ TEST(Standing, OfAllCombinations) {
   }
 }
 
+// What is contested is told and not red, whatever else was expected; with --strict it is as red as
+// any other difference.
+TEST(Standing, OfWhatIsContested) {
+  Results results = results_with({Verdict::contested});
+  const Result& result = results.cases[0].results[0];
+  const auto standings_with = [&](const Expectations* expectations) {
+    apply_expectations(results, 0, expectations);
+    const Standing by_default = result.standing;
+    EXPECT_EQ(is_unexpected(by_default), false);
+    hold_contested(results);
+    return std::pair(by_default, result.standing);
+  };
+  EXPECT_EQ(standings_with(nullptr), std::pair(Standing::tolerated, Standing::unexpected));
+  EXPECT_FALSE(result.expectation.empty());
+  Expectations expectations;
+  expectations.cases["a"] = {Verdict::contested, "print-a", "known", ""};
+  EXPECT_EQ(standings_with(&expectations), std::pair(Standing::expected, Standing::expected));
+  EXPECT_EQ(result.expectation, "known");
+  expectations.cases["a"] = {Verdict::contested, "other", "known", ""};
+  EXPECT_EQ(standings_with(&expectations), std::pair(Standing::tolerated, Standing::changed));
+  expectations.cases["a"] = {Verdict::violation, "print-a", "known", ""};
+  EXPECT_EQ(standings_with(&expectations), std::pair(Standing::tolerated, Standing::changed));
+  EXPECT_NE(result.expectation.find("expected violation print-a (known)"), std::string::npos);
+}
+
+TEST(Standing, OfAViolationWhereSomethingContestedWasExpected) {
+  Results results = results_with({Verdict::violation});
+  Expectations expectations;
+  expectations.cases["a"] = {Verdict::contested, "print-a", "known", ""};
+  apply_expectations(results, 0, &expectations);
+  EXPECT_EQ(results.cases[0].results[0].standing, Standing::changed);
+}
+
+TEST(Standing, AContestedFlakeIsAFlake) {
+  Results results = results_with({Verdict::contested});
+  results.cases[0].results[0].again = Judgement{Verdict::agree, ""};
+  apply_expectations(results, 0, nullptr);
+  EXPECT_EQ(results.cases[0].results[0].standing, Standing::flake);
+}
+
 TEST(Standing, OfAgreement) {
   Results results = results_with({Verdict::agree});
   const Result& result = results.cases[0].results[0];

@@ -49,14 +49,14 @@ void expect_figure(const Figure& a, const Figure& b) {
 }
 
 void expect_disagreement(const Disagreement& a, const Disagreement& b) {
-  EXPECT_EQ(std::tie(a.x, a.y, a.sample, a.primitive, a.kind, a.rule, a.legal, a.cause, a.situation,
-                     a.ruling, a.explanation),
-            std::tie(b.x, b.y, b.sample, b.primitive, b.kind, b.rule, b.legal, b.cause, b.situation,
-                     b.ruling, b.explanation));
+  EXPECT_EQ(std::tie(a.x, a.y, a.sample, a.primitive, a.kind, a.rule, a.legality, a.cause,
+                     a.situation, a.ruling, a.explanation),
+            std::tie(b.x, b.y, b.sample, b.primitive, b.kind, b.rule, b.legality, b.cause,
+                     b.situation, b.ruling, b.explanation));
   ASSERT_EQ(a.upright.has_value(), b.upright.has_value());
   if (a.upright) {
-    EXPECT_EQ(std::tie(a.upright->rule, a.upright->ruling, a.upright->legal, a.upright->cause),
-              std::tie(b.upright->rule, b.upright->ruling, b.upright->legal, b.upright->cause));
+    EXPECT_EQ(std::tie(a.upright->rule, a.upright->ruling, a.upright->legality, a.upright->cause),
+              std::tie(b.upright->rule, b.upright->ruling, b.upright->legality, b.upright->cause));
   }
   expect_numbers(a.exact, b.exact);
   expect_numbers(a.rendered, b.rendered);
@@ -183,8 +183,9 @@ TEST(ResultsJson, EveryFieldReadsBack) {
 TEST(ResultsJson, EveryNameReadsBack) {
   Results results = results_with({Verdict::agree, Verdict::convention, Verdict::permitted,
                                   Verdict::violation, Verdict::not_run});
-  const Standing standings[] = {Standing::expected, Standing::unexpected, Standing::changed,
-                                Standing::unexpected_agreement};
+  const Standing standings[] = {Standing::expected,  Standing::unexpected,
+                                Standing::changed,   Standing::unexpected_agreement,
+                                Standing::tolerated, Standing::flake};
   for (std::size_t i = 0; i < 4; ++i) results.cases[i].results[0].standing = standings[i];
   expect_results(results, read(written(results)));
 }

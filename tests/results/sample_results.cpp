@@ -40,11 +40,11 @@ Disagreement disagreement() {
   d.primitive = 4;
   d.kind = DisagreementKind::value;
   d.rule = "attribute.smooth";
-  d.legal = true;
+  d.legality = Legality::legal;
   d.cause = "triangle.fill-rule=left-bottom + triangle.snap=8-half-up";
   d.situation = kHostile;
   d.ruling = 9;
-  d.upright = Disagreement::Told{"triangle.fill-rule", 4, true, "a=b"};
+  d.upright = Disagreement::Told{"triangle.fill-rule", 4, Legality::contested, "a=b"};
   d.exact = {0.1, 1.0 / 3, -0.0, 5e-324};
   d.rendered = {kNaN, kInfinity, -kInfinity, 1.7976931348623157e308};
   d.explanation = kHostile;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <set>
+#include <sstream>
 
 #include "rules/all_rules.h"
 #include "rules/choices.h"
@@ -17,9 +20,60 @@ TEST(Catalogue, IdsAndRulingNumbersAreUnique) {
     for (const Ruling& ruling : rule.rulings)
       EXPECT_TRUE(rulings.insert(ruling.number).second) << ruling.number;
   }
-  // Numbered from 1 without gaps, so that a citation can be found.
-  EXPECT_EQ(static_cast<std::size_t>(*rulings.rbegin()), rulings.size());
+  // From 1 to 43 without gaps: what is withdrawn stays listed. Later ones are split from them.
+  for (int number = 1; number <= 43; ++number) EXPECT_TRUE(rulings.contains(number)) << number;
   EXPECT_EQ(*rulings.begin(), 1);
+}
+
+TEST(Catalogue, WhatARulingForbidsIsIllegalOrContestedByItsBasisAlone) {
+  for (const Rule& rule : all_rules())
+    for (const Ruling& ruling : rule.rulings)
+      EXPECT_EQ(legality_against(ruling.number),
+                ruling.source.basis == Basis::contested ? Legality::contested : Legality::illegal)
+          << ruling.number;
+  EXPECT_EQ(legality_against(0), Legality::illegal);
+  EXPECT_EQ(legality_against(9999), Legality::illegal);
+}
+
+TEST(Catalogue, FactsOfARulingAreThoseThatAreKnown) {
+  Ruling ruling{7, "Text."};
+  const auto names = [&ruling] {
+    std::string text;
+    for (const RulingFact& fact : facts_of(ruling)) text += fact.name + "=" + fact.text + ";";
+    return text;
+  };
+  EXPECT_EQ(names(), "Basis=normative;");
+  ruling.source.clause = "14.5";
+  ruling.source.quotation = "so it is";
+  ruling.source.khronos = "group.*";
+  ruling.source.es = "same";
+  EXPECT_EQ(names(), std::string("Basis=normative;Text=") + kRevision +
+                         ", 14.5: \"so it is\";Conformance tests=group.*;OpenGL ES=same;");
+  ruling.source.basis = Basis::contested;
+  ruling.source.contest = "issue 57 is open";
+  ruling.source.withdrawn = "it fell";
+  EXPECT_THAT(names(),
+              testing::StartsWith("Withdrawn=it fell;Basis=contested: issue 57 is open;Text="));
+}
+
+std::size_t words_in(const std::string& text) {
+  std::istringstream words(text);
+  return static_cast<std::size_t>(std::distance(std::istream_iterator<std::string>(words),
+                                                std::istream_iterator<std::string>()));
+}
+
+TEST(Catalogue, EveryRulingSaysWhatItRestsOn) {
+  for (const Rule& rule : all_rules())
+    for (const auto& [number, text, source] : rule.rulings) {
+      EXPECT_FALSE(source.clause.empty()) << number;
+      EXPECT_FALSE(source.revision.empty()) << number;
+      EXPECT_FALSE(source.quotation.empty()) << number;
+      EXPECT_LE(words_in(source.quotation), 25U) << number;
+      EXPECT_FALSE(source.khronos.empty()) << number;
+      EXPECT_FALSE(source.es.empty()) << number;
+      EXPECT_EQ(source.contest.empty(), source.basis == Basis::normative) << number;
+      EXPECT_THAT(source.clause, testing::MatchesRegex("[A-Z0-9].*[0-9].*|[0-9].*")) << number;
+    }
 }
 
 TEST(Catalogue, EveryRuleSaysWhatItIs) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "diff/judge.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -17,7 +18,7 @@ Result differing(bool of_a_line, int x = 3) {
   d.x = x;
   d.primitive = 0;
   d.rule = of_a_line ? "line.diamond-exit" : "triangle.fill-rule";
-  d.legal = true;
+  d.legality = Legality::legal;
   result.disagreements = {d};
   result.values.resize(1);
   result.values[0].differing.resize(1);
@@ -44,6 +45,24 @@ TEST(EarlyJudgement, OfCasesWithoutAnEntry) {
   Result failed;
   failed.failure = Failure{FailureKind::crashed, "signal 11"};
   EXPECT_TRUE(surely(failed, nullptr));
+}
+
+// The number of some contested ruling.
+int contested_ruling() {
+  for (const Rule& rule : all_rules())
+    for (const Ruling& ruling : rule.rulings)
+      if (ruling.source.basis == Basis::contested) return ruling.number;
+  return 0;
+}
+
+// It may be tolerated.
+TEST(EarlyJudgement, OfWhatMayBeContestedNothingIsSure) {
+  Result result = differing(false);
+  result.disagreements[0].legality = Legality::illegal;
+  result.disagreements[0].ruling = 4;
+  EXPECT_TRUE(surely(result, nullptr));
+  result.disagreements[0].ruling = contested_ruling();
+  EXPECT_FALSE(surely(result, nullptr));
 }
 
 TEST(EarlyJudgement, OfCasesWithOne) {

@@ -13,7 +13,7 @@ Disagreement extra(const std::string& cause, bool legal, const std::string& situ
   d.kind = DisagreementKind::extra;
   d.rule = "line.diamond-exit";
   d.cause = cause;
-  d.legal = legal;
+  d.legality = by_letter(legal);
   d.situation = situation;
   return d;
 }
@@ -67,8 +67,8 @@ TEST(Signature, EachOfThemOnceAndWhatIsNotAllowedFirst) {
   ASSERT_EQ(signatures.size(), 4u);
   EXPECT_EQ(signatures[0].situation, "last") << "two of them";
   EXPECT_EQ(signatures[1].situation, "first");
-  EXPECT_FALSE(signatures[1].legal);
-  EXPECT_TRUE(signatures[2].legal);
+  EXPECT_EQ(signatures[1].legality, Legality::illegal);
+  EXPECT_EQ(signatures[2].legality, Legality::legal);
   EXPECT_EQ(signatures[3].cause, "a=b");
 }
 

@@ -87,7 +87,7 @@ TEST(Trial, ReadsLinesAsTheRunThatItIsGiven) {
   // With a name that no line result calls illegal, everything is legal.
   nothing_fits.line_snap = "no such snap";
   read.read(Surface::fbo, nothing_fits);
-  for (const Disagreement& d : read.ask(scene).result.disagreements) EXPECT_TRUE(d.legal);
+  for (const Disagreement& d : read.ask(scene).result.disagreements) EXPECT_TRUE(is_legal(d));
 }
 
 TEST(Trial, ChoosesCausesAsTheRunThatItIsGiven) {

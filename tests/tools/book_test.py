@@ -120,7 +120,10 @@ class Book(CommandTest):
                     for alternative in rule["alternatives"]:
                         self.assertIn(alternative["meaning"].replace("`", ""), shown)
         numbers = re.findall(r'id="ruling-(\d+)"', text)
-        self.assertEqual(sorted(map(int, numbers)), list(range(1, len(numbers) + 1)))
+        self.assertEqual(sorted(map(int, numbers)),
+                         sorted(r["number"] for rule in rules for r in rule["rulings"]))
+        for ruling in (r for rule in rules for r in rule["rulings"]):
+            self.assertIn(ruling["quotation"], html.unescape(text))
 
     def test_links_lead_somewhere_and_pages_load_nothing(self):
         pages = self.pages()

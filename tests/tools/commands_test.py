@@ -62,6 +62,9 @@ class Texts(CommandTest):
             names = [alternative["name"] for alternative in rule["alternatives"]]
             self.assertTrue(not names or rule["standard"] in names, rule["id"])
             numbers += [ruling["number"] for ruling in rule["rulings"]]
+            for ruling in rule["rulings"]:
+                self.assertIn(ruling["basis"], ("normative", "contested"))
+                self.assertIn(f'{ruling["clause"]}: "{ruling["quotation"]}"', text)
         self.assertEqual(sorted(numbers), sorted(set(numbers)))
 
     def test_rules_as_the_committed_document(self):

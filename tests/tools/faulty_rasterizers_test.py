@@ -3,7 +3,7 @@
 it breaks, over all that the suite has about it, and the same programs without it of nothing.
 
 Where OpenGL leaves the rule open (whether a line's last pixel is drawn, who owns an edge), the policy
-says it: `--strict`, or that of a course.
+says it: `--no-latitude`, or that of a course.
 """
 import collections
 import shlex
@@ -34,10 +34,10 @@ PERSPECTIVE = {"attribute.smooth", "derivative.plain", "derivative.fine", "deriv
 FAULTS = {
     "the last pixel of lines is drawn": Fault(
         "faulty_rasterizer", "last-pixel", ["lines/ends", "lines/diamonds", "lines/strips"], 60,
-        "violation", LINE, "line.algorithm=walk-floor-to-floor", options=("--strict",)),
+        "violation", LINE, "line.algorithm=walk-floor-to-floor", options=("--no-latitude",)),
     "the first pixel of lines that go left is not": Fault(
         "faulty_rasterizer", "leftward", ["lines/ends", "lines/directions", "lines/slopes"], 40,
-        "violation", LINE, "", options=("--strict",)),
+        "violation", LINE, "", options=("--no-latitude",)),
     "top edges come before right ones": Fault(
         "faulty_rasterizer", "top-right", ["triangles"], 40, "violation", {"triangle.fill-rule"},
         "triangle.fill-rule=top-right", {"triangle.fill-rule=top-right"},

@@ -51,7 +51,7 @@ class OutputMutants(CommandTest):
         found = collections.Counter()
         results = self.judged(fault)
         for result in results:
-            broken = {(d["rule"], d["cause"]) for d in result["disagreements"] if not d["legal"]}
+            broken = {(d["rule"], d["cause"]) for d in result["disagreements"] if d["legality"] != "legal"}
             self.assertEqual(bool(broken), result["verdict"] == "violation")
             found.update(broken)
         self.assertEqual({rule for rule, _ in found}, set(rules), found)

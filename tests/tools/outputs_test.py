@@ -170,7 +170,7 @@ class Outputs(CommandTest):
             self.assertEqual([int(row["x"]), int(row["y"])], d["pixel"])
             self.assertEqual((row["kind"], row["rule"], row["explanation"], row["cause"]),
                              (d["kind"], d["rule"], d["explanation"], d["cause"]))
-            self.assertEqual(row["legal"], "true" if d["legal"] else "false")
+            self.assertEqual(row["legality"], d["legality"])
             self.assertEqual([float(number) for number in row["rendered"].split()], d["rendered"])
 
     def test_annotations_of_a_checkout(self):

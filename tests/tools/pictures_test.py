@@ -36,10 +36,10 @@ class Gallery(CommandTest):
                 results = self.results(ROOT / row["case"], "--against", row["renderer"],
                                        expect=None)
                 told = only_result(results["cases"][0])["disagreements"]
-                rulings = {d["ruling"] for d in told if d["legal"] == (row["allowed"] == "yes")}
+                rulings = {d["ruling"] for d in told if (d["legality"] == "legal") == (row["allowed"] == "yes")}
                 self.assertTrue(rulings & {int(n) for n in row["rulings"].split(",")}, told)
                 if row["allowed"] == "yes":
-                    self.assertTrue(all(d["legal"] for d in told))
+                    self.assertTrue(all(d["legality"] == "legal" for d in told))
 
 
 class DrawAgainst(CommandTest):

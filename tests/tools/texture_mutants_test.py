@@ -74,8 +74,8 @@ class TextureMutants(CommandTest):
         found = {(d["rule"], d.get("cause", "")) for d in result["disagreements"]}
         self.assertEqual(found, {(rule, cause)}, name)
         for d in result["disagreements"]:
-            self.assertEqual((d["kind"], d["legal"]), ("value", False))
-        self.assertIn(f"not legal  {cause or rule}", self.summary)
+            self.assertEqual((d["kind"], d["legality"]), ("value", "illegal"))
+        self.assertIn(f"not allowed  {cause or rule}", self.summary)
 
     def test_the_unspoilt_program_is_not_blamed(self):
         for name, case_of_name in CASES.items():

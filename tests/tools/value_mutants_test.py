@@ -42,8 +42,8 @@ class ValueMutants(CommandTest):
         found = {(d["rule"], d.get("cause", "")) for d in result["disagreements"]}
         self.assertEqual(found, {(rule, cause), *((other, cause) for other in others)})
         for d in result["disagreements"]:
-            self.assertEqual((d["kind"], d["legal"]), ("value", False))
-        self.assertIn(f"not legal  {cause}", self.summary)
+            self.assertEqual((d["kind"], d["legality"]), ("value", "illegal"))
+        self.assertIn(f"not allowed  {cause}", self.summary)
         x, y = next(d["pixel"] for d in result["disagreements"] if d["rule"] == rule)
         explained = self.command("explain", *about, "--pixel", f"{x},{y}", expect=None).stdout
         self.assertIn(f"value, {rule}, NOT allowed, cause {cause}", explained)

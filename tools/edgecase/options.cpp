@@ -176,7 +176,13 @@ void PolicyOptions::add_to(CLI::App& command) {
           "Rules of the exact side: opengl, a name in the suite's folder policies, a file, or "
           "profile: what the renderer is measured to follow")
       ->capture_default_str();
-  command.add_flag("--strict", strict, "Grant no latitude: every difference is a violation");
+  command.add_flag("--no-latitude", no_latitude,
+                   "Grant no latitude: every difference is a violation");
+}
+
+void add_strict_option(CLI::App& command, bool& strict) {
+  command.add_flag("--strict", strict,
+                   "What is contested is unexpected, as a violation is, unless it is known");
 }
 
 std::optional<Policy> PolicyOptions::load(const Selection& selection,
@@ -188,7 +194,7 @@ std::optional<Policy> PolicyOptions::load(const Selection& selection,
     if (!read) return std::nullopt;
     result = std::move(*read);
   }
-  if (strict) result.latitude = Latitude::none;
+  if (no_latitude) result.latitude = Latitude::none;
   return result;
 }
 

@@ -43,10 +43,10 @@ struct SelectionOptions {
   Selection selection() const;
 };
 
-// --policy NAME|FILE and --strict.
+// --policy NAME|FILE and --no-latitude.
 struct PolicyOptions {
   std::string policy = "opengl";
-  bool strict = false;
+  bool no_latitude = false;
 
   void add_to(CLI::App& command);
   // `opengl`, a file, the name of a file in the suite's folder `policies`, or `profile`: what the
@@ -72,6 +72,9 @@ bool is_whole_suite(const Selection& selection);
 // Prints diagnostics, one a line, to standard error. Here and below control characters are shown
 // as one_line() and xml_text() show them: files and programs that others wrote must not speak to a
 // terminal.
+// --strict, of commands that say what is unexpected.
+void add_strict_option(CLI::App& command, bool& strict);
+
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics);
 
 // Prints "edgecase: message" to standard error.

@@ -32,7 +32,7 @@ bool is_known(const std::string& renderer) {
 }
 
 ExitCode exit_code_of(const Result& result) {
-  if (result.standing == Standing::expected) return ExitCode::as_expected;
+  if (!is_unexpected(result.standing)) return ExitCode::as_expected;
   if (result.standing == Standing::flake) return ExitCode::unexpected;
   if (result.failure && result.failure->kind != FailureKind::unsupported) return ExitCode::renderer;
   return ExitCode::unexpected;
@@ -160,7 +160,7 @@ std::optional<Results> run_expecting(const Suite& suite, const Policy& policy,
   }
   Results results = std::move(std::get<Results>(ran));
   results.whole_suite = expectant.whole_suite;
-  apply_all_expectations(expectant.expectations, results);
+  apply_all_expectations(expectant.expectations, expectant.strict, results);
   if (!expectant.reruns || interrupted()) return results;
   const RerunCounts counts = rerun_unexpected(suite, run, results);
   if (counts.not_asked > 0)
@@ -169,7 +169,7 @@ std::optional<Results> run_expecting(const Suite& suite, const Policy& policy,
                     "those that came too late {}",
                     counts.not_asked, kMostReruns, kMostTimeoutReruns));
   results.interrupted = results.interrupted || counts.stopped;
-  apply_all_expectations(expectant.expectations, results);
+  apply_all_expectations(expectant.expectations, expectant.strict, results);
   return results;
 }
 
@@ -204,7 +204,8 @@ std::optional<std::vector<Expectations>> load_expectations(
   return result;
 }
 
-void apply_all_expectations(const std::vector<Expectations>& expectations, Results& results) {
+void apply_all_expectations(const std::vector<Expectations>& expectations, bool strict,
+                            Results& results) {
   results.missing.clear();
   for (std::size_t r = 0; r < results.renderers.size(); ++r) {
     const Expectations* own = nullptr;
@@ -214,6 +215,7 @@ void apply_all_expectations(const std::vector<Expectations>& expectations, Resul
     if (own != nullptr)
       std::ranges::move(missing_cases(results, *own), std::back_inserter(results.missing));
   }
+  if (strict) hold_contested(results);
 }
 
 ExitCode exit_code_of(const Results& results) {

@@ -48,6 +48,7 @@ struct ExpectantRun {
   std::size_t max_unexpected = 0;    // RunOptions has it
   bool reruns = true;                // ask for unexpected answers again (run/rerun.h)
   bool whole_suite = false;          // as Results have it
+  bool strict = false;               // what is contested is unexpected, too
   std::optional<MergePart> earlier;  // a run to go on with (run/resume.h)
 };
 
@@ -66,7 +67,9 @@ std::optional<std::vector<Expectations>> load_expectations(
     const std::vector<std::string>& renderers);
 
 // Applies the expectations to the renderers that they belong to, and finds their missing cases.
-void apply_all_expectations(const std::vector<Expectations>& expectations, Results& results);
+// `strict`: what is contested is unexpected, too.
+void apply_all_expectations(const std::vector<Expectations>& expectations, bool strict,
+                            Results& results);
 
 // The exit code that results deserve, expectations having been applied.
 ExitCode exit_code_of(const Results& results);

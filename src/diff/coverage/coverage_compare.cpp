@@ -203,29 +203,30 @@ class CoverageComparison {
     d.figure = std::move(why.figure);
     // Rulings on lines speak of whole segments: judge_line and judge() complete these.
     if (is_line(primitive) && difference.sample == 0) return d;
-    const Legality legality = judge(primitive, difference);
-    d.legal = legality.legal;
+    const CoverageLegality legality = judge(primitive, difference);
+    d.legality = by_letter(legality.legal);
     d.rule = legality.rule;
     d.ruling = legality.ruling;
     d.explanation += fmt::format(" Ruling {}: {}.", legality.ruling, legality.reason);
     return d;
   }
 
-  Legality judge(const ScenePrimitive& primitive, const CoverageDifference& difference) const {
-    Legality legality = judge_sample(primitive, difference, within(primitive, difference),
-                                     context_.bits, context_.sizes);
+  CoverageLegality judge(const ScenePrimitive& primitive,
+                         const CoverageDifference& difference) const {
+    CoverageLegality legality = judge_sample(primitive, difference, within(primitive, difference),
+                                             context_.bits, context_.sizes);
     if (!legality.legal && !judged_by_mask(legality)) contest(primitive, difference, legality);
     return judge_facing(primitive, difference, is_missing(primitive), std::move(legality),
                         context_.bits);
   }
 
-  static bool judged_by_mask(const Legality& legality) {
+  static bool judged_by_mask(const CoverageLegality& legality) {
     return legality.rule == "sample.mask" || legality.rule == "sample.enable";
   }
 
   // What is not allowed, but by a ruling that is contested.
   void contest(const ScenePrimitive& primitive, const CoverageDifference& difference,
-               Legality& legality) const {
+               CoverageLegality& legality) const {
     if (is_cut_at_viewport(primitive, difference)) {
       legality.ruling = kRulingOnViewport;
       legality.reason += ", and the pixel lies beyond the viewport's sides";
@@ -263,7 +264,7 @@ class CoverageComparison {
   }
 
   void add_excused(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                   const Legality& why) {
+                   const CoverageLegality& why) {
     Disagreement d = at(primitive, difference);
     d.policy_agrees = true;
     d.rule = why.rule;
@@ -295,7 +296,7 @@ class CoverageComparison {
   void compare_samples_with_specification(const ScenePrimitive& primitive) {
     if (is_line(primitive)) return;
     for (const CoverageDifference& difference : excused_by_policy(primitive)) {
-      const Legality legality = judge(primitive, difference);
+      const CoverageLegality legality = judge(primitive, difference);
       if (!legality.legal) add_excused(primitive, difference, legality);
     }
   }
@@ -366,7 +367,7 @@ class CoverageComparison {
     return !is_line(primitive) &&
            std::ranges::any_of(result_.disagreements, [&](const Disagreement& d) {
              return d.primitive == primitive.index && d.kind != DisagreementKind::value &&
-                    !d.legal && !d.policy_agrees;
+                    !is_legal(d) && !d.policy_agrees;
            });
   }
 
@@ -403,7 +404,7 @@ class CoverageComparison {
           "of once",
           fault.first, fault.second, fault.hits);
       if (blame(fault, reason) || context_.latitude != Latitude::opengl) continue;
-      const Legality broken{false, ruling_on(fault), "triangle.shared-edge", reason};
+      const CoverageLegality broken{false, ruling_on(fault), "triangle.shared-edge", reason};
       for (int index : {fault.first, fault.second})
         for (const CoverageDifference& difference : excused_by_policy(primitive_at(index)))
           if (difference.pixel == fault.pixel && difference.sample == fault.sample)
@@ -426,8 +427,8 @@ class CoverageComparison {
       if (!concerned || (d.rule != "triangle.fill-rule" && d.rule != "triangle.shared-edge"))
         continue;
       found = true;
-      if (fault.is_certain || d.legal) d.ruling = ruling_on(fault);
-      d.legal = false;
+      if (fault.is_certain || is_legal(d)) d.ruling = ruling_on(fault);
+      d.legality = Legality::illegal;
       d.rule = "triangle.shared-edge";
       d.explanation += fmt::format(" Ruling {}: {}.", ruling_on(fault), reason);
     }

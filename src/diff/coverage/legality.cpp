@@ -148,15 +148,16 @@ const char* rule_on_coverage(const ScenePrimitive& primitive, const Target& targ
 namespace {
 
 // What no sample may be covered by, wherever the primitive lies; none.
-std::optional<Legality> judge_mask(const ScenePrimitive& primitive,
-                                   const CoverageDifference& difference) {
+std::optional<CoverageLegality> judge_mask(const ScenePrimitive& primitive,
+                                           const CoverageDifference& difference) {
   const Multisampling& use = primitive.state->multisampling;
   if (difference.drawn == 0) return std::nullopt;
   if (!use.enabled && difference.sample > 0)
-    return Legality{false, 35, "sample.enable",
-                    "without GL_MULTISAMPLE a fragment has no sample but the first"};
+    return CoverageLegality{false, 35, "sample.enable",
+                            "without GL_MULTISAMPLE a fragment has no sample but the first"};
   if (use.enabled && (use.mask >> difference.sample & 1) == 0)
-    return Legality{false, 32, "sample.mask", "the sample is not in the draw's sample mask"};
+    return CoverageLegality{false, 32, "sample.mask",
+                            "the sample is not in the draw's sample mask"};
   return std::nullopt;
 }
 
@@ -178,7 +179,8 @@ std::optional<SizedPoint> passed_point(const ScenePrimitive& point) {
 
 // An implementation may draw a point that lies outside the sides of the view volume, or not; no
 // exact one does (ruling 42).
-Legality judge_clipped_point(const ScenePrimitive& point, bool extra, Point sample, int bits) {
+CoverageLegality judge_clipped_point(const ScenePrimitive& point, bool extra, Point sample,
+                                     int bits) {
   constexpr int kRuling = 42;
   const auto passed = passed_point(point);
   if (!passed || !extra)
@@ -196,7 +198,8 @@ Legality judge_clipped_point(const ScenePrimitive& point, bool extra, Point samp
 }
 
 // Of a primitive that reaches out of the clip volume: ruling 42.
-Legality judge_clipped(const ScenePrimitive& primitive, bool extra, Point sample, int bits) {
+CoverageLegality judge_clipped(const ScenePrimitive& primitive, bool extra, Point sample,
+                               int bits) {
   constexpr int kRuling = 42;
   if (primitive.kind == PrimitiveKind::point)
     return judge_clipped_point(primitive, extra, sample, bits);
@@ -215,15 +218,15 @@ Legality judge_clipped(const ScenePrimitive& primitive, bool extra, Point sample
 
 }  // namespace
 
-Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      Point within, int bits, const SupportedSizes& sizes) {
+CoverageLegality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                              Point within, int bits, const SupportedSizes& sizes) {
   if (auto judged = judge_mask(primitive, difference)) return *judged;
   const bool point = primitive.kind == PrimitiveKind::point;
   const bool line = primitive.kind == PrimitiveKind::line;
   const bool extra = difference.drawn > difference.exact;
   const Point sample = place_in(difference.pixel, within);
   if (primitive.is_clipped) return judge_clipped(primitive, extra, sample, bits);
-  Legality result;
+  CoverageLegality result;
   result.rule = line ? kMultisampledLine : coverage_rule_of(primitive.kind);
   result.ruling = point ? 6 : line ? 28 : 4;
   const Latitudes latitudes{reach_of(primitive, bits), sizes_of(primitive, sizes)};
@@ -237,8 +240,8 @@ Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference&
   return result;
 }
 
-Legality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      bool whole, Legality otherwise, int bits) {
+CoverageLegality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                              bool whole, CoverageLegality otherwise, int bits) {
   constexpr const char* kRule = "polygon.facing";
   constexpr int kRuling = 40;
   if (primitive.kind != PrimitiveKind::triangle || primitive.state->cull == CullMode::none)
@@ -318,9 +321,24 @@ std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,
   return snaps_that_break(line, drawn, terms_of(line, scene));
 }
 
+namespace {
+
+// One fragment, no more than a unit from a pixel whose closed diamond the segment meets.
+bool is_near_empty_line(const SeenLine& line, std::span<const PixelPosition> drawn) {
+  if (line.width != 1 || drawn.size() != 1 || !is_unseen(line)) return false;
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (may_meet_diamond({line.segment, line.reach}, {drawn[0].x + dx, drawn[0].y + dy}))
+        return true;
+  return false;
+}
+
+}  // namespace
+
 int contested_ruling_on_line(const ScenePrimitive& line, std::span<const PixelPosition> drawn,
                              const Scene& scene) {
   const LineTerms terms = terms_of(line, scene);
+  if (is_near_empty_line(seen_line(line, Snap{}, terms), drawn)) return kRulingOnEmptyLine;
   const std::size_t broken = snaps_that_break(line, drawn, terms).size();
   const auto holds_under_more = [&](const LineTerms& other) {
     return snaps_that_break(line, drawn, other).size() < broken;

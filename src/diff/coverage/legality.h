@@ -26,8 +26,8 @@ inline constexpr const char* kClipVolume = "clip.volume";
 const char* rule_on_coverage(const ScenePrimitive& primitive, const Target& target);
 
 // Whether one difference of one primitive is allowed, by which rule and ruling.
-struct Legality {
-  bool legal = false;
+struct CoverageLegality {
+  bool legal = false;  // by the letter
   int ruling = 0;
   std::string rule;    // the rule that is broken or under which the difference is allowed
   std::string reason;  // one clause, why
@@ -35,13 +35,13 @@ struct Legality {
 
 // Points, triangles and multisampled lines: `difference` judged by itself. `within`: where in its
 // pixel the sample lies. `sizes`: that the renderer supports.
-Legality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      Point within, int bits, const SupportedSizes& sizes = {});
+CoverageLegality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                              Point within, int bits, const SupportedSizes& sizes = {});
 
 // The same of triangles of draws that cull: which way they face may be what differs (ruling 40).
 // `whole`: nothing of the triangle was drawn. `otherwise`: what judge_sample says.
-Legality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                      bool whole, Legality otherwise, int bits);
+CoverageLegality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                              bool whole, CoverageLegality otherwise, int bits);
 
 // Of multisampled draws, what judge_sample does not allow of a sample where it is reported to lie:
 // where the points lie by which coverage is found is not told, and they may lie beyond the pixel
@@ -59,6 +59,8 @@ bool is_cut_at_viewport(const ScenePrimitive& primitive, const CoverageDifferenc
 
 // The ruling on wide lines that are as wide as the next smaller integer.
 inline constexpr int kRulingOnSmallerWidth = 56;
+// The ruling on a single fragment of a line of which the diamond-exit rule has none.
+inline constexpr int kRulingOnEmptyLine = 58;
 // Lines that break a ruling: the contested ruling that they break alone, if there is one, since
 // they hold all others under more of the catalogued snaps; else 0.
 int contested_ruling_on_line(const ScenePrimitive& line, std::span<const PixelPosition> drawn,

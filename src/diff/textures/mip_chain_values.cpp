@@ -146,7 +146,7 @@ std::string count_of(const ToldChain& chain) {
 
 void report_sizes(const ToldChain& chain, bool legal, Result& result) {
   Disagreement d = about_texture("mipmap.level-count");
-  d.legal = legal;
+  d.legality = by_letter(legal);
   d.policy_agrees = same_sizes(chain.exact, chain.told);
   d.cause = count_of(chain);
   d.exact = {static_cast<double>(chain.exact.size())};
@@ -175,7 +175,7 @@ void report_base(const ToldChain& chain, Result& result) {
 void report_way(const ToldChain& chain, const std::string& way, Result& result) {
   Disagreement d = about_texture("mipmap.filter");
   if (way.find(" + ") == std::string::npos) d.rule = way.substr(0, way.find('='));
-  d.legal = true;
+  d.legality = Legality::legal;
   d.cause = way;
   d.exact = {static_cast<double>(chain.exact.size())};
   d.rendered = {static_cast<double>(chain.told.size())};

@@ -249,7 +249,7 @@ class DerivativeComparison {
     if (way.rows != chosen_.rows)
       parts.push_back(fmt::format("derivative.quad-rows={}", name_of(way.rows)));
     d.cause = fmt::format("{}", fmt::join(parts, " + "));
-    d.legal = is_open(way.method);
+    d.legality = by_letter(is_open(way.method));
     d.explanation += fmt::format("comes of {}", name_of(way.method));
     if (way.rows != chosen_.rows)
       d.explanation += fmt::format(", rows of quads counted {}", name_of(way.rows));

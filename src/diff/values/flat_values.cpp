@@ -42,7 +42,7 @@ void compare_flat_color(const ValueContext& context, const Fragment& fragment, R
   if (agrees && (legal || context.latitude == Latitude::none)) return;
   Disagreement d =
       value_disagreement({fragment.x, fragment.y}, fragment.primitive, "attribute.flat", 8);
-  d.legal = legal;
+  d.legality = by_letter(legal);
   d.policy_agrees = agrees;
   d.exact.assign(color.begin(), color.end());
   d.rendered.assign(fragment.color.begin(), fragment.color.end());

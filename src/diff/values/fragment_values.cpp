@@ -29,7 +29,8 @@ struct Component {
   double exact = 0;    // the double nearest to the exact value
   Interval permitted;  // float32 values that the specification allows
   double rendered = 0;
-  double range = 0;  // of the attribute over the vertices; of a correct one not needed
+  bool may_be_of_column = false;  // a value that another fragment of a wide line's column may have
+  double range = 0;               // of the attribute over the vertices; of a correct one not needed
 
   // Equal to what exact itself would answer. Halfway between two float32 numbers the other one is
   // told, half a unit off.
@@ -44,13 +45,13 @@ struct Component {
 // may have the value of its own centre, or that of the adjusted line at the column's lowest
 // fragment, which is the line's own in the middle of the column: at most (width - 1)/2 away (ruling
 // 13).
+// `across`: how far, pixels.
 Interval permitted_across(const Interpolant& interpolant, const MovedVertices& vertices,
-                          const PermittedPlace& place, Point sample, int width) {
+                          const PermittedPlace& place, Point sample, Fixed across) {
   Interval result = place.value(interpolant);
-  if (interpolant.kind != PrimitiveKind::line || width == 1) return result;
+  if (interpolant.kind != PrimitiveKind::line || across == Fixed()) return result;
   const bool x_major = is_x_major(interpolant);
-  const Fixed reach_across = Fixed::from_raw((width - 1) * Fixed::kOne / 2);
-  for (const Fixed offset : {reach_across, -reach_across}) {
+  for (const Fixed offset : {across, -across}) {
     Point moved = sample;
     (x_major ? moved.y : moved.x) = (x_major ? moved.y : moved.x) + offset;
     result = hull(result, PermittedPlace(vertices, moved).value(interpolant));
@@ -112,6 +113,9 @@ class Judge {
     if (result.is_permitted()) return result;
     result.permitted = told(question, permitted(question));
     if (lawful_) result.permitted = holding(result.permitted, result.exact);
+    result.may_be_of_column =
+        !result.is_permitted() && question.corners.empty() &&
+        told(question, permitted_in_column(question)).contains(to_float(rendered));
     return result;
   }
 
@@ -139,10 +143,14 @@ class Judge {
         rendered);
   }
   Component inverse_w(double rendered) const {
-    return component(
+    Component result = component(
         interpolate_exact(values_.chosen.inverse_w, depth_place_),
         {values_.chosen.inverse_w, values_.permitted_inverse_w, depth_place_, depth_corners_},
         rendered);
+    if (!result.is_permitted())
+      result.permitted =
+          rounded_to_float(with_means_of_inverse_w(result.permitted, primitive_, values_));
+    return result;
   }
 
  private:
@@ -157,7 +165,18 @@ class Judge {
     const auto& [chosen, lawful, place, corners, is_depth] = question;
     if (!corners.empty()) return permitted_within(lawful, values_.lawful.inverse_w, corners);
     return permitted_across(lawful, values_.moved(), permitted_at(place), place,
-                            rounded_width(primitive_.state->line_width));
+                            Fixed::from_raw(across() / 2));
+  }
+
+  // What any fragment of a wide line's column may have.
+  Interval permitted_in_column(const Question& question) const {
+    return permitted_across(question.lawful, values_.moved(), permitted_at(question.place),
+                            question.place, Fixed::from_raw(across()));
+  }
+
+  // From the first to the last fragment of a line's column, raw.
+  std::int64_t across() const {
+    return (rounded_width(primitive_.state->line_width) - 1) * Fixed::kOne;
   }
 
   // What the components of a colour share is worked out once.
@@ -203,6 +222,10 @@ std::string name_of_component(const std::string& attribute, std::size_t componen
   return attribute;
 }
 
+// The ruling on values of a line that go by its major axis, or are those of another fragment of a
+// wide line's column.
+constexpr int kRulingOnLineValues = 46;
+
 Disagreement beyond_disagreement(std::span<const Component> components, const Component& beyond,
                                  const Fragment& fragment, Point place, const char* rule,
                                  const std::string& attribute) {
@@ -213,6 +236,9 @@ Disagreement beyond_disagreement(std::span<const Component> components, const Co
   }
   d.policy_agrees = std::all_of(components.begin(), components.end(),
                                 [](const Component& c) { return c.is_correct(); });
+  if (std::all_of(components.begin(), components.end(),
+                  [](const Component& c) { return c.is_permitted() || c.may_be_of_column; }))
+    d.ruling = kRulingOnLineValues;
   d.explanation = fmt::format(
       "{} of primitive {} is exactly {:.9g} at {}; the specification permits {:.9g} to {:.9g}, the "
       "renderer has {:.9g}",
@@ -251,6 +277,7 @@ Disagreement* compare_components(std::span<const Component> components, const Fr
 // Where a value is evaluated is a rule of its own.
 void blame(Disagreement& d, const std::string& cause) {
   d.cause = cause;
+  if (cause == "attribute.smooth=major-axis") d.ruling = kRulingOnLineValues;
   if (cause.starts_with("attribute.location="))
     std::tie(d.rule, d.ruling) = std::pair("attribute.location", 29);
   if (cause.starts_with("attribute.centroid="))

@@ -25,14 +25,16 @@ RuleChoices lawful_choices(const RuleChoices& chosen) {
   return result;
 }
 
-// Does clipping make more than three edges of a triangle: where it is cut at near and far alone, as
-// by an implementation with a guard band, or at all planes?
+// A triangle cut at near and far alone, as by an implementation with a guard band.
+std::vector<ClipPolygonVertex> polygon_between_near_and_far(const ScenePrimitive& triangle) {
+  constexpr int kBand = static_cast<int>(Fixed::kMaxCoordinate);
+  return clip_polygon({triangle.positions, triangle.z}, {true, -kBand, -kBand, kBand, kBand}, 1);
+}
+
+// Does clipping make more than three edges of a triangle, at near and far alone or at all planes?
 bool is_polygon(const ScenePrimitive& primitive) {
   if (!primitive.is_clipped || primitive.kind != PrimitiveKind::triangle) return false;
-  constexpr int kBand = static_cast<int>(Fixed::kMaxCoordinate);
-  return seen_polygon(primitive).size() > 3 ||
-         clip_polygon({primitive.positions, primitive.z}, {true, -kBand, -kBand, kBand, kBand}, 1)
-                 .size() > 3;
+  return seen_polygon(primitive).size() > 3 || polygon_between_near_and_far(primitive).size() > 3;
 }
 
 bool interpolates_lawfully(const ValueChoice& choice) {
@@ -140,6 +142,15 @@ Interval with_means(Interval permitted, const ScenePrimitive& primitive,
   return hull(permitted, widened(means, 8 * kInexact.relative));
 }
 
+Interval with_means_of_inverse_w(Interval permitted, const ScenePrimitive& primitive,
+                                 const PrimitiveValues& values) {
+  if (!values.is_polygon) return permitted;
+  for (const ClipPolygonVertex& vertex : polygon_between_near_and_far(primitive))
+    permitted = hull(permitted, widened(interpolate_exact(values.lawful.inverse_w, vertex.position),
+                                        8 * kInexact.relative));
+  return permitted;
+}
+
 Interval with_means_of_depth(Interval permitted, const ScenePrimitive& primitive,
                              const PrimitiveValues& values) {
   if (!values.is_polygon) return permitted;
@@ -215,7 +226,7 @@ Disagreement value_disagreement(PixelPosition pixel, int primitive, std::string 
   d.kind = DisagreementKind::value;
   d.rule = std::move(rule);
   d.ruling = ruling;
-  d.legal = false;
+  d.legality = Legality::illegal;
   d.figure.marks = {sample_mark(pixel_centre(pixel.x, pixel.y))};
   return d;
 }

@@ -124,6 +124,10 @@ Interval depth_permitted_at(const PrimitiveValues& values, Point place);
 // least and the greatest of the triangle's vertices, of which the polygon's own are means.
 Interval with_means(Interval permitted, const ScenePrimitive& primitive,
                     const PrimitiveValues& values, std::size_t component);
+// The same of 1/w, between the least and the greatest of the polygon's own vertices, which need not
+// be the triangle's.
+Interval with_means_of_inverse_w(Interval permitted, const ScenePrimitive& primitive,
+                                 const PrimitiveValues& values);
 // All depths of a polygon's vertices, in the window: ruling 44 contests those of them that are not
 // on its plane. Nothing but `permitted` where the primitive is no such polygon.
 Interval with_means_of_depth(Interval permitted, const ScenePrimitive& primitive,

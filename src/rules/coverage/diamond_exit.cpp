@@ -266,7 +266,10 @@ Rule diamond_exit_rule() {
        "lie within one unit of the target's border count as seen or unseen, whichever is kinder."},
       {2,
        "Lines whose set of diamond-exit fragments is empty: at most one fragment, and the segment "
-       "meets its closed diamond."}};
+       "meets its closed diamond."},
+      {58,
+       "The one fragment of a line that has no diamond-exit fragments lies at a pixel whose closed "
+       "diamond the segment meets, and not only within one unit of such a pixel."}};
   return rule;
 }
 

@@ -71,14 +71,20 @@ Rule smooth_attribute_rule() {
        "as in ruling 4). Equal to the correctly rounded exact value is agreement. Where the exact "
        "value is a number, NaN and infinity are violations. A point's attributes are its vertex's; "
        "smooth ones may err by a division and a multiplication by a w that is not 1. Depths and "
-       "1/w "
-       "of vertices err by the division by w, the scaling and the addition that make them."},
+       "1/w of vertices err by the division by w, the scaling and the addition that make them, "
+       "where "
+       "ruling 15 lets places err, and depths by the latter two where the depth range is not 0 to "
+       "1."},
       {13,
        "Attributes across a wide line: preferred are those of the adjusted line at the column's "
        "lowest fragment, for all fragments of the column, which is what the line has in the middle "
        "of the column; each fragment may have that of its own centre instead (14.5.2.2). Exact "
        "takes their own; permitted is what lies between both, in whichever row of its column a "
-       "fragment may be: at most (w - 1)/2 away along the minor axis."}};
+       "fragment may be: at most (w - 1)/2 away along the minor axis."},
+      {46,
+       "Values along a line go by the sample's projection onto it (equation 14.5), and not by its "
+       "coordinate on the major axis alone; those of a wide line are none that only another "
+       "fragment of the column may have under ruling 13."}};
   return rule;
 }
 

@@ -9,6 +9,7 @@
 
 #include "raster/rasterizer.h"
 #include "reports/text.h"
+#include "results/worst_first.h"
 #include "rules/all_rules.h"
 #include "run/expectation_check.h"
 #include "tools/edgecase/commands/commands.h"
@@ -104,10 +105,13 @@ ExitCode draw_picture(const Case& one, const Policy& policy, const BlockSizes& s
 void print_disagreement(const Disagreement& d, int samples) {
   fmt::print("  ({}, {}){} {}, {}, {}{}\n    {}\n", d.x, d.y,
              names_sample(d, samples) ? fmt::format(" sample {}", d.sample) : "", name_of(d.kind),
-             d.rule, d.legal ? "allowed" : "NOT allowed",
+             d.rule, d.legality == Legality::illegal ? "NOT allowed" : describe(d.legality),
              d.cause.empty() ? "" : fmt::format(", cause {}", d.cause), d.explanation);
-  if (const Ruling* ruling = find_ruling(d.ruling))
-    fmt::print("    Ruling {}. {}\n", ruling->number, ruling->text);
+  const Ruling* ruling = find_ruling(d.ruling);
+  if (ruling == nullptr) return;
+  fmt::print("    Ruling {}. {}\n", ruling->number, ruling->text);
+  for (const RulingFact& fact : facts_of(*ruling))
+    if (!is_legal(d)) fmt::print("      {}: {}\n", fact.name, fact.text);
 }
 
 void print_values(const ValueAggregate& values) {
@@ -125,8 +129,8 @@ void print_result(const Result& result, const RendererInfo& info, std::optional<
   fmt::print("{} ({}): {}\n", info.name, one_line(info.device), name_of(result.verdict));
   if (result.failure)
     fmt::print("  {}: {}\n", name_of(result.failure->kind), one_line(result.failure->reason));
-  for (const Disagreement& d : result.disagreements)
-    if (!pixel || (pixel->x == d.x && pixel->y == d.y)) print_disagreement(d, samples);
+  for (const Disagreement* d : worst_first(result))
+    if (!pixel || (pixel->x == d->x && pixel->y == d->y)) print_disagreement(*d, samples);
   for (const ValueAggregate& values : result.values) print_values(values);
 }
 

@@ -314,7 +314,7 @@ void add_fuzz_command(CLI::App& app, ExitCode& exit) {
                  "repeatable. They are counted only");
   options->policy.add_to(*command);
   command->add_option("--verdict", options->verdict, "The least verdict that makes a find")
-      ->check(CLI::IsMember({"convention", "permitted", "violation"}))
+      ->check(CLI::IsMember({"convention", "permitted", "contested", "violation"}))
       ->capture_default_str();
   add_repeatable(*command, "--surface", options->surfaces,
                  "fbo or window; repeatable (default: both)");

@@ -23,6 +23,7 @@ struct MergeCommand {
   std::vector<std::string> expectations;
   std::string color = "auto";
   bool partial = false;
+  bool strict = false;
 };
 
 // The folder from which ids are counted: what is left of a case's file without its id. `cases`
@@ -55,7 +56,7 @@ ExitCode merge(const MergeCommand& command) {
       load_expectations(suite_folder_of(results) / "expectations", command.expectations, renderers);
   if (!expectations) return ExitCode::usage;
   load_sources(results);
-  apply_all_expectations(*expectations, results);
+  apply_all_expectations(*expectations, command.strict, results);
   print_diagnostics(results.diagnostics);
   return deliver_results(results, command.files, command.color);
 }
@@ -72,6 +73,7 @@ void add_merge_command(CLI::App& app, ExitCode& exit) {
   add_repeatable(*command, "--expectations", options->expectations,
                  "Expectations file, repeatable (default: those in the suite's folder "
                  "expectations)");
+  add_strict_option(*command, options->strict);
   command->add_flag("--partial", options->partial,
                     "Merge although shards are missing; the results count as interrupted");
   command->add_option("--color", options->color, "Colours in the summary")

@@ -108,13 +108,13 @@ bool is_about(const Result& result, const Signature& signature, const std::strin
 }
 
 // The worst of what an answer shows, of what the options choose. What the specification does not
-// allow is worse than what it does, explained or not.
+// allow is worse than what is contested, and that than what it allows, explained or not.
 std::optional<Signature> choose_signature(const TrialAnswer& answer, const std::string& rule,
                                           std::optional<Pixel> pixel) {
   std::optional<Signature> chosen;
   for (const Signature& signature : answer.signatures) {
     if (!is_about(answer.result, signature, rule, pixel)) continue;
-    if (!chosen || (chosen->legal && !signature.legal)) chosen = signature;
+    if (!chosen || signature.legality > chosen->legality) chosen = signature;
   }
   return chosen;
 }
@@ -137,7 +137,8 @@ std::string why_of(const Result& result, const Signature& signature, const Rende
   if (result.failure)
     return fmt::format("{} ({}) fails here: {}: {}", info.name, info.device,
                        name_of(result.failure->kind), words_for_file(result.failure->reason));
-  const std::string legal = signature.legal ? "the specification allows it" : "not allowed";
+  const std::string legal = signature.legality == Legality::legal ? "the specification allows it"
+                                                                  : describe(signature.legality);
   const auto finds = disagreements_of(result, signature);
   if (!finds.empty()) {
     const Disagreement& d = *finds.front();
@@ -211,7 +212,7 @@ std::string json_text(const Minimized& minimized, const Signature& signature, co
                                       {"rule", signature.rule},
                                       {"kind", signature.kind},
                                       {"surface", signature.surface},
-                                      {"legal", signature.legal},
+                                      {"legality", name_of(signature.legality)},
                                       {"cause", signature.cause},
                                       {"situation", signature.situation},
                                       {"attribute", signature.attribute},

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "results/expectations.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/options.h"
 #include "tools/edgecase/output/report_files.h"
@@ -20,6 +21,7 @@ struct ReportCommand {
   std::string results;
   std::string since;  // results file, or empty
   ReportFiles files;
+  bool strict = false;
 };
 
 // What changed from the results file at `path`; nothing, with the error printed, where that cannot
@@ -37,6 +39,7 @@ ExitCode report(const ReportCommand& command) {
   auto results = load_results(command.results);
   if (!results) return ExitCode::usage;
   load_sources(*results);
+  if (command.strict) hold_contested(*results);
   ReportFiles files = command.files;
   if (!command.since.empty()) {
     files.since = changes_since(command.since, *results);
@@ -54,6 +57,7 @@ void add_report_command(CLI::App& app, ExitCode& exit) {
   command->add_option("results", options->results, "Results file of `edgecase run`")->required();
   command->add_option("--since", options->since,
                       "Earlier results file: the HTML report tells what changed since");
+  add_strict_option(*command, options->strict);
   options->files.add_to(*command);
   command->callback([options, &exit] { exit = report(*options); });
 }

@@ -17,6 +17,17 @@
 namespace edgecase {
 namespace {
 
+nlohmann::ordered_json ruling_json(const Ruling& ruling) {
+  const RulingSource& source = ruling.source;
+  nlohmann::ordered_json json = {{"number", ruling.number},        {"text", ruling.text},
+                                 {"basis", name_of(source.basis)}, {"revision", source.revision},
+                                 {"clause", source.clause},        {"quotation", source.quotation},
+                                 {"khronos", source.khronos},      {"es", source.es}};
+  if (!source.contest.empty()) json["contest"] = source.contest;
+  if (!source.withdrawn.empty()) json["withdrawn"] = source.withdrawn;
+  return json;
+}
+
 void print_json() {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Rule& rule : all_rules()) {
@@ -25,8 +36,7 @@ void print_json() {
       alternatives.push_back(
           {{"name", a.name}, {"openness", name_of(a.openness)}, {"meaning", a.meaning}});
     nlohmann::ordered_json rulings = nlohmann::ordered_json::array();
-    for (const Ruling& ruling : rule.rulings)
-      rulings.push_back({{"number", ruling.number}, {"text", ruling.text}});
+    for (const Ruling& ruling : rule.rulings) rulings.push_back(ruling_json(ruling));
     list.push_back({{"id", rule.id},
                     {"title", rule.title},
                     {"spec", rule.spec},
@@ -45,8 +55,11 @@ void print_text() {
     for (const Alternative& a : rule.alternatives)
       fmt::print("    {} {:<14} {:<8} {}\n", a.name == rule.standard ? "*" : " ", a.name,
                  name_of(a.openness), a.meaning);
-    for (const Ruling& ruling : rule.rulings)
+    for (const Ruling& ruling : rule.rulings) {
       fmt::print("  Ruling {}. {}\n", ruling.number, ruling.text);
+      for (const RulingFact& fact : facts_of(ruling))
+        fmt::print("    {}: {}\n", fact.name, fact.text);
+    }
     fmt::print("\n");
   }
   fmt::print("* the choice of policy opengl\n");

@@ -29,6 +29,7 @@ struct RunCommand {
   bool last_failed = false;
   bool resume = false;
   bool no_rerun = false;
+  bool strict = false;
   std::size_t max_failures = 0;
 };
 
@@ -110,9 +111,10 @@ ExitCode run(const RunCommand& command) {
   if (!profiles) return ExitCode::usage;
   auto earlier = earlier_run(command);
   if (const auto* exit = std::get_if<ExitCode>(&earlier)) return *exit;
-  ExpectantRun expectant{std::move(*expectations), command.max_failures, !command.no_rerun,
-                         is_whole_suite(selection),
-                         std::move(std::get<std::optional<MergePart>>(earlier))};
+  ExpectantRun expectant{
+      std::move(*expectations), command.max_failures,
+      !command.no_rerun,        is_whole_suite(selection),
+      command.strict,           std::move(std::get<std::optional<MergePart>>(earlier))};
   // What was found is written although somebody asks to stop meanwhile.
   const InterruptGuard guard;
   const auto results = run_expecting(suite, *policy, *profiles, command.run, std::move(expectant));
@@ -130,6 +132,7 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
   auto options = std::make_shared<RunCommand>();
   options->selection.add_to(*command, true);
   options->policy.add_to(*command);
+  add_strict_option(*command, options->strict);
   options->run.add_to(*command);
   options->files.add_to(*command);
   add_repeatable(*command, "--expectations", options->expectations,

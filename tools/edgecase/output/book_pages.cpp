@@ -122,7 +122,11 @@ BookRule book_rule(const Rule& rule) {
   BookRule told{rule.id, rule.title, rule.spec, rule.latitude, rule.standard, {}, "", {}};
   for (const Alternative& a : rule.alternatives)
     told.alternatives.push_back({a.name, name_of(a.openness), a.meaning});
-  for (const Ruling& ruling : rule.rulings) told.rulings.push_back({ruling.number, ruling.text});
+  for (const Ruling& ruling : rule.rulings) {
+    told.rulings.push_back({ruling.number, ruling.text, {}});
+    for (RulingFact& fact : facts_of(ruling))
+      told.rulings.back().facts.emplace_back(std::move(fact.name), std::move(fact.text));
+  }
   if (const std::string first = first_alike(rule); first != rule.id && !rule.alternatives.empty())
     told.alike = first;
   return told;

@@ -36,7 +36,11 @@ ReportTexts texts_of(const Results& results, const std::optional<Comparison>& si
   ReportTexts texts;
   for (const Rule& rule : all_rules()) {
     texts.rules.push_back({rule.id, rule.title, rule.spec, rule.latitude, rule.standard});
-    for (const Ruling& ruling : rule.rulings) texts.rulings.push_back({ruling.number, ruling.text});
+    for (const Ruling& ruling : rule.rulings) {
+      texts.rulings.push_back({ruling.number, ruling.text, {}});
+      for (RulingFact& fact : facts_of(ruling))
+        texts.rulings.back().facts.emplace_back(std::move(fact.name), std::move(fact.text));
+    }
   }
   texts.is_open_choice = is_open_choice;
   texts.profiles = profiles_of(results);

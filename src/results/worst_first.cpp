@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "results/worst_first.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+
+namespace edgecase {
+namespace {
+
+// What an answer begins with: renderer, verdict, cause, rule, kind, situation.
+using Beginning = std::tuple<std::size_t, Verdict, std::string, std::string, int, std::string>;
+
+Beginning beginning_of(const Result& result, std::size_t renderer) {
+  // The first of the worst.
+  const auto worst = std::ranges::max_element(result.disagreements, {}, &Disagreement::legality);
+  if (worst != result.disagreements.end()) {
+    if (!worst->cause.empty()) return {renderer, result.verdict, worst->cause, "", 0, ""};
+    return {renderer,        result.verdict, "", worst->rule, static_cast<int>(worst->kind),
+            worst->situation};
+  }
+  const int kind = static_cast<int>(DisagreementKind::value);
+  for (const ValueAggregate& values : result.values)
+    if (!values.differing.empty())
+      return {renderer, result.verdict, values.cause, values.rule, kind, values.attribute};
+  const std::string failure = result.failure ? name_of(result.failure->kind) : "";
+  return {renderer, result.verdict, "", failure, 0, ""};
+}
+
+// 0 for the worst. What was not run comes last: nothing is known of it.
+int rank_of(Verdict verdict) {
+  constexpr int kLast = static_cast<int>(Verdict::not_run);
+  return verdict == Verdict::not_run ? kLast : kLast - 1 - static_cast<int>(verdict);
+}
+
+}  // namespace
+
+std::vector<const Disagreement*> worst_first(const Result& result) {
+  std::vector<const Disagreement*> order;
+  for (const Disagreement& d : result.disagreements) order.push_back(&d);
+  std::ranges::stable_sort(order, std::ranges::greater(),
+                           [](const Disagreement* d) { return d->legality; });
+  return order;
+}
+
+std::vector<AnswerPlace> worst_first(const Results& results, const WantedAnswer& is_wanted) {
+  struct Sorted {
+    AnswerPlace place;
+    int rank = 0;
+    const std::size_t* alike = nullptr;
+  };
+  std::map<Beginning, std::size_t> counts;
+  std::vector<Sorted> sorted;
+  for (std::size_t i = 0; i < results.cases.size(); ++i) {
+    const auto& answers = results.cases[i].results;
+    for (std::size_t r = 0; r < answers.size() && r < results.renderers.size(); ++r) {
+      if (!is_wanted(answers[r])) continue;
+      std::size_t& count = counts[beginning_of(answers[r], r)];
+      ++count;
+      sorted.push_back({{i, r}, rank_of(answers[r].verdict), &count});
+    }
+  }
+  std::ranges::stable_sort(sorted, [](const Sorted& a, const Sorted& b) {
+    return std::tuple(a.rank, *b.alike) < std::tuple(b.rank, *a.alike);
+  });
+  std::vector<AnswerPlace> places;
+  for (const Sorted& one : sorted) places.push_back(one.place);
+  return places;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// Worst first: the order in which people are told what a run found.
+//
+// What is not allowed comes before what is contested, and that before what is allowed, wherever
+// something is listed: the disagreements of a case, the cases of a page, the tests of a suite.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "results/results.h"
+
+namespace edgecase {
+
+// The disagreements of a result: illegal ones, contested ones, legal ones; otherwise in their
+// order.
+std::vector<const Disagreement*> worst_first(const Result& result);
+
+// The answer of one renderer to one case.
+struct AnswerPlace {
+  std::size_t one = 0;       // index in Results::cases
+  std::size_t renderer = 0;  // index in Results::renderers
+};
+
+using WantedAnswer = std::function<bool(const KnownResult&)>;
+
+// The answers that are wanted, by their verdict: violation, contested, permitted, convention,
+// agree, not-run. Within a verdict those come first whose first disagreement is of a cause, or
+// without one of a rule, kind and situation, that more of the renderer's answers begin with. Ties
+// stay in the order of cases and renderers.
+std::vector<AnswerPlace> worst_first(const Results& results, const WantedAnswer& is_wanted);
+
+}  // namespace edgecase
