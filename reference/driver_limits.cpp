@@ -112,6 +112,8 @@ void state_es_limits(const GladGLContext& gl, DriverLimits& limits) {
   limits.sampled_line_widths = limits.line_widths;
   if (gl.ES_VERSION_3_2)
     gl.GetFloatv(GL_MULTISAMPLE_LINE_WIDTH_RANGE, limits.sampled_line_widths.data());
+  if (gl.ES_VERSION_3_2)
+    gl.GetFloatv(GL_MULTISAMPLE_LINE_WIDTH_GRANULARITY, &limits.sampled_line_width_step);
   gl.GetFloatv(GL_ALIASED_POINT_SIZE_RANGE, limits.point_sizes.data());
   limits.clamps_polygon_offset = gl.EXT_polygon_offset_clamp != 0;
   limits.saturates_destinations = takes_saturated_destinations(gl);
@@ -129,7 +131,9 @@ DriverLimits stated_limits(const GladGLContext& gl) {
     return limits;
   }
   gl.GetFloatv(GL_SMOOTH_LINE_WIDTH_RANGE, limits.sampled_line_widths.data());
+  gl.GetFloatv(GL_SMOOTH_LINE_WIDTH_GRANULARITY, &limits.sampled_line_width_step);
   gl.GetFloatv(GL_POINT_SIZE_RANGE, limits.point_sizes.data());
+  gl.GetFloatv(GL_POINT_SIZE_GRANULARITY, &limits.point_size_step);
   limits.clamps_polygon_offset =
       gl.VERSION_4_6 || gl.ARB_polygon_offset_clamp || gl.EXT_polygon_offset_clamp;
   limits.saturates_destinations = gl.ARB_blend_func_extended != 0;
@@ -154,6 +158,10 @@ std::string limit_exceeded_by(const Scene& scene, const DriverLimits& limits) {
 
 std::string text_of_range(const std::array<float, 2>& range) {
   return fmt::format("{:g} to {:g}", range[0], range[1]);
+}
+
+std::string text_of_steps(const std::array<float, 2>& range, float step) {
+  return fmt::format("{} by {}", range[0], step);
 }
 
 }  // namespace edgecase

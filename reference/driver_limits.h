@@ -22,10 +22,13 @@ struct DriverLimits {
   std::array<float, 2> line_widths{1, 1};          // smallest and largest, pixels
   std::array<float, 2> sampled_line_widths{1, 1};  // the same of multisampled lines
   std::array<float, 2> point_sizes{1, 1};          // likewise
-  float anisotropy = 1;                            // 1: there is no anisotropic filtering
-  std::array<bool, 2> provoking{true, true};       // by ProvokingVertex: setting it has its effect
-  std::vector<int> sample_counts;                  // of multisampled targets; empty: there are none
-  bool places_samples = false;                     // where a case asks for them
+  // How far supported ones lie apart; 0: the API does not say, and all are supported.
+  float sampled_line_width_step = 0;
+  float point_size_step = 0;
+  float anisotropy = 1;                       // 1: there is no anisotropic filtering
+  std::array<bool, 2> provoking{true, true};  // by ProvokingVertex: setting it has its effect
+  std::vector<int> sample_counts;             // of multisampled targets; empty: there are none
+  bool places_samples = false;                // where a case asks for them
   bool clamps_polygon_offset = false;
   bool saturates_destinations = false;  // src_alpha_saturate may be the destination's factor
   std::optional<EsFeatures> es;         // of a context of OpenGL ES; none: it is one of OpenGL
@@ -39,5 +42,7 @@ std::string limit_exceeded_by(const Scene& scene, const DriverLimits& limits);
 
 // "1 to 255"
 std::string text_of_range(const std::array<float, 2>& range);
+// "1 by 0.125": the smallest, and how far supported ones lie apart.
+std::string text_of_steps(const std::array<float, 2>& range, float step);
 
 }  // namespace edgecase

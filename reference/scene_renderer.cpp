@@ -156,6 +156,11 @@ void SceneRenderer::describe(const GlContext& context) {
                   {"line_widths", text_of_range(limits_.line_widths)},
                   {"point_sizes", text_of_range(limits_.point_sizes)},
                   {"capture", "none"}};
+  if (limits_.point_size_step > 0)
+    info_.traits["point_size_steps"] = text_of_steps(limits_.point_sizes, limits_.point_size_step);
+  if (limits_.sampled_line_width_step > 0)
+    info_.traits["sampled_line_width_steps"] =
+        text_of_steps(limits_.sampled_line_widths, limits_.sampled_line_width_step);
 }
 
 void SceneRenderer::describe_objects() {

@@ -57,6 +57,10 @@ void read_upside_down(const Drawing& drawing, Result& result) {
 
 }  // namespace
 
+RendererFacts facts_of(const RendererInfo& info, const Policy* profile) {
+  return {info.subpixel_bits, profile, supported_sizes(info.traits)};
+}
+
 Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
                const Rendering& rendered, const RendererFacts& facts) {
   const Drawing drawing{scene, policy, exact, rendered, facts};

@@ -5,8 +5,10 @@
 //   match -> legality, cause, explanation per difference -> values -> Result (not judged yet)
 #pragma once
 
+#include "diff/coverage/supported_sizes.h"
 #include "model/figure.h"
 #include "model/policy.h"
+#include "model/renderer.h"
 #include "model/rendering.h"
 #include "model/result.h"
 #include "model/scene.h"
@@ -17,7 +19,11 @@ namespace edgecase {
 struct RendererFacts {
   int reported_subpixel_bits = 4;
   const Policy* profile = nullptr;  // what it is measured to follow; null: not known
+  SupportedSizes sizes = {};        // of points and of multisampled lines
 };
+
+// What a renderer says of itself. `profile` must outlive it.
+RendererFacts facts_of(const RendererInfo& info, const Policy* profile);
 
 // Compares a rendering of `scene` with the exact one under `policy`. Both must have the scene's
 // size and only primitives of the scene. The verdict stays open until judge(), and pictures are

@@ -67,7 +67,7 @@ Result compare_drawing(const Drawing& drawing, std::string refuted, Compared com
   Result result;
   result.refuted = std::move(refuted);
   compare_coverage({scene, primitives, coverage, choices, profile ? &*profile : nullptr,
-                    policy.latitude, bits, true, rendered.sample_positions},
+                    policy.latitude, bits, true, rendered.sample_positions, facts.sizes},
                    result);
   if (compared == Compared::all) {
     ValueContext values(scene, primitives, choices, bits, policy.latitude,

@@ -89,12 +89,18 @@ Interpolant depth_without_offset(const ScenePrimitive& primitive, const RuleChoi
   return VertexAttributes(primitive, choices, target).depth();
 }
 
-Interpolant depth_with_permitted_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
-                                        const Target& target, double reach, Interval fixed_unit) {
-  const Interpolant depth = depth_without_offset(primitive, choices, target);
-  if (!has_polygon_offset(primitive)) return depth;
-  return plus(depth, offset_permitted(*primitive.state->polygon_offset, depth, target.depth, reach,
-                                      fixed_unit));
+Interpolant permitted_depth(const ScenePrimitive& primitive, const RuleChoices& choices,
+                            const Target& target, double reach, Interval fixed_unit) {
+  const VertexAttributes vertices(primitive, choices, target);
+  if (!has_polygon_offset(primitive)) return vertices.permitted_depth();
+  return plus(vertices.permitted_depth(),
+              offset_permitted(*primitive.state->polygon_offset, vertices.depth(), target.depth,
+                               reach, fixed_unit));
+}
+
+Interpolant permitted_inverse_w(const ScenePrimitive& primitive, const RuleChoices& choices,
+                                const Target& target) {
+  return VertexAttributes(primitive, choices, target).permitted_inverse_w();
 }
 
 Interval clamped_depth(const PrimitiveAttributes& attributes, Interval interpolated) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "raster/vertex_attributes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "exact/rational.h"
 #include "rules/coverage/row_order.h"
+#include "rules/values/inexact_shares.h"
 
 namespace edgecase {
 namespace {
@@ -48,6 +50,53 @@ Interval depth_in(const DepthRange& range, Interval z) {
 
 std::size_t count_of(const ScenePrimitive& primitive) {
   return static_cast<std::size_t>(vertices_of(primitive.kind));
+}
+
+// Products by 1 and sums with 0 have no error (GL 4.6 core, 2.3.4.1).
+bool is_number(Interval value, double number) {
+  return value.low == number && value.high == number;
+}
+Interval inexact_quotient(Interval above, Interval below) {
+  return is_number(below, 1) ? above : kInexact.divide(above, below);
+}
+Interval inexact_product(Interval a, Interval b) {
+  return is_number(a, 1) ? b : is_number(b, 1) ? a : kInexact.multiply(a, b);
+}
+Interval inexact_sum(Interval a, Interval b) {
+  return is_number(a, 0) ? b : is_number(b, 0) ? a : kInexact.add(a, b);
+}
+
+// z/w mapped onto the range: (far - near)/2 times it, and (near + far)/2 added (13.8.1).
+Interval inexact_depth_in(const DepthRange& range, Interval z) {
+  const Interval near = static_cast<double>(range.near);
+  const Interval far = static_cast<double>(range.far);
+  const Interval scale = inexact_product(kInexact.subtract(far, near), 0.5);
+  const Interval centre = inexact_product(inexact_sum(near, far), 0.5);
+  return inexact_sum(inexact_product(z, range == DepthRange() ? Interval(0.5) : scale),
+                     range == DepthRange() ? Interval(0.5) : centre);
+}
+
+// z and w as a renderer is given them: of a vertex in the window, z times w.
+Interval clip_z(const Vertex& vertex) {
+  if (vertex.clip) return static_cast<double>(vertex.clip->z);
+  return vertex.z.to_double() * static_cast<double>(vertex.w);
+}
+Interval clip_w(const Vertex& vertex) {
+  return static_cast<double>(vertex.clip ? vertex.clip->w : vertex.w);
+}
+
+// A number of a vertex that clipping made is a mean of two, each product and the sum of which may
+// err by a part of the larger one.
+Interval made_of(Interval mean, double largest) {
+  const double error = 3 * kInexact.relative * largest;
+  return mean + Interval(-error, error);
+}
+
+double largest_of(const ScenePrimitive& primitive, Interval (*number)(const Vertex&)) {
+  double largest = 0;
+  for (std::size_t i = 0; i < count_of(primitive); ++i)
+    largest = std::max(largest, number(*primitive.vertices[i]).magnitude());
+  return largest;
 }
 
 // Where the vertices are, and their w.
@@ -132,6 +181,35 @@ Interpolant VertexAttributes::inverse_w() const {
   for (std::size_t i = 0; i < count_of(*primitive_); ++i)
     f.values[i] =
         plane_ || cut_ ? Interval(1) / geometry_.w[i] : quotient(1, primitive_->vertices[i]->w);
+  return f;
+}
+
+Interval VertexAttributes::permitted_w(std::size_t vertex) const {
+  if (!plane_ && !cut_) return clip_w(*primitive_->vertices[vertex]);
+  return made_of(geometry_.w[vertex], largest_of(*primitive_, clip_w));
+}
+
+// As for places in the window (ruling 15), nothing errs where a vertex is given there and w is 1:
+// half of such a z and 1/2 are added exactly in single precision, if the range is 0 to 1.
+Interpolant VertexAttributes::permitted_depth() const {
+  Interpolant f = depth();
+  for (std::size_t i = 0; i < count_of(*primitive_); ++i) {
+    const Interval w = permitted_w(i);
+    const bool is_given = !primitive_->vertices[i]->clip && is_number(w, 1);
+    if (is_given && primitive_->depth_range == DepthRange()) continue;
+    Interval z = clip_z(*primitive_->vertices[i]);
+    if (plane_ || cut_)
+      z = made_of((plane_ ? plane_->depths()[i] : cut_->depths()[i]) * geometry_.w[i],
+                  largest_of(*primitive_, clip_z));
+    f.values[i] = inexact_depth_in(primitive_->depth_range, inexact_quotient(z, w));
+  }
+  return f;
+}
+
+Interpolant VertexAttributes::permitted_inverse_w() const {
+  Interpolant f = geometry_;
+  for (std::size_t i = 0; i < count_of(*primitive_); ++i)
+    f.values[i] = inexact_quotient(1, permitted_w(i));
   return f;
 }
 

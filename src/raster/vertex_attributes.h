@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
 #include "exact/interval.h"
@@ -36,7 +37,15 @@ class VertexAttributes {
   Interpolant depth() const;
   Interpolant inverse_w() const;  // 1/w
 
+  // The same with all that the operations may err by which make them of clip coordinates (GL 4.6
+  // core, 2.3.4.1): the division by w, the scaling and the addition of 13.8.1, and before these the
+  // means of 13.7.1 where a vertex is one that clipping made.
+  Interpolant permitted_depth() const;
+  Interpolant permitted_inverse_w() const;
+
  private:
+  Interval permitted_w(std::size_t vertex) const;
+
   const ScenePrimitive* primitive_;
   std::optional<ClippedPlane> plane_;
   std::optional<CutLine> cut_;

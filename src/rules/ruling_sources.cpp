@@ -156,6 +156,18 @@ std::map<int, RulingSource> sources() {
                 "The reference line rasterizer cuts columns at the viewport",
             .es = "13.6.2.1: same"};
 
+  of[46] = {
+      .clause = "14.5.1, equations 14.5 to 14.7; 14.5.2.2",
+      .quotation = "Set t = (p_r - p_a) . (p_b - p_a) / |p_b - p_a|^2",
+      .basis = Basis::contested,
+      .contest =
+          "J.4 (October 22, 2019) loosens 14.5.2.2 to \"allow diagonal interpolation of input "
+          "attributes, bring the specification in line with Vulkan and shipping hardware\"",
+      .khronos =
+          "dEQP-GLES3.functional.rasterization.interpolation.*.lines, lines_wide: values by "
+          "the major axis are accepted with a quality warning",
+      .es = "13.6.1: the formula may be approximated by the major axis alone"};
+
   of[13] = {.clause = "14.5.2.2 (Wide Lines)",
             .quotation =
                 "generate the same attribute values for all fragments in the row or column "

@@ -47,8 +47,8 @@ Result CaseComparison::compare_outcome(std::size_t index, Outcome outcome,
   const auto profile = options_.profiles.find(info.name);
   const Case& one = suite_.cases[index];
   const auto& rendering = std::get<Rendering>(outcome);
-  const RendererFacts facts{info.subpixel_bits,
-                            profile != options_.profiles.end() ? &profile->second : nullptr};
+  const RendererFacts facts =
+      facts_of(info, profile != options_.profiles.end() ? &profile->second : nullptr);
   Result result = compare_with_exact(index, rendering, facts);
   if (std::ranges::find(one.tags, kRampTag) != one.tags.end())
     result.ramp = level_ramp(one.scene, options_.policy, rendering, facts);

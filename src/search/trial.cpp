@@ -63,8 +63,8 @@ std::vector<TrialAnswer> Trial::ask(std::span<const Scene> scenes) {
 Result Trial::compare_outcome(const Scene& scene, Outcome outcome) const {
   if (auto* failure = std::get_if<Failure>(&outcome)) return not_run(std::move(*failure));
   const auto& rendering = std::get<Rendering>(outcome);
-  const RendererFacts facts{renderer_.info().subpixel_bits,
-                            options_.profile ? &*options_.profile : nullptr};
+  const RendererFacts facts =
+      facts_of(renderer_.info(), options_.profile ? &*options_.profile : nullptr);
   // A renderer that has its samples elsewhere is held against exact with samples there.
   const Rendering exact =
       rasterize_without_details(scene, options_.policy, rendering.sample_positions);

@@ -91,8 +91,6 @@ std::vector<Mutant> general_mutants() {
   const std::map<std::string, std::string> half_of_nothing_by_chance = {
       {"lines off the grid", "line.diamond-exit=open + line.snap=8-truncate | "},
       {"points on borders", "point.ownership=open | "},
-      {"points off the grid", "point.ownership=open + point.snap=4-half-even | "},
-      {"points a 256th off", "point.ownership=open + point.snap=7-half-even | "},
   };
   for (Mutant& mutant : mutants) {
     if (mutant.name == "constant image, no fragments" || mutant.name == "nothing drawn")

@@ -54,6 +54,10 @@ Mutant convention(Rest... rest) {
 }
 
 template <class... Rest>
+Mutant contested(Rest... rest) {
+  return line_mutant(Verdict::contested, rest...);
+}
+template <class... Rest>
 Mutant violation(Rest... rest) {
   return line_mutant(Verdict::violation, rest...);
 }
@@ -183,7 +187,8 @@ std::vector<Mutant> line_mutants() {
       violation("one row of two", std::vector<std::string>{"line y-major"}, one_doubled(1, 0)),
       convention("last pixel of an empty line", kEmpty, changed(draw_end_vertex), kWholeWalk),
       violation("two pixels of an empty line", kEmpty, drawn_at({{6, 9}, {7, 9}})),
-      violation("a wrong pixel of an empty line", kEmpty, drawn_at({{7, 9}})),
+      contested("a wrong pixel of an empty line", kEmpty, drawn_at({{7, 9}})),
+      violation("a pixel two beside an empty line", kEmpty, drawn_at({{8, 9}})),
   };
 }
 

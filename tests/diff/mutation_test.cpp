@@ -109,7 +109,7 @@ bool comes_under_its_rule(const Mutant& mutant, const Scene& scene, const Result
     return primitive < 0 ? ""
                          : coverage_rule_of(primitives[static_cast<std::size_t>(primitive)].kind);
   };
-  const bool illegal = mutant.verdict == Verdict::violation;
+  const bool illegal = mutant.verdict >= Verdict::contested;
   return std::any_of(result.disagreements.begin(), result.disagreements.end(),
                      [&](const Disagreement& d) {
                        return d.rule == own_rule(d.primitive) && is_legal(d) != illegal;

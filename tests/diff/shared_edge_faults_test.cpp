@@ -129,5 +129,43 @@ TEST(Neighbours, AreAllPairsWithACommonEdge) {
   EXPECT_GT(found, 200u);
 }
 
+// A hole has no tie order as its cause, though each triangle alone is drawn as by some order:
+// orders give the sample to one of the two. What both follow is one.
+TEST(SharedEdgeFaults, AHoleHasNoCauseThatIsNoneForBothTriangles) {
+  const Scene& scene = scene_named("shared edge");
+  const Rendering exact = rasterize(scene, {});
+  const auto result_of = [&](const Rendering& rendered) {
+    return compare_and_judge(scene, rendered);
+  };
+  Policy other;
+  other.rules["triangle.fill-rule"] = "right-bottom";
+  const Result ordered = result_of(rasterize(scene, other));
+  EXPECT_EQ(ordered.verdict, Verdict::convention);
+  // The first triangle as one order has it, the second as exact: holes, or samples hit twice.
+  for (const char* order : {"right-bottom", "right-top", "bottom-right", "left-bottom"}) {
+    other.rules["triangle.fill-rule"] = order;
+    const Rendering mixed = rasterize(scene, other);
+    std::vector<Fragment> fragments;
+    for (const Fragment& f : mixed.fragments)
+      if (f.primitive == 0) fragments.push_back(f);
+    for (const Fragment& f : exact.fragments)
+      if (f.primitive != 0) fragments.push_back(f);
+    const Result result = result_of(compose(scene, fragments));
+    if (result.verdict != Verdict::violation) continue;
+    for (const Disagreement& d : result.disagreements)
+      EXPECT_FALSE(d.cause.starts_with("triangle.fill-rule=") &&
+                   d.cause != "triangle.fill-rule=open" && d.cause != "triangle.fill-rule=closed")
+          << order << d.cause;
+  }
+  // Illegal orders make holes and double hits for both, and are named.
+  for (const char* order : {"open", "closed"}) {
+    other.rules["triangle.fill-rule"] = order;
+    const Result result = result_of(rasterize(scene, other));
+    EXPECT_EQ(result.verdict, Verdict::violation);
+    for (const Disagreement& d : result.disagreements)
+      EXPECT_EQ(d.cause, std::string("triangle.fill-rule=") + order);
+  }
+}
+
 }  // namespace
 }  // namespace edgecase

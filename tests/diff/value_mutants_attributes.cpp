@@ -160,7 +160,7 @@ std::vector<ValueMutant> interpolation_mutants() {
       {"the parameter of the major axis",
        kLines,
        under([](RuleChoices& c) { c.values.line_parameter = LineParameter::major_axis; }),
-       kViolation,
+       Verdict::contested,
        {kSmoothRule + ": attribute.smooth=major-axis",
         kDepthRule + ": attribute.smooth=major-axis"}},
       {"positions snapped to 8 bits of 8",

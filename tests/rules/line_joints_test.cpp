@@ -339,5 +339,26 @@ TEST(LineJoint, GoesOnOnlyInOneDirection) {
   EXPECT_FALSE(goes_on({up.b, up.a}, {at(6, 3), at(2, -1)})) << "diagonal";
 }
 
+// A segment between that the target's border may hide is no gap: what is drawn of its neighbours
+// need not meet. One that lies inside, and of which nothing was drawn, is.
+TEST(LineJoints, ASegmentThatTheBorderMayHideIsNotPassedOver) {
+  const auto clause_at = [](double y) {
+    const Segment down{at(1.5, y + 2), at(3.5, y)};
+    const Segment level{at(3.5, y), at(6.5, y)};
+    const Segment up{at(6.5, y), at(8.5, y + 2)};
+    // All of them a unit lower, and nothing of what would lie below the target.
+    const auto lowered = [](const Segment& segment) {
+      Pixels pixels;
+      for (PixelPosition p : exact(segment))
+        if (p.y > 0) pixels.push_back({p.x, p.y - 1});
+      return pixels;
+    };
+    const Pixels of_down = lowered(down), of_up = lowered(up);
+    return broken_joint_clause({down, of_down, kTarget}, std::vector{level}, {up, of_up, kTarget});
+  };
+  EXPECT_EQ(clause_at(0.5), "");
+  EXPECT_NE(clause_at(2.5), "");
+}
+
 }  // namespace
 }  // namespace edgecase

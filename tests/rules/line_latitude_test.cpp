@@ -91,5 +91,46 @@ TEST(LineLatitude, WhatTheBorderHidesIsNotHeldAgainstALine) {
   EXPECT_FALSE(legal(leaving, {}));
 }
 
+// From every place of a diamond to every place of another: whichever way an implementation moves
+// ends that lie on a boundary, its lines are legal, and two fragments fewer or a stray one are not.
+TEST(LineLatitude, EveryOrderOfTiesIsLegal) {
+  const std::vector<std::pair<double, double>> places = {
+      {0, 0},          {0.5, 0},         {0, 0.5},       {-0.5, 0},     {0, -0.5},
+      {0.25, 0.25},    {-0.25, 0.25},    {-0.25, -0.25}, {0.25, -0.25}, {0.375, 0.375},
+      {-0.375, 0.375}, {-0.375, -0.375}, {0.375, -0.375}};
+  const std::vector<std::pair<int, int>> ways = {{4, 0},  {4, 4},   {0, 4},  {-4, 4},
+                                                 {-4, 0}, {-4, -4}, {0, -4}, {4, -4}};
+  int otherwise = 0;
+  for (const auto& [dx, dy] : ways)
+    for (const auto& [ax, ay] : places)
+      for (const auto& [bx, by] : places) {
+        const Segment segment{at(7.5 + ax, 7.5 + ay), at(7.5 + dx + bx, 7.5 + dy + by)};
+        for (const DiamondBoundary& boundary : all_diamond_boundaries()) {
+          if (boundary.ties == nullptr || boundary.ties->kind != TieRule::Kind::perturbed) continue;
+          auto drawn = diamond_exit_pixels(segment, kTarget, boundary);
+          otherwise += drawn.size() + 1 < exact(segment).size();
+          ASSERT_EQ(broken_line_clause({segment, 1, kTarget}, drawn), "") << boundary.name;
+          drawn.push_back({15, 15});
+          ASSERT_NE(broken_line_clause({segment, 1, kTarget}, drawn), "") << boundary.name;
+          drawn.resize(0);
+          ASSERT_NE(broken_line_clause({segment, 1, kTarget}, drawn), "") << boundary.name;
+        }
+      }
+  EXPECT_GT(otherwise, 0) << "some have two fragments fewer than the text's own order";
+}
+
+// Only what lies exactly on a boundary is open: a thousandth of a pixel beside it, two fewer are
+// two too few.
+TEST(LineLatitude, BesideATieNothingIsOpen) {
+  const Segment tied{at(7.75, 7.75), at(11.25, 11.75)};
+  const auto shorter = diamond_exit_pixels(tied, kTarget, *find_diamond_boundary("right-top"));
+  EXPECT_TRUE(legal(tied, shorter));
+  const Segment beside{at(7.749, 7.749), at(11.249, 11.751)};
+  auto fewer = exact(beside);
+  ASSERT_EQ(fewer.size(), exact(tied).size());
+  ASSERT_EQ(fewer.size(), shorter.size() + 2);
+  EXPECT_FALSE(legal(beside, shorter));
+}
+
 }  // namespace
 }  // namespace edgecase

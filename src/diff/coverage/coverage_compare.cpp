@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "diff/coverage/cause.h"
+#include "diff/coverage/common_cause.h"
 #include "diff/coverage/explanation.h"
 #include "diff/coverage/joint_faults.h"
 #include "diff/coverage/legality.h"
@@ -83,6 +84,7 @@ class CoverageComparison {
       if (is_line(primitive)) judge_line(primitive);
     judge_joints();
     judge_shared_edges();
+    keep_common_causes();
   }
 
  private:
@@ -211,10 +213,29 @@ class CoverageComparison {
 
   CoverageLegality judge(const ScenePrimitive& primitive,
                          const CoverageDifference& difference) const {
-    CoverageLegality legality =
-        judge_sample(primitive, difference, within(primitive, difference), context_.bits);
+    CoverageLegality legality = judge_sample(primitive, difference, within(primitive, difference),
+                                             context_.bits, context_.sizes);
+    if (!legality.legal && !judged_by_mask(legality)) contest(primitive, difference, legality);
     return judge_facing(primitive, difference, is_missing(primitive), std::move(legality),
                         context_.bits);
+  }
+
+  static bool judged_by_mask(const CoverageLegality& legality) {
+    return legality.rule == "sample.mask" || legality.rule == "sample.enable";
+  }
+
+  // What is not allowed, but by a ruling that is contested.
+  void contest(const ScenePrimitive& primitive, const CoverageDifference& difference,
+               CoverageLegality& legality) const {
+    if (is_cut_at_viewport(primitive, difference)) {
+      legality.ruling = kRulingOnViewport;
+      legality.reason += ", and the pixel lies beyond the viewport's sides";
+    } else if (is_multisampled(primitive) &&
+               is_so_elsewhere(primitive, difference, context_.bits, context_.sizes)) {
+      legality.ruling = kRulingOnOtherPlaces;
+      legality.reason += fmt::format(", but a sample elsewhere could be {}",
+                                     difference.drawn > difference.exact ? "covered" : "left out");
+    }
   }
 
   // Was nothing of it drawn?
@@ -322,12 +343,14 @@ class CoverageComparison {
     const auto illegal = illegal_line_snaps(line, drawn, scene());
     if (illegal.empty() && evidence_of(line) == nullptr) return;
     merge_snaps(illegal, result_.illegal_line_snaps);
-    const int ruling = ruling_on_line(line, scene());
+    const int contested = illegal.empty() ? 0 : contested_ruling_on_line(line, drawn, scene());
+    const int ruling = contested != 0 ? contested : ruling_on_line(line, scene());
     const std::string clause = broken_clause_unsnapped(line, drawn, scene());
     if (!illegal.empty()) break_line(line, illegal, clause, "line.diamond-exit", ruling);
-    if (clause.empty())
-      say_of_line(line, "line.diamond-exit", ruling,
-                  fmt::format("Ruling {} holds for the segment as given.", ruling));
+    if (!clause.empty()) return;
+    const int kept = ruling_on_line(line, scene());
+    say_of_line(line, "line.diamond-exit", kept,
+                fmt::format("Ruling {} holds for the segment as given.", kept));
   }
 
   void judge_joints() {
@@ -338,16 +361,50 @@ class CoverageComparison {
     }
   }
 
+  // Does what was drawn of a point, a triangle or a multisampled line break a ruling? Of other
+  // lines the run decides.
+  bool breaks_a_ruling(const ScenePrimitive& primitive) const {
+    return !is_line(primitive) &&
+           std::ranges::any_of(result_.disagreements, [&](const Disagreement& d) {
+             return d.primitive == primitive.index && d.kind != DisagreementKind::value &&
+                    !is_legal(d) && !d.policy_agrees;
+           });
+  }
+
+  // The other primitives of a primitive's draw, and those of other draws with which it breaks
+  // ruling 5.
+  std::vector<DrawnPrimitive> others_of(const ScenePrimitive& primitive) const {
+    std::vector<DrawnPrimitive> others;
+    const auto partners = partners_.find(primitive.index);
+    for (const ScenePrimitive& other : context_.primitives) {
+      const bool is_partner = partners != partners_.end() && partners->second.contains(other.index);
+      if (other.index != primitive.index && (other.draw == primitive.draw || is_partner))
+        others.push_back({&other, &coverage_of(other)});
+    }
+    return others;
+  }
+
+  void keep_common_causes() {
+    for (Result::Evidence& evidence : result_.evidence) {
+      const ScenePrimitive& primitive = primitive_at(evidence.primitive);
+      if (evidence.causes.empty() || !breaks_a_ruling(primitive)) continue;
+      evidence.causes = common_causes(question_about(primitive), coverage_of(primitive),
+                                      evidence.causes, others_of(primitive));
+    }
+  }
+
   // A hole or a double hit on a shared edge turns the disagreements behind it into violations.
   void judge_shared_edges() {
     for (const SharedEdgeFault& fault : shared_edge_faults(context_.primitives, context_.coverage,
                                                            scene(), context_.bits, lawful_)) {
+      partners_[fault.first].insert(fault.second);
+      partners_[fault.second].insert(fault.first);
       const std::string reason = fmt::format(
           "triangles {} and {} share the edge here and together hit this sample {} times instead "
           "of once",
           fault.first, fault.second, fault.hits);
       if (blame(fault, reason) || context_.latitude != Latitude::opengl) continue;
-      const CoverageLegality broken{false, 5, "triangle.shared-edge", reason};
+      const CoverageLegality broken{false, ruling_on(fault), "triangle.shared-edge", reason};
       for (int index : {fault.first, fault.second})
         for (const CoverageDifference& difference : excused_by_policy(primitive_at(index)))
           if (difference.pixel == fault.pixel && difference.sample == fault.sample)
@@ -355,7 +412,12 @@ class CoverageComparison {
     }
   }
 
-  // Turns the disagreements of both triangles at the pixel; false where there is none.
+  static int ruling_on(const SharedEdgeFault& fault) {
+    return fault.is_certain ? 5 : kRulingOnOtherPlaces;
+  }
+
+  // Turns the disagreements of both triangles at the pixel; false where there is none. Of one that
+  // breaks a ruling by itself that ruling stays, unless it is contested.
   bool blame(const SharedEdgeFault& fault, const std::string& reason) {
     bool found = false;
     for (Disagreement& d : result_.disagreements) {
@@ -365,10 +427,10 @@ class CoverageComparison {
       if (!concerned || (d.rule != "triangle.fill-rule" && d.rule != "triangle.shared-edge"))
         continue;
       found = true;
+      if (fault.is_certain || is_legal(d)) d.ruling = ruling_on(fault);
       d.legality = Legality::illegal;
       d.rule = "triangle.shared-edge";
-      d.ruling = 5;
-      d.explanation += fmt::format(" Ruling 5: {}.", reason);
+      d.explanation += fmt::format(" Ruling {}: {}.", ruling_on(fault), reason);
     }
     return found;
   }
@@ -378,6 +440,7 @@ class CoverageComparison {
   const SamplePositions lawful_;               // of samples, as they are reported
   const SamplePositions chosen_;               // as the policy has them
   std::map<int, std::string> excused_causes_;  // by primitive
+  std::map<int, std::set<int>> partners_;      // in faults of shared edges, by primitive
   Result& result_;
 };
 

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "diff/coverage/coverage_diff.h"
+#include "diff/coverage/supported_sizes.h"
 #include "model/policy.h"
 #include "model/result.h"
 #include "model/scene.h"
@@ -29,6 +30,7 @@ struct CoverageContext {
   int bits = 4;                // as in ruling 4
   bool refute = true;          // gather evidence against alternatives; costs more than all the rest
   SamplePositions reported{};  // where the renderer says that samples lie
+  SupportedSizes sizes{};      // of points and multisampled lines
 };
 
 // Appends disagreements and evidence to `result`, and fills illegal_line_snaps and refuted.

@@ -55,8 +55,24 @@ Signs signs_of_seen_area(const LoosePolygon& polygon) {
   return {area + change > 0, area - change < 0};
 }
 
+// 14.6.1 lets the area be that of the polygon as it was before clipping, too. The quotients of a
+// vertex behind the eye lie on its other side: where there are one or three of these, that area has
+// the opposite sign. A vertex in the plane of the eye has no quotients, and so no sign.
+bool may_turn_unclipped(const ScenePrimitive& triangle) {
+  int behind = 0;
+  for (const HomogeneousPoint& vertex : triangle.positions) {
+    if (vertex.w == 0) return true;
+    behind += vertex.w < 0 ? 1 : 0;
+  }
+  return behind % 2 == 1;
+}
+
 Signs signs_of(const ScenePrimitive& triangle, int bits) {
-  if (triangle.is_clipped) return signs_of_seen_area(loose_polygon(triangle, bits));
+  if (triangle.is_clipped) {
+    const Signs seen = signs_of_seen_area(loose_polygon(triangle, bits));
+    if (!may_turn_unclipped(triangle)) return seen;
+    return {true, true};
+  }
   // Of quotients, the nearest: reach_of knows how far off they are.
   return signs_of_area(nearest_triangle(triangle.positions), reach_of(triangle, bits));
 }

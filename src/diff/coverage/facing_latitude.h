@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Ruling 40: which ways a triangle may face, where moves of its vertices within rulings 4 and 15
-// can turn it round.
+// can turn it round, or its area before clipping has another sign than that of what is seen.
 #pragma once
 
 #include "model/scene.h"

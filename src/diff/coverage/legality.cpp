@@ -43,36 +43,81 @@ std::vector<PixelPosition> fragments_of_rule(const Segment& segment, const Pixel
   return found_line_pixels(segment, Fixed::from_integer(1), bounds, choice);
 }
 
-SeenLine seen_line(const ScenePrimitive& line, Snap snap, const Scene& scene) {
+// What a line is held against: how wide it may be, and where its fragments are asked for.
+struct LineTerms {
+  std::vector<int> widths;
+  PixelBounds bounds;
+};
+
+// The nearest integers to the width: of a half there are two (14.5.2.2 says nothing of ties).
+LineTerms terms_of(const ScenePrimitive& line, const Scene& scene) {
+  const Fixed width = line.state->line_width;
+  LineTerms terms{{rounded_width(width)}, drawable_bounds(*line.state, scene.target)};
+  const bool is_half = width.raw() % Fixed::kOne == Fixed::kOne / 2;
+  if (is_half && terms.widths[0] > 1) terms.widths.push_back(terms.widths[0] - 1);
+  return terms;
+}
+
+SeenLine seen_line(const ScenePrimitive& line, Snap snap, const LineTerms& terms) {
   const auto [segment, reach] = snapped_segment(line, snap);
-  return {segment, rounded_width(line.state->line_width),
-          drawable_bounds(*line.state, scene.target), reach, fragments_of_rule};
+  return {segment, terms.widths[0], terms.bounds, reach, fragments_of_rule};
+}
+
+// The clause that is broken whichever of the widths the line has.
+std::string broken_clause(SeenLine line, const LineTerms& terms,
+                          std::span<const PixelPosition> drawn) {
+  std::string first;
+  for (const int width : terms.widths) {
+    line.width = width;
+    const std::string clause = broken_line_clause(line, drawn);
+    if (clause.empty()) return "";
+    if (first.empty()) first = clause;
+  }
+  return first;
 }
 
 Segment segment_of(const ScenePrimitive& line) {
   return {nearest_point(line.positions[0]), nearest_point(line.positions[1])};
 }
 
-bool possibly_covered(const ScenePrimitive& primitive, Point sample, Fixed reach) {
+// How large a point may be, or how wide a multisampled line. A multisampled point of a size below
+// the fade threshold, which is 1, may be as large as that (14.4, equation 14.1).
+SizeRange sizes_of(const ScenePrimitive& primitive, const SupportedSizes& supported) {
+  const Draw& state = *primitive.state;
+  if (primitive.kind == PrimitiveKind::line)
+    return permitted_sizes(state.line_width, supported.lines);
+  SizeRange range = permitted_sizes(state.point_size, supported.points);
+  if (state.multisampling.enabled && state.point_size < Fixed::from_integer(1))
+    range.high = std::max(range.high, Fixed::from_integer(1));
+  return range;
+}
+
+// Where vertices may lie, and how large points and lines may be.
+struct Latitudes {
+  Fixed reach;
+  SizeRange sizes;
+};
+
+bool possibly_covered(const ScenePrimitive& primitive, Point sample, const Latitudes& latitudes) {
+  const auto& [reach, sizes] = latitudes;
   switch (primitive.kind) {
     case PrimitiveKind::point:
-      return point_possibly_covered(point_of(primitive), sample, reach);
+      return point_possibly_covered({point_of(primitive).vertex, sizes.high}, sample, reach);
     case PrimitiveKind::line:
-      return multisampled_line_possibly_covered(segment_of(primitive), primitive.state->line_width,
-                                                sample, reach);
+      return multisampled_line_possibly_covered(segment_of(primitive), sizes.high, sample, reach);
     case PrimitiveKind::triangle:
       return triangle_possibly_covered(triangle_of(primitive), sample, reach);
   }
   return true;
 }
 
-bool possibly_uncovered(const ScenePrimitive& primitive, Point sample, Fixed reach) {
+bool possibly_uncovered(const ScenePrimitive& primitive, Point sample, const Latitudes& latitudes) {
+  const auto& [reach, sizes] = latitudes;
   switch (primitive.kind) {
     case PrimitiveKind::point:
-      return point_possibly_uncovered(point_of(primitive), sample, reach);
+      return point_possibly_uncovered({point_of(primitive).vertex, sizes.low}, sample, reach);
     case PrimitiveKind::line:
-      return multisampled_line_possibly_uncovered(segment_of(primitive),
-                                                  primitive.state->line_width, sample, reach);
+      return multisampled_line_possibly_uncovered(segment_of(primitive), sizes.low, sample, reach);
     case PrimitiveKind::triangle:
       return triangle_possibly_uncovered(triangle_of(primitive), sample, reach);
   }
@@ -120,12 +165,46 @@ std::optional<CoverageLegality> judge_mask(const ScenePrimitive& primitive,
 
 namespace {
 
+// A point outside the clip volume, if clipping may pass it all the same: it lies between near and
+// far, to within 1 part in 10^5 of w, and near enough to the target for a place in the window.
+std::optional<SizedPoint> passed_point(const ScenePrimitive& point) {
+  const ClipPosition& clip = *point.vertices[0]->clip;
+  const double farthest = static_cast<double>(clip.w) * (1 + 1e-5);
+  if (!(clip.w > 0) || std::fabs(static_cast<double>(clip.z)) > farthest) return std::nullopt;
+  const HomogeneousPoint& place = point.positions[0];
+  const std::int64_t limit = Fixed::kMaxCoordinate * place.w;
+  if (std::abs(place.x) > limit || std::abs(place.y) > limit) return std::nullopt;
+  return point_of(point);
+}
+
+// An implementation may draw a point that lies outside the sides of the view volume, or not; no
+// exact one does (ruling 42).
+CoverageLegality judge_clipped_point(const ScenePrimitive& point, bool extra, Point sample,
+                                     int bits) {
+  constexpr int kRuling = 42;
+  const auto passed = passed_point(point);
+  if (!passed || !extra)
+    return {!extra, kRuling, kClipVolume,
+            passed ? "the point lies outside the view volume, and may be discarded"
+                   : "the point does not lie between near and far"};
+  const Vertex& vertex = *point.vertices[0];
+  const Fixed error = division_error(vertex, passed->vertex, point.viewport);
+  if (point_possibly_covered(*passed, sample, grid_step(bits) + error))
+    return {true, kRuling, kClipVolume,
+            "the point lies between near and far, and so need not be discarded"};
+  return {false, 6, coverage_rule_of(point.kind),
+          fmt::format("no move of the vertex by {} could put the sample inside or on the boundary",
+                      move_of(error, bits))};
+}
+
 // Of a primitive that reaches out of the clip volume: ruling 42.
 CoverageLegality judge_clipped(const ScenePrimitive& primitive, bool extra, Point sample,
                                int bits) {
   constexpr int kRuling = 42;
-  if (primitive.kind != PrimitiveKind::triangle)
-    return {!extra, kRuling, kClipVolume, "the vertex lies outside the clip volume"};
+  if (primitive.kind == PrimitiveKind::point)
+    return judge_clipped_point(primitive, extra, sample, bits);
+  if (primitive.kind == PrimitiveKind::line)
+    return {!extra, kRuling, kClipVolume, "nothing of the line lies in the clip volume"};
   const LoosePolygon polygon = loose_polygon(primitive, bits);
   const bool legal = extra ? polygon_possibly_covered(polygon, sample)
                            : polygon_possibly_uncovered(polygon, sample);
@@ -140,7 +219,7 @@ CoverageLegality judge_clipped(const ScenePrimitive& primitive, bool extra, Poin
 }  // namespace
 
 CoverageLegality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                              Point within, int bits) {
+                              Point within, int bits, const SupportedSizes& sizes) {
   if (auto judged = judge_mask(primitive, difference)) return *judged;
   const bool point = primitive.kind == PrimitiveKind::point;
   const bool line = primitive.kind == PrimitiveKind::line;
@@ -150,9 +229,9 @@ CoverageLegality judge_sample(const ScenePrimitive& primitive, const CoverageDif
   CoverageLegality result;
   result.rule = line ? kMultisampledLine : coverage_rule_of(primitive.kind);
   result.ruling = point ? 6 : line ? 28 : 4;
-  const Fixed reach = reach_of(primitive, bits);
-  result.legal = extra ? possibly_covered(primitive, sample, reach)
-                       : possibly_uncovered(primitive, sample, reach);
+  const Latitudes latitudes{reach_of(primitive, bits), sizes_of(primitive, sizes)};
+  result.legal = extra ? possibly_covered(primitive, sample, latitudes)
+                       : possibly_uncovered(primitive, sample, latitudes);
   result.reason =
       fmt::format("{} move of the {} by {} {} the sample {}", result.legal ? "some" : "no",
                   point ? "vertex" : "vertices", move_of(division_error(primitive), bits),
@@ -182,32 +261,108 @@ CoverageLegality judge_facing(const ScenePrimitive& primitive, const CoverageDif
   return {turns, kRuling, kRule, "nothing of the triangle is drawn, and " + reason};
 }
 
-std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,
-                                            std::span<const PixelPosition> drawn,
-                                            const Scene& scene) {
+bool is_so_elsewhere(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                     int bits, const SupportedSizes& sizes) {
+  const bool extra = difference.drawn > difference.exact;
+  const Fixed half = Fixed::from_raw(Fixed::kOne / 2);
+  LoosePolygon polygon;
+  if (primitive.is_clipped) {
+    if (primitive.kind != PrimitiveKind::triangle) return false;
+    polygon = loose_polygon(primitive, bits);
+    polygon.reach = polygon.reach + half;
+  }
+  const Latitudes latitudes{reach_of(primitive, bits) + half, sizes_of(primitive, sizes)};
+  const auto is_so = [&](Point sample) {
+    if (primitive.is_clipped)
+      return extra ? polygon_possibly_covered(polygon, sample)
+                   : polygon_possibly_uncovered(polygon, sample);
+    return extra ? possibly_covered(primitive, sample, latitudes)
+                 : possibly_uncovered(primitive, sample, latitudes);
+  };
+  // A sample that lies half a pixel from a centre at most is a centre with vertices moved by as
+  // much; the pixel and what lies around it are those squares round nine centres.
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (is_so(pixel_centre(difference.pixel.x + dx, difference.pixel.y + dy))) return true;
+  return false;
+}
+
+bool is_cut_at_viewport(const ScenePrimitive& primitive, const CoverageDifference& difference) {
+  return primitive.kind != PrimitiveKind::triangle && difference.drawn < difference.exact &&
+         !pixels_in(primitive.viewport).contains(difference.pixel);
+}
+
+namespace {
+
+std::vector<std::string> snaps_that_break(const ScenePrimitive& line,
+                                          std::span<const PixelPosition> drawn,
+                                          const LineTerms& terms) {
   // Many snaps leave a line in the same place, where it is judged once.
   std::vector<std::pair<SeenLine, bool>> judged;
   std::vector<std::string> result;
   for (Snap snap : all_snaps()) {
-    const SeenLine seen = seen_line(line, snap, scene);
+    const SeenLine seen = seen_line(line, snap, terms);
     auto found = std::find_if(judged.begin(), judged.end(), [&](const auto& known) {
       return known.first.segment.a == seen.segment.a && known.first.segment.b == seen.segment.b &&
              known.first.reach == seen.reach;
     });
     if (found == judged.end())
-      found = judged.insert(found, {seen, !broken_line_clause(seen, drawn).empty()});
+      found = judged.insert(found, {seen, !broken_clause(seen, terms, drawn).empty()});
     if (found->second) result.push_back(name_of(snap));
   }
   return result;
 }
 
+}  // namespace
+
+std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,
+                                            std::span<const PixelPosition> drawn,
+                                            const Scene& scene) {
+  return snaps_that_break(line, drawn, terms_of(line, scene));
+}
+
+namespace {
+
+// One fragment, no more than a unit from a pixel whose closed diamond the segment meets.
+bool is_near_empty_line(const SeenLine& line, std::span<const PixelPosition> drawn) {
+  if (line.width != 1 || drawn.size() != 1 || !is_unseen(line)) return false;
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (may_meet_diamond({line.segment, line.reach}, {drawn[0].x + dx, drawn[0].y + dy}))
+        return true;
+  return false;
+}
+
+}  // namespace
+
+int contested_ruling_on_line(const ScenePrimitive& line, std::span<const PixelPosition> drawn,
+                             const Scene& scene) {
+  const LineTerms terms = terms_of(line, scene);
+  if (is_near_empty_line(seen_line(line, Snap{}, terms), drawn)) return kRulingOnEmptyLine;
+  const std::size_t broken = snaps_that_break(line, drawn, terms).size();
+  const auto holds_under_more = [&](const LineTerms& other) {
+    return snaps_that_break(line, drawn, other).size() < broken;
+  };
+  const PixelBounds viewport = common_part(terms.bounds, pixels_in(line.viewport));
+  const bool is_inside =
+      std::ranges::all_of(drawn, [&](PixelPosition pixel) { return viewport.contains(pixel); });
+  if (viewport != terms.bounds && is_inside && holds_under_more({terms.widths, viewport}))
+    return kRulingOnViewport;
+  const Fixed width = line.state->line_width;
+  const int smaller = static_cast<int>(width.floor());
+  const bool is_smaller = smaller >= 1 && smaller < terms.widths.back();
+  if (is_smaller && holds_under_more({{smaller}, terms.bounds})) return kRulingOnSmallerWidth;
+  return 0;
+}
+
 std::string broken_clause_unsnapped(const ScenePrimitive& line,
                                     std::span<const PixelPosition> drawn, const Scene& scene) {
-  return broken_line_clause(seen_line(line, Snap{}, scene), drawn);
+  const LineTerms terms = terms_of(line, scene);
+  return broken_clause(seen_line(line, Snap{}, terms), terms, drawn);
 }
 
 int ruling_on_line(const ScenePrimitive& line, const Scene& scene) {
-  const SeenLine seen = seen_line(line, Snap{}, scene);
+  const SeenLine seen = seen_line(line, Snap{}, terms_of(line, scene));
   if (seen.width != 1) return 12;
   return is_unseen(seen) ? 2 : 1;
 }

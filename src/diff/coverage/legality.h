@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "diff/coverage/coverage_diff.h"
+#include "diff/coverage/supported_sizes.h"
 #include "model/scene.h"
 #include "model/verdict.h"
 
@@ -33,14 +34,37 @@ struct CoverageLegality {
 };
 
 // Points, triangles and multisampled lines: `difference` judged by itself. `within`: where in its
-// pixel the sample lies.
+// pixel the sample lies. `sizes`: that the renderer supports.
 CoverageLegality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                              Point within, int bits);
+                              Point within, int bits, const SupportedSizes& sizes = {});
 
 // The same of triangles of draws that cull: which way they face may be what differs (ruling 40).
 // `whole`: nothing of the triangle was drawn. `otherwise`: what judge_sample says.
 CoverageLegality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
                               bool whole, CoverageLegality otherwise, int bits);
+
+// Of multisampled draws, what judge_sample does not allow of a sample where it is reported to lie:
+// where the points lie by which coverage is found is not told, and they may lie beyond the pixel
+// (14.3.1). Would a sample be covered, or not, as the difference has it, that lies elsewhere in the
+// pixel or less than a pixel beyond it?
+bool is_so_elsewhere(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                     int bits, const SupportedSizes& sizes = {});
+// The ruling on coverage at other places than are reported.
+inline constexpr int kRulingOnOtherPlaces = 47;
+
+// The ruling on fragments of points and lines that are left out beyond the viewport's sides.
+inline constexpr int kRulingOnViewport = 54;
+// Is the difference one that such a cut makes?
+bool is_cut_at_viewport(const ScenePrimitive& primitive, const CoverageDifference& difference);
+
+// The ruling on wide lines that are as wide as the next smaller integer.
+inline constexpr int kRulingOnSmallerWidth = 56;
+// The ruling on a single fragment of a line of which the diamond-exit rule has none.
+inline constexpr int kRulingOnEmptyLine = 58;
+// Lines that break a ruling: the contested ruling that they break alone, if there is one, since
+// they hold all others under more of the catalogued snaps; else 0.
+int contested_ruling_on_line(const ScenePrimitive& line, std::span<const PixelPosition> drawn,
+                             const Scene& scene);
 
 // Lines: names of the catalogued snaps under which the segment's drawn pixels break a ruling.
 std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,

@@ -68,7 +68,19 @@ struct SharedSide {
   SharedEdge edge;
   Fixed reach;
   PixelBounds near;
+  bool is_multisampled = false;
 };
+
+// Does every place of the pixel, and less than a pixel around it, lie inside the other edges?
+// Nowhere there may two triangles leave a sample out.
+bool lies_well_between(const SharedSide& side, PixelPosition pixel) {
+  const Fixed half = Fixed::from_raw(Fixed::kOne / 2);
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (!lies_between(side.edge, pixel_centre(pixel.x + dx, pixel.y + dy), side.reach + half))
+        return false;
+  return true;
+}
 
 // The samples that both triangles may write, by index, with where in a pixel they lie.
 std::map<int, Point> shared_samples(const ScenePrimitive& first, const ScenePrimitive& second,
@@ -92,7 +104,8 @@ void add_faults(const SharedSide& side, int first, int second, int sample, Point
     for (int x = side.near.x_min; x <= side.near.x_max; ++x) {
       const long hits = hits_of(first, {x, y}) + hits_of(second, {x, y});
       if (hits == 1 || !must_hit_once(side.edge, place_in({x, y}, within), side.reach)) continue;
-      faults.push_back({{x, y}, sample, first, second, static_cast<int>(hits)});
+      const bool is_certain = hits > 1 || !side.is_multisampled || lies_well_between(side, {x, y});
+      faults.push_back({{x, y}, sample, first, second, static_cast<int>(hits), is_certain});
     }
   }
 }
@@ -162,7 +175,8 @@ std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> 
     const auto edge = common_edge(primitives[i], primitives[j]);
     if (!edge) continue;
     const SharedSide side{*edge, std::max(one.reach, other.reach),
-                          bounds_near(edge->a, edge->b, common(one.drawable, other.drawable))};
+                          bounds_near(edge->a, edge->b, common(one.drawable, other.drawable)),
+                          one.is_multisampled};
     for (const auto& [sample, within] :
          shared_samples(primitives[i], primitives[j], scene.target, positions))
       add_faults(side, primitives[i].index, primitives[j].index, sample, within, coverage, faults);

@@ -24,6 +24,9 @@ struct SharedEdgeFault {
   int first = 0;  // primitive indices
   int second = 0;
   int hits = 0;  // by the two together
+  // It is a fault wherever the points lie by which coverage is found, and not only where samples
+  // are reported to lie (ruling 47).
+  bool is_certain = true;
 };
 
 // In the order of the first triangle, then the second, then sample, row and column. `bits` as in

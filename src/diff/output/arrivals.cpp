@@ -58,6 +58,10 @@ void Arrivals::set_depth(Arrival& arrival, int sample, const FateChoice& choice)
                          (primitive.state->multisampling.enabled ||
                           unsampled(primitive.kind, choice.without) == Unsampled::by_each_sample);
   arrival.writes_depth = writes_depth(context_, fragment, sample, choice.without);
+  if (target.samples > 1 && !by_sample && !is_constant(context_.values_of(fragment).lawful.depth)) {
+    set_depth_without_multisampling(arrival);
+    return;
+  }
   if (fragment.has_depth && !by_sample) {
     arrival.told_depth = fragment.depth;
     arrival.depth = fragment.depth;
@@ -75,6 +79,21 @@ void Arrivals::set_depth(Arrival& arrival, int sample, const FateChoice& choice)
                          : centre_of_pixel());
   arrival.depth = middle(depth_exact(values.chosen, place));
   arrival.permitted_depth = depth_permitted_at(values, place);
+}
+
+// The depth is that of the pixel's centre, or of the sample or another one (14.3.1, 17.3.10),
+// wherever gl_FragCoord.z was evaluated.
+void Arrivals::set_depth_without_multisampling(Arrival& arrival) const {
+  const Fragment& fragment = *arrival.fragment;
+  const PrimitiveValues& values = context_.values_of(fragment);
+  const Point centre = pixel_centre(fragment.x, fragment.y);
+  const bool is_told = fragment.has_depth && !std::isnan(fragment.depth);
+  arrival.depth = is_told ? fragment.depth : middle(depth_exact(values.chosen, centre));
+  arrival.permitted_depth = hull(arrival.depth, depth_permitted_at(values, centre));
+  for (const Point position : context_.sample_positions())
+    arrival.permitted_depth =
+        hull(arrival.permitted_depth,
+             depth_permitted_at(values, place_in({fragment.x, fragment.y}, position)));
 }
 
 void Arrivals::set_facing(Arrival& arrival, const FateChoice& choice) const {

@@ -60,6 +60,7 @@ class Arrivals {
 
  private:
   void set_depth(Arrival& arrival, int sample, const FateChoice& choice) const;
+  void set_depth_without_multisampling(Arrival& arrival) const;
   void set_facing(Arrival& arrival, const FateChoice& choice) const;
   void set_kept(Arrival& arrival, std::span<const Fragment> at_pixel, int sample,
                 const FateChoice& choice) const;

@@ -5,6 +5,7 @@
 // its own, that of the primitive at the sample, wherever the fragment's attributes were evaluated.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -43,6 +44,12 @@ Point depth_place_of(const ValueContext& context, const Fragment& fragment, int 
 
 Interval permitted_at(const ValueContext& context, const Fragment& fragment, Point place) {
   return depth_permitted_at(context.values_of(fragment), place);
+}
+
+// Is it drawn without GL_MULTISAMPLE on a target of several samples?
+bool lacks_multisampling(const ValueContext& context, const Fragment& fragment) {
+  return context.scene.target.samples > 1 &&
+         !context.primitive_of(fragment).state->multisampling.enabled;
 }
 
 // Does the fragment itself say what depth it writes to a sample?
@@ -90,7 +97,12 @@ void report(PixelPosition pixel, int sample, const DepthTruth& truth, double sto
 class DepthComparison {
  public:
   DepthComparison(const ValueContext& context, const Rendering& rendered)
-      : context_(context), rendered_(rendered), format_(context.scene.target.depth) {}
+      : context_(context), rendered_(rendered), format_(context.scene.target.depth) {
+    const SamplePositions& positions = context.sample_positions();
+    ways_.push_back(positions);
+    for (const Point position : positions) ways_.emplace_back(positions.size(), position);
+    ways_.emplace_back(positions.size(), centre_of_pixel());
+  }
 
   void run(Result& result) {
     // Fragments are sorted by row, column and primitive: walk them along with the pixels.
@@ -124,6 +136,30 @@ class DepthComparison {
             depth_permitted(permitted_truth(context_, writer, sample), format_).contains(stored));
   }
 
+  // Without GL_MULTISAMPLE samples have the depths of single-sample rasterization or those of
+  // multisample rasterization, each at its own place, or all that of one sample, which the
+  // implementation takes for the centermost (14.3.1, 17.3.10). Do all samples of the pixel that the
+  // fragment was the last to write have theirs in one of these ways?
+  bool is_stored_in_one_way(PixelPosition pixel, std::span<const Fragment> fragments,
+                            const Fragment& writer) const {
+    return std::ranges::any_of(ways_, [&](const SamplePositions& places) {
+      for (int sample = 0; sample < rendered_.samples; ++sample) {
+        if (last_writers(context_, fragments, sample) != std::vector<const Fragment*>{&writer})
+          continue;
+        const double stored = rendered_.depths[rendered_.sample_index(pixel.x, pixel.y, sample)];
+        const Point place = place_in(pixel, places[static_cast<std::size_t>(sample)]);
+        if (!is_storable(stored, format_) || !stores(writer, place, stored)) return false;
+      }
+      return true;
+    });
+  }
+
+  bool is_permitted(PixelPosition pixel, std::span<const Fragment> fragments,
+                    const Fragment* writer) const {
+    return writer != nullptr && lacks_multisampling(context_, *writer) &&
+           is_stored_in_one_way(pixel, fragments, *writer);
+  }
+
   void compare(PixelPosition pixel, int sample, std::span<const Fragment> fragments,
                Result& result) {
     aggregator_.count_compared(1);
@@ -131,7 +167,8 @@ class DepthComparison {
     const auto writers = last_writers(context_, fragments, sample);
     for (const Fragment* writer : writers) {
       const DepthTruth truth = truth_of(context_, writer, sample);
-      if (!is_permitted(truth, writer, sample, stored)) continue;
+      if (!is_permitted(truth, writer, sample, stored) && !is_permitted(pixel, fragments, writer))
+        continue;
       aggregate(pixel, truth, stored);
       return;
     }
@@ -219,6 +256,8 @@ class DepthComparison {
   const ValueContext& context_;
   const Rendering& rendered_;
   const DepthFormat format_;
+  // Where the samples of a pixel may have their depths without GL_MULTISAMPLE, by sample.
+  std::vector<SamplePositions> ways_;
   ValueAggregator aggregator_{"depth buffer", kRule, kRuling};
   std::vector<Miss> misses_;
 };

@@ -69,7 +69,13 @@ class PermittedColors {
     for (std::size_t c = 0; c < 4; ++c) {
       const double rendered = rendered_of(told)[c];
       if (!std::isfinite(rendered)) return false;
-      const Interval range = at->second.at(pixel, told.derivative, c);
+      Interval range = at->second.at(pixel, told.derivative, c);
+      if (values.is_polygon) {
+        // The difference of any two means.
+        const Interval means = with_means(values.lawful.color[c].values[0],
+                                          context_.primitive_of(*told.fragment), values, c);
+        range = hull(range, means - means);
+      }
       if (!rounded_to_float(range).contains(to_float(rendered))) return false;
     }
     return true;

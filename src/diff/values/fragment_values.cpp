@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -28,7 +29,8 @@ struct Component {
   double exact = 0;    // the double nearest to the exact value
   Interval permitted;  // float32 values that the specification allows
   double rendered = 0;
-  double range = 0;  // of the attribute over the vertices; of a correct one not needed
+  bool may_be_of_column = false;  // a value that another fragment of a wide line's column may have
+  double range = 0;               // of the attribute over the vertices; of a correct one not needed
 
   // Equal to what exact itself would answer. Halfway between two float32 numbers the other one is
   // told, half a unit off.
@@ -40,19 +42,36 @@ struct Component {
 };
 
 // What is permitted at a sample of a line as wide as `width`, rounded: each fragment of a column
-// may have the value of its own centre or of any other of the column (ruling 13).
+// may have the value of its own centre, or that of the adjusted line at the column's lowest
+// fragment, which is the line's own in the middle of the column: at most (width - 1)/2 away (ruling
+// 13).
+// `across`: how far, pixels.
 Interval permitted_across(const Interpolant& interpolant, const MovedVertices& vertices,
-                          const PermittedPlace& place, Point sample, int width) {
+                          const PermittedPlace& place, Point sample, Fixed across) {
   Interval result = place.value(interpolant);
-  if (interpolant.kind != PrimitiveKind::line || width == 1) return result;
+  if (interpolant.kind != PrimitiveKind::line || across == Fixed()) return result;
   const bool x_major = is_x_major(interpolant);
-  const Fixed reach_across = Fixed::from_integer(width - 1);
-  for (const Fixed offset : {reach_across, -reach_across}) {
+  for (const Fixed offset : {across, -across}) {
     Point moved = sample;
     (x_major ? moved.y : moved.x) = (x_major ? moved.y : moved.x) + offset;
     result = hull(result, PermittedPlace(vertices, moved).value(interpolant));
   }
   return result;
+}
+
+// What a value's exact number is made of, what is permitted of it, and where.
+struct Question {
+  const Interpolant& chosen;
+  const Interpolant& lawful;
+  Point place;                                 // where exact evaluates it
+  const std::vector<PermittedPlace>& corners;  // of the region where it may be evaluated, or none
+  bool is_depth = false;                       // with a polygon offset it is clamped
+};
+
+// Does exact evaluate attributes where the specification lets them be evaluated?
+bool has_lawful_places(const LocationChoice& choice) {
+  return choice.plain != PlainLocation::half_pixel_off &&
+         choice.centroid != CentroidLocation::centre && choice.depth == DepthLocation::at_sample;
 }
 
 // One attribute of one fragment: under the policy, and as OpenGL has it.
@@ -66,28 +85,37 @@ class Judge {
         pixel_{fragment.x, fragment.y},
         depth_is_zero_(fragment_depth_is_zero(primitive_.state->multisampling,
                                               context.choices.values.locations)),
+        lawful_(!values_.differ && has_lawful_places(context.choices.values.locations)),
         forgiving_(context.latitude == Latitude::none) {
     if (context.scene.target.samples == 1) return;
     place_ = context.place_of(fragment, context.choices.values.locations);
     depth_place_ = context.depth_place_of(fragment, context.choices.values.locations);
     for (const Point corner : context.permitted_places(fragment))
       corners_.emplace_back(values_.moved(), corner);
+    for (const Point corner : context.permitted_coordinates(fragment))
+      depth_corners_.emplace_back(values_.moved(), corner);
+    // An invocation for several samples is at none of them (ruling 34 judges it).
+    if (is_at_sample(primitive_.state->multisampling) && !std::has_single_bit(fragment.coverage))
+      lawful_ = false;
   }
 
-  // `exact`: what `chosen` yields.
-  Component component(Interval exact, const Interpolant& chosen, const Interpolant& lawful,
-                      Point place, double rendered) const {
+  // `exact`: what question.chosen yields.
+  Component component(Interval exact, const Question& question, double rendered) const {
     Component result;
     result.exact = middle(exact);
     result.rendered = rendered;
     result.permitted = rounded_to_float(exact);
     // Under a policy without latitude what is correct is permitted, whatever its formula.
     if (result.is_correct() && (forgiving_ || !values_.differ)) return result;
-    result.range = range_of(chosen);
+    result.range = range_of(question.chosen);
     // What lies near enough without moving any vertex needs no search over their moves.
-    result.permitted = rounded_to_float(inexact_at(place).value(lawful));
+    result.permitted = told(question, inexact_at(question.place).value(question.lawful));
     if (result.is_permitted()) return result;
-    result.permitted = rounded_to_float(permitted(lawful, place));
+    result.permitted = told(question, permitted(question));
+    if (lawful_) result.permitted = holding(result.permitted, result.exact);
+    result.may_be_of_column =
+        !result.is_permitted() && question.corners.empty() &&
+        told(question, permitted_in_column(question)).contains(to_float(rendered));
     return result;
   }
 
@@ -101,42 +129,60 @@ class Judge {
   }
 
   Component color(std::size_t c, double rendered) const {
-    return component(color_exact(values_.chosen, c, place_, pixel_), values_.chosen.color[c],
-                     values_.lawful.color[c], place_, rendered);
+    Component result =
+        component(color_exact(values_.chosen, c, place_, pixel_),
+                  {values_.chosen.color[c], values_.lawful.color[c], place_, corners_}, rendered);
+    if (!result.is_permitted())
+      result.permitted = rounded_to_float(with_means(result.permitted, primitive_, values_, c));
+    return result;
   }
   Component depth(double rendered) const {
     const Interval exact = depth_is_zero_ ? 0 : depth_exact(values_.chosen, depth_place_);
-    if (values_.lawful.clamps_depth) return offset_depth(exact, rendered);
-    Component result =
-        component(exact, values_.chosen.depth, values_.lawful.depth, depth_place_, rendered);
-    result.permitted = or_clamped(result.permitted);
-    return result;
+    return component(
+        exact, {values_.chosen.depth, values_.permitted_depth, depth_place_, depth_corners_, true},
+        rendered);
   }
   Component inverse_w(double rendered) const {
-    return component(interpolate_exact(values_.chosen.inverse_w, depth_place_),
-                     values_.chosen.inverse_w, values_.lawful.inverse_w, depth_place_, rendered);
+    Component result = component(
+        interpolate_exact(values_.chosen.inverse_w, depth_place_),
+        {values_.chosen.inverse_w, values_.permitted_inverse_w, depth_place_, depth_corners_},
+        rendered);
+    if (!result.is_permitted())
+      result.permitted =
+          rounded_to_float(with_means_of_inverse_w(result.permitted, primitive_, values_));
+    return result;
   }
 
  private:
-  // Where a fragment's centre lies beyond the primitive, its depth may lie beyond 0 to 1, clamped
-  // or not: 14.6.5 speaks of clamping where it speaks of polygon offset.
-  static Interval or_clamped(Interval depth) {
+  // Of what was interpolated, the float32 numbers that a fragment may tell.
+  Interval told(const Question& question, Interval interpolated) const {
+    return rounded_to_float(question.is_depth ? told_depth(interpolated) : interpolated);
+  }
+
+  // With a polygon offset depths are clamped. Without one a depth beyond 0 to 1, where a fragment's
+  // centre lies beyond the primitive, is clamped or not: 14.6.5 speaks of offset depths alone.
+  Interval told_depth(Interval depth) const {
+    if (values_.lawful.clamps_depth) return clamped_depth(values_.lawful, depth);
     return hull(depth, {std::clamp(depth.low, 0.0, 1.0), std::clamp(depth.high, 0.0, 1.0)});
   }
 
-  // With a polygon offset, which has a range of its own, and clamped after that.
-  Component offset_depth(Interval exact, double rendered) const {
-    Component result =
-        component(exact, values_.chosen.depth, values_.permitted_depth, depth_place_, rendered);
-    result.permitted = clamped_depth(values_.lawful, result.permitted);
-    return result;
+  // Of what has a value for the whole pixel or column, of all places where that may be taken.
+  Interval permitted(const Question& question) const {
+    const auto& [chosen, lawful, place, corners, is_depth] = question;
+    if (!corners.empty()) return permitted_within(lawful, values_.lawful.inverse_w, corners);
+    return permitted_across(lawful, values_.moved(), permitted_at(place), place,
+                            Fixed::from_raw(across() / 2));
   }
 
-  // Of what has a value for the whole pixel or column, of all places where that may be taken.
-  Interval permitted(const Interpolant& lawful, Point place) const {
-    if (!corners_.empty()) return permitted_within(lawful, values_.lawful.inverse_w, corners_);
-    return permitted_across(lawful, values_.moved(), permitted_at(place), place,
-                            rounded_width(primitive_.state->line_width));
+  // What any fragment of a wide line's column may have.
+  Interval permitted_in_column(const Question& question) const {
+    return permitted_across(question.lawful, values_.moved(), permitted_at(question.place),
+                            question.place, Fixed::from_raw(across()));
+  }
+
+  // From the first to the last fragment of a line's column, raw.
+  std::int64_t across() const {
+    return (rounded_width(primitive_.state->line_width) - 1) * Fixed::kOne;
   }
 
   // What the components of a colour share is worked out once.
@@ -158,7 +204,10 @@ class Judge {
   Point depth_place_;  // of gl_FragCoord.z and gl_FragCoord.w
   PixelPosition pixel_;
   bool depth_is_zero_;
-  std::vector<PermittedPlace> corners_;  // of the region where the value may be taken
+  bool lawful_;  // exact evaluates as the specification has it
+  // Of the regions where the colour, and gl_FragCoord, may be taken.
+  std::vector<PermittedPlace> corners_;
+  std::vector<PermittedPlace> depth_corners_;
   mutable std::optional<std::pair<Point, PermittedPlace>> known_;
   mutable std::optional<std::pair<Point, InexactPlace>> unmoved_;
   bool forgiving_;
@@ -179,6 +228,10 @@ std::string name_of_component(const std::string& attribute, std::size_t componen
   return attribute;
 }
 
+// The ruling on values of a line that go by its major axis, or are those of another fragment of a
+// wide line's column.
+constexpr int kRulingOnLineValues = 46;
+
 Disagreement beyond_disagreement(std::span<const Component> components, const Component& beyond,
                                  const Fragment& fragment, Point place, const char* rule,
                                  const std::string& attribute) {
@@ -189,6 +242,9 @@ Disagreement beyond_disagreement(std::span<const Component> components, const Co
   }
   d.policy_agrees = std::all_of(components.begin(), components.end(),
                                 [](const Component& c) { return c.is_correct(); });
+  if (std::all_of(components.begin(), components.end(),
+                  [](const Component& c) { return c.is_permitted() || c.may_be_of_column; }))
+    d.ruling = kRulingOnLineValues;
   d.explanation = fmt::format(
       "{} of primitive {} is exactly {:.9g} at {}; the specification permits {:.9g} to {:.9g}, the "
       "renderer has {:.9g}",
@@ -227,6 +283,7 @@ Disagreement* compare_components(std::span<const Component> components, const Fr
 // Where a value is evaluated is a rule of its own.
 void blame(Disagreement& d, const std::string& cause) {
   d.cause = cause;
+  if (cause == "attribute.smooth=major-axis") d.ruling = kRulingOnLineValues;
   if (cause.starts_with("attribute.location="))
     std::tie(d.rule, d.ruling) = std::pair("attribute.location", 29);
   if (cause.starts_with("attribute.centroid="))
@@ -243,10 +300,23 @@ bool is_unclamped_alone(const ValueContext& context, const Fragment& fragment) {
              .contains(depth);
 }
 
+// Is a depth one that a mean of a polygon's vertices can be, though not one on its plane?
+bool is_mean_of_polygon(const ValueContext& context, const Fragment& fragment, double depth) {
+  const PrimitiveValues& values = context.values_of(fragment);
+  const double exact = middle(depth_exact(values.lawful, pixel_centre(fragment.x, fragment.y)));
+  return values.is_polygon &&
+         rounded_to_float(with_means_of_depth(exact, context.primitive_of(fragment), values))
+             .contains(to_float(depth));
+}
+
 // So is what is added to a depth.
 void blame_depth(const ValueContext& context, const Fragment& fragment, Disagreement& d) {
   if (has_offset(context, fragment) && is_unclamped_alone(context, fragment)) {
     std::tie(d.rule, d.ruling) = std::pair(offset_rule(context, fragment), 45);
+    return;
+  }
+  if (is_mean_of_polygon(context, fragment, fragment.depth)) {
+    d.ruling = kRulingOnPolygonDepth;
     return;
   }
   blame(d, cause_of_depth(context, fragment));
@@ -374,7 +444,7 @@ void compare_coordinates(const ValueContext& context, const Rendering& rendered,
     const auto& [x, y, z, w] = detail.coordinates;
     const Point place = context.coordinates_of(f);
     const bool exact = x == place.x.to_double() && y == place.y.to_double();
-    const bool anywhere = !context.permitted_places(f).empty();
+    const bool anywhere = !context.permitted_coordinates(f).empty();
     const bool inside = x >= f.x && x <= f.x + 1 && y >= f.y && y <= f.y + 1;
     if (!exact && anywhere && inside) {
       add_coordinates(places, f, place, {x, y});

@@ -40,7 +40,8 @@ PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragme
                                    ? anywhere.value(lawful)
                                    : permitted_within(lawful, values.lawful.inverse_w, corners);
     truth.exact[c] = middle(interpolate_exact(values.chosen.color[c], place));
-    truth.permitted[c] = hull(permitted, truth.exact[c]);
+    truth.permitted[c] =
+        with_means(hull(permitted, truth.exact[c]), context.primitive_of(fragment), values, c);
   }
   return truth;
 }

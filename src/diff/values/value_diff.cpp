@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -10,8 +11,10 @@
 
 #include "diff/values/vertex_latitude.h"
 #include "raster/rasterizer.h"
+#include "rules/coverage/clip_polygon.h"
 #include "rules/coverage/explain.h"
 #include "rules/output/polygon_offset.h"
+#include "rules/values/inexact_shares.h"
 
 namespace edgecase {
 RuleChoices lawful_choices(const RuleChoices& chosen) {
@@ -21,6 +24,18 @@ RuleChoices lawful_choices(const RuleChoices& chosen) {
 }
 
 namespace {
+
+// A triangle cut at near and far alone, as by an implementation with a guard band.
+std::vector<ClipPolygonVertex> polygon_between_near_and_far(const ScenePrimitive& triangle) {
+  constexpr int kBand = static_cast<int>(Fixed::kMaxCoordinate);
+  return clip_polygon({triangle.positions, triangle.z}, {true, -kBand, -kBand, kBand, kBand}, 1);
+}
+
+// Does clipping make more than three edges of a triangle, at near and far alone or at all planes?
+bool is_polygon(const ScenePrimitive& primitive) {
+  if (!primitive.is_clipped || primitive.kind != PrimitiveKind::triangle) return false;
+  return seen_polygon(primitive).size() > 3 || polygon_between_near_and_far(primitive).size() > 3;
+}
 
 bool interpolates_lawfully(const ValueChoice& choice) {
   const ValueChoice lawful;
@@ -81,12 +96,18 @@ Point ValueContext::coordinates_of(const Fragment& fragment) const {
 }
 
 std::vector<Point> ValueContext::permitted_places(const Fragment& fragment) const {
-  const auto invocation = invocation_of(fragment);
-  if (!invocation) return {};
+  if (scene.target.samples == 1 || fragment.coverage == 0) return {};
   const ScenePrimitive& primitive = primitive_of(fragment);
   const auto sample = static_cast<std::size_t>(std::countr_zero(fragment.coverage));
   return permitted_locations(primitive, {fragment.x, fragment.y}, positions_.at(sample),
                              reach_of(primitive, bits_));
+}
+
+std::vector<Point> ValueContext::permitted_coordinates(const Fragment& fragment) const {
+  if (scene.target.samples == 1 || fragment.coverage == 0) return {};
+  const auto sample = static_cast<std::size_t>(std::countr_zero(fragment.coverage));
+  return permitted_coordinate_locations(primitive_of(fragment).state->multisampling,
+                                        {fragment.x, fragment.y}, positions_.at(sample));
 }
 
 const PrimitiveValues& ValueContext::values_of(const Fragment& fragment) const {
@@ -98,10 +119,54 @@ const PrimitiveValues& ValueContext::values_of(const Fragment& fragment) const {
     values = std::make_unique<PrimitiveValues>(PrimitiveValues{
         attributes_of(primitive, choices, scene.target),
         attributes_of(primitive, lawful, scene.target),
-        depth_with_permitted_offset(primitive, lawful, scene.target, reach, fixed_unit_),
-        !interpolates_lawfully(choices.values), reach, std::nullopt});
+        permitted_depth(primitive, lawful, scene.target, reach, fixed_unit_),
+        permitted_inverse_w(primitive, lawful, scene.target),
+        !interpolates_lawfully(choices.values), reach, is_polygon(primitive), std::nullopt});
   }
   return *values;
+}
+
+Interval with_means(Interval permitted, const ScenePrimitive& primitive,
+                    const PrimitiveValues& values, std::size_t component) {
+  if (!values.is_polygon) return permitted;
+  // Without perspective a value behind the eye need not lie between those of vertices.
+  const bool is_between =
+      values.lawful.color[component].perspective ||
+      std::ranges::all_of(primitive.positions, [](const HomogeneousPoint& p) { return p.w > 0; });
+  if (!is_between) return permitted;
+  Interval means = static_cast<double>(
+      interpolated_attribute(*primitive.state, *primitive.vertices[0])[component]);
+  for (std::size_t i = 1; i < 3; ++i)
+    means = hull(means, static_cast<double>(interpolated_attribute(
+                            *primitive.state, *primitive.vertices[i])[component]));
+  // Each of the products and sums of a mean may err.
+  return hull(permitted, widened(means, 8 * kInexact.relative));
+}
+
+Interval with_means_of_inverse_w(Interval permitted, const ScenePrimitive& primitive,
+                                 const PrimitiveValues& values) {
+  if (!values.is_polygon) return permitted;
+  for (const ClipPolygonVertex& vertex : polygon_between_near_and_far(primitive))
+    permitted = hull(permitted, widened(interpolate_exact(values.lawful.inverse_w, vertex.position),
+                                        8 * kInexact.relative));
+  return permitted;
+}
+
+Interval with_means_of_depth(Interval permitted, const ScenePrimitive& primitive,
+                             const PrimitiveValues& values) {
+  if (!values.is_polygon) return permitted;
+  Interval z;  // z/w, of the vertices or of where an edge from them meets near or far
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto w = static_cast<double>(primitive.positions[i].w);
+    const auto above = static_cast<double>(primitive.z[i]);
+    Interval here = above < -w ? Interval(-1) : above > w ? Interval(1) : Interval(above / w);
+    if (above < -w && above > w) here = {-1, 1};
+    z = i == 0 ? here : hull(z, here);
+  }
+  const auto near = static_cast<double>(primitive.depth_range.near);
+  const auto far = static_cast<double>(primitive.depth_range.far);
+  const Interval depths = Interval(near) + (Interval(far) - near) * (z + 1) * 0.5;
+  return hull(permitted, clamped_depth(values.lawful, widened(depths, 8 * kInexact.relative)));
 }
 
 const MovedVertices& PrimitiveValues::moved() const {
@@ -112,6 +177,12 @@ const MovedVertices& PrimitiveValues::moved() const {
 Interval depth_permitted_at(const PrimitiveValues& values, Point place) {
   return clamped_depth(values.lawful,
                        PermittedPlace(values.moved(), place).value(values.permitted_depth));
+}
+
+Interval holding(Interval permitted, double exact) {
+  const double number = to_float(exact);
+  assert(std::isnan(number) || permitted.contains(number));
+  return std::isnan(number) ? permitted : hull(permitted, number);
 }
 
 bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample) {

@@ -28,10 +28,15 @@ namespace edgecase {
 struct PrimitiveValues {
   PrimitiveAttributes chosen;  // under the policy
   PrimitiveAttributes lawful;  // under OpenGL's own choices
-  // The lawful depth with every polygon offset that is permitted; before it is clamped.
+  // The lawful depth and 1/w with all that the vertices' own may be off by, the depth with every
+  // polygon offset that is permitted; before it is clamped.
   Interpolant permitted_depth;
+  Interpolant permitted_inverse_w;
   bool differ = false;  // the policy interpolates otherwise than OpenGL does
   double reach = 0;     // pixels that a vertex may have moved: rulings 4 and 15
+  // A triangle that clipping makes a polygon of more than three edges: what its fragments carry is
+  // some mean of what the polygon's vertices do (14.6.1).
+  bool is_polygon = false;
 
   // Of the lawful attributes; worked out when they are first asked for.
   const MovedVertices& moved() const;
@@ -70,9 +75,10 @@ class ValueContext {
   Point place_of(const Fragment& fragment, const LocationChoice& choice) const;
   Point depth_place_of(const Fragment& fragment, const LocationChoice& choice) const;
   Point coordinates_of(const Fragment& fragment) const;
-  // Corners of the region in which the specification lets attributes of a multisampled draw be
-  // evaluated; empty where it knows one place alone.
+  // Corners of the regions in which the specification lets attributes, and gl_FragCoord, be
+  // evaluated on a multisampled target; empty on one of one sample, where it knows one place alone.
   std::vector<Point> permitted_places(const Fragment& fragment) const;
+  std::vector<Point> permitted_coordinates(const Fragment& fragment) const;
 
   const ScenePrimitive& primitive_of(const Fragment& fragment) const;
   // Worked out when a primitive is first asked for.
@@ -124,6 +130,24 @@ RuleChoices lawful_choices(const RuleChoices& chosen);
 // Every depth that a primitive may have at a place of the window, its vertices moved and its
 // polygon offset as far as the specification leaves that open.
 Interval depth_permitted_at(const PrimitiveValues& values, Point place);
+
+// `permitted`, of a component of the colour, with what it may be on a polygon: anything between the
+// least and the greatest of the triangle's vertices, of which the polygon's own are means.
+Interval with_means(Interval permitted, const ScenePrimitive& primitive,
+                    const PrimitiveValues& values, std::size_t component);
+// The same of 1/w, between the least and the greatest of the polygon's own vertices, which need not
+// be the triangle's.
+Interval with_means_of_inverse_w(Interval permitted, const ScenePrimitive& primitive,
+                                 const PrimitiveValues& values);
+// All depths of a polygon's vertices, in the window: ruling 44 contests those of them that are not
+// on its plane. Nothing but `permitted` where the primitive is no such polygon.
+Interval with_means_of_depth(Interval permitted, const ScenePrimitive& primitive,
+                             const PrimitiveValues& values);
+inline constexpr int kRulingOnPolygonDepth = 44;
+
+// `permitted`, of a value that exact computes as the specification has it: it holds what is exact,
+// rounded to float32. One that did not would accuse exact itself.
+Interval holding(Interval permitted, double exact);
 
 // Does the fragment cover the sample? Without multisampling it covers all.
 bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample);

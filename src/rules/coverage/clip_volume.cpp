@@ -102,7 +102,8 @@ Rule clip_volume_rule() {
       "clip.volume",
       "Only what lies in the clip volume is drawn",
       "13.7 (primitive clipping)",
-      "vertices that clipping makes are rounded and may be moved as others are (ruling 42)",
+      "vertices that clipping makes are rounded and may be moved as others are; points outside the "
+      "sides of the view volume may be drawn or not (ruling 42)",
       "homogeneous",
       alternatives_in(kMethods),
       {{42,
@@ -116,8 +117,16 @@ Rule clip_volume_rule() {
         "What a fragment of it carries may be the value at any place within reach of such moves. "
         "Of a line the segment is drawn that lies in the volume; an end that clipping made may be "
         "off likewise, and the rulings on lines speak of that segment. A point is drawn where its "
-        "vertex lies in the volume, its border included, and not where it lies outside, however "
-        "large the point is."},
+        "vertex lies in the volume, its border included. Where the vertex lies between near and "
+        "far, but outside the volume's other sides, the point is drawn under ruling 6 or "
+        "discarded, "
+        "as the implementation likes; exact discards it. Elsewhere nothing is drawn of it, however "
+        "large it is. Where clipping makes more than three edges, a fragment's colour may be any "
+        "mean of what the polygon's vertices carry (14.6.1), which lies between those of the "
+        "triangle's."},
+       {44,
+        "The depth of a fragment of a clipped polygon lies on the triangle's plane (equation "
+        "14.10), and not only between the least and the greatest of the polygon's vertices."},
        {54,
         "Points and lines have fragments beyond the viewport's sides, wherever their square or "
         "their width reaches into the framebuffer."}}};

@@ -259,12 +259,17 @@ Rule diamond_exit_rule() {
        "Lines: every produced fragment has a diamond-exit fragment of the same segment within one "
        "unit in x and y; the number of fragments differs by at most one; at most one fragment lies "
        "in a column (row, if y-major). Held against the segment as given, or as moved by one "
-       "catalogued snap, the same for the whole run and surface. Fragments outside the target are "
-       "not seen: those of the diamond-exit rule that lie within one unit of the target's border "
-       "count as seen or unseen, whichever is kinder."},
+       "catalogued snap, the same for the whole run and surface. A line that is drawn just as the "
+       "diamond-exit rule has it, but that ends which lie on a diamond's boundary are moved in "
+       "another direction than -(e, e^2), is none that breaks it: no arithmetic need be finer "
+       "(2.3.4.1). Fragments outside the target are not seen: those of the diamond-exit rule that "
+       "lie within one unit of the target's border count as seen or unseen, whichever is kinder."},
       {2,
        "Lines whose set of diamond-exit fragments is empty: at most one fragment, and the segment "
-       "meets its closed diamond."}};
+       "meets its closed diamond."},
+      {58,
+       "The one fragment of a line that has no diamond-exit fragments lies at a pixel whose closed "
+       "diamond the segment meets, and not only within one unit of such a pixel."}};
   return rule;
 }
 

@@ -257,9 +257,12 @@ Rule line_width_rule() {
   rule.rulings = {
       {12,
        "Wide lines: each column (row, if y-major) holds one run of as many fragments as the width "
-       "rounded to an integer, and the lowest fragments of the runs hold rulings 1 and 2 for the "
-       "segment moved by -(w - 1)/2 along the minor axis. A run that the target's border cuts is "
-       "taken to go on beyond it."}};
+       "rounded to the nearest integer, of a half to either, and the lowest fragments of the runs "
+       "hold rulings 1 and 2 for the segment moved by -(w - 1)/2 along the minor axis. A run that "
+       "the target's border cuts is taken to go on beyond it."},
+      {56,
+       "A wide line is as wide as the nearest integer to its width, and not as the next smaller "
+       "one."}};
   return rule;
 }
 

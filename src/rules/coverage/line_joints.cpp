@@ -64,6 +64,22 @@ bool must_be_seen(const LooseSegment& loose, int along, const Direction& directi
                      [&](PixelPosition p) { return direction.along(p) == along; });
 }
 
+// May the target hide a fragment of the segment at one of these places along the line: one of the
+// diamond-exit rule for some place of the ends, or one that lies a unit off?
+bool may_be_hidden(const LooseSegment& loose, int from, int to, const Direction& direction,
+                   const PixelBounds& bounds) {
+  const auto pixels = possible_pixels(loose, bounds.grown(2));
+  return std::any_of(pixels.begin(), pixels.end(), [&](PixelPosition p) {
+    const int along = direction.along(p);
+    return along >= from && along <= to && !bounds.grown(-1).contains(p);
+  });
+}
+
+bool may_be_hidden(const LooseSegment& loose, const PixelBounds& bounds) {
+  constexpr int kAnywhere = 2 * static_cast<int>(Fixed::kMaxCoordinate);
+  return may_be_hidden(loose, -kAnywhere, kAnywhere, Direction(loose.segment), bounds);
+}
+
 }  // namespace
 
 bool goes_on(const Segment& first, const Segment& second, Fixed reach) {
@@ -80,6 +96,13 @@ bool goes_on(const Segment& first, const Segment& second, Fixed reach) {
 
 std::string broken_joint_clause(const DrawnSegment& first, std::span<const Segment> between,
                                 const DrawnSegment& second, Fixed reach) {
+  const PixelBounds bounds{std::max(first.bounds.x_min, second.bounds.x_min),
+                           std::max(first.bounds.y_min, second.bounds.y_min),
+                           std::min(first.bounds.x_max, second.bounds.x_max),
+                           std::min(first.bounds.y_max, second.bounds.y_max)};
+  // A segment between, which may have drawn what is not seen, has joints of its own.
+  for (const Segment& segment : between)
+    if (may_be_hidden({segment, reach}, bounds)) return "";
   if (std::string clause = common_pixel(first, second); !clause.empty()) return clause;
   const Direction direction(first.segment);
   const int last = places_along(first.drawn, direction).back();
@@ -88,18 +111,19 @@ std::string broken_joint_clause(const DrawnSegment& first, std::span<const Segme
   std::vector<Segment> segments{first.segment};
   segments.insert(segments.end(), between.begin(), between.end());
   segments.push_back(second.segment);
-  const PixelBounds bounds{std::max(first.bounds.x_min, second.bounds.x_min),
-                           std::max(first.bounds.y_min, second.bounds.y_min),
-                           std::min(first.bounds.x_max, second.bounds.x_max),
-                           std::min(first.bounds.y_max, second.bounds.y_max)};
   for (int along = last + 1; along < next; ++along)
     for (const Segment& segment : segments)
       if (must_be_seen({segment, reach}, along, direction, bounds))
         return fmt::format("{} {} is empty between the two segments of a joint", direction.column(),
                            direction.number_of(along));
 
+  // What is seen next to the joint lies next to it if nothing there is hidden.
   const bool side_by_side = next <= last + 1;
-  if (side_by_side && !meet(first, second))
+  const bool is_seen = std::none_of(segments.begin(), segments.end(), [&](const Segment& segment) {
+    return may_be_hidden({segment, reach}, std::min(last, next) - 1, std::max(last, next) + 1,
+                         direction, bounds);
+  });
+  if (side_by_side && is_seen && !meet(first, second))
     return fmt::format(
         "the fragments of {}s {} and {}, where a joint lies, are more than one apart",
         direction.column(), direction.number_of(last), direction.number_of(next));
@@ -118,8 +142,10 @@ Rule line_joint_rule() {
        "and both have the same major axis (45 degrees counts as x-major) and direction, as given "
        "and as read under ruling 1, no pixel is drawn by both, no column (row, if y-major) between "
        "their fragments is empty, and the fragments next to the joint are at most one unit apart. "
-       "Segments that draw nothing are passed over. An empty column counts where the diamond-exit "
-       "rule has a fragment that lies one unit or more inside the target's border. Two fragments "
+       "Segments that draw nothing are passed over, if what the diamond-exit rule has of them lies "
+       "one unit or more inside the target's border: others may have drawn what is not seen. An "
+       "empty column counts where that rule has a fragment so far inside, and the distance next to "
+       "the joint where all fragments that it has there are. Two fragments "
        "in one column, one of each segment, interrupt nothing and are allowed. Two segments that "
        "start at one point, or that turn, may draw a pixel "
        "twice."}};

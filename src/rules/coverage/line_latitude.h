@@ -27,8 +27,10 @@ struct SeenLine {
   std::vector<PixelPosition> (*find)(const Segment&, const PixelBounds&) = nullptr;
 };
 
-// A broken clause of rulings 1, 2 and 12, in words; empty when every clause holds. `drawn` are the
-// pixels that a renderer produced of the line inside the bounds, each as often as it came.
+// A broken clause of rulings 1, 2 and 12, in words; empty when every clause holds, or when the line
+// is drawn as the diamond-exit rule has it with its ends moved, at ties, in another direction than
+// the text's. `drawn` are the pixels that a renderer produced of the line inside the bounds, each
+// as often as it came.
 std::string broken_line_clause(const SeenLine& line, std::span<const PixelPosition> drawn);
 
 // Has the diamond-exit rule no fragment of the segment in the bounds or near them, wherever its

@@ -75,9 +75,10 @@ Rule point_ownership_rule() {
       tie_alternatives(point_tie_rules(), Openness::open, Openness::open),
       {{6,
         "Points: the specification does not say whether the boundary of a point's square belongs "
-        "to "
-        "it. A pixel centre on the boundary, for some position of the vertex less than one step of "
-        "2^-b away (b as in ruling 4), may be covered or not."}}};
+        "to it. A pixel centre on the boundary, for some position of the vertex less than one step "
+        "of 2^-b away (b as in ruling 4), may be covered or not. A size that the renderer's "
+        "GL_POINT_SIZE_GRANULARITY does not hold may become any that is off by half of that, and a "
+        "multisampled point that is smaller than 1 may be as large as 1 (14.4)."}}};
 }
 
 bool point_covers(const SizedPoint& point, Point sample, const TieRule& ties) {

@@ -76,7 +76,9 @@ Rule polygon_facing_rule() {
             "order of assembly (14.6.1); a polygon of no area faces the back. Where some moves of "
             "the vertices that ruling 4 allows make the area positive and others make it negative "
             "or 0, the polygon may face either way: it may be culled or not, and the stencil state "
-            "of either face may hold for it, the same for all of its fragments."}}};
+            "of either face may hold for it, the same for all of its fragments. Of a clipped "
+            "polygon the area may be that before or after clipping: where the vertices that lie "
+            "behind the eye give the former another sign, it may face either way."}}};
 }
 
 }  // namespace edgecase

@@ -19,6 +19,10 @@ bool must_hit_once(const SharedEdge& edge, Point sample, Fixed reach) {
   // Away from the edge, the rule for single triangles decides.
   if (robustly_left(edge.a, edge.b, sample, reach)) return false;
   if (robustly_left(edge.b, edge.a, sample, reach)) return false;
+  return lies_between(edge, sample, reach);
+}
+
+bool lies_between(const SharedEdge& edge, Point sample, Fixed reach) {
   return robustly_left(edge.b, edge.left, sample, reach) &&
          robustly_left(edge.left, edge.a, sample, reach) &&
          robustly_left(edge.a, edge.right, sample, reach) &&

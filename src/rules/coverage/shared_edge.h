@@ -25,6 +25,10 @@ struct SharedEdge {
 // The common edge of two triangles that lie on opposite sides of it, if they have one.
 std::optional<SharedEdge> shared_edge(const Triangle& first, const Triangle& second);
 
+// Does the sample lie strictly inside the other four edges, wherever the vertices move by less than
+// `reach`?
+bool lies_between(const SharedEdge& edge, Point sample, Fixed reach);
+
 // Must the sample be hit exactly once by the two triangles, wherever their vertices move by less
 // than `reach`?
 // True where the sample may lie on either side of the edge and strictly inside the other four.

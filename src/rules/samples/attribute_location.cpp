@@ -191,10 +191,12 @@ Rule attribute_location_rule() {
       {{29,
         "Multisampled targets: an attribute without a qualifier may be evaluated anywhere in the "
         "fragment's pixel, boundary included, each one at a place of its own, and so may "
-        "gl_FragCoord. Qualified sample, or under GL_SAMPLE_SHADING with a share of 1, they are "
-        "evaluated at the sample that the invocation runs for. The depth that is written to a "
-        "sample is always evaluated there. With GL_MULTISAMPLE disabled all are those of the "
-        "centre."}}};
+        "gl_FragCoord, which no qualifier concerns. Qualified sample, or under GL_SAMPLE_SHADING "
+        "with a share of 1, attributes are evaluated at the sample that the invocation runs for, "
+        "and with that share so is gl_FragCoord. The depth that is written to a sample is always "
+        "evaluated there. With GL_MULTISAMPLE disabled attributes and gl_FragCoord are those of "
+        "the centre or, whatever their qualifiers, of any place in the pixel; of depths see ruling "
+        "35."}}};
 }
 
 Rule centroid_rule() {

@@ -87,13 +87,19 @@ Point sample_depth_location(PrimitiveKind kind, Point sample, const LocationChoi
 // Are all attributes of an invocation bound to its sample (rulings 29 and 30)?
 bool is_at_sample(const Multisampling& use);
 
-// Where in the window rulings 29 and 30 allow an attribute of a multisampled primitive to be
-// evaluated in a pixel: the corners of a convex region that holds all of these places, in no
-// particular order. The sample alone (`sample`: within the pixel, that of the invocation) where it
-// is bound to it, the centre without GL_MULTISAMPLE, the whole pixel where it is not qualified, and
-// for `centroid` what the pixel and the primitive share, each vertex moved by less than `reach`;
-// rounded outwards to multiples of 2^-16. Where they share nothing, the whole pixel.
+// Where in the window rulings 29 and 30 allow an attribute of a primitive to be evaluated in a
+// pixel of a multisampled target: the corners of a convex region that holds all of these places, in
+// no particular order. The sample alone (`sample`: within the pixel, that of the invocation) where
+// it is bound to it, the whole pixel where it is not qualified and, whatever its qualifier, without
+// GL_MULTISAMPLE, and for `centroid` what the pixel and the primitive share, each vertex moved by
+// less than `reach`; rounded outwards to multiples of 2^-16. Where they share nothing, the whole
+// pixel.
 std::vector<Point> permitted_locations(const ScenePrimitive& primitive, PixelPosition pixel,
                                        Point sample, Fixed reach);
+
+// The same of gl_FragCoord, which no qualifier concerns (GLSL 4.60, 7.1.5): the sample alone under
+// GL_SAMPLE_SHADING with a share of 1, else the whole pixel.
+std::vector<Point> permitted_coordinate_locations(const Multisampling& use, PixelPosition pixel,
+                                                  Point sample);
 
 }  // namespace edgecase

@@ -113,9 +113,15 @@ std::vector<Point> shared_corners(const ScenePrimitive& primitive, PixelPosition
 std::vector<Point> permitted_locations(const ScenePrimitive& primitive, PixelPosition pixel,
                                        Point sample, Fixed reach) {
   const Multisampling& use = primitive.state->multisampling;
-  if (!use.enabled) return {pixel_centre(pixel.x, pixel.y)};
+  if (!use.enabled) return corners_of_pixel(pixel);
   if (is_at_sample(use)) return {place_in(pixel, sample)};
   if (use.location == AttributeLocation::centroid) return shared_corners(primitive, pixel, reach);
+  return corners_of_pixel(pixel);
+}
+
+std::vector<Point> permitted_coordinate_locations(const Multisampling& use, PixelPosition pixel,
+                                                  Point sample) {
+  if (use.enabled && use.min_sample_shading == 1.0F) return {place_in(pixel, sample)};
   return corners_of_pixel(pixel);
 }
 

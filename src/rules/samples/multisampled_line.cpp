@@ -234,7 +234,9 @@ Rule multisampled_line_rule() {
         "in ruling 4), and a sample on the boundary may be covered or not. A sample may be covered "
         "if for each side of the rectangle some such moves put it inside that side or on it, and "
         "left out if for one of them some put it outside or on it. The rectangle is as wide as the "
-        "line, whose width is not rounded."}}};
+        "line, whose width is not rounded; one that the renderer's "
+        "GL_SMOOTH_LINE_WIDTH_GRANULARITY "
+        "does not hold may become any that is off by half of that."}}};
 }
 
 }  // namespace edgecase

@@ -70,17 +70,20 @@ std::uint32_t writable_samples(const Multisampling& use, int samples, SampleMask
 }
 
 Rule multisample_switch_rule() {
-  return {"sample.enable",
-          "Without GL_MULTISAMPLE a multisampled target is drawn to as if it had one sample",
-          "14.3.1 (multisampling)",
-          "none: single-sampled rules decide, and all samples of a fragment are written",
-          "honoured",
-          alternatives_in(kSwitches),
-          {{35,
-            "While GL_MULTISAMPLE is disabled, a primitive covers the pixels that it covers in a "
-            "target of one sample, and a fragment's coverage is bit 0 alone (GLSL 4.60, 7.1.5): "
-            "any other bit is a violation, and so is a sample that is not "
-            "written, or not given the depth of the pixel's centre."}}};
+  return {
+      "sample.enable",
+      "Without GL_MULTISAMPLE a multisampled target is drawn to as if it had one sample",
+      "14.3.1 (multisampling)",
+      "where depths and attributes are evaluated (rulings 29 and 35); single-sampled rules "
+      "decide what is covered, and all samples of a fragment are written",
+      "honoured",
+      alternatives_in(kSwitches),
+      {{35,
+        "While GL_MULTISAMPLE is disabled, a primitive covers the pixels that it covers in a "
+        "target of one sample, and a fragment's coverage is bit 0 alone (15.2.2): any other bit "
+        "is a violation, and so is a sample that is not written. The depths of a pixel's "
+        "samples are that of its centre, or each its own, or all that of one sample, which the "
+        "implementation takes for the centermost (14.3.1, 17.3.10)."}}};
 }
 
 Rule sample_mask_rule() {

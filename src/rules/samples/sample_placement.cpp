@@ -164,9 +164,17 @@ Rule sample_positions_rule() {
       "as-reported",
       alternatives_in(kKinds),
       {{27,
-        "Samples lie where GL_SAMPLE_POSITION says, in every pixel, and the index under which it "
-        "says so is the bit of the coverage mask. What primitives cover is held against these "
-        "positions; where they are not those of the case, exact is drawn anew with them."}}};
+        "GL_SAMPLE_POSITION says where attributes qualified sample and depths of a sample are "
+        "evaluated, in every pixel, and the index under which it says so is the bit of the "
+        "coverage "
+        "mask. Where these positions are not those of the case, exact is drawn anew with them."},
+       {47,
+        "What multisampled primitives cover is held against the positions that GL_SAMPLE_POSITION "
+        "tells, under rulings 4, 5, 6, 28 and 42. The text says that coverage is found at points "
+        "which need not be these, and may lie beyond the pixel (14.3.1): a sample that would be "
+        "covered, or not, as the renderer has it, if it lay elsewhere in its pixel or less than a "
+        "pixel beyond breaks this ruling, and what no such place explains breaks the others. So "
+        "does a hole in a shared edge where some such place lies beyond the two triangles."}}};
 }
 
 }  // namespace edgecase

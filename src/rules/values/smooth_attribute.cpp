@@ -70,11 +70,21 @@ Rule smooth_attribute_rule() {
        "operation may err by 1 part in 10^5 and every vertex may have moved by less than 2^-b (b "
        "as in ruling 4). Equal to the correctly rounded exact value is agreement. Where the exact "
        "value is a number, NaN and infinity are violations. A point's attributes are its vertex's; "
-       "smooth ones may err by a division and a multiplication by a w that is not 1."},
+       "smooth ones may err by a division and a multiplication by a w that is not 1. Depths and "
+       "1/w of vertices err by the division by w, the scaling and the addition that make them, "
+       "where "
+       "ruling 15 lets places err, and depths by the latter two where the depth range is not 0 to "
+       "1."},
       {13,
-       "Attributes across a wide line: the text does not say whether the fragments of a column "
-       "share the value of the fragment that they replicate or have that of their own centres. "
-       "Exact takes their own; permitted is what any fragment of such a column may have."}};
+       "Attributes across a wide line: preferred are those of the adjusted line at the column's "
+       "lowest fragment, for all fragments of the column, which is what the line has in the middle "
+       "of the column; each fragment may have that of its own centre instead (14.5.2.2). Exact "
+       "takes their own; permitted is what lies between both, in whichever row of its column a "
+       "fragment may be: at most (w - 1)/2 away along the minor axis."},
+      {46,
+       "Values along a line go by the sample's projection onto it (equation 14.5), and not by its "
+       "coordinate on the major axis alone; those of a wide line are none that only another "
+       "fragment of the column may have under ruling 13."}};
   return rule;
 }
 
