@@ -148,7 +148,7 @@ class DepthComparison {
           continue;
         const double stored = rendered_.depths[rendered_.sample_index(pixel.x, pixel.y, sample)];
         const Point place = place_in(pixel, places[static_cast<std::size_t>(sample)]);
-        if (!is_storable(stored, format_) || !stores(writer, place, stored)) return false;
+        if (!is_depth_of(stored, format_) || !stores(writer, place, stored)) return false;
       }
       return true;
     });
