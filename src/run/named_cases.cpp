@@ -151,6 +151,8 @@ std::string WordFinder::nearest_to(const Word& word) {
     for (auto end = one.id.find('/'); end != std::string::npos; end = one.id.find('/', end + 1))
       folders.insert(one.id.substr(0, end));
   }
+  for (const std::string& folder : folders)
+    if (!id.empty() && folder.ends_with("/" + id)) return folder;
   std::vector<std::string> ids(folders.begin(), folders.end());
   for (const CaseFile& one : files()) ids.push_back(one.id);
   return nearest_name(id, ids);

@@ -101,6 +101,7 @@ TEST_F(NamedCases, TellsWhatNamesNothing) {
                           "points/center: there is no such file, folder or case; did you mean "
                           "points/centre?"));
   EXPECT_THAT(selected({"centre"}), ElementsAre(HasSubstr("did you mean points/centre?")));
+  EXPECT_THAT(selected({"short"}), ElementsAre(HasSubstr("did you mean lines/short?")));
   EXPECT_THAT(selected({"lines/shrot"}), ElementsAre(HasSubstr("did you mean lines/short?")));
   EXPECT_THAT(selected({"lin"}), ElementsAre(HasSubstr("did you mean lines?")));
   EXPECT_THAT(selected({"something/else"}),
