@@ -66,6 +66,7 @@ class Policies(CommandTest):
         told = self.command("run", SUITE, "--policy", "direct3d", expect=USAGE).stderr
         for policy in ["opengl", *POLICIES]:
             self.assertIn(policy, told)
+        self.assertIn('did you mean "direct3d-11"?', told)
 
 
 class Alternatives(CommandTest):

@@ -67,6 +67,16 @@ class Texts(CommandTest):
                 self.assertIn(f'{ruling["clause"]}: "{ruling["quotation"]}"', text)
         self.assertEqual(sorted(numbers), sorted(set(numbers)))
 
+    def test_rules_by_id(self):
+        whole = self.command("rules").stdout
+        one = self.command("rules", "line.snap").stdout
+        self.assertTrue(one.startswith("line.snap\n"))
+        self.assertIn(one.removesuffix("* the choice of policy opengl\n"), whole)
+        self.assertEqual([rule["id"] for rule in
+                          json.loads(self.command("rules", "*.snap", "--json").stdout)],
+                         ["subpixel.snap", "point.snap", "line.snap", "triangle.snap"])
+        self.command("rules", "line.snap", "--markdown", expect=USAGE)
+
     def test_rules_as_the_committed_document(self):
         document = (ROOT / "src" / "rules" / "RULINGS.md").read_text(encoding="utf-8")
         self.assertEqual(self.command("rules", "--markdown").stdout, document)
@@ -222,6 +232,27 @@ class Selection(CommandTest):
         self.assertTrue(slivers and fans)
         self.assertEqual(set(self.listed("--tag", "fan", "--tag", "sliver", *SELECTED)),
                          slivers | fans)
+
+    def test_ids_stand_for_paths(self):
+        """Those of the folder `cases` in the working folder; the suite's own in the checkout."""
+        (self.folder / "cases").symlink_to(SUITE)
+        points = self.listed("cases/points")
+        for words in (["points"], ["points/*"], ["cases/points"]):
+            self.assertEqual(self.listed(*words), points)
+        self.assertEqual(self.listed("triangles/ties/flat-bottom"), ["triangles/ties/flat-bottom"])
+        [swept] = self.listed("lines/strips/octagon-loop:dx=0.5:dy=0.5")
+        self.assertEqual(swept, "lines/strips/octagon-loop:dx=0.5:dy=0.5")
+        some = self.listed("lines/strips/octagon-loop:dx=0.5")
+        self.assertEqual(some, [name for name in self.listed("lines/strips/octagon-loop")
+                                if ":dx=0.5:" in name])
+        for arguments in (["render", swept], ["explain", swept, "--pixel", "3,3"], ["draw", swept],
+                          ["validate", swept], ["separation", swept],
+                          ["record", swept, "--against", "exact", "-o", "one.rec"],
+                          ["new", "-", "--from", swept]):
+            told = self.command(*arguments)
+            self.assertEqual(told.stderr, "", arguments)
+        self.assertEqual(json.loads(self.command("render", swept).stdout)["id"], swept)
+        self.assertTrue(self.command("explain", swept).stdout.startswith(f"{swept}: "))
 
     def test_single_files_and_folders_keep_their_ids(self):
         self.assertEqual(self.listed(TIE), ["triangles/ties/flat-bottom"])

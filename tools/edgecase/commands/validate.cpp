@@ -67,6 +67,7 @@ std::size_t print_unmet(const Suite& suite) {
 ExitCode validate(const ValidateCommand& command) {
   const Suite suite = load_suite(command.selection.selection());
   print_diagnostics(suite.diagnostics);
+  if (suite.is_misspelt) return ExitCode::usage;
   for (const Diagnostic& note : suite.notes) fmt::print("{}\n", one_line(to_string(note)));
   const std::size_t unmet = print_unmet(suite);
   std::size_t disorderly = 0;

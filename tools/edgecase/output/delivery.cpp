@@ -25,6 +25,7 @@ ExitCode deliver_results(const Results& results, const ReportFiles& files, const
   if (!files.write(results)) return worse(exit, ExitCode::internal);
   const std::string html = files.html_path();
   if (!to_stdout && !html.empty()) fmt::print("\nReport: {}\n", html);
+  files.open_if_asked();
   return exit;
 }
 
