@@ -96,7 +96,8 @@ TEST(CutScene, EveryPermittedWayDrawsItWithinTheBound) {
           coverage.drawn = {drawn(*half, choice)};
           for (const CoverageDifference& difference : differences(coverage)) {
             ++differing;
-            const CoverageLegality legality = judge_sample(triangle, difference, centre_of_pixel(), bits);
+            const CoverageLegality legality =
+                judge_sample(triangle, difference, centre_of_pixel(), bits);
             EXPECT_TRUE(legality.legal) << legality.reason << " round " << round << " " << snap;
             EXPECT_EQ(legality.ruling, 42);
           }
