@@ -87,10 +87,22 @@ class Texts(CommandTest):
             x, y = words[words.index("--pixel") + 1].split(",")
             self.assertIn(f"  ({x}, {y}) ", self.command(*words).stdout)
 
+    def test_commands_for_what_is_unexpected_work(self):
+        """The command that stands below a cause tells of the answer that it is about."""
+        odd = self.odd_renderer("mirror-of", "lines/strips/octagon-loop:dx=0.5:dy=0.5")
+        summary = self.command("run", f"{SUITE}/lines/strips", "--against", odd, "--json",
+                               "results.json", expect=UNEXPECTED).stdout
+        lines = summary.split("Unexpected, by cause:\n")[1].split("\n\n")[0].splitlines()
+        self.assertEqual(lines[0], f"  1 case, {odd}: expected agree, got violation")
+        name, _, sentence = lines[2].strip().partition(": ")
+        self.assertEqual(name, "lines/strips/octagon-loop:dx=0.5:dy=0.5")
+        told = self.command(*shlex.split(lines[3])[1:]).stdout
+        self.assertIn(sentence.rpartition(": ")[2], told)
+
     def test_validate(self):
         run = self.command("validate", *([SUITE] if COUNT == 1 else files_of_share()), "--check-format")
         self.assertRegex(run.stdout,
-                         r"(?m)^\d+ cases are well formed, 0 faults, 0 drawings not met$")
+                         r"(?m)^[\d,]+ cases are well formed, 0 faults, 0 drawings not met$")
         self.assertEqual(run.stderr, "")
 
 

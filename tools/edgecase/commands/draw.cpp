@@ -26,6 +26,7 @@ struct DrawCommand {
   std::vector<std::string> filters;
   std::string rule = "line.algorithm";
   std::string renderer;
+  std::string pane;
   std::string svg;
 };
 
@@ -102,7 +103,10 @@ ExitCode draw_difference(const DrawCommand& command, const Selection& selection,
     return ExitCode::as_expected;
   }
   std::ostringstream text;
-  write_difference_svg(picture, text);
+  if (const auto pane = pane_named(command.pane))
+    write_pane_svg(picture, *pane, text);
+  else
+    write_difference_svg(picture, text);
   return deliver(command, text.str());
 }
 
@@ -135,11 +139,15 @@ void add_draw_command(CLI::App& app, ExitCode& exit) {
   CLI::Option* rule =
       command->add_option("--rule", options->rule, "The rule whose alternatives are drawn")
           ->capture_default_str();
-  command
-      ->add_option("--against", options->renderer,
-                   "Renderer to draw beside exact, with what differs")
-      ->excludes(rule);
-  command->add_option("--svg", options->svg, "File for an SVG picture (default: text)");
+  CLI::Option* against = command
+                             ->add_option("--against", options->renderer,
+                                          "Renderer to draw beside exact, with what differs")
+                             ->excludes(rule);
+  CLI::Option* svg =
+      command->add_option("--svg", options->svg, "File for an SVG picture (default: text)");
+  command->add_option("--pane", options->pane, "One pane of that picture alone, without words")
+      ->check(CLI::IsMember({"exact", "difference", "renderer"}))
+      ->needs(against, svg);
   command->callback([options, &exit] { exit = draw(*options); });
 }
 

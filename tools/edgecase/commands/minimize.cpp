@@ -12,6 +12,7 @@
 
 #include "casefile/case_writer.h"
 #include "casefile/text.h"
+#include "model/counted.h"
 #include "model/scene_words.h"
 #include "rules/all_rules.h"
 #include "run/renderer_names.h"
@@ -119,17 +120,16 @@ std::optional<Signature> choose_signature(const TrialAnswer& answer, const std::
   return chosen;
 }
 
-std::string counted(std::int64_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 // "2 primitives, 8x8, 9 fraction bits".
 std::string words_of_size(const Scene& scene) {
   const SceneSize size = size_of(scene);
-  return fmt::format("{}, {}x{}, {}, {}", counted(size.primitives, "primitive", "primitives"),
+  const auto words = [](std::int64_t count, const char* one, const char* several) {
+    return counted(static_cast<std::size_t>(count), one, several);
+  };
+  return fmt::format("{}, {}x{}, {}, {}", words(size.primitives, "primitive", "primitives"),
                      scene.target.width, scene.target.height,
-                     counted(size.fraction_bits, "fraction bit", "fraction bits"),
-                     counted(size.settings, "setting", "settings"));
+                     words(size.fraction_bits, "fraction bit", "fraction bits"),
+                     words(size.settings, "setting", "settings"));
 }
 
 // What differs, in a sentence, with the renderer's answer. `info` holds what can be told.
@@ -238,7 +238,7 @@ ExitCode deliver(const MinimizeCommand& command, const Case& original, const Min
   fmt::print(stderr, "{}: {}\n  from {}\n  to {}: {}\n  {}{}\n", original.id, title_of(signature),
              words_of_size(original.scene), words_of_size(minimized.scene),
              scene_words(minimized.scene),
-             counted(static_cast<std::int64_t>(minimized.asks), "scene asked", "scenes asked"),
+             counted(minimized.asks, "scene asked", "scenes asked"),
              ending_words(minimized.end));
   const std::string text =
       command.json ? json_text(minimized, signature, original, info, written.text) : written.text;

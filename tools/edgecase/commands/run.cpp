@@ -3,12 +3,14 @@
 // edgecase run: the suite against renderers, judged, held against expectations, reported.
 #include <fmt/format.h>
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <variant>
 
+#include "model/counted.h"
 #include "run/last_failed.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/interrupt.h"
@@ -52,9 +54,9 @@ std::optional<ExitCode> narrow_to_last_failed(const RunCommand& command, Selecti
   selection.only = unexpected_cases(*last);
   if (!selection.only->ids.empty() || !selection.only->files.empty()) return std::nullopt;
   print_error(
-      fmt::format("nothing failed: in {} all {} cases are as expected; run without "
-                  "--last-failed to run them again",
-                  path, last->cases.size()));
+      fmt::format("nothing failed: in {} all is as expected, {}; run without --last-failed to run "
+                  "them again",
+                  path, counted(last->cases.size(), "case", "cases")));
   return ExitCode::nothing_selected;
 }
 
@@ -94,6 +96,7 @@ ExitCode print_list(const Suite& suite) {
 }
 
 ExitCode run(const RunCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
   Selection selection = command.selection.selection();
   if (command.last_failed)
     if (const auto exit = narrow_to_last_failed(command, selection)) return *exit;
@@ -119,7 +122,8 @@ ExitCode run(const RunCommand& command) {
   const InterruptGuard guard;
   const auto results = run_expecting(suite, *policy, *profiles, command.run, std::move(expectant));
   if (!results) return ExitCode::usage;
-  const ExitCode exit = deliver_results(*results, command.files, command.color);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  const ExitCode exit = deliver_results(*results, command.files, command.color, took.count());
   if (exit != ExitCode::internal) print_way_on(command, *results);
   return exit;
 }
