@@ -108,6 +108,18 @@ void add_values_sources(std::map<int, RulingSource>& of) {
                 "through a shader with a tolerance of about 1 in 2^-8 to 2^-16 of range; none "
                 "asks the last bit",
             .es = "2.3.5.2, 12.6.1, 13.7.2: same"};
+
+  of[46] = {.clause = "14.5.1, equations 14.5 to 14.7; 14.5.2.2",
+            .quotation = "Set t = (p_r - p_a) . (p_b - p_a) / |p_b - p_a|^2",
+            .basis = Basis::contested,
+            .contest =
+                "J.4 (October 22, 2019) loosens 14.5.2.2 to \"allow diagonal interpolation of "
+                "input attributes, bring the specification in line with Vulkan and shipping "
+                "hardware\"",
+            .khronos =
+                "dEQP-GLES3.functional.rasterization.interpolation.*.lines, lines_wide: values "
+                "by the major axis are accepted with a quality warning",
+            .es = "13.6.1: the formula may be approximated by the major axis alone"};
 }
 
 }  // namespace edgecase
