@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "model/counted.h"
 #include "reports/test_outcomes.h"
 #include "reports/text.h"
 
@@ -153,8 +154,8 @@ void write_annotations(const Results& results, const PathInRepository& path_of, 
   const std::size_t listed = std::min(kMostAnnotations, groups.size());
   for (std::size_t i = 0; i < listed; ++i) out << command_of(groups[i], path_of) << '\n';
   if (listed < groups.size())
-    out << fmt::format("::notice title=edgecase::{} more are not shown; the report has them all\n",
-                       groups.size() - listed);
+    out << fmt::format("::notice title=edgecase::{} not shown; the report has them all\n",
+                       counted(groups.size() - listed, "more is", "more are"));
 }
 
 }  // namespace edgecase

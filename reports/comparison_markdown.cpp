@@ -8,6 +8,7 @@
 #include <ostream>
 #include <string>
 
+#include "model/counted.h"
 #include "reports/markdown.h"
 #include "reports/text.h"
 
@@ -55,8 +56,8 @@ void write_facts(const std::vector<FactChange>& facts, std::ostream& out) {
                markdown_cell(fact.after));
 }
 
-void write_more(std::size_t all, const char* what, std::ostream& out) {
-  if (all > kMostListed) fmt::print(out, "\nand {} more {}\n", all - kMostListed, what);
+void write_more(std::size_t all, const char* one, const char* several, std::ostream& out) {
+  if (all > kMostListed) fmt::print(out, "\nand {}\n", counted(all - kMostListed, one, several));
 }
 
 void write_clusters(const RendererComparison& renderer, ChangeKind change, std::ostream& out) {
@@ -70,7 +71,7 @@ void write_clusters(const RendererComparison& renderer, ChangeKind change, std::
                markdown_cell(cluster.cause), cluster.cases, cluster.disagreements,
                markdown_cell(cluster.first_case));
   }
-  write_more(count, "rules and causes", out);
+  write_more(count, "more rule and cause", "more rules and causes", out);
 }
 
 void write_cases(const RendererComparison& renderer, ChangeKind change, std::ostream& out) {
@@ -81,7 +82,7 @@ void write_cases(const RendererComparison& renderer, ChangeKind change, std::ost
     fmt::print(out, "- {}: {} -> {}\n", markdown_code(one.id), words_of(one.before),
                words_of(one.after));
   }
-  write_more(count, "cases", out);
+  write_more(count, "more case", "more cases", out);
 }
 
 void write_renderer(const RendererComparison& renderer, std::ostream& out) {
@@ -90,8 +91,9 @@ void write_renderer(const RendererComparison& renderer, std::ostream& out) {
                  ? markdown_code(renderer.before)
                  : markdown_code(renderer.before) + " -> " + markdown_code(renderer.after));
   write_facts(renderer.facts, out);
-  fmt::print(out, "\n{} of {} cases are as they were.\n", renderer.same,
-             renderer.same + renderer.cases.size());
+  fmt::print(out, "\n{} of {} {}.\n", renderer.same,
+             counted(renderer.same + renderer.cases.size(), "case", "cases"),
+             renderer.same == 1 ? "is as it was" : "are as they were");
   for (const ChangeKind change : kAllChanges) {
     const auto found = renderer.counts.find(change);
     if (found == renderer.counts.end()) continue;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "reports/picture_crop.h"
 #include "reports/svg_nodes.h"
 #include "reports/text.h"
 
@@ -15,58 +16,77 @@ namespace edgecase {
 namespace {
 
 // Layout, in SVG units.
-constexpr double kPanel = 208;    // wanted size of a panel's longer side
-constexpr double kLeastCell = 3;  // of a pixel's side
-constexpr double kMostCell = 52;
-constexpr double kGap = 14;           // around panels
+constexpr double kPanel = 208;      // wanted size of a pane's longer side
+constexpr double kLeastPane = 122;  // of the width of a pane with its title
+constexpr double kLeastCell = 3;    // of a pixel's side
+constexpr double kMostCell = 42;
+constexpr double kGap = 14;           // around panes
 constexpr double kMargin = 6;         // around the target, in which outlines still show
-constexpr double kHeading = 22;       // height of a panel's title
+constexpr double kHeading = 22;       // height of a pane's title
+constexpr double kNumbers = 16;       // of the columns' numbers below, the rows' at the left
+constexpr double kNumbered = 14;      // least side of a pixel that has room for its number
 constexpr double kLine = 16;          // from one base line to the next
 constexpr double kBoldWidth = 7.4;    // of the title's letters, on average
 constexpr double kLetterWidth = 6.3;  // of the caption, on average; lines are broken by it
 
 constexpr const char* kStyle =
     "text{font:12px sans-serif;fill:#1b1f24}.title{font-weight:bold}"
-    ".paper{fill:#fff}.none{fill:#fff}.once{fill:#b9d3f5}.more{fill:#5f93dc}"
+    ".paper{fill:#fff}.none{fill:#fff}.once{fill:#b9d3f5}.more{fill:#5f93dc}.pale{fill:#e9eef5}"
     ".grid{fill:none;stroke:#9aa4b0;stroke-opacity:.55}"
+    ".column{font-size:10px;fill:#5b6270;text-anchor:middle}"
     ".line{fill:none;stroke:#1b1f24;stroke-width:1.5;stroke-linejoin:round}.end{fill:#1b1f24}"
     ".region{fill:none;stroke:#8a4b00;stroke-width:1.2}"
     ".owned{fill:none;stroke:#8a4b00;stroke-width:2.4}"
     ".sample{fill:none;stroke:#8a4b00;stroke-width:1.4}"
     ".forbidden{fill:none;stroke:#c0182b;stroke-width:2.4}"
     ".allowed{fill:none;stroke:#6a5400;stroke-width:2.4;stroke-dasharray:4 2.5}"
-    ".contested{fill:none;stroke:#7a2fa0;stroke-width:2.4;stroke-dasharray:1.5 2}"
-    ".badge{fill:#c0182b}.badge.contested-badge{fill:#7a2fa0}.badge.allowed-badge{fill:#6a5400}"
+    ".badge{fill:#c0182b}.badge.allowed-badge{fill:#6a5400}"
     ".sign{fill:none;stroke:#fff;stroke-width:1.8}"
     ".digit{font-weight:bold;font-size:11px;fill:#fff;text-anchor:middle}";
+
+// Beside it where something is contested.
+constexpr const char* kContestedStyle =
+    ".contested{fill:none;stroke:#7a2fa0;stroke-width:2.4;stroke-dasharray:1.5 2}"
+    ".badge.contested-badge{fill:#7a2fa0}";
 
 struct Panel {
   pugi::xml_node node;
   double cell = 0;
-  int height = 0;  // pixels
-  double column(double x) const { return x * cell; }
+  Crop crop;
+  double heading = 0;  // from the pane's upper edge to its first row of pixels
+  double column(double x) const { return (x - crop.left) * cell; }
   pugi::xml_node add(const char* name) const {
     pugi::xml_node parent = node;
     return parent.append_child(name);
   }
-  double row(double y) const { return kHeading + (height - y) * cell; }
+  double row(double y) const { return heading + (crop.top - y) * cell; }
 };
 
-void add_pixels(const Panel& panel, int width, const std::vector<int>& hits) {
-  for (int y = 0; y < panel.height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const int count = hits[static_cast<std::size_t>(y * width + x)];
-      const char* kind = count == 0 ? "none" : count == 1 ? "once" : "more";
-      add_rectangle(panel.node, kind, panel.column(x), panel.row(y + 1), panel.cell, panel.cell);
-    }
+// The pixels with their CSS classes, `width` to a row of the target, and a grid over them.
+void add_pixels(const Panel& panel, int width, const std::vector<const char*>& kinds) {
+  for (int y = panel.crop.bottom; y < panel.crop.top; ++y)
+    for (int x = panel.crop.left; x < panel.crop.right; ++x)
+      add_rectangle(panel.node, kinds[static_cast<std::size_t>(y * width + x)], panel.column(x),
+                    panel.row(y + 1), panel.cell, panel.cell);
   std::string path;
-  for (int x = 0; x <= width; ++x)
-    path += fmt::format("M{} {}V{}", panel.column(x), panel.row(0), panel.row(panel.height));
-  for (int y = 0; y <= panel.height; ++y)
-    path += fmt::format("M0 {}H{}", panel.row(y), panel.column(width));
+  for (int x = panel.crop.left; x <= panel.crop.right; ++x)
+    path += fmt::format("M{} {}V{}", panel.column(x), panel.row(panel.crop.bottom),
+                        panel.row(panel.crop.top));
+  for (int y = panel.crop.bottom; y <= panel.crop.top; ++y)
+    path += fmt::format("M0 {}H{}", panel.row(y), panel.column(panel.crop.right));
   pugi::xml_node grid = panel.add("path");
   set(grid, "class", std::string("grid"));
   set(grid, "d", path);
+}
+
+// The numbers of columns and rows, where pixels have room for them.
+void add_numbers(const Panel& panel) {
+  if (panel.cell < kNumbered) return;
+  for (int x = panel.crop.left; x < panel.crop.right; ++x)
+    add_text(panel.node, "column", panel.column(x + .5),
+             panel.row(panel.crop.bottom) + kNumbers - 2, std::to_string(x));
+  for (int y = panel.crop.bottom; y < panel.crop.top; ++y)
+    add_text(panel.node, "column", -kNumbers / 2 - 2, panel.row(y + .5) + 4, std::to_string(y));
 }
 
 void add_dot(const Panel& panel, const char* kind, std::pair<double, double> at, double radius) {
@@ -176,16 +196,17 @@ double badge_size(double cell) {
 void add_frames(const Panel& panel, const std::vector<Disagreement>& all) {
   const double inset = std::min(1.2, panel.cell / 8);
   for (const Disagreement& d : all)
-    add_rectangle(panel.node, frame_of(d.legality), panel.column(d.x) + inset,
-                  panel.row(d.y + 1) + inset, panel.cell - 2 * inset, panel.cell - 2 * inset);
+    if (panel.crop.contains(d))
+      add_rectangle(panel.node, frame_of(d.legality), panel.column(d.x) + inset,
+                    panel.row(d.y + 1) + inset, panel.cell - 2 * inset, panel.cell - 2 * inset);
 }
 
-// A node in the panel's coordinates that shows nothing far outside the target.
-pugi::xml_node add_window(const Panel& panel, int width) {
+// A node in the pane's coordinates that shows nothing far outside what is shown of the target.
+pugi::xml_node add_window(const Panel& panel) {
   const double left = -kMargin;
-  const double top = panel.row(panel.height) - kMargin;
-  const double wide = panel.column(width) + 2 * kMargin;
-  const double high = panel.height * panel.cell + 2 * kMargin;
+  const double top = panel.row(panel.crop.top) - kMargin;
+  const double wide = panel.crop.width() * panel.cell + 2 * kMargin;
+  const double high = panel.crop.height() * panel.cell + 2 * kMargin;
   pugi::xml_node window = panel.add("svg");
   set(window, "x", left);
   set(window, "y", top);
@@ -195,22 +216,62 @@ pugi::xml_node add_window(const Panel& panel, int width) {
   return window;
 }
 
-void add_panel(pugi::xml_node svg, const DifferencePicture& picture, double cell, bool is_exact) {
-  pugi::xml_node node = svg.append_child("g");
-  set(node, "transform",
-      fmt::format("translate({} {})", is_exact ? kGap : 2 * kGap + picture.width * cell,
-                  kGap + kLine));
-  const Panel panel{node, cell, picture.height};
-  add_text(node, "name", 0, kHeading - 8, is_exact ? "exact" : one_line(picture.renderer));
-  add_pixels(panel, picture.width, is_exact ? picture.exact_hits : picture.rendered_hits);
+// The CSS class of each pixel of the target in a pane.
+std::vector<const char*> pixel_kinds(const DifferencePicture& picture, Pane pane) {
+  std::vector<const char*> kinds;
+  kinds.reserve(picture.exact_hits.size());
+  for (std::size_t i = 0; i < picture.exact_hits.size(); ++i) {
+    const int exact = picture.exact_hits[i];
+    const int rendered = picture.rendered_hits[i];
+    const int hits = pane == Pane::exact ? exact : rendered;
+    if (pane == Pane::difference)
+      kinds.push_back(exact > 0 || rendered > 0 ? "pale" : "none");
+    else
+      kinds.push_back(hits == 0 ? "none" : hits == 1 ? "once" : "more");
+  }
+  return kinds;
+}
+
+void add_drawing(const Panel& panel, const DifferencePicture& picture, Pane pane) {
+  add_pixels(panel, picture.width, pixel_kinds(picture, pane));
   add_frames(panel, picture.disagreements);
   Panel inside = panel;
-  inside.node = add_window(panel, picture.width);
+  inside.node = add_window(panel);
   add_scene(inside, picture.figure);
+  if (pane != Pane::difference) return;
   for (const Disagreement& d : picture.disagreements) add_evidence(inside, d.figure);
-  if (is_exact) return;
   for (const Disagreement& d : picture.disagreements)
-    add_badge(node, sign_of(picture, d), panel.column(d.x), panel.row(d.y + 1), badge_size(cell));
+    if (panel.crop.contains(d))
+      add_badge(panel.node, sign_of(picture, d), panel.column(d.x), panel.row(d.y + 1),
+                badge_size(panel.cell));
+}
+
+std::string title_of(const DifferencePicture& picture, Pane pane) {
+  return pane == Pane::exact        ? "exact"
+         : pane == Pane::difference ? "difference"
+                                    : one_line(picture.renderer);
+}
+
+double cell_of(const Crop& crop) {
+  const double longer = std::max(crop.width(), crop.height());
+  return std::clamp(std::floor(kPanel / longer), kLeastCell, kMostCell);
+}
+
+// An SVG document of this size, and its background.
+pugi::xml_node add_paper(pugi::xml_document& document, const DifferencePicture& picture,
+                         double width, double height) {
+  pugi::xml_node svg = document.append_child("svg");
+  set(svg, "xmlns", std::string("http://www.w3.org/2000/svg"));
+  set(svg, "width", width);
+  set(svg, "height", height);
+  set(svg, "viewBox", fmt::format("0 0 {} {}", width, height));
+  const bool is_contested =
+      std::ranges::find(picture.disagreements, Legality::contested, &Disagreement::legality) !=
+      picture.disagreements.end();
+  const std::string style = std::string(kStyle) + (is_contested ? kContestedStyle : "");
+  svg.append_child("style").text().set(style.c_str());
+  add_rectangle(svg, "paper", 0, 0, width, height);
+  return svg;
 }
 
 // Breaks text at spaces into lines of at most so many bytes; a longer word has a line of its own.
@@ -269,6 +330,13 @@ void add_legend(pugi::xml_node svg, const DifferencePicture& picture, double y) 
 
 }  // namespace
 
+std::optional<Pane> pane_named(const std::string& name) {
+  if (name == "exact") return Pane::exact;
+  if (name == "difference") return Pane::difference;
+  if (name == "renderer") return Pane::renderer;
+  return std::nullopt;
+}
+
 std::vector<int> rendered_hits(const std::vector<int>& exact_hits, int width,
                                const std::vector<Disagreement>& disagreements) {
   std::vector<int> hits = exact_hits;
@@ -280,35 +348,51 @@ std::vector<int> rendered_hits(const std::vector<int>& exact_hits, int width,
 }
 
 void write_difference_svg(const DifferencePicture& picture, std::ostream& out) {
-  const double longer = std::max(picture.width, picture.height);
-  const double cell = std::clamp(std::floor(kPanel / longer), kLeastCell, kMostCell);
-  const double width = std::max(3 * kGap + 2 * picture.width * cell, 2 * kPanel + 3 * kGap);
+  const Crop crop = crop_of(picture);
+  const double cell = cell_of(crop);
+  const double step = kNumbers + std::max(crop.width() * cell, kLeastPane) + kGap;
+  const double width = kGap + 3 * step;
   const auto letters = [&](double each) {
     return static_cast<std::size_t>((width - 2 * kGap) / each);
   };
   const std::vector<std::string> title = broken(one_line(picture.title), letters(kBoldWidth));
   const std::vector<std::string> caption = broken(caption_of(picture), letters(kLetterWidth));
   const double title_height = kLine * static_cast<double>(title.size() - 1);
-  const double below = title_height + kGap + kLine + kHeading + picture.height * cell;
+  const double below = title_height + kGap + kLine + kHeading + crop.height() * cell + kNumbers;
   const double height = below + kLine * (1.5 + static_cast<double>(caption.size())) + kGap / 2;
 
   pugi::xml_document document;
-  pugi::xml_node svg = document.append_child("svg");
-  set(svg, "xmlns", std::string("http://www.w3.org/2000/svg"));
-  set(svg, "width", width);
-  set(svg, "height", height);
-  set(svg, "viewBox", fmt::format("0 0 {} {}", width, height));
-  svg.append_child("style").text().set(kStyle);
-  add_rectangle(svg, "paper", 0, 0, width, height);
+  pugi::xml_node svg = add_paper(document, picture, width, height);
   for (std::size_t i = 0; i < title.size(); ++i)
     add_text(svg, "title", kGap, kGap + 6 + kLine * static_cast<double>(i), title[i]);
-  pugi::xml_node panels = svg.append_child("g");
-  set(panels, "transform", fmt::format("translate(0 {})", title_height));
-  add_panel(panels, picture, cell, true);
-  add_panel(panels, picture, cell, false);
+  pugi::xml_node panes = svg.append_child("g");
+  set(panes, "transform",
+      fmt::format("translate({} {})", kGap + kNumbers, title_height + kGap + kLine));
+  double x = 0;
+  for (const Pane pane : {Pane::exact, Pane::difference, Pane::renderer}) {
+    pugi::xml_node node = panes.append_child("g");
+    set(node, "transform", fmt::format("translate({} 0)", x));
+    x += step;
+    add_text(node, "name", 0, kHeading - 8, title_of(picture, pane));
+    const Panel panel{node, cell, crop, kHeading};
+    add_drawing(panel, picture, pane);
+    add_numbers(panel);
+  }
   add_legend(svg, picture, below + kLine * 1.25);
   for (std::size_t i = 0; i < caption.size(); ++i)
     add_text(svg, "name", kGap, below + kLine * (2.35 + static_cast<double>(i)), caption[i]);
+  document.save(out, " ", pugi::format_indent | pugi::format_no_declaration);
+}
+
+void write_pane_svg(const DifferencePicture& picture, Pane pane, std::ostream& out) {
+  const Crop crop = crop_of(picture);
+  const double cell = cell_of(crop);
+  pugi::xml_document document;
+  pugi::xml_node svg = add_paper(document, picture, crop.width() * cell + 2 * kMargin,
+                                 crop.height() * cell + 2 * kMargin);
+  pugi::xml_node node = svg.append_child("g");
+  set(node, "transform", fmt::format("translate({} 0)", kMargin));
+  add_drawing({node, cell, crop, kMargin}, picture, pane);
   document.save(out, " ", pugi::format_indent | pugi::format_no_declaration);
 }
 

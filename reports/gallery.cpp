@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "model/counted.h"
 #include "reports/gallery_picture.h"
 #include "reports/page.h"
 #include "reports/svg_nodes.h"
@@ -151,10 +152,6 @@ void add_choices(Node body, const GalleryPage& page) {
     set(add_words(head, "th", nullptr, title), "scope", std::string("col"));
   Node rows = add(table, "tbody");
   for (const GalleryChoice& choice : page.choices) add_choice(rows, page, choice);
-}
-
-std::string counted(std::size_t count, const char* one, const char* more) {
-  return fmt::format("{} {}", count, count == 1 ? one : more);
 }
 
 // "3 pixels have another colour, by up to 9 of 255, 1 more is drawn another number of times";

@@ -2,19 +2,20 @@
 #include "reports/summary.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "model/counted.h"
 #include "model/recorded.h"
 #include "reports/cluster_summary.h"
 #include "reports/painter.h"
 #include "reports/text.h"
-#include "results/worst_first.h"
+#include "reports/unexpected_summary.h"
 
 namespace edgecase {
 namespace {
@@ -24,12 +25,41 @@ constexpr std::size_t kLabelWidth = 12;
 constexpr Verdict kWorstFirst[] = {Verdict::violation,  Verdict::contested, Verdict::permitted,
                                    Verdict::convention, Verdict::agree,     Verdict::not_run};
 
-std::size_t count_unexpected(const Results& results, std::size_t renderer) {
+std::size_t unexpected_of(const Results& results, std::size_t renderer) {
   const auto stands_out = [renderer](const CaseResults& one) {
     return renderer < one.results.size() && is_unexpected(one.results[renderer].standing);
   };
   return static_cast<std::size_t>(
       std::count_if(results.cases.begin(), results.cases.end(), stands_out));
+}
+
+// "41 s", and "0.4 s" below ten.
+std::string words_of_seconds(double seconds) {
+  constexpr double kFew = 9.95;
+  return fmt::format("{:.{}f} s", seconds, seconds < kFew ? 1 : 0);
+}
+
+// "30,718 cases, 2 renderers: 0 unexpected, 41 s", in green where all is well, else in red. What
+// else makes a run fail stands there, too.
+std::string first_line(const Results& results, std::optional<double> seconds,
+                       const Painter& paint) {
+  std::size_t drawings = 0;
+  for (const CaseResults& one : results.cases) drawings += one.expect_failures.size();
+  std::vector<std::string> found;
+  const std::size_t unexpected = count_unexpected(results);
+  if (!results.diagnostics.empty())
+    found.push_back(counted(results.diagnostics.size(), "fault", "faults") + " in case files");
+  if (drawings > 0) found.push_back(counted(drawings, "drawing", "drawings") + " not met");
+  if (!results.missing.empty())
+    found.push_back(counted(results.missing.size(), "expectation", "expectations") + " of no case");
+  if (results.interrupted) found.emplace_back("interrupted");
+  const bool is_good = unexpected == 0 && found.empty();
+  found.insert(found.begin(), grouped(unexpected) + " unexpected");
+  if (seconds) found.push_back(words_of_seconds(*seconds));
+  const std::string text = fmt::format("{}, {}: {}", counted(results.cases.size(), "case", "cases"),
+                                       counted(results.renderers.size(), "renderer", "renderers"),
+                                       fmt::join(found, ", "));
+  return paint(style_of(is_good ? Verdict::agree : Verdict::violation), text);
 }
 
 class Table {
@@ -50,18 +80,23 @@ class Table {
         return found == counts.end() ? std::size_t{0} : found->second;
       });
     write_row(out, "unexpected", style_of(Verdict::violation),
-              [&](std::size_t r) { return count_unexpected(results_, r); });
+              [&](std::size_t r) { return unexpected_of(results_, r); });
   }
 
  private:
   using Count = std::function<std::size_t(std::size_t renderer)>;
 
+  // None where all counts are 0.
   void write_row(std::ostream& out, const std::string& label, fmt::text_style style,
                  const Count& count) const {
+    std::size_t all = 0;
+    for (std::size_t r = 0; r < names_.size(); ++r) all += count(r);
+    if (all == 0) return;
     out << fmt::format("{:<{}}", label, kLabelWidth);
     for (std::size_t r = 0; r < names_.size(); ++r) {
       const std::size_t n = count(r);
-      const std::string cell = fmt::format("{:>{}}", n, std::max<std::size_t>(8, names_[r].size()));
+      const std::string cell =
+          fmt::format("{:>{}}", grouped(n), std::max<std::size_t>(8, names_[r].size()));
       out << "  " << (n > 0 ? paint_(style, cell) : paint_(fmt::emphasis::faint, cell));
     }
     out << '\n';
@@ -90,27 +125,6 @@ void write_list(std::ostream& out, const std::string& heading,
   if (listed < lines.size()) out << fmt::format("  and {} more\n", lines.size() - listed);
 }
 
-std::string unexpected_line(const Results& results, const CaseResults& one, std::size_t renderer,
-                            const Painter& paint) {
-  const Result& result = one.results[renderer];
-  const std::string name =
-      renderer < results.renderers.size() ? results.renderers[renderer].name : "?";
-  std::string line = fmt::format("{} {} {}, {}", paint.bold(one_line(one.id)), one_line(name),
-                                 paint(style_of(result.verdict), name_of(result.verdict)),
-                                 name_of(result.standing));
-  if (result.standing == Standing::flake) line += ": " + one_line(result.expectation);
-  const std::string explanation = one_line(first_explanation(result, one.samples.samples));
-  return explanation.empty() ? line : line + "\n      " + explanation;
-}
-
-std::vector<std::string> unexpected_lines(const Results& results, const Painter& paint) {
-  std::vector<std::string> lines;
-  for (const auto& [i, r] : worst_first(
-           results, [](const KnownResult& result) { return is_unexpected(result.standing); }))
-    lines.push_back(unexpected_line(results, results.cases[i], r, paint));
-  return lines;
-}
-
 std::vector<std::string> drawn_lines(const Results& results, const Painter& paint) {
   std::vector<std::string> lines;
   for (const CaseResults& one : results.cases)
@@ -129,11 +143,11 @@ std::vector<std::string> missing_lines(const Results& results, const Painter& pa
 
 }  // namespace
 
-void write_summary(const Results& results, bool color, std::ostream& out) {
+void write_summary(const Results& results, bool color, std::ostream& out,
+                   std::optional<double> seconds) {
   const Painter paint(color);
-  Table(results, paint).write(out);
-  write_recordings(results, out);
-  write_clusters(results, paint, out);
+  out << first_line(results, seconds, paint) << '\n';
+  write_unexpected(results, paint, out);
 
   std::vector<std::string> files;
   for (const Diagnostic& diagnostic : results.diagnostics)
@@ -145,8 +159,12 @@ void write_summary(const Results& results, bool color, std::ostream& out) {
              paint.bold("Expectations of cases that the suite has no more; `edgecase bless "
                         "--apply` removes them:"),
              missing_lines(results, paint));
-  write_list(out, paint.bold("Unexpected:"), unexpected_lines(results, paint));
   if (results.interrupted) out << '\n' << paint.bold(words_of_interruption(results)) << '\n';
+  if (results.cases.empty()) return;
+  out << '\n';
+  Table(results, paint).write(out);
+  write_recordings(results, out);
+  write_clusters(results, paint, out);
 }
 
 }  // namespace edgecase

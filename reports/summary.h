@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// The terminal's summary: how many cases got which verdict from which renderer, then what no
-// alternative accounts for, the causes of the rest (reports/cluster_summary.h), and what nobody
-// expected, each with its first explanation.
+// The terminal's summary: one line that says how the run ended, what nobody expected by cause
+// (reports/unexpected_summary.h), what is wrong with the suite, then how many cases got which
+// verdict from which renderer, and the causes of all differences (reports/cluster_summary.h).
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 
 #include "results/results.h"
 
 namespace edgecase {
 
-// Writes the table verdict x renderer, the clusters, broken case files, unmet hand-drawn
-// expectations and the unexpected results, at most 20 of each and then "and N more". `color`: with
-// ANSI escapes. Text from files and renderers is written on one line with its control characters
-// made visible, so that no title can steer the terminal.
-void write_summary(const Results& results, bool color, std::ostream& out);
+// `color`: with ANSI escapes. `seconds`: what the run took, where that is known. Of each list at
+// most 20 entries are written and then "and N more". Of no cases there is no table. Text from files
+// and renderers is written on one line with its control characters made visible, so that no title
+// can steer the terminal.
+void write_summary(const Results& results, bool color, std::ostream& out,
+                   std::optional<double> seconds = {});
 
 }  // namespace edgecase

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/counted.h"
 #include "reports/explain_command.h"
 #include "reports/markdown.h"
 #include "reports/text.h"
@@ -156,8 +157,9 @@ void add_clusters(const Results& results, std::size_t renderer, Page& page) {
 
 void write_markdown_summary(const Results& results, std::ostream& out) {
   Page page;
-  page.add(fmt::format("# {}\n\n{} cases, policy {}\n", one_line(shortened(results.tool, 100)),
-                       results.cases.size(), markdown_code(results.policy)));
+  page.add(fmt::format("# {}\n\n{}, policy {}\n", one_line(shortened(results.tool, 100)),
+                       counted(results.cases.size(), "case", "cases"),
+                       markdown_code(results.policy)));
   if (results.interrupted) page.add("\n**" + words_of_interruption(results) + "**\n");
   add_table(results, page);
   add_unexpected(results, page);

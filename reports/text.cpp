@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "model/counted.h"
 #include "results/worst_first.h"
 
 namespace edgecase {
@@ -90,10 +91,6 @@ std::string make_visible(std::string_view text, bool keep_breaks) {
     at += next.bytes;
   }
   return out;
-}
-
-std::string counted(std::size_t count, const char* singular, const char* plural) {
-  return fmt::format("{} {}", count, count == 1 ? singular : plural);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 function headlineOf() {
   const results = Cases.flatMap((one) => one.results);
   const surprises = results.filter(isSurprise).length;
+  const tolerated = results.filter((result) => result.standing === "tolerated").length;
   const broken = new Set(Data.diagnostics.map((d) => d.file)).size;
   const drawn = Data.untrue.reduce((sum, [, texts]) => sum + texts.length, 0);
   const parts = [];
@@ -17,7 +18,8 @@ function headlineOf() {
       ? "; " + plural(Data.left_out, "case is", "cases are") + " missing" : ""));
   if (!parts.length)
     return h("p.headline.good", {}, icon(VERDICTS.agree.path),
-      results.length ? "Every result is as expected." : "Nothing was run.");
+      !results.length ? "Nothing was run." : "Every result is as expected" +
+        (tolerated ? ", or contested and tolerated: " + tolerated.toLocaleString("en") : "") + ".");
   return h("p.headline.alarm", {}, icon(BANG), parts.join("; ") + ".");
 }
 

@@ -92,6 +92,13 @@ std::string written(float value, std::chars_format format, int precision) {
   return {text.data(), end};
 }
 
+// Does the decimal stand for a multiple of 2^-16 that is this number, as exact/numeral.h takes it?
+bool is_multiple(std::string_view text, double value) {
+  const auto numeral = parse_numeral(text);
+  const Fixed* fixed = std::get_if<Fixed>(&numeral);
+  return fixed != nullptr && fixed->to_double() == value;
+}
+
 std::optional<Float32Numeral> parse_decimal(std::string_view text) {
   float value = 0;
   const char* end = text.data() + text.size();
@@ -105,7 +112,8 @@ std::optional<Float32Numeral> parse_decimal(std::string_view text) {
   if (std::from_chars(text.data(), end, wide).ec != std::errc()) wide = 0;
   const Magnitude nearest =
       magnitude_of(written(value, std::chars_format::fixed, kMostFractionDigits));
-  return Float32Numeral{value + 0.0F, magnitude_of(text) == nearest, wide};
+  const bool exact = magnitude_of(text) == nearest || is_multiple(text, value);
+  return Float32Numeral{value + 0.0F, exact, wide};
 }
 
 }  // namespace

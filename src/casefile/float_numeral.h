@@ -4,7 +4,8 @@
 //
 // A coordinate is a multiple of 2^-16 (exact/numeral.h); what a vertex shader gets beside it (w,
 // clip coordinates, colours) is any float32 number. Whether a decimal is one is decided by its
-// digits: 0.1 is none, 0.5 and 9.5367431640625e-07 are.
+// digits: 0.1 is none, 0.5 and 9.5367431640625e-07 are. So is 14.644210815429688, which
+// exact/numeral.h takes as the multiple of 2^-16 that is its nearest double.
 #pragma once
 
 #include <optional>

@@ -115,6 +115,8 @@ std::string nearest_name(std::string_view name, std::span<const std::string> nam
 std::string suggest_names(std::string_view name, std::span<const std::string> names) {
   const std::string nearest = nearest_name(name, names);
   if (nearest.empty()) return fmt::format("allowed are {}", join_names(names));
+  constexpr std::size_t kMostListed = 30;  // a longer list hides the question
+  if (names.size() > kMostListed) return fmt::format("did you mean {}?", quote(nearest));
   return fmt::format("did you mean {}? Allowed are {}", quote(nearest), join_names(names));
 }
 

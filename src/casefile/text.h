@@ -36,7 +36,8 @@ std::string join_names(std::span<const std::string> names);
 // swapped with a neighbour. Empty: none.
 std::string nearest_name(std::string_view name, std::span<const std::string> names);
 
-// "did you mean \"NEAREST\"? Allowed are a, b, c", the question only where a name is near.
+// "did you mean \"NEAREST\"? Allowed are a, b, c": the question only where a name is near, and then
+// the list only where it has 30 names at most.
 std::string suggest_names(std::string_view name, std::span<const std::string> names);
 
 }  // namespace edgecase

@@ -4,7 +4,8 @@
 // before it is judged. The fraction of a decimal, 0.d1d2d3..., times 2^16 is a long multiplication
 // digit by digit: what is carried out of the first digit is the whole part, what stays behind is
 // the remainder. A remainder of zero means that the number is a multiple of 2^-16; its first digit
-// against 5 finds the nearest multiple, ties included.
+// against 5 finds the nearest multiple, ties included. A remainder within half a step of doubles of
+// a multiple means that the multiple is the double which the digits stand for.
 //
 // The grammar is JSON's, without spaces: no plus sign in front, no leading zeros, digits on both
 // sides of the point (".5" and "1." are refused, as JSON refuses them as numbers). Denominators are
@@ -157,19 +158,56 @@ struct Scaled {
   }
 };
 
+// Multiplies the digits behind a point by `factor`, at most 2^18, and returns what is carried out.
+std::int64_t multiply(std::string& fraction, std::int64_t factor) {
+  std::int64_t carry = 0;
+  for (auto digit = fraction.rbegin(); digit != fraction.rend(); ++digit) {
+    const std::int64_t product = (*digit - '0') * factor + carry;
+    *digit = static_cast<char>('0' + product % 10);
+    carry = product / 10;
+  }
+  return carry;
+}
+
 // `decimal.whole` has at most kMaxWholeDigits digits.
 Scaled scale(const Decimal& decimal) {
   std::int64_t whole = 0;
   for (const char digit : decimal.whole) whole = 10 * whole + (digit - '0');
   Scaled scaled{0, decimal.fraction};
-  std::int64_t carry = 0;
-  for (auto digit = scaled.remainder.rbegin(); digit != scaled.remainder.rend(); ++digit) {
-    const std::int64_t product = (*digit - '0') * Fixed::kOne + carry;
-    *digit = static_cast<char>('0' + product % 10);
-    carry = product / 10;
-  }
-  scaled.floor = whole * Fixed::kOne + carry;
+  scaled.floor = whole * Fixed::kOne + multiply(scaled.remainder, Fixed::kOne);
   return scaled;
+}
+
+// The remainder times 2^bits, rounded down, and whether nothing was rounded away; bits 0 to 54.
+std::pair<std::int64_t, bool> shifted(std::string remainder, int bits) {
+  constexpr int kBitsAtOnce = 18;
+  std::int64_t whole = 0;
+  for (int left = bits; left > 0; left -= kBitsAtOnce) {
+    const int now = std::min(left, kBitsAtOnce);
+    whole = (whole << now) + multiply(remainder, std::int64_t{1} << now);
+  }
+  return {whole, remainder.find_first_not_of('0') == std::string::npos};
+}
+
+// The integer that is the nearest double of a number between two integers, for numbers below 2^52;
+// none where that double is no integer, or 0. Doubles around an integer n of 2^k to 2^(k + 1) - 1
+// are 2^(k - 52) apart, half as far below a power of two. n has an even significand, so that it
+// takes both ties.
+std::optional<std::int64_t> nearest_double(const Scaled& scaled) {
+  constexpr int kSignificandBits = 53;
+  const auto log2 = [](std::int64_t n) {
+    return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(n))) - 1;
+  };
+  const std::int64_t above = scaled.floor + 1;
+  if (log2(above) >= kSignificandBits - 1) return std::nullopt;
+  if (scaled.floor > 0) {
+    const auto [whole, exact] = shifted(scaled.remainder, kSignificandBits - log2(scaled.floor));
+    if (whole == 0 || (whole == 1 && exact)) return scaled.floor;
+  }
+  const bool is_power = (above & scaled.floor) == 0;
+  const int bits = kSignificandBits - log2(above) + (is_power ? 1 : 0);
+  if (shifted(scaled.remainder, bits).first == (std::int64_t{1} << bits) - 1) return above;
+  return std::nullopt;
 }
 
 Fixed with_sign(bool negative, std::int64_t raw) {
@@ -194,6 +232,7 @@ Parsed decimal_to_fixed(std::string_view text, std::string_view shown, bool near
   if (scaled.floor > kMaxRaw || (scaled.floor == kMaxRaw && !scaled.exact()))
     return too_large(shown);
   if (scaled.exact()) return with_sign(decimal.negative, scaled.floor);
+  if (const auto multiple = nearest_double(scaled)) return with_sign(decimal.negative, *multiple);
   if (!nearest) return between_multiples(decimal.negative, scaled.floor, shown);
   return with_sign(decimal.negative, scaled.floor + (scaled.nearest_is_above() ? 1 : 0));
 }

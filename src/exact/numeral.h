@@ -4,10 +4,12 @@
 //
 // Accepted forms: a decimal ("10.5", "-3", "1e2"), a fraction ("21/2"), a whole number with a
 // fraction ("10+3/256", "-1-1/16"), and "~DECIMAL", which takes the nearest multiple of 2^-16 (a
-// tie goes to the even one). Without the tilde the number must be a multiple of 2^-16: 0.1 is
-// refused, and the refusal names its two neighbours. Numbers are written as in JSON (no plus in
-// front, no leading zeros, digits on both sides of a point); denominators are powers of two up to
-// 65536.
+// tie goes to the even one). Without the tilde the number must be a multiple of 2^-16, or its
+// nearest double (IEEE 754 binary64, ties to even) must be one other than 0 and below 2^36 in
+// magnitude: 14.644210815429688 is what programs print for 14.6442108154296875, and is taken as
+// that. 0.1 is refused, and the refusal names its two neighbours. Numbers are written as in JSON
+// (no plus in front, no leading zeros, digits on both sides of a point); denominators are powers of
+// two up to 65536.
 #pragma once
 
 #include <string>

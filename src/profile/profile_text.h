@@ -16,4 +16,9 @@ std::string percent(const Rate& rate);
 // `most_clusters` of each surface; how many more there are is said).
 std::string profile_text(const Profile& profile, std::size_t most_clusters);
 
+// The same in at most ten lines: who it is, what was asked, of each surface how many traits are
+// followed throughout, the three that are followed least, and what is outside the specification;
+// then what decides over coverage.
+std::string profile_summary(const Profile& profile);
+
 }  // namespace edgecase

@@ -84,12 +84,18 @@ bool are_constant(const PrimitiveAttributes& attributes) {
   return is_constant(attributes.depth) && std::ranges::all_of(attributes.color, is_constant);
 }
 
+Interpolant depth_without_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
+                                 const Target& target) {
+  return VertexAttributes(primitive, choices, target).depth();
+}
+
 Interpolant permitted_depth(const ScenePrimitive& primitive, const RuleChoices& choices,
-                            const Target& target, double reach) {
+                            const Target& target, double reach, Interval fixed_unit) {
   const VertexAttributes vertices(primitive, choices, target);
   if (!has_polygon_offset(primitive)) return vertices.permitted_depth();
-  return plus(vertices.permitted_depth(), offset_permitted(*primitive.state->polygon_offset,
-                                                           vertices.depth(), target.depth, reach));
+  return plus(vertices.permitted_depth(),
+              offset_permitted(*primitive.state->polygon_offset, vertices.depth(), target.depth,
+                               reach, fixed_unit));
 }
 
 Interpolant permitted_inverse_w(const ScenePrimitive& primitive, const RuleChoices& choices,

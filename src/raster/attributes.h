@@ -46,11 +46,15 @@ bool are_constant(const PrimitiveAttributes& attributes);
 PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleChoices& choices,
                                   const Target& target);
 
+// PrimitiveAttributes::depth without any polygon offset.
+Interpolant depth_without_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
+                                 const Target& target);
+
 // PrimitiveAttributes::depth with all that the vertices' depths may be off by
 // (VertexAttributes::permitted_depth), and every polygon offset that is permitted in place of the
-// one that the choices say: as wide as offset_permitted is. `reach`: as there.
+// one that the choices say: as wide as offset_permitted is. `reach`, `fixed_unit`: as there.
 Interpolant permitted_depth(const ScenePrimitive& primitive, const RuleChoices& choices,
-                            const Target& target, double reach);
+                            const Target& target, double reach, Interval fixed_unit);
 // The same of PrimitiveAttributes::inverse_w.
 Interpolant permitted_inverse_w(const ScenePrimitive& primitive, const RuleChoices& choices,
                                 const Target& target);

@@ -42,8 +42,9 @@ Interval mixed(Interval a, Interval b, Interval weight) {
 // What one pick of levels yields.
 class PickedColors {
  public:
-  PickedColors(const DecodedTexture& decoded, const TexelLookup& lookup, const TexturePoint& point)
-      : decoded_(decoded), lookup_(lookup), point_(point) {}
+  PickedColors(const DecodedTexture& decoded, const TexelLookup& lookup, const TexturePoint& point,
+               SrgbDecoding decoding)
+      : decoded_(decoded), lookup_(lookup), point_(point), decoding_(decoding) {}
 
   void collect(const LevelPick& pick, std::vector<Texel>& boxes) const {
     const std::vector<Texel> first = colors(pick, pick.level);
@@ -64,13 +65,17 @@ class PickedColors {
 
   std::vector<Texel> colors(const LevelPick& pick, int level) const {
     const auto at = std::min(static_cast<std::size_t>(level), decoded_.levels.size() - 1);
-    return filter_level(decoded_.levels[at], decoded_.dimensions, decoded_.format, pick.filter,
-                        point_, lookup_);
+    std::vector<Texel> boxes = filter_level(decoded_.levels[at], decoded_.dimensions,
+                                            decoded_.format, pick.filter, point_, lookup_);
+    if (decoding_ == SrgbDecoding::of_levels)
+      for (Texel& box : boxes) box = srgb_decoded(box);
+    return boxes;
   }
 
   const DecodedTexture& decoded_;
   const TexelLookup& lookup_;
   const TexturePoint& point_;
+  const SrgbDecoding decoding_;
 };
 
 }  // namespace
@@ -106,11 +111,13 @@ std::vector<Texel> sample(const DecodedTexture& decoded, const Texture& texture,
                          latitude.any_tie, latitude.weight};
   const TexelLookup lookup{sampler.wrap, sampler.border, choice.wrap, choice.texel_grid,
                            latitude.texel};
-  const PickedColors colors(decoded, lookup, at.point);
+  const PickedColors colors(decoded, lookup, at.point, latitude.decoding);
   std::vector<Texel> boxes;
   for (const LevelPick& pick : pick_levels(is_nothing ? Interval(0) : at.lambda, sampler,
                                            last_level_of(decoded, sampler, texture), rules))
     colors.collect(pick, boxes);
+  if (latitude.decoding == SrgbDecoding::at_last)
+    for (Texel& box : boxes) box = srgb_decoded(box);
   return boxes;
 }
 

@@ -26,11 +26,19 @@ struct TextureSample {
   Interval lambda;  // clamped, see rules/textures/level_of_detail.h
 };
 
+// Where filtered texels that are still sRGB's are decoded (8.24).
+enum class SrgbDecoding {
+  of_texels,  // before they come here
+  of_levels,  // what each level yields, before two levels are mixed
+  at_last,
+};
+
 // How much farther than the choice goes what is looked up may lie: nothing, for exact colours.
 struct SampleLatitude {
   double texel = 0;      // texels that a coordinate may be off
   double weight = 0;     // by which the weight of the second level may be off
   bool any_tie = false;  // both levels at a tie
+  SrgbDecoding decoding = SrgbDecoding::of_texels;
 };
 
 // The last level that is used, as last_level, and one that the chain has: a chain that ends early,

@@ -155,6 +155,10 @@ std::vector<Cluster> clusters_of(const Results& results, std::size_t renderer) {
   return clusters;
 }
 
+bool is_simpler(const CaseResults& a, const CaseResults& b) {
+  return SizedCase(a) < SizedCase(b);
+}
+
 std::string title_of(const Cluster& cluster) {
   std::string text = cluster.cause;
   if (text.empty()) {

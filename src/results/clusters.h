@@ -44,6 +44,9 @@ struct Cluster {
 // go by the texts. The same results give the same clusters.
 std::vector<Cluster> clusters_of(const Results& results, std::size_t renderer);
 
+// Is the first case the one to look at first? The order of Cluster::smallest_case.
+bool is_simpler(const CaseResults& a, const CaseResults& b);
+
 // What tells a cluster from the others of its renderer, on one line: "line.diamond-exit extra,
 // first pixel, window" or "triangle.fill-rule=left-bottom, fbo". Without legality and counts.
 std::string title_of(const Cluster& cluster);

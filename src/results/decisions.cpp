@@ -165,7 +165,7 @@ std::variant<std::vector<Decision>, std::string> parse_decisions(const std::stri
     }
     return decisions;
   } catch (const std::exception& error) {
-    return fmt::format("{}: {}", where, error.what());
+    return fmt::format("{}: {}", where, fault_of(error));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "model/digest.h"
+#include "results/shallow_json.h"
 
 namespace edgecase {
 namespace {
@@ -54,7 +55,7 @@ class ExpectationsReader {
     } catch (const Unwanted&) {
       result_.cases.clear();
     } catch (const std::exception& error) {
-      throw std::runtime_error(fmt::format("{}: {}", where_, error.what()));
+      throw std::runtime_error(fmt::format("{}: {}", where_, fault_of(error)));
     }
     return std::move(result_);
   }
@@ -187,7 +188,7 @@ std::variant<Expectations, std::string> parse_expectations(const std::string& te
   try {
     return ExpectationsReader(wanted).read(text);
   } catch (const std::exception& error) {
-    return std::string(error.what());
+    return fault_of(error);
   }
 }
 

@@ -307,7 +307,7 @@ std::variant<Results, std::string> read_results(const std::string& text) {
     });
     return results;
   } catch (const std::exception& error) {
-    return fmt::format("this is no results file of `edgecase run`: {}{}", where, error.what());
+    return fmt::format("this is no results file of `edgecase run`: {}{}", where, fault_of(error));
   }
 }
 

@@ -46,4 +46,11 @@ nlohmann::json parse_shallow(std::string_view text) {
   return nlohmann::json::parse(text);
 }
 
+std::string fault_of(const std::exception& error) {
+  constexpr std::string_view kTag = "[json.exception.";
+  const std::string_view text = error.what();
+  const std::size_t end = text.starts_with(kTag) ? text.find("] ") : text.npos;
+  return std::string(end == text.npos ? text : text.substr(end + 2));
+}
+
 }  // namespace edgecase

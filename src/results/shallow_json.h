@@ -7,7 +7,9 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <string_view>
 
 namespace edgecase {
@@ -18,5 +20,9 @@ constexpr std::size_t kMostLevels = 100;
 // Throws std::runtime_error for text that is nested deeper, and what the library throws for text
 // that is no JSON.
 nlohmann::json parse_shallow(std::string_view text);
+
+// What an exception says, for people: the JSON library's tag in brackets, which stands before its
+// sentences, is left out.
+std::string fault_of(const std::exception& error);
 
 }  // namespace edgecase

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "casefile/text.h"
 #include "run/recording_renderer.h"
 
 namespace edgecase {
@@ -173,6 +174,24 @@ struct Prefix {
 constexpr Prefix kPrefixes[] = {
     {kOsmesaPrefix, FrontEnd::osmesa}, {kEglPrefix, FrontEnd::egl}, {kEsPrefix, FrontEnd::egl_es}};
 
+// What may have been meant by a name that is none, as a question with a space behind it; may be
+// empty. Files are programs or recordings; a driver alone, or behind a front end that lacks it, is
+// one of those that have it.
+std::string suggestion_for(const std::string& name) {
+  if (is_file(name))
+    return fmt::format("did you mean {}{}? ",
+                       name.ends_with(".rec") ? kRecordingPrefix : kExecPrefix, name);
+  std::vector<std::string> known = {"exact"};
+  for (const auto* names : {&opengl_renderer_names(), &opengl_es_renderer_names()})
+    known.insert(known.end(), names->begin(), names->end());
+  const std::string driver = ":" + name.substr(name.rfind(':') + 1);
+  const auto nearest = nearest_name(name, known);
+  if (!nearest.empty()) return fmt::format("did you mean {}? ", nearest);
+  for (const std::string& one : known)
+    if (driver.size() > 1 && one.ends_with(driver)) return fmt::format("did you mean {}? ", one);
+  return "";
+}
+
 }  // namespace
 
 const std::vector<std::string>& opengl_renderer_names() {
@@ -213,8 +232,10 @@ std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& name
     spec.takes_messages = true;
     return spec;
   }
-  return UnknownRenderer{
-      fmt::format("there is no renderer '{}'; known are {}", name, known_renderer_names())};
+  const std::string suggestion = suggestion_for(name);
+  return UnknownRenderer{fmt::format("there is no renderer '{}'; {} are {}", name,
+                                     suggestion.empty() ? "known" : suggestion + "Known",
+                                     known_renderer_names())};
 }
 
 int listed_egl_devices(const std::string& program_directory) {

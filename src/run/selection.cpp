@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/selection.h"
 
+#include <fmt/format.h>
 #include <fnmatch.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 
 #include "casefile/loader.h"
 #include "casefile/suite.h"
+#include "casefile/text.h"
 #include "model/digest.h"
 #include "rules/all_rules.h"
 
@@ -70,6 +72,46 @@ bool wanted_tags(const Selection& selection, const Case& one) {
          });
 }
 
+// Keeps, of files of which not all cases are meant, those that are.
+class PartsKeeper {
+ public:
+  void keep(const CaseFile& file, const PartPatterns& patterns, std::vector<Case>& cases) {
+    std::set<std::string> kept;
+    for (const PartPattern& pattern : patterns) {
+      Word& word = words_[pattern.word];
+      word.file = file.file.generic_string();
+      word.cases += cases.size();
+      const std::string whole = file.id + ":" + pattern.parts;
+      const bool is_id =
+          std::ranges::any_of(cases, [&](const Case& one) { return one.id == whole; });
+      for (const Case& one : cases) {
+        if (is_id ? one.id != whole : !matches_parts(pattern.parts, one)) continue;
+        kept.insert(one.id);
+        word.matches = true;
+      }
+    }
+    std::erase_if(cases, [&](const Case& one) { return !kept.contains(one.id); });
+  }
+
+  // The words that no case matches.
+  void tell(std::vector<Diagnostic>& diagnostics) const {
+    for (const auto& [text, word] : words_)
+      if (!word.matches)
+        diagnostics.push_back({text, 0, "", "there is no such case",
+                               fmt::format("`edgecase run {} --list` prints the ids of {} that "
+                                           "there are",
+                                           word.file, word.cases)});
+  }
+
+ private:
+  struct Word {
+    std::string file;  // the last that it names
+    std::size_t cases = 0;
+    bool matches = false;
+  };
+  std::map<std::string, Word> words_;
+};
+
 std::vector<std::string> known_rule_ids() {
   std::vector<std::string> ids;
   for (const Rule& rule : all_rules()) ids.push_back(rule.id);
@@ -99,21 +141,38 @@ void keep_shard(const Shard& shard, std::vector<Case>& cases) {
 
 }  // namespace
 
+Selection selection_of(std::span<const std::string> words, const std::filesystem::path& suite) {
+  FoundWords found = find_words(words, suite);
+  Selection selection;
+  selection.paths = std::move(found.paths);
+  selection.parts = std::move(found.parts);
+  selection.diagnostics = std::move(found.diagnostics);
+  return selection;
+}
+
 Suite load_suite(const Selection& selection) {
   const std::vector<std::string> rules = known_rule_ids();
   FoundCases found = find_cases(selection.paths);
   Suite suite;
-  suite.diagnostics = std::move(found.diagnostics);
+  suite.diagnostics = selection.diagnostics;
+  append(found.diagnostics, suite.diagnostics);
+  PartsKeeper keeper;
   for (const CaseFile& file : found.cases) {
     if (!may_be_wanted(selection, file.id) || !may_be_named(selection, file)) continue;
     LoadedCases loaded = load_cases(file.file, file.id, rules);
     append(loaded.diagnostics, suite.diagnostics);
     append(loaded.notes, suite.notes);
+    if (const auto parts = selection.parts.find(file.file);
+        parts != selection.parts.end() && !loaded.cases.empty())
+      keeper.keep(file, parts->second, loaded.cases);
     for (Case& one : loaded.cases)
       if (wanted_id(selection, file.id, one.id) && wanted_tags(selection, one) &&
           is_named(selection, one))
         suite.cases.push_back(std::move(one));
   }
+  const std::size_t in_files = suite.diagnostics.size() - selection.diagnostics.size();
+  keeper.tell(suite.diagnostics);
+  suite.is_misspelt = suite.cases.empty() && in_files == 0 && !suite.diagnostics.empty();
   std::sort(suite.cases.begin(), suite.cases.end(),
             [](const Case& a, const Case& b) { return a.id < b.id; });
   if (selection.shard.count > 1)

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "casefile/blend_presets.h"
+#include "casefile/text.h"
 #include "generate/grid_joints.h"
 #include "generate/grid_lines.h"
 #include "generate/random_compounds.h"
@@ -108,15 +109,21 @@ bool matches(const std::string& pattern, const char* text) {
   return fnmatch(pattern.c_str(), text, 0) == 0;
 }
 
-std::string known_names() {
+std::string unknown_pattern(const std::string& pattern) {
   std::vector<std::string> names;
   std::set<std::string> rules;
   for (const Family& family : all_families()) {
     names.emplace_back(family.name);
     rules.insert(family.rules.begin(), family.rules.end());
   }
-  return fmt::format("families are {}; rules that they are about are {}", fmt::join(names, ", "),
-                     fmt::join(rules, ", "));
+  std::vector<std::string> all = names;
+  all.insert(all.end(), rules.begin(), rules.end());
+  const std::string nearest = nearest_name(pattern, all);
+  return fmt::format(
+      "\"{}\" is no family of scenes and no rule that one is about; {}families are {}; rules that "
+      "they are about are {}",
+      pattern, nearest.empty() ? "" : fmt::format("did you mean {}? ", quote(nearest)),
+      fmt::join(names, ", "), fmt::join(rules, ", "));
 }
 
 }  // namespace
@@ -247,8 +254,7 @@ std::variant<std::vector<const Family*>, std::string> select_families(
   for (const std::string& pattern : patterns)
     if (std::ranges::none_of(all_families(),
                              [&](const Family& family) { return means(pattern, family); }))
-      return fmt::format("\"{}\" is no family of scenes and no rule that one is about; {}", pattern,
-                         known_names());
+      return unknown_pattern(pattern);
   std::vector<const Family*> selected;
   for (const Family& family : all_families())
     if (patterns.empty() || std::ranges::any_of(patterns, [&](const std::string& pattern) {

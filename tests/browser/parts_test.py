@@ -14,7 +14,8 @@ class Parts(ReportTest):
         one = synthetic.case_of(0, [4, 0, 0], 0)
         found = one["results"][synthetic.RENDERERS[0]]["disagreements"]
         page = self.report(synthetic.results_with([one]))
-        for at, d in enumerate(found, 1):
+        order = ["illegal", "contested", "legal"]
+        for at, d in enumerate(sorted(found, key=lambda d: order.index(d["legality"])), 1):
             self.open_case(page, one, at=at)
             self.browser.wait("document.querySelector('.of-pair')")
             self.assertIn(f"({d['pixel'][0]}, {d['pixel'][1]})", self.browser.ask(

@@ -173,6 +173,52 @@ class Report(ReportTest):
         self.assertEqual(sorted(shown), sorted(expected))
         self.assertTrue(expected)
 
+    def test_what_is_contested_is_filtered_named_and_not_red(self):
+        results = synthetic.make(60, 60)
+        page = self.report(results)
+        answers = [r for case in results["cases"] for r in case["results"].values()]
+        self.browser.open(page, "#verdict=contested")
+        shown = self.browser.ask("CaseList.cases.map((one) => one.id)")
+        expected = [case["id"] for case in results["cases"] if any(
+            r["verdict"] == "contested" for r in case["results"].values())]
+        self.assertEqual(sorted(shown), sorted(expected))
+        self.assertTrue(expected)
+        self.assertIn("contested", self.browser.ask(
+            "document.querySelector('.legend-line').textContent"))
+        self.assertEqual(
+            self.browser.ask("Cases.flatMap((one) => one.results).filter(isSurprise).length"),
+            sum(r["standing"] == "unexpected" for r in answers))
+        self.browser.open(page, "#standing=tolerated")
+        tolerated = self.browser.ask("CaseList.cases.map((one) => one.id)")
+        self.assertEqual(sorted(tolerated), sorted(case["id"] for case in results["cases"] if any(
+            r["standing"] == "tolerated" for r in case["results"].values())))
+        one = next(case for case in results["cases"] if case["id"] == tolerated[0])
+        self.open_case(page, one)
+        self.assertEqual(self.browser.ask("document.querySelector('.finding .legal').textContent"),
+                         "contested")
+
+    @in_full_tier
+    def test_everyone_can_read_what_is_contested(self):
+        page = self.report(synthetic.make(60, 60))
+        for scheme in "light", "dark":
+            for place in "#verdict=contested", "#standing=tolerated":
+                self.browser.open(page, place)
+                self.browser.scheme(scheme)
+                self.assertEqual(self.browser.violations(), [], (scheme, place))
+
+    def test_the_list_and_each_case_begin_with_the_violations(self):
+        results = synthetic.make(200, 2000)
+        self.browser.open(self.report(results))
+        ranks = self.browser.ask("CaseList.cases.filter((one) => one.surprises)"
+                                 ".map((one) => one.worst)")
+        self.assertEqual(ranks, sorted(ranks, reverse=True))
+        orders = self.browser.ask(
+            "[...document.querySelectorAll('.unexplained')].map((card) => "
+            "[...card.querySelectorAll('.clusters .legal')].map((e) => e.textContent))")
+        for order in orders:
+            words = ["not allowed", "contested", "allowed"]
+            self.assertEqual(order, sorted(order, key=words.index))
+
     def test_every_count_of_the_matrix_is_the_length_of_its_list(self):
         page = self.report(synthetic.make(200, 2000))
         self.browser.open(page)

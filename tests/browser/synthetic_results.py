@@ -88,10 +88,13 @@ def result_of(number, count, first):
     places = {tuple(d["pixel"]) for d in found}
     result = {
         "verdict": verdict, "fingerprint": f"{number * 2654435761 % 2**64:016x}" if found else "",
-        "standing": "unexpected" if found and number % 10 == 0 else "expected",
+        "standing": ("expected" if not found or number % 10
+                     else "tolerated" if verdict == "contested" else "unexpected"),
         "expectation": "known since 22.3" if found and number % 10 else "",
         "pixel_counts": {"agree": SIZE * SIZE - len(places), "convention": 0, "permitted": 0,
-                         "contested": 0, "violation": len(places), "same": SIZE * SIZE - len(places)},
+                         "contested": len(places) if verdict == "contested" else 0,
+                         "violation": 0 if verdict == "contested" else len(places),
+                         "same": SIZE * SIZE - len(places)},
         "disagreements": found, "values": [], "evidence": [], "illegal_line_snaps": [],
         "refuted": "", "pixels": picture(number, places) if found else "exact",
     }

@@ -56,6 +56,9 @@ TEST(Text, NamesWhatMayHaveBeenMeant) {
   EXPECT_EQ(nearest_name(std::string(100000, 'w'), names), "");
   EXPECT_EQ(suggest_names("widht", names),
             "did you mean \"width\"? Allowed are width, height, samples");
+  std::vector<std::string> many(31, "other");
+  many.back() = "width";
+  EXPECT_EQ(suggest_names("widht", many), "did you mean \"width\"?");
 }
 
 }  // namespace

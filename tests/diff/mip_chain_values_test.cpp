@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Mip chains that a renderer made (ruling 25): their number and sizes may be wrong, and nothing
-// else of the levels that are generated.
+// Mip chains that a renderer made (rulings 25 and 48): their number and sizes may be wrong, and
+// texels that no filter makes of the level above.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -97,6 +97,59 @@ TEST(MipChainValues, OtherTexelsArePermitted) {
             : -std::min(90.f, stale.mip_chains.at(0)[1].texels[4]);
     EXPECT_EQ(judge_textures(scene, stale).verdict, Verdict::violation);
   }
+}
+
+// A generated level of this texture that is told as another one.
+std::set<int> rulings_with_level(TextureFormat format, const std::array<float, 4>& image,
+                                 std::size_t which, const std::array<float, 4>& level) {
+  Scene scene = generated_scene(8, 8, format);
+  Texture texture = *scene.textures[0];
+  for (std::size_t i = 0; i < texture.levels[0].texels.size(); ++i)
+    texture.levels[0].texels[i] = image[i % 4];
+  scene.textures = {std::make_shared<const Texture>(texture)};
+  Rendering rendered = rasterize(scene, {});
+  Chain& chain = rendered.mip_chains.at(0);
+  for (std::size_t i = 0; i < chain[which].texels.size(); ++i)
+    chain[which].texels[i] = level[i % 4];
+  std::set<int> rulings;
+  for (const Disagreement& d : judge_textures(scene, rendered).disagreements)
+    if (!is_legal(d) && d.rule == "mipmap.filter") rulings.insert(d.ruling);
+  return rulings;
+}
+
+// Whatever the filter, an image of one colour keeps it, but for rounding once.
+TEST(MipChainValues, AnImageOfOneColourStaysSo) {
+  for (const TextureFormat format : {TextureFormat::rgba8, TextureFormat::srgb8}) {
+    const std::array<float, 4> white{255, 255, 255, 255};
+    EXPECT_EQ(rulings_with_level(format, white, 1, {0, 0, 0, 0}), std::set<int>{25});
+    EXPECT_EQ(rulings_with_level(format, white, 3, {255, 253, 255, 255}), std::set<int>{25});
+    EXPECT_EQ(rulings_with_level(format, white, 2, {254, 255, 254, 255}), std::set<int>{});
+  }
+  const std::array<float, 4> some{0.5F, -3, 1e6F, 0};
+  EXPECT_EQ(rulings_with_level(TextureFormat::rgba32f, some, 1, {0.5F, -3, 1e6F + 2, 0}),
+            std::set<int>{});
+  EXPECT_EQ(rulings_with_level(TextureFormat::rgba32f, some, 1, {0.5F, -3.001F, 1e6F, 0}),
+            std::set<int>{25});
+}
+
+// Beyond the least and the largest of the level above lies what filters with negative weights make.
+TEST(MipChainValues, WhatLiesBeyondTheLevelAboveIsContested) {
+  const Scene& scene = textures_named("generated codes");
+  const auto rulings_by = [&](float beyond) {
+    std::set<int> rulings;
+    const Result result = with_chain(scene, [&](Chain& chain) {
+      float most = 0;
+      for (std::size_t i = 1; i < chain[0].texels.size(); i += 4)
+        most = std::max(most, chain[0].texels[i]);
+      chain[1].texels[5] = most + beyond;
+    });
+    for (const Disagreement& d : result.disagreements)
+      if (!is_legal(d) && d.rule == "mipmap.filter") rulings.insert(d.ruling);
+    return rulings;
+  };
+  EXPECT_EQ(rulings_by(0), std::set<int>{});
+  EXPECT_EQ(rulings_by(1), std::set<int>{});
+  EXPECT_EQ(rulings_by(2), std::set<int>{48});
 }
 
 TEST(MipChainValues, AllPairsOfFilterAndRoundingAreNamed) {

@@ -49,7 +49,8 @@ Tally planted(const std::string& rule, const Alternative& alternative, bool mult
   for (const Result& result : results) {
     EXPECT_NE(result.verdict, Verdict::agree);
     ++tally.different;
-    tally.convicted += result.verdict == Verdict::violation ? 1 : 0;
+    const bool is_contested = result.verdict == Verdict::contested;
+    tally.convicted += is_contested || result.verdict == Verdict::violation ? 1 : 0;
     std::set<std::string> causes = causes_in(result);
     EXPECT_FALSE(causes.contains("")) << told(result);
     causes.merge(aggregate_causes_in(result));

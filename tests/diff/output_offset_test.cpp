@@ -4,8 +4,11 @@
 // follow none.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
+#include "rules/values/depth_buffer.h"
 #include "tests/diff/output_judging.h"
 #include "tests/raster/operation_scenes.h"
 #include "tests/rules/support.h"
@@ -34,12 +37,52 @@ bool is_named(const Result& result, const std::string& cause) {
   return causes_in(result).contains(cause) || aggregate_causes_in(result).contains(cause);
 }
 
-// An alternative that never conforms as such may still lie within what ruling 38 allows: four steps
-// of 24 bits are what rounding a float32 depth can hide.
-Verdict verdict_on(const Alternative& alternative, DepthFormat format) {
-  if (alternative.openness != Openness::illegal) return Verdict::convention;
-  const bool hidden = alternative.name == "four-steps" && format == DepthFormat::depth24;
-  return hidden ? Verdict::permitted : Verdict::violation;
+Verdict verdict_on(const Alternative& alternative) {
+  return alternative.openness == Openness::illegal ? Verdict::violation : Verdict::convention;
+}
+
+// Two triangles side by side, offset by so many units of 16 bits, as a renderer has them whose unit
+// is so many steps.
+Result with_units(double first, double second, float units = 2000) {
+  Scene scene = sloping(DepthFormat::depth16, {0, units, 0});
+  scene.draws.push_back(scene.draws[0]);
+  for (Vertex& vertex : scene.draws[1].vertices) {
+    vertex.position.x = Fixed::from_integer(8) - vertex.position.x;
+    vertex.position.y = Fixed::from_integer(8) - vertex.position.y;
+  }
+  std::swap(scene.draws[1].vertices[1], scene.draws[1].vertices[2]);
+  Scene plain = scene;
+  for (Draw& draw : plain.draws) draw.polygon_offset.reset();
+  Rendering rendered = rasterize(plain, {});
+  for (Fragment& f : rendered.fragments) {
+    f.depth += static_cast<double>(units) * (f.primitive == 0 ? first : second) / 65535;
+    f.depth = std::clamp(static_cast<double>(static_cast<float>(f.depth)), 0.0, 1.0);
+    rendered.depths[rendered.pixel_index(f.x, f.y)] = to_depth(f.depth, DepthFormat::depth16);
+  }
+  return judge_output(scene, {}, rendered);
+}
+
+// 14.6.5 has no upper bound for the unit of a fixed-point buffer; a constant is all it asks for, of
+// no less than one step.
+TEST(OutputOffset, TheUnitOfAFixedPointBufferIsAnyConstantOfOneStepOrMore) {
+  for (const double steps : {1.0, 1.3, 2.02, 4.0, 100.0})
+    for (const float units : {2000.0F, 300.0F, -300.0F})
+      EXPECT_TRUE(rules_in(with_units(steps, steps, units)).empty())
+          << steps << told(with_units(steps, steps, units));
+  for (const double steps : {0.98, 0.5, 0.0}) {
+    const Result less = with_units(steps, steps);
+    EXPECT_EQ(less.verdict, Verdict::violation) << steps;
+    ASSERT_FALSE(less.disagreements.empty()) << steps;
+    EXPECT_EQ(less.disagreements.front().ruling, 38);
+  }
+  // Not one constant: one of the two is odd.
+  const Result two = with_units(2, 2.01);
+  EXPECT_EQ(two.verdict, Verdict::violation) << told(two);
+  for (const Disagreement& d : two.disagreements) {
+    EXPECT_EQ(d.rule, "offset.unit");
+    EXPECT_EQ(d.ruling, 38);
+    EXPECT_EQ(d.primitive, two.disagreements.front().primitive);
+  }
 }
 
 TEST(OutputOffset, EveryAlternativeIsNamedAndJudgedByItsOpenness) {
@@ -58,7 +101,7 @@ TEST(OutputOffset, EveryAlternativeIsNamedAndJudgedByItsOpenness) {
         const Scene scene = sloping(format, offset, has_operations);
         const Result result = under(scene, rule, alternative.name);
         if (result.verdict == Verdict::agree) continue;
-        EXPECT_EQ(result.verdict, verdict_on(alternative, format)) << cause << told(result);
+        EXPECT_EQ(result.verdict, verdict_on(alternative)) << cause << told(result);
         EXPECT_TRUE(is_named(result, cause)) << cause << told(result);
         for (const Disagreement& d : result.disagreements) EXPECT_EQ(d.rule, rule) << told(result);
       }
@@ -119,7 +162,38 @@ TEST(OutputOffset, DepthsAreClampedOnceTheyAreOffset) {
       EXPECT_EQ(judge_output(scene, {}, rendered).verdict, Verdict::agree);
       for (Fragment& f : rendered.fragments) f.depth = units < 0 ? -0.5 : 1.5;
       EXPECT_EQ(judge_output(scene, {}, rendered).verdict, Verdict::violation);
+      // Depths as they are before they are clamped: the largest is 0.07, beyond 2^-4.
+      const double unit = format == DepthFormat::depth32f ? 0x1p-27 : 0x1p-24;
+      const Rendering plain = rasterize(sloping(format, {}), {});
+      for (std::size_t i = 0; i < rendered.fragments.size(); ++i)
+        rendered.fragments[i].depth =
+            to_float(plain.fragments[i].depth + static_cast<double>(units) * unit);
+      const Result unclamped = judge_output(scene, {}, rendered);
+      ASSERT_FALSE(unclamped.disagreements.empty());
+      for (const Disagreement& d : unclamped.disagreements)
+        EXPECT_EQ(d.ruling, 45) << told(unclamped);
+      // The fragment's depth is contested; what is stored of it is clamped, and right.
+      EXPECT_EQ(rules_in(unclamped),
+                std::set<std::string>{format == DepthFormat::depth32f ? "offset.exponent"
+                                                                      : "offset.unit"})
+          << told(unclamped);
     }
+}
+
+// Of a fragment whose depth the renderer tells unclamped, 0 is stored, and nothing else.
+TEST(OutputOffset, AStoredDepthIsClampedWhateverIsToldOfTheFragment) {
+  for (const bool has_operations : {false, true}) {
+    const Scene scene = sloping(DepthFormat::depth32f, {0, -1e9F, 0}, has_operations);
+    const Rendering exact = rasterize(scene, {});
+    for (const double stored : {-0.6875, -0x1p-20, 0x1p-20}) {
+      Rendering rendered = exact;
+      for (Fragment& f : rendered.fragments) f.depth = -0.6875;
+      rendered.depths[rendered.pixel_index(rendered.fragments.front().x,
+                                           rendered.fragments.front().y)] = stored;
+      EXPECT_TRUE(rules_in(judge_output(scene, {}, rendered)).contains("framebuffer.depth"))
+          << stored;
+    }
+  }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "raster/rasterizer.h"
 #include "tests/diff/sample_judging.h"
 #include "tests/raster/multisampled_scenes.h"
+#include "tests/rules/support.h"
 
 namespace edgecase {
 namespace {
@@ -71,15 +72,68 @@ TEST(SampleJudging, AResolveThatTruncatesIsAConvention) {
   EXPECT_EQ(causes_of(result), std::set<std::string>{"sample.resolve=truncated"});
 }
 
-TEST(SampleJudging, AResolveBeyondItsSamplesIsAViolation) {
+// 18.3.1 leaves colours to the implementation; what the Khronos tests would not take is contested.
+TEST(SampleJudging, AResolveFarBeyondItsSamplesIsContested) {
   const Scene scene = partly_covered();
+  const Rendering exact = rasterize(scene, {});
+  // A pixel that nothing covers holds the clear colour in all samples, and so do its neighbours.
+  ASSERT_EQ(exact.pixels[0], exact.sample_pixels[0]);
+  const auto resolved_to = [&](int code) {
+    Rendering rendering = exact;
+    rendering.pixels[0] = static_cast<std::uint8_t>(exact.pixels[0] + code);
+    return judged(scene, rendering);
+  };
+  EXPECT_EQ(resolved_to(12).verdict, Verdict::permitted);
+  const Result beyond = resolved_to(13);
+  EXPECT_EQ(rules_of(beyond), std::set<std::string>{"sample.resolve"});
+  ASSERT_EQ(beyond.disagreements.size(), 1u);
+  EXPECT_EQ(beyond.disagreements[0].ruling, 51);
+}
+
+// Columns of pixels that are covered wholly, each with an alpha of its own, and how many samples of
+// four each keeps.
+Result with_kept(const std::vector<float>& alphas, const std::vector<int>& kept) {
+  Scene scene = multisampled_scene(8, 4, Primitive::triangles, {});
+  scene.draws.clear();
+  for (std::size_t i = 0; i < alphas.size(); ++i) {
+    const auto x = static_cast<double>(2 * i);
+    Draw draw =
+        multisampled_scene(8, 4, Primitive::triangles,
+                           {at(x, 0), at(x + 2, 0), at(x, 2), at(x + 2, 0), at(x + 2, 2), at(x, 2)})
+            .draws.front();
+    draw.interpolation = Interpolation::smooth;
+    draw.multisampling.alpha_to_coverage = true;
+    for (Vertex& vertex : draw.vertices) vertex.color = {1, 1, 1, alphas[i]};
+    scene.draws.push_back(draw);
+  }
   Rendering rendering = rasterize(scene, {});
-  // A pixel that nothing covers holds the clear colour in all samples.
-  ASSERT_EQ(rendering.pixels[0], rendering.sample_pixels[0]);
-  rendering.pixels[0] = 1;
-  const Result result = judged(scene, rendering);
-  EXPECT_EQ(result.verdict, Verdict::violation);
-  EXPECT_EQ(rules_of(result), std::set<std::string>{"sample.resolve"});
+  for (const Fragment& f : rendering.fragments) {
+    if (f.coverage != 15) continue;
+    for (int sample = 0; sample < 4; ++sample)
+      rendering.hits[rendering.sample_index(f.x, f.y, sample)] =
+          sample < kept[static_cast<std::size_t>(f.x / 2)] ? 1 : 0;
+  }
+  rendering.sample_pixels.clear();
+  rendering.pixels.clear();
+  return judged(scene, rendering);
+}
+
+std::set<int> rulings_of(const Result& result) {
+  std::set<int> rulings;
+  for (const Disagreement& d : result.disagreements) rulings.insert(d.ruling);
+  return rulings;
+}
+
+// 17.3.1: the number of samples has the properties of proportionality of 14.9.3, which are intended
+// there.
+TEST(SampleJudging, SamplesThatAlphaKeepsAreProportional) {
+  const std::vector<float> alphas{0.125F, 0.5F, 0.875F};
+  for (const std::vector<int>& kept : {std::vector{0, 2, 3}, std::vector{1, 2, 4}})
+    EXPECT_EQ(rulings_of(with_kept(alphas, kept)), std::set<int>{});
+  EXPECT_EQ(rulings_of(with_kept(alphas, {1, 1, 4})), std::set<int>{52});
+  EXPECT_EQ(rulings_of(with_kept(alphas, {4, 4, 4})), std::set<int>{52});
+  // Numbers that fall as alpha grows have nothing of it.
+  EXPECT_EQ(rulings_of(with_kept(alphas, {4, 2, 0})), std::set<int>{33});
 }
 
 TEST(SampleJudging, ACentroidAtTheCentreIsAViolation) {

@@ -68,7 +68,8 @@ def expectation_seeds(_):
 
 def decision_seeds(_):
     example = re.search(r"```json\n(\{\n  \"edgecase_decisions\".*?)```",
-                        (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8"), re.DOTALL)[1]
+                        (ROOT / "reports/pages/reviewing.md").read_text(encoding="utf-8"),
+                        re.DOTALL)[1]
     other = json.loads(example)
     other["decisions"][0].update(decision="reject", expected=None, renderer="egl:softpipe")
     return [example.encode(), json.dumps(other).encode()]

@@ -38,6 +38,10 @@ class Debian(unittest.TestCase):
                      "/usr/share/edgecase/cases/case.schema.json",
                      "/usr/share/edgecase/cases/profiles/osmesa-llvmpipe.json",
                      "/usr/share/edgecase/viewer/main.js",
+                     "/usr/share/doc/edgecase/README.md",
+                     "/usr/share/doc/edgecase/reference/PROTOCOL.md",
+                     "/usr/share/doc/edgecase/reference/examples/triangles.py",
+                     "/usr/share/doc/edgecase/reports/pages/reviewing.md",
                      "/usr/share/bash-completion/completions/edgecase"):
             self.assertIn(f"{name}\n", names)
         self.assertNotIn(".a\n", names)

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Help of every subcommand, the manual page and the completions, held against one another."""
+import fcntl
 import os
 import pathlib
+import pty
 import re
 import shlex
+import struct
 import subprocess
 import sys
+import termios
 import unittest
 
 ROOT = pathlib.Path(os.environ["EDGECASE_ROOT"])
@@ -19,8 +23,11 @@ SHARED = {"--help", "-h"}
 class HelpTest(CommandTest):
     def setUp(self):
         super().setUp()
-        listed = self.command("--help").stdout.split("Subcommands:\n")[1]
-        self.subcommands = re.findall(r"^  (\w+) ", listed, re.MULTILINE)
+        listed = self.command("help").stdout
+        self.groups = {heading: re.findall(r"^  (\w+) ", rows, re.MULTILINE) for heading, rows in
+                       re.findall(r"^(Run|Understand|Write cases|Search|Maintain):\n"
+                                  r"((?:  .*\n)+)", listed, re.MULTILINE)}
+        self.subcommands = [name for names in self.groups.values() for name in names]
         self.assertGreater(len(self.subcommands), 15)
 
     def options(self, subcommand):
@@ -30,14 +37,69 @@ class HelpTest(CommandTest):
         return {name for head in heads for name in head.split(",")} - SHARED
 
 
+def columns_on_a_terminal(*arguments, columns):
+    """The lines of what the command prints on a terminal of this width."""
+    ours, theirs = pty.openpty()
+    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("4H", 40, columns, 0, 0))
+    with subprocess.Popen([EDGECASE, *arguments], stdin=subprocess.DEVNULL, stdout=theirs) as run:
+        os.close(theirs)
+        text = b""
+        try:
+            while part := os.read(ours, 65536):
+                text += part
+        except OSError:
+            pass  # the program has ended
+        os.close(ours)
+    assert run.returncode == 0
+    return text.decode().replace("\r\n", "\n").splitlines()
+
+
+def words_of(lines):
+    return [word for line in lines for word in line.split()]
+
+
 class Help(HelpTest):
+    def test_subcommands_stand_in_groups(self):
+        self.assertEqual(list(self.groups),
+                         ["Run", "Understand", "Write cases", "Search", "Maintain"])
+        for group, name in (("Run", "run"), ("Understand", "explain"), ("Write cases", "new"),
+                            ("Search", "fuzz"), ("Maintain", "bless")):
+            self.assertIn(name, self.groups[group])
+        self.assertNotIn("Subcommands:", self.command("--help").stdout)
+
+    def test_help_is_the_option_help(self):
+        self.assertEqual(self.command("help").stdout, self.command("--help").stdout)
+        for subcommand in self.subcommands:
+            self.assertEqual(self.command("help", subcommand).stdout,
+                             self.command(subcommand, "--help").stdout)
+        told = self.command("help", "minimise", expect=2).stderr
+        self.assertEqual(told, 'edgecase: there is no subcommand "minimise"; did you mean minimize? '
+                               "`edgecase help` lists them\n")
+
     def test_each_says_purpose_exit_codes_and_examples(self):
         for subcommand in self.subcommands:
             with self.subTest(subcommand):
                 told = self.command(subcommand, "--help").stdout
                 self.assertIn(f"Usage: edgecase {subcommand} ", told)
-                self.assertRegex(told, r"\n\n[A-Z][^\n]{40,}\.\n\nExit codes: 0 as expected, ")
+                self.assertRegex(told, r"\n\n[A-Z](?:[^\n]|\n(?!\n)){40,}\.\n\n"
+                                       r"Exit codes: 0 as expected, ")
                 self.assertIn(f"\n\nExamples:\n  edgecase {subcommand}", told)
+
+    def test_lines_end_where_the_terminal_does(self):
+        """All but those of examples and of a word that is longer by itself."""
+        for arguments in (["--help"], *(["help", name] for name in self.subcommands)):
+            told = [columns_on_a_terminal(*arguments, columns=width) for width in (60, 100, 300)]
+            for lines, width in zip(told, (60, 100, 100)):
+                text = [line for line in lines if not line.startswith("  edgecase ")]
+                for line in text:
+                    longest = max(map(len, line.split()), default=0)
+                    self.assertLessEqual(len(line), max(width, 26 + longest), line)
+            self.assertEqual(words_of(told[0]), words_of(told[1]))
+            self.assertEqual(told[1], told[2], "longer lines are hard to read")
+            piped = self.command(*arguments, COLUMNS="60").stdout.splitlines()
+            self.assertEqual(piped, told[0])
+            self.assertEqual(self.command(*arguments, COLUMNS="80").stdout,
+                             self.command(*arguments, COLUMNS="").stdout)
 
     def test_examples_are_well_formed(self):
         """Options are those of the subcommand, and files of the suite are there."""
@@ -52,6 +114,9 @@ class Help(HelpTest):
                     for word in words[2:]:
                         if word.startswith("cases/") and word != "cases/lines/mine.json":
                             self.assertTrue((ROOT / word).exists(), word)
+                        if re.match(r"(lines|triangles|scenes)\b(?!.*(\.|\*))", word):
+                            self.assertTrue((ROOT / "cases" / word).is_dir() or
+                                            (ROOT / f"cases/{word}.json").is_file(), word)
 
 
 class Manual(HelpTest):
@@ -84,7 +149,7 @@ class Manual(HelpTest):
         text = re.sub(r"\s+", " ", self.text())
         for words in ("--timeout TIMEOUT Seconds per case; 0.01 - 3600",
                       "--progress PROGRESS Progress on standard error [auto, never]",
-                      "--seed SEED Of the scenes (default: 1)",
+                      "--seed SEED Number that fixes the scenes (default: 1)",
                       "edgecase explain [options] CASE ",
                       "edgecase run [options] [PATHS ...]",
                       "edgecase run --shard 2/4 --json 2.json"):
@@ -124,6 +189,8 @@ class Bash(HelpTest):
         self.assertEqual(self.complete("edgecase render --with osmesa:"), {"llvmpipe", "softpipe"})
         self.assertIn("osmesa:llvmpipe", self.complete("edgecase run --against osm"))
         self.assertIn("egl:zink", self.complete("edgecase backends eg"))
+        self.assertEqual(self.complete("edgecase help mi"), {"minimize"})
+        self.assertIn("line.snap", self.complete("edgecase rules line."))
 
     def test_files(self):
         self.write("one case.json", "{}")

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "casefile/policy_reader.h"
@@ -140,8 +141,30 @@ TEST(ValueErrors, BoundsAShareOfTheErrors) {
 
 TEST(ProfileText, SaysHowManyClustersItLeavesOut) {
   const std::string text = profile_text(sample(), 0);
-  EXPECT_THAT(text, HasSubstr("and 1 more clusters"));
+  EXPECT_THAT(text, HasSubstr("and 1 more cluster; --json has all"));
   EXPECT_THAT(text, Not(HasSubstr("centre inside")));
+}
+
+TEST(ProfileSummary, TellsTheMostOfEachSurfaceInFewLines) {
+  EXPECT_EQ(
+      profile_summary(sample()),
+      "osmesa:some: Device, 4.5\n"
+      "9,000 scenes drawn, seed 7; 8 sub-pixel bits are reported\n"
+      "fbo: 1 of 3 traits hold in every scene; for 1 another alternative is as good\n"
+      "  least followed: line.joint pixels twice or gaps (33.33 %), triangle.snap 8-half-even "
+      "(99.96 %)\n"
+      "  outside the specification: 5 scenes; first point.ownership missing, centre inside, "
+      "fbo, in 5 scenes\n"
+      "window: not measured: unsupported: no windows\n"
+      "coverage: triangle.snap 8-half-even\n");
+  Profile sound = sample();
+  sound.surfaces[0].illegal_scenes = 0;
+  sound.surfaces[0].traits.resize(2);
+  sound.surfaces[0].traits[0].rate = {3000, 3000};
+  sound.surfaces[1] = sound.surfaces[0];
+  const std::string text = profile_summary(sound);
+  EXPECT_THAT(text, HasSubstr("  least followed: none\n  outside the specification: nothing\n"));
+  EXPECT_LE(std::ranges::count(text, '\n'), 9) << "the command adds the tenth line";
 }
 
 TEST(PolicyText, IsReadBackAsTheSamePolicy) {

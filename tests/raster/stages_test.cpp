@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <random>
+#include <set>
 #include <tuple>
 
 #include "raster/exact_renderer.h"
@@ -207,7 +208,7 @@ TEST(Policies, SayWhichVertexProvokesAndHowLinesAreShaded) {
 }
 
 TEST(Policies, SayHowTrianglesAreScanned) {
-  // Legs through centres: by edge functions the left one is drawn, by scanning right and top are.
+  // Legs through centres: by edge functions the left one is drawn, by scanning the bottom one is.
   const Draw draw = draw_of(Primitive::triangles, {at(0.5, 0.5), at(4.5, 0.5), at(0.5, 4.5)});
   const Target target = target_of(8, 8);
   const auto by = [&](const char* algorithm) {
@@ -217,6 +218,18 @@ TEST(Policies, SayHowTrianglesAreScanned) {
   };
   EXPECT_EQ(by("edge-functions"), covered(draw, target));
   EXPECT_NE(by("scan"), covered(draw, target));
+  // A square of two triangles: its right and bottom sides are drawn, and neither left nor top.
+  const Draw square = draw_of(Primitive::triangles, {at(1.5, 1.5), at(4.5, 1.5), at(4.5, 4.5),
+                                                     at(1.5, 1.5), at(4.5, 4.5), at(1.5, 4.5)});
+  Policy scan;
+  scan.rules = {{"triangle.algorithm", "scan"}};
+  std::set<int> columns, rows;
+  for (const PixelPosition p : covered(square, target, scan)) {
+    columns.insert(p.x);
+    rows.insert(p.y);
+  }
+  EXPECT_EQ(columns, (std::set{2, 3, 4}));
+  EXPECT_EQ(rows, (std::set{1, 2, 3}));
 }
 
 // A target seen upside down: the scissor rectangle turns with it, and nothing leaves it.

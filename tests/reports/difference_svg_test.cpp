@@ -74,13 +74,51 @@ TEST(DifferenceSvg, AValueChangesNoCoverage) {
   EXPECT_EQ(rendered_hits(picture().exact_hits, 4, {value}), picture().exact_hits);
 }
 
-TEST(DifferenceSvg, EachPanelHasThePixelsOfItsSide) {
+TEST(DifferenceSvg, EachPaneHasThePixelsOfItsSide) {
   const auto document = parsed(text_of(picture()));
   EXPECT_EQ(count(document, "/svg/g/g[1]/rect[@class='once']"), 3U);
   EXPECT_EQ(count(document, "/svg/g/g[1]/rect[@class='more']"), 0U);
-  EXPECT_EQ(count(document, "/svg/g/g[2]/rect[@class='once']"), 2U);
-  EXPECT_EQ(count(document, "/svg/g/g[2]/rect[@class='more']"), 1U);
-  EXPECT_EQ(count(document, "/svg/g/g[2]/rect[@class='none']"), 9U);
+  EXPECT_EQ(count(document, "/svg/g/g[2]/rect[@class='pale']"), 4U);
+  EXPECT_EQ(count(document, "/svg/g/g[3]/rect[@class='once']"), 2U);
+  EXPECT_EQ(count(document, "/svg/g/g[3]/rect[@class='more']"), 1U);
+  EXPECT_EQ(count(document, "/svg/g/g[3]/rect[@class='none']"), 9U);
+}
+
+// A line of so many pixels in the middle of a large target.
+DifferencePicture long_line(int length) {
+  DifferencePicture large;
+  large.width = 100;
+  large.height = 50;
+  large.exact_hits.assign(5000, 0);
+  for (int x = 0; x < length; ++x)
+    large.exact_hits[static_cast<std::size_t>(25 * 100 + 40 + x)] = 1;
+  large.disagreements = {difference(41, 25, DisagreementKind::missing, 1, 0)};
+  large.rendered_hits = rendered_hits(large.exact_hits, 100, large.disagreements);
+  return large;
+}
+
+TEST(DifferenceSvg, PanesAreCroppedToWhatIsDrawnAndAPixelMore) {
+  const auto document = parsed(text_of(long_line(4)));
+  EXPECT_EQ(count(document, "/svg/g/g[1]/rect[@class='once' or @class='none']"), 6U * 3U);
+  EXPECT_STREQ(document.select_node("/svg/g/g[1]/text[@class='column']").node().text().get(), "39");
+}
+
+TEST(DifferenceSvg, PanesOfALargeDrawingAreCroppedToWhatDiffers) {
+  const auto document = parsed(text_of(long_line(60)));
+  EXPECT_EQ(count(document, "/svg/g/g[1]/rect[@class='once' or @class='none']"), 9U * 9U);
+  EXPECT_EQ(count(document, "/svg/g/g[1]/rect[@class='once']"), 6U);
+}
+
+TEST(DifferenceSvg, APaneAloneHasNoWords) {
+  for (const char* name : {"exact", "difference", "renderer"}) {
+    std::ostringstream out;
+    write_pane_svg(picture(), *pane_named(name), out);
+    const auto document = parsed(out.str());
+    EXPECT_EQ(count(document, "//text[not(@class='digit')]"), 0U) << name;
+    EXPECT_EQ(count(document, "//rect[@class='forbidden']"), 3U) << name;
+    EXPECT_EQ(count(document, "//rect[@class='badge']"), name[0] == 'd' ? 3U : 0U) << name;
+  }
+  EXPECT_EQ(pane_named("all"), std::nullopt);
 }
 
 TEST(DifferenceSvg, YPointsUp) {
@@ -88,11 +126,11 @@ TEST(DifferenceSvg, YPointsUp) {
   // (3, 2) is extra: of the frames the rightmost and the uppermost.
   double x = 0;
   double y = 1e9;
-  for (const auto& node : document.select_nodes("/svg/g/g[2]/rect[@class='forbidden']")) {
+  for (const auto& node : document.select_nodes("/svg/g/g[3]/rect[@class='forbidden']")) {
     x = std::max(x, node.node().attribute("x").as_double());
     y = std::min(y, node.node().attribute("y").as_double());
   }
-  EXPECT_NEAR(x, 3 * 52 + 1.2, 1e-9);
+  EXPECT_NEAR(x, 3 * 42 + 1.2, 1e-9);
   EXPECT_NEAR(y, 22 + 1.2, 1e-9);
 }
 
@@ -119,15 +157,16 @@ TEST(DifferenceSvg, WhatIsAllowedIsDashedAndSaysSo) {
   for (Disagreement& d : allowed.disagreements) d.legality = Legality::legal;
   const auto document = parsed(text_of(allowed));
   EXPECT_EQ(count(document, "//rect[@class='forbidden']"), 0U);
-  EXPECT_EQ(count(document, "//rect[@class='allowed']"), 6U);
+  EXPECT_EQ(count(document, "//rect[@class='allowed']"), 9U);
   EXPECT_THAT(text_of(allowed), HasSubstr("1 missing, allowed"));
 }
 
-TEST(DifferenceSvg, TheEvidenceIsInBothPanels) {
+TEST(DifferenceSvg, TheEvidenceIsInThePaneOfTheDifference) {
   const auto document = parsed(text_of(picture()));
-  EXPECT_EQ(count(document, "//polygon[@class='region']"), 2U);
-  EXPECT_EQ(count(document, "//path[@class='sample']"), 2U);
-  EXPECT_EQ(count(document, "//polyline[@class='line']"), 2U);
+  EXPECT_EQ(count(document, "//polygon[@class='region']"), 1U);
+  EXPECT_EQ(count(document, "/svg/g/g[2]//polygon[@class='region']"), 1U);
+  EXPECT_EQ(count(document, "//path[@class='sample']"), 1U);
+  EXPECT_EQ(count(document, "//polyline[@class='line']"), 3U);
 }
 
 TEST(DifferenceSvg, WhatIsContestedHasASignOfItsOwn) {

@@ -388,14 +388,9 @@ ReportTexts texts() {
       {kFillRule, "A sample on a common edge belongs to one triangle", "GL 4.6 core, 14.6.1",
        "Which of the two is open.", "left-top"},
       {kColorRule, "Interpolated colours", "GL 4.6 core, 2.3.4", "About 1 part in 10^5.", ""}};
-  texts.rulings = {
-      {1,
-       "Every produced fragment has an exact fragment within one unit in x and y.",
-       {{"Basis", "normative"}, {"Text", "14.5.1: \"may not deviate\" " + kHostile}}},
-      {2, "The number of fragments differs by at most one.", {}},
-      {9,
-       "Values inside the interval of the floating-point clause are permitted. " + kHostile,
-       {}}};
+  texts.rulings = {{1, "Each fragment has one of exact within a unit.", {{"Text", kHostile}}},
+                   {2, "The number of fragments differs by at most one.", {}},
+                   {9, "Values inside the interval are permitted. " + kHostile, {}}};
   texts.is_open_choice = [](const std::string& cause) { return cause == "line.end=closed"; };
   return texts;
 }

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -31,6 +32,63 @@ TEST(Summary, TableHasEveryVerdictAndRenderer) {
   EXPECT_THAT(text, HasSubstr("and "));
 }
 
+// `count` cases, each with one result of each of `renderers` renderers, which agrees.
+Results agreeing(std::size_t count, std::size_t renderers) {
+  Results results;
+  results.renderers.resize(renderers);
+  results.cases.resize(count);
+  for (CaseResults& one : results.cases) {
+    one.results.resize(renderers);
+    for (KnownResult& result : one.results) result.verdict = Verdict::agree;
+  }
+  return results;
+}
+
+std::string first_line_of(const Results& results, std::optional<double> seconds) {
+  std::ostringstream out;
+  write_summary(results, false, out, seconds);
+  return out.str().substr(0, out.str().find('\n'));
+}
+
+TEST(Summary, TheFirstLineSaysHowTheRunEnded) {
+  EXPECT_EQ(first_line_of(agreeing(30718, 2), 41.4),
+            "30,718 cases, 2 renderers: 0 unexpected, 41 s");
+  EXPECT_EQ(first_line_of(agreeing(1, 1), 0.42), "1 case, 1 renderer: 0 unexpected, 0.4 s");
+  EXPECT_EQ(first_line_of(agreeing(2, 1), {}), "2 cases, 1 renderer: 0 unexpected");
+  Results results = agreeing(2, 2);
+  results.cases[1].results[0].standing = Standing::unexpected;
+  results.cases[1].results[1].standing = Standing::flake;
+  results.cases[0].expect_failures = {"drawn", "otherwise"};
+  results.diagnostics.resize(1);
+  results.missing.resize(2);
+  results.interrupted = true;
+  EXPECT_EQ(first_line_of(results, 9.96),
+            "2 cases, 2 renderers: 2 unexpected, 1 fault in case files, 2 drawings not met, "
+            "2 expectations of no case, interrupted, 10 s");
+}
+
+TEST(Summary, TheFirstLineHasTheColourOfTheOutcome) {
+  Results results = agreeing(1, 1);
+  EXPECT_TRUE(summary_of(results, true).starts_with("\x1b[32m1 case, 1 renderer: 0 unexpected"));
+  results.cases[0].results[0].standing = Standing::unexpected;
+  EXPECT_TRUE(summary_of(results, true).starts_with("\x1b[1m\x1b[31m1 case")) << "bold and red";
+  results.cases[0].results[0].standing = Standing::expected;
+  results.diagnostics.resize(1);
+  EXPECT_TRUE(summary_of(results, true).starts_with("\x1b[1m\x1b[31m1 case"));
+}
+
+TEST(Summary, NoRowOfZerosAndNoTableOfNoCases) {
+  const std::string text = summary_of(agreeing(1234, 1), false);
+  EXPECT_THAT(text, HasSubstr("\nagree            1,234\n"));
+  for (const char* row : {"\nviolation", "\nnot-run", "\nunexpected"})
+    EXPECT_THAT(text, Not(HasSubstr(row)));
+  Results none = agreeing(0, 1);
+  none.diagnostics = {{"a.json", 1, "", "broken", "mend it"}};
+  EXPECT_EQ(summary_of(none, false),
+            "0 cases, 1 renderer: 0 unexpected, 1 fault in case files\n\n"
+            "Case files that cannot be loaded:\n  a.json:1: broken; mend it\n");
+}
+
 TEST(Summary, WithoutColourThereIsNoEscape) {
   EXPECT_THAT(summary_of(sample::results(), false), Not(HasSubstr("\x1b")));
   EXPECT_THAT(summary_of(sample::results(), true), HasSubstr("\x1b["));
@@ -50,33 +108,95 @@ TEST(Summary, SaysWhatIsMissing) {
 }
 
 TEST(Summary, TellsBothAnswersOfAFlake) {
-  Results results;
-  results.renderers.resize(1);
-  results.cases.resize(1);
-  results.cases[0].results.resize(1);
+  Results results = agreeing(1, 1);
+  results.renderers[0].name = "exec:./mine";
+  results.cases[0].id = "a";
   results.cases[0].results[0].standing = Standing::flake;
   results.cases[0].results[0].expectation = "it answered this, and then that";
-  EXPECT_THAT(summary_of(results, false), HasSubstr("flake: it answered this, and then that"));
+  EXPECT_THAT(
+      summary_of(results, false),
+      HasSubstr("  1 case, exec:./mine: expected agree, got agree, and then another answer\n"
+                "    a: it answered this, and then that\n"));
 }
 
-TEST(Summary, ListsUnexpectedResultsWithTheirFirstExplanation) {
+// A case in which one pixel is wrong.
+CaseResults wrong_case(const std::string& id, int x, bool legal) {
+  CaseResults one;
+  one.id = id;
+  one.file = "cases/" + id + ".json";
+  one.surface = "fbo";
+  one.width = one.height = 8;
+  one.results.resize(1);
+  one.results[0].verdict = legal ? Verdict::convention : Verdict::violation;
+  one.results[0].standing = Standing::unexpected;
+  one.results[0].disagreements = {sample::disagreement(x, 0, DisagreementKind::extra, legal)};
+  return one;
+}
+
+TEST(Summary, GroupsWhatIsUnexpectedByCause) {
   Results results;
+  results.policy = "opengl";
   results.renderers.resize(1);
   results.renderers[0].name = "exec:./mine";
+  for (int i = 0; i < 12; ++i)
+    results.cases.push_back(wrong_case("case-" + std::to_string(i), i, false));
+  results.cases.push_back(wrong_case("allowed", 3, true));
+  results.cases.back().results[0].expected = Judgement{Verdict::convention, "0123"};
+  results.cases.push_back(wrong_case("gone", 3, false));
+  KnownResult& gone = results.cases.back().results[0];
+  gone.disagreements.clear();
+  gone.verdict = Verdict::agree;
+  gone.standing = Standing::unexpected_agreement;
+  gone.expected = Judgement{Verdict::violation, "0123"};
+  results.cases.push_back(wrong_case("dies", 3, false));
+  KnownResult& dies = results.cases.back().results[0];
+  dies.disagreements.clear();
+  dies.verdict = Verdict::not_run;
+  dies.failure = Failure{FailureKind::crashed, "exit status 7"};
+  EXPECT_THAT(summary_of(results, false), HasSubstr(R"(
+Unexpected, by cause:
+  12 cases, exec:./mine: expected agree, got violation
+    line.diamond-exit extra, fbo
+    case-0: pixel (0, 0): Pixel (0, 0) differs.
+    edgecase explain cases/case-0.json --against exec:./mine --pixel 0,0
+  1 case, exec:./mine: expected agree, got not-run
+    crashed
+    dies: exit status 7
+    edgecase explain cases/dies.json --against exec:./mine
+  1 case, exec:./mine: expected another convention, got convention
+    line.diamond-exit extra, fbo
+    allowed: pixel (3, 0): Pixel (3, 0) differs.
+    edgecase explain cases/allowed.json --against exec:./mine --pixel 3,0
+  1 case, exec:./mine: expected violation, got agree
+    gone
+    edgecase explain cases/gone.json --against exec:./mine
+
+)"));
+}
+
+TEST(Summary, TellsAnAnswerByWhatIsNotLegalInIt) {
+  Results results;
+  results.renderers.resize(1);
+  results.cases = {wrong_case("a", 1, true)};
+  std::vector<Disagreement>& listed = results.cases[0].results[0].disagreements;
+  listed.push_back(sample::disagreement(5, 0, DisagreementKind::missing, false));
+  EXPECT_THAT(summary_of(results, false),
+              HasSubstr("line.diamond-exit missing, fbo\n    a: pixel (5, 0): "));
+}
+
+TEST(Summary, ListsTenCausesAndTheSimplestCaseOfEach) {
+  Results results;
+  results.renderers.resize(1);
   for (int i = 0; i < 23; ++i) {
-    CaseResults one;
-    one.id = "case-" + std::to_string(i);
-    one.results.resize(1);
-    one.results[0].verdict = Verdict::violation;
-    one.results[0].standing = Standing::unexpected;
-    one.results[0].disagreements = {sample::disagreement(i, 0, DisagreementKind::extra, false)};
-    results.cases.push_back(one);
+    results.cases.push_back(wrong_case("case-" + std::to_string(i), 0, false));
+    results.cases.back().results[0].disagreements[0].situation = "place " + std::to_string(i % 12);
+    results.cases.back().width = 100 - i;
   }
   const std::string text = summary_of(results, false);
-  EXPECT_THAT(text, HasSubstr("case-19 exec:./mine violation, unexpected\n"
-                              "      pixel (19, 0): Pixel (19, 0) differs."));
-  EXPECT_THAT(text, Not(HasSubstr("case-20 ")));
-  EXPECT_THAT(text, HasSubstr("and 3 more"));
+  EXPECT_THAT(text, HasSubstr("  2 cases, : expected agree, got violation\n"
+                              "    line.diamond-exit extra, place 0, fbo\n    case-12: "));
+  EXPECT_THAT(text, HasSubstr("\n  and 2 more causes\n"));
+  EXPECT_THAT(text, Not(HasSubstr("case-11: ")));  // the only one of its cause, which comes last
 }
 
 // `count` unexplained clusters, each in a case of its own, and as many causes.

@@ -96,6 +96,34 @@ TEST(AlphaToCoverage, OnlyTheEndsAreDemanded) {
   EXPECT_EQ(counts(Interval::everything()), (std::pair{0, 4}));
 }
 
+// Less than one sample off: either whole number beside alpha n, and alpha n alone where it is one.
+TEST(AlphaToCoverage, ProportionalIsLessThanASampleOff) {
+  const auto kept_by = [](double alpha) {
+    std::vector<int> kept;
+    for (int count = 0; count <= 4; ++count)
+      if (is_proportional(alpha, count, 4)) kept.push_back(count);
+    return kept;
+  };
+  using Counts = std::vector<int>;
+  EXPECT_EQ(kept_by(0), Counts{0});
+  EXPECT_EQ(kept_by(0.1), (Counts{0, 1}));
+  EXPECT_EQ(kept_by(0.5), Counts{2});
+  EXPECT_EQ(kept_by(0.51), (Counts{2, 3}));
+  EXPECT_EQ(kept_by(1), Counts{4});
+  EXPECT_EQ(kept_by(7), Counts{4});
+  // Every alternative that is open.
+  for (const Alternative& alternative : alpha_to_coverage_rule().alternatives) {
+    AlphaToCoverage choice{};
+    ASSERT_TRUE(parse_name(alternative.name, choice));
+    if (alternative.openness != Openness::open) continue;
+    for (int samples = 1; samples <= 16; ++samples)
+      for (int step = 1; step < 1024; ++step)
+        EXPECT_TRUE(is_proportional(
+            step / 1024.0, std::popcount(alpha_mask(step / 1024.0, samples, choice)), samples))
+            << alternative.name;
+  }
+}
+
 TEST(AlphaToCoverage, ByTheAlphasOfOthers) {
   using Alphas = std::array<double, 4>;
   const auto both = [](const Alphas& alphas) {

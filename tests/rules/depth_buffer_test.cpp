@@ -60,7 +60,8 @@ TEST(ToDepth, OfTwoEquallyNearGoesToTheEvenStep) {
 }
 
 TEST(ToDepth, ClampsFirst) {
-  for (const DepthFormat format : {DepthFormat::depth16, DepthFormat::depth24}) {
+  for (const DepthFormat format :
+       {DepthFormat::depth16, DepthFormat::depth24, DepthFormat::depth32f}) {
     EXPECT_EQ(to_depth(-0.25, format), 0);
     EXPECT_EQ(to_depth(-kInfinity, format), 0);
     EXPECT_EQ(to_depth(1.25, format), 1);
@@ -74,8 +75,6 @@ TEST(ToDepth, ClampsFirst) {
 TEST(ToDepth, Float32IsTheNearestFloat) {
   EXPECT_EQ(to_depth(0.1, DepthFormat::depth32f), static_cast<double>(0.1F));
   EXPECT_NE(to_depth(0.1, DepthFormat::depth32f), 0.1);
-  EXPECT_EQ(to_depth(-0x1p-28, DepthFormat::depth32f), -0x1p-28);
-  EXPECT_EQ(to_depth(1 + 0x1p-23, DepthFormat::depth32f), 1 + 0x1p-23);
   EXPECT_EQ(to_depth(std::numeric_limits<double>::quiet_NaN(), DepthFormat::depth32f), 0);
 }
 
@@ -144,6 +143,18 @@ TEST(DepthPermitted, AFloat32DepthIsTheDepth) {
   const Interval beyond = depth_permitted({-0x1p-28, 1 + 0x1p-23}, DepthFormat::depth32f);
   EXPECT_EQ(beyond.low, -0x1p-28);
   EXPECT_EQ(beyond.high, 1 + 0x1p-23);
+  // Either as it is or clamped.
+  const Interval below = depth_permitted(-0.6875, DepthFormat::depth32f);
+  EXPECT_EQ(below.low, -0.6875);
+  EXPECT_EQ(below.high, 0);
+}
+
+TEST(DepthPermitted, AFormatHoldsItsOwnNumbersAlone) {
+  EXPECT_TRUE(is_depth_of(-0x1p-28, DepthFormat::depth32f));
+  EXPECT_FALSE(is_depth_of(0.1, DepthFormat::depth32f));
+  EXPECT_TRUE(is_depth_of(1.0 / 65535, DepthFormat::depth16));
+  EXPECT_FALSE(is_depth_of(1.5 / 65535, DepthFormat::depth16));
+  EXPECT_FALSE(is_depth_of(-1.0 / 65535, DepthFormat::depth16));
 }
 
 }  // namespace

@@ -99,6 +99,26 @@ TEST(DepthTest, WithoutABufferEverythingPasses) {
       EXPECT_TRUE(passes(function, 0.5, 0.25, method, DepthFormat::none));
 }
 
+// Of depths between the format's values nothing is equal, and either neighbour may be stored.
+TEST(DepthTest, UnconvertedDepthsAreEqualToWhatTheFormatHoldsAlone) {
+  constexpr double kStep = 1.0 / 65535;
+  const auto outcomes = [](CompareFunction function, Interval depth, Interval stored) {
+    const TestOutcomes found = unconverted_outcomes(function, depth, stored, DepthFormat::depth16);
+    return std::pair{found.may_pass, found.may_fail};
+  };
+  const Interval stored{5 * kStep, 6 * kStep};
+  const double between = 5.5 * kStep;
+  EXPECT_EQ(outcomes(CompareFunction::equal, between, stored), (std::pair{false, true}));
+  EXPECT_EQ(outcomes(CompareFunction::less, between, stored), (std::pair{true, true}));
+  EXPECT_EQ(outcomes(CompareFunction::less, between, 6 * kStep), (std::pair{true, false}));
+  EXPECT_EQ(outcomes(CompareFunction::lequal, between, 5 * kStep), (std::pair{false, true}));
+  EXPECT_EQ(outcomes(CompareFunction::equal, 5 * kStep, 5 * kStep), (std::pair{true, false}));
+  EXPECT_EQ(outcomes(CompareFunction::equal, {5 * kStep, between}, stored),
+            (std::pair{true, true}));
+  EXPECT_EQ(outcomes(CompareFunction::greater, {7 * kStep, 8 * kStep}, stored),
+            (std::pair{true, false}));
+}
+
 // Every pair of ranges of a format of 3 bits, against all pairs of their values.
 TEST(DepthTest, OutcomesAreThoseOfAllPairsOfValues) {
   constexpr int kLargest = 7;

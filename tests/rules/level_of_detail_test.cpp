@@ -91,13 +91,41 @@ TEST(ScaleFactors, AreTheNarrowestIntervalsAroundTheFormulas) {
   });
 }
 
-TEST(ScaleFactors, PermittedIsFromTheLargestPartialToTheSum) {
-  for_each_footprint([](const Halves& h) {
+// Either upper bound of the section is the larger one somewhere.
+TEST(ScaleFactors, PermittedIsFromTheLargestPartialToTheLargerBound) {
+  int by_sum = 0, by_root = 0;
+  for_each_footprint([&](const Halves& h) {
     const Interval permitted = permitted_scale_factor(footprint_of(h));
     const int m_u = largest_of(h[0], h[2]);
     const int m_v = largest_of(h[1], h[3]);
     ASSERT_EQ(permitted.low, std::max(m_u, m_v) / 2.0);
-    ASSERT_EQ(permitted.high, (m_u + m_v) / 2.0);
+    const int sum = m_u + m_v;
+    const int larger = std::max(std::abs(h[0]) + std::abs(h[1]), std::abs(h[2]) + std::abs(h[3]));
+    if (2 * larger * larger <= sum * sum) {
+      ASSERT_EQ(permitted.high, sum / 2.0);
+      ++by_sum;
+    } else {
+      ASSERT_GE(permitted.high * permitted.high, larger * larger / 2.0);
+      ASSERT_LE(permitted.high, std::sqrt(2.0) * larger / 2 * (1 + 1e-15));
+      ++by_root;
+    }
+  });
+  EXPECT_GT(by_sum, 0);
+  EXPECT_GT(by_root, 0);
+}
+
+// The ellipse's major axis, the larger singular value of the derivatives, is what the scale factor
+// should ideally be.
+TEST(ScaleFactors, PermittedHoldsTheMajorAxis) {
+  for_each_footprint([](const Halves& h) {
+    const double a = h[0] / 2.0, b = h[1] / 2.0, c = h[2] / 2.0, d = h[3] / 2.0;
+    const double squares = a * a + b * b + c * c + d * d;
+    const double area = a * d - b * c;
+    const double root = std::sqrt(std::max(squares * squares - 4 * area * area, 0.0));
+    const double axis = std::sqrt((squares + root) / 2);
+    const Interval permitted = permitted_scale_factor(footprint_of(h));
+    ASSERT_GE(axis, permitted.low * (1 - 1e-12));
+    ASSERT_LE(axis, permitted.high * (1 + 1e-12));
   });
 }
 
@@ -105,6 +133,12 @@ bool conforms(ScaleFactor method) {
   for (const Alternative& alternative : scale_factor_rule().alternatives)
     if (alternative.name == name_of(method)) return alternative.openness != Openness::illegal;
   return false;
+}
+
+// The square of the larger upper bound, in quarters.
+int literal_bound(const Halves& h) {
+  const int larger = std::max(std::abs(h[0]) + std::abs(h[1]), std::abs(h[2]) + std::abs(h[3]));
+  return std::max(literal_square(h, ScaleFactor::sum_of_partials), 2 * larger * larger);
 }
 
 // The two conditions of 8.14.1, over the whole grid: an alternative is open where it keeps both,
@@ -116,7 +150,7 @@ TEST(ScaleFactors, AreOpenWhereTheyKeepTheConditions) {
     for_each_footprint([&](const Halves& h) {
       const int square = literal_square(h, method);
       within = within && literal_square(h, ScaleFactor::largest_partial) <= square &&
-               square <= literal_square(h, ScaleFactor::sum_of_partials);
+               square <= literal_bound(h);
       for (std::size_t i = 0; i < 4; ++i) {
         Halves more = h;
         more[i] += h[i] < 0 ? -1 : 1;
@@ -202,7 +236,7 @@ TEST(ScaleFactors, InOneDimensionAreTheLargerPartial) {
     EXPECT_EQ(scale_factor(line, method).high, 3) << name_of(method);
   }
   EXPECT_EQ(permitted_scale_factor(line).low, 3);
-  EXPECT_EQ(permitted_scale_factor(line).high, 3);
+  EXPECT_NEAR(permitted_scale_factor(line).high, 3 * std::sqrt(2.0), 1e-12);
   EXPECT_EQ(scale_factor(line, ScaleFactor::length_of_sum).high, 1);
   EXPECT_EQ(scale_factor(line, ScaleFactor::sum).high, 5);
 }
@@ -289,6 +323,43 @@ TEST(Bias, IsClampedAsASum) {
   EXPECT_EQ(lambda_prime(-15, lookup_of(LookupKind::bias, -2), as_set), -14.75);
   EXPECT_EQ(lambda_prime(16, lookup_of(LookupKind::bias, -20), as_set), -2.75);
   EXPECT_EQ(lambda_prime(15, lookup_of(LookupKind::bias, 2), BiasChoice::unclamped), 18.25);
+}
+
+// 8.14.1 lets terms beyond the limit, 2 at least, be clamped anyhow.
+TEST(Bias, BeyondTheLimitEachTermMayBeClampedOrNot) {
+  const auto permitted = [](float sampler, float shader) {
+    return with_permitted_bias(1.25, biased(sampler), lookup_of(LookupKind::bias, shader));
+  };
+  // Within it nothing is open.
+  for (const auto& [sampler, shader] :
+       {std::pair{1.5F, 0.5F}, std::pair{-2.0F, 1.0F}, std::pair{0.0F, -2.0F}}) {
+    const Interval exact = permitted(sampler, shader);
+    EXPECT_EQ(exact.low, exact.high);
+    EXPECT_EQ(exact.low, 1.25 + static_cast<double>(sampler) + static_cast<double>(shader));
+  }
+  // From 2 to what both are together; and what comes out may be clamped from 14 on.
+  EXPECT_EQ(permitted(3, 0).low, 3.25);
+  EXPECT_EQ(permitted(3, 0).high, 4.25);
+  EXPECT_EQ(permitted(1.5F, 1).low, 3.25);
+  EXPECT_EQ(permitted(1.5F, 1).high, 3.75);
+  EXPECT_EQ(permitted(10, 9).low, 3.25);
+  EXPECT_EQ(permitted(10, 9).high, 20.25);
+  EXPECT_EQ(permitted(-15, -15).low, -28.75);
+  EXPECT_EQ(permitted(-15, -15).high, -0.75);
+  // One is clamped, and the other is not.
+  EXPECT_EQ(permitted(16, -12).low, 1.25 - 10);
+  EXPECT_EQ(permitted(16, -12).high, 1.25 + 14);
+  EXPECT_EQ(with_permitted_bias(19, biased(0), {}).low, 14);
+  EXPECT_EQ(with_permitted_bias(19, biased(0), {}).high, 19);
+  // All ways to clamp at all limits from 2 on are held.
+  for (const double limit : {2.0, 3.5, 15.0, 16.0, 1e9})
+    for (const float sampler : {-9.0F, 0.5F, 2.5F, 12.0F})
+      for (const float shader : {-14.0F, -1.0F, 3.0F, 15.5F}) {
+        const auto at = [&](double term) { return std::clamp(term, -limit, limit); };
+        const double t = double{sampler}, s = double{shader};
+        for (const double way : {at(t + s), t + s, at(t) + at(s), at(at(t) + at(s)), at(t) + s})
+          EXPECT_TRUE(permitted(sampler, shader).contains(1.25 + way)) << limit << " " << t << s;
+      }
 }
 
 TEST(Bias, AlternativesDiffer) {

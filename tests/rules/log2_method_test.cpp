@@ -207,8 +207,10 @@ TEST(Log2, NamesLeadBack) {
   EXPECT_FALSE(parse_name("?", untouched));
   EXPECT_EQ(untouched, Log2Method::mantissa_8);
   EXPECT_EQ(log2_rule().alternatives.size(), all_log2_methods().size());
+  // One is farther off than any renderer may be, by rulings 20 and 50.
   for (const Alternative& alternative : log2_rule().alternatives)
-    EXPECT_EQ(alternative.openness, Openness::open) << alternative.name;
+    EXPECT_EQ(alternative.openness == Openness::illegal, alternative.name == "linear-mantissa")
+        << alternative.name;
 }
 
 // What renderers tell of a level of detail is a float32 of these formulas. Measured with

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "exact/rational.h"
 #include "rules/values/depth_buffer.h"
@@ -15,6 +16,7 @@ namespace edgecase {
 namespace {
 
 constexpr double kReach = 1.0 / 256;
+constexpr Interval kUnits{0x1p-24, 0x1p-23};  // one and two steps of 24 bits
 constexpr DepthFormat kFormats[] = {DepthFormat::depth16, DepthFormat::depth24,
                                     DepthFormat::depth32f};
 
@@ -126,7 +128,7 @@ TEST(PolygonOffset, TheClampIsTheFarthest) {
   expect_about(offset_by({-1, 0, -0.015625F}), -0.015625);
   expect_about(offset_by({-1, 0, -0.25F}), -5.0 / 256);
   const Interval permitted =
-      offset_permitted({1, 0, 0.015625F}, known_plane(), DepthFormat::depth24, kReach);
+      offset_permitted({1, 0, 0.015625F}, known_plane(), DepthFormat::depth24, kReach, kUnits);
   EXPECT_EQ(permitted.high, 0.015625);
 }
 
@@ -136,12 +138,12 @@ TEST(PolygonOffset, OnlyTrianglesOfAnAreaHaveOne) {
     Interpolant f = known_plane();
     f.kind = kind;
     EXPECT_EQ(offset_exact(offset, f, DepthFormat::depth24, {}).magnitude(), 0);
-    EXPECT_EQ(offset_permitted(offset, f, DepthFormat::depth24, kReach).magnitude(), 0);
+    EXPECT_EQ(offset_permitted(offset, f, DepthFormat::depth24, kReach, kUnits).magnitude(), 0);
   }
   Interpolant f = known_plane();
   f.positions[2] = f.positions[1];
   EXPECT_EQ(offset_exact(offset, f, DepthFormat::depth24, {}).magnitude(), 0);
-  EXPECT_TRUE(is_everything(offset_permitted(offset, f, DepthFormat::depth24, kReach)));
+  EXPECT_TRUE(is_everything(offset_permitted(offset, f, DepthFormat::depth24, kReach, kUnits)));
   // Without a buffer there are no units.
   expect_about(offset_exact({0, 9, 0}, known_plane(), DepthFormat::none, {}), 0);
 }
@@ -254,10 +256,12 @@ TEST_F(OffsetPlanes, PermittedHoldsEveryOpenAlternativeOfMovedVertices) {
     const float clamp = numbers_.one_in(3) ? static_cast<float>(numbers_.real(-0.01, 0.01)) : 0;
     const PolygonOffset offset{factor, units, clamp};
     for (const DepthFormat format : kFormats) {
-      const Interval permitted = offset_permitted(offset, f, format, kReach);
+      const Interval permitted =
+          offset_permitted(offset, f, format, kReach, permitted_fixed_unit(format));
       const Interpolant g = moved(f);
       for (const OffsetSlope slope : {OffsetSlope::length, OffsetSlope::largest_partial})
-        for (const OffsetUnit unit : {OffsetUnit::step, OffsetUnit::power, OffsetUnit::two_steps})
+        for (const OffsetUnit unit :
+             {OffsetUnit::step, OffsetUnit::power, OffsetUnit::two_steps, OffsetUnit::four_steps})
           ASSERT_TRUE(holds(permitted, offset_exact(offset, g, format, {slope, unit, {}})))
               << name_of(format) << " " << name_of(slope) << " " << name_of(unit);
     }
@@ -271,20 +275,30 @@ TEST_F(OffsetPlanes, PermittedIsNotMuchWider) {
     const Slopes slopes = slopes_of(f);
     const double length = std::sqrt(static_cast<double>(slopes.squared_length()));
     const auto largest = static_cast<double>(slopes.largest());
-    const Interval still = offset_permitted({1, 0, 0}, f, DepthFormat::depth24, 0);
+    const Interval still = offset_permitted({1, 0, 0}, f, DepthFormat::depth24, 0, kUnits);
     EXPECT_LE(still.high - length, 3e-4 * 0.1);
     EXPECT_LE(largest - still.low, 3e-4 * 0.1);
-    const Interval moved = offset_permitted({1, 0, 0}, f, DepthFormat::depth24, kReach);
+    const Interval moved = offset_permitted({1, 0, 0}, f, DepthFormat::depth24, kReach, kUnits);
     EXPECT_LE(moved.high - length, 3e-4);
     EXPECT_LE(largest - moved.low, 3e-4);
   }
 }
 
+// From 2^-n on, and of 1 at most.
+TEST(PolygonOffset, TheUnitOfAFixedPointBufferHasNoOtherBound) {
+  for (const auto& [format, least] :
+       {std::pair{DepthFormat::depth16, 0x1p-16}, std::pair{DepthFormat::depth24, 0x1p-24}}) {
+    EXPECT_EQ(permitted_fixed_unit(format).low, least);
+    EXPECT_EQ(permitted_fixed_unit(format).high, 1);
+  }
+}
+
 // Its two operations err by 1 part in 10^5 of the larger end.
-TEST(PolygonOffset, PermittedUnitsAreAStepToTwo) {
+TEST(PolygonOffset, PermittedUnitsAreThoseGivenOfFixedPointBuffersAlone) {
   const Interpolant f = known_plane();
   const auto expect_units = [&](DepthFormat format, double low, double high) {
-    const Interval units = offset_permitted({0, 1, 0}, f, format, kReach);
+    const Interval given = format == DepthFormat::depth32f ? Interval(7) : Interval(low, high);
+    const Interval units = offset_permitted({0, 1, 0}, f, format, kReach, given);
     EXPECT_NEAR(units.low, low - 2e-5 * high, 1e-9 * high);
     EXPECT_NEAR(units.high, high + 2e-5 * high, 1e-9 * high);
     return units;
@@ -300,9 +314,9 @@ TEST(PolygonOffset, PermittedUnitsAreAStepToTwo) {
 TEST(PolygonOffset, NothingIsKnownOfTheSlopeOfASliver) {
   Interpolant f = known_plane();
   f.positions[2] = vertex_at(10, 20.001953125);
-  EXPECT_TRUE(is_everything(offset_permitted({1, 0, 0}, f, DepthFormat::depth24, kReach)));
+  EXPECT_TRUE(is_everything(offset_permitted({1, 0, 0}, f, DepthFormat::depth24, kReach, kUnits)));
   // Units alone do not depend on it.
-  EXPECT_LT(offset_permitted({0, 1, 0}, f, DepthFormat::depth24, kReach).high, 0x1p-21);
+  EXPECT_LT(offset_permitted({0, 1, 0}, f, DepthFormat::depth24, kReach, kUnits).high, 0x1p-21);
 }
 
 TEST(PolygonOffset, ChoicesHaveTheirNames) {

@@ -104,11 +104,35 @@ TEST(RendererNames, ExecTakesTheFileOfThatName) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(RendererNames, RefusalsAskWhatWasMeant) {
+  const auto question = [](const std::string& name) {
+    const std::string message = message_of(name);
+    const auto begin = message.find("did you mean ");
+    return begin == std::string::npos ? "" : message.substr(begin, message.find('?') + 1 - begin);
+  };
+  EXPECT_EQ(question("osmesa:lvmpipe"), "did you mean osmesa:llvmpipe?");
+  EXPECT_EQ(question("llvmpipe"), "did you mean osmesa:llvmpipe?");
+  EXPECT_EQ(question("osmesa:zink"), "did you mean egl:zink?");
+  EXPECT_EQ(question("egl-es:zink-swiftshader"), "did you mean egl:zink-swiftshader?");
+  EXPECT_EQ(question("exat"), "did you mean exact?");
+  EXPECT_EQ(question("something else"), "");
+  EXPECT_EQ(question(""), "");
+  const auto folder = std::filesystem::temp_directory_path() / "edgecase meant";
+  std::filesystem::create_directories(folder);
+  for (const char* name : {"program", "card.rec"})
+    std::fclose(std::fopen((folder / name).c_str(), "w"));
+  EXPECT_EQ(question(folder / "program"),
+            "did you mean exec:" + (folder / "program").string() + "?");
+  EXPECT_EQ(question(folder / "card.rec"),
+            "did you mean recording:" + (folder / "card.rec").string() + "?");
+  std::filesystem::remove_all(folder);
+}
+
 TEST(RendererNames, RefusalsNameWhatIsKnown) {
   for (const char* name :
        {"", "osmesa", "osmesa:zink", "egl:", "egl:device", "egl:device-1", "egl:device1x",
         "egl:device9999", "egl-es:", "egl-es:device", "osmesa:device0", "Osmesa:llvmpipe"})
-    EXPECT_THAT(message_of(name), HasSubstr("known are exact, osmesa:llvmpipe")) << name;
+    EXPECT_THAT(message_of(name), HasSubstr("nown are exact, osmesa:llvmpipe")) << name;
   EXPECT_THAT(message_of("recording:x"), HasSubstr("there is no program behind it"));
   EXPECT_THAT(message_of("exec:"), HasSubstr("names no program"));
   EXPECT_THAT(message_of("exec:'a"), HasSubstr("quote that is not closed"));

@@ -4,7 +4,7 @@ it would change and writes only when asked."""
 import json
 import unittest
 
-from support import AS_EXPECTED, UNEXPECTED, USAGE, CommandTest, only_result
+from support import AS_EXPECTED, INTERNAL, UNEXPECTED, USAGE, CommandTest, only_result
 
 RENDERER = "osmesa:softpipe"
 AGAINST = ["--against", RENDERER]
@@ -185,7 +185,8 @@ class Bless(CommandTest):
             self.assertIn(said, self.decide(bad, expect=USAGE).stderr)
         self.assertIn("/decisions/1 (case a): /decisions/0 is on",
                       self.decide(good, good, expect=USAGE).stderr)
-        self.command("bless", "results.json", "--from", "gone.json", expect=USAGE)
+        self.command("bless", "results.json", "--from", "gone.json", expect=INTERNAL)
+        self.command("bless", "gone.json", expect=INTERNAL)
         self.command("bless", "results.json", "--from", "decisions.json", "--filter", "*",
                      expect=USAGE)
 

@@ -67,6 +67,16 @@ class Texts(CommandTest):
                 self.assertIn(f'{ruling["clause"]}: "{ruling["quotation"]}"', text)
         self.assertEqual(sorted(numbers), sorted(set(numbers)))
 
+    def test_rules_by_id(self):
+        whole = self.command("rules").stdout
+        one = self.command("rules", "line.snap").stdout
+        self.assertTrue(one.startswith("line.snap\n"))
+        self.assertIn(one.removesuffix("* the choice of policy opengl\n"), whole)
+        self.assertEqual([rule["id"] for rule in
+                          json.loads(self.command("rules", "*.snap", "--json").stdout)],
+                         ["subpixel.snap", "point.snap", "line.snap", "triangle.snap"])
+        self.command("rules", "line.snap", "--markdown", expect=USAGE)
+
     def test_rules_as_the_committed_document(self):
         document = (ROOT / "src" / "rules" / "RULINGS.md").read_text(encoding="utf-8")
         self.assertEqual(self.command("rules", "--markdown").stdout, document)
@@ -79,18 +89,30 @@ class Texts(CommandTest):
         summary = self.command("run", f"{SUITE}/lines/strips", "--against", odd, "--json",
                                "results.json",
                                expect=UNEXPECTED).stdout
-        commands = [line.partition(": edgecase ")[2] for line in summary.splitlines()
-                    if ": edgecase explain " in line]
-        self.assertEqual(len(commands), 5)
+        commands = [line.partition("edgecase ")[2] for line in summary.splitlines()
+                    if line.startswith(" " * 15 + "edgecase explain ")]
+        self.assertGreaterEqual(len(commands), 5)
         for line in commands:
             words = shlex.split(line)
             x, y = words[words.index("--pixel") + 1].split(",")
             self.assertIn(f"  ({x}, {y}) ", self.command(*words).stdout)
 
+    def test_commands_for_what_is_unexpected_work(self):
+        """The command that stands below a cause tells of the answer that it is about."""
+        odd = self.odd_renderer("mirror-of", "lines/strips/octagon-loop:dx=0.5:dy=0.5")
+        summary = self.command("run", f"{SUITE}/lines/strips", "--against", odd, "--json",
+                               "results.json", expect=UNEXPECTED).stdout
+        lines = summary.split("Unexpected, by cause:\n")[1].split("\n\n")[0].splitlines()
+        self.assertEqual(lines[0], f"  1 case, {odd}: expected agree, got violation")
+        name, _, sentence = lines[2].strip().partition(": ")
+        self.assertEqual(name, "lines/strips/octagon-loop:dx=0.5:dy=0.5")
+        told = self.command(*shlex.split(lines[3])[1:]).stdout
+        self.assertIn(sentence.rpartition(": ")[2], told)
+
     def test_validate(self):
         run = self.command("validate", *([SUITE] if COUNT == 1 else files_of_share()), "--check-format")
         self.assertRegex(run.stdout,
-                         r"(?m)^\d+ cases are well formed, 0 faults, 0 drawings not met$")
+                         r"(?m)^[\d,]+ cases are well formed, 0 faults, 0 drawings not met$")
         self.assertEqual(run.stderr, "")
 
 
@@ -210,6 +232,27 @@ class Selection(CommandTest):
         self.assertTrue(slivers and fans)
         self.assertEqual(set(self.listed("--tag", "fan", "--tag", "sliver", *SELECTED)),
                          slivers | fans)
+
+    def test_ids_stand_for_paths(self):
+        """Those of the folder `cases` in the working folder; the suite's own in the checkout."""
+        (self.folder / "cases").symlink_to(SUITE)
+        points = self.listed("cases/points")
+        for words in (["points"], ["points/*"], ["cases/points"]):
+            self.assertEqual(self.listed(*words), points)
+        self.assertEqual(self.listed("triangles/ties/flat-bottom"), ["triangles/ties/flat-bottom"])
+        [swept] = self.listed("lines/strips/octagon-loop:dx=0.5:dy=0.5")
+        self.assertEqual(swept, "lines/strips/octagon-loop:dx=0.5:dy=0.5")
+        some = self.listed("lines/strips/octagon-loop:dx=0.5")
+        self.assertEqual(some, [name for name in self.listed("lines/strips/octagon-loop")
+                                if ":dx=0.5:" in name])
+        for arguments in (["render", swept], ["explain", swept, "--pixel", "3,3"], ["draw", swept],
+                          ["validate", swept], ["separation", swept],
+                          ["record", swept, "--against", "exact", "-o", "one.rec"],
+                          ["new", "-", "--from", swept]):
+            told = self.command(*arguments)
+            self.assertEqual(told.stderr, "", arguments)
+        self.assertEqual(json.loads(self.command("render", swept).stdout)["id"], swept)
+        self.assertTrue(self.command("explain", swept).stdout.startswith(f"{swept}: "))
 
     def test_single_files_and_folders_keep_their_ids(self):
         self.assertEqual(self.listed(TIE), ["triangles/ties/flat-bottom"])

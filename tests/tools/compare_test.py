@@ -61,8 +61,9 @@ class Compare(CommandTest):
                          [("a", "disappeared"), ("d", "appeared")])
 
     def test_bad_input(self):
-        self.assertIn("cannot read", self.command("compare", "good.json", "gone.json",
-                                                  expect=USAGE).stderr)
+        for files in (("good.json", "gone.json"), ("gone.json", "good.json")):
+            told = self.command("compare", *files, expect=INTERNAL).stderr
+            self.assertEqual(told, "edgecase: cannot read gone.json: No such file or directory\n")
         self.assertIn("no results file", self.command("compare", "cases/a.json", "good.json",
                                                       expect=USAGE).stderr)
         self.command("compare", "good.json", expect=USAGE)

@@ -242,7 +242,8 @@ class BadRenderers(CommandTest):
 
     def test_names_that_are_no_renderer(self):
         for name, words in (("nope", "there is no renderer 'nope'; known are exact, osmesa:"),
-                            ("osmesa:zink", "there is no renderer 'osmesa:zink'; known are"),
+                            ("osmesa:zink", "there is no renderer 'osmesa:zink'; did you mean egl:zink? "
+                                            "Known are exact, osmesa:"),
                             ("exec:", "write exec:PROGRAM"),
                             ("exec:'open", "a quote that is not closed")):
             for arguments in (["run", "cases", "--against", name],
@@ -311,15 +312,17 @@ class BadSurroundings(CommandTest):
     def test_results_files(self):
         self.write("other.json", "{}")
         for subcommand in ("report", "bless"):
-            self.assertIn("cannot read none.json", self.complaint(subcommand, "none.json"))
+            self.assertIn("cannot read none.json",
+                          self.complaint(subcommand, "none.json", expect=INTERNAL))
             self.assertIn("no results file", self.complaint(subcommand, "other.json"))
 
     def test_files_without_end(self):
         """A device as input is an error soon, in bounded memory."""
-        for arguments in (["report", "/dev/zero"], ["bless", "/dev/zero"],
-                          ["run", "cases", "--against", "exact", "--expectations", "/dev/zero"]):
+        for expect, arguments in (
+                (INTERNAL, ["report", "/dev/zero"]), (INTERNAL, ["bless", "/dev/zero"]),
+                (USAGE, ["run", "cases", "--against", "exact", "--expectations", "/dev/zero"])):
             self.assertIn("cannot read /dev/zero: it has more than 2 GiB",
-                          self.complaint(*arguments))
+                          self.complaint(*arguments, expect=expect))
         self.assertIn("cannot read the recording /dev/zero: it is a pipe or a device",
                       self.complaint("run", "cases", "--against", "recording:/dev/zero"))
 

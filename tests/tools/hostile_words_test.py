@@ -96,7 +96,9 @@ class HostileWords(CommandTest):
         for words in ("is no key", "title holds a control character"):
             self.assertIn(words, text)
         told = self.told("run", "cases", "--against", self.renderer, "--no-rerun")
-        self.assertIn("name", told)
+        self.assertIn("refused", told)
+        told = self.told("run", "cases/name\x1b[2J.json", "--against", self.renderer, "--no-rerun")
+        self.assertIn("name\u241b[2J: ", told)
 
 
 if __name__ == "__main__":

@@ -5,8 +5,8 @@ import json
 import unittest
 
 from suite_data import IS_QUICK
-from support import (AS_EXPECTED, NOTHING_SELECTED, SUITE, UNEXPECTED, USAGE, CommandTest,
-                     only_result)
+from support import (AS_EXPECTED, INTERNAL, NOTHING_SELECTED, SUITE, UNEXPECTED, USAGE,
+                     CommandTest, only_result)
 
 RENDERERS = ["--against", "osmesa:llvmpipe", "--against", "osmesa:softpipe"]
 # Lines and joints, both surfaces, samples, ramps, and pictures large enough to be folded.
@@ -37,8 +37,8 @@ class Merge(CommandTest):
             one, other = ((self.folder / f"{name}.{suffix}").read_bytes() for name in (a, b))
             self.assertTrue(one == other, f"{a}.{suffix} and {b}.{suffix} differ")
 
-    def complaint(self, *arguments):
-        run = self.command("merge", *arguments, "--json", "never.json", expect=USAGE)
+    def complaint(self, *arguments, expect=USAGE):
+        run = self.command("merge", *arguments, "--json", "never.json", expect=expect)
         self.assertFalse((self.folder / "never.json").exists())
         self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
         return run.stderr
@@ -91,9 +91,10 @@ class Merge(CommandTest):
         self.small_suite()
         parts = self.shards("cases", "--against", "exact")
         for arguments, said in (((parts[0], parts[0]), "both hold shard 1 of 4"),
-                                ((parts[0], "gone.json"), "cannot read gone.json"),
                                 ((parts[0], "cases/a.json"), "no results file")):
             self.assertIn(said, self.complaint(*arguments))
+        self.assertIn("cannot read gone.json",
+                      self.complaint(parts[0], "gone.json", expect=INTERNAL))
         first = json.loads((self.folder / parts[0]).read_text("utf-8"))
 
         def refused(said, **changes):

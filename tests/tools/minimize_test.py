@@ -123,7 +123,7 @@ class Minimize(CommandTest):
         for arguments, message in [
                 (["nowhere.json"], "nowhere.json"),
                 ([sweep], "cases; name one of them, for example"),
-                ([f"{sweep}:dx=9:dy=0"], 'has no case "dx=9:dy=0"'),
+                ([f"{sweep}:dx=9:dy=0"], 'dx=9:dy=0: there is no such case; `edgecase run'),
                 ([KNOWN[0], "--pixel", "4,0"], "X from 0 to 3 and Y from 0 (bottom) to 3"),
                 ([KNOWN[0], "--pixel", "one"], '"one" is no pixel'),
                 ([KNOWN[0], "--rule", "line.diamonds"], "there is no rule"),

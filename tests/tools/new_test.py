@@ -101,15 +101,16 @@ class New(CommandTest):
         for arguments, message in (
                 (("a.txt", "--rule", "line.snap"), "must end with .json"),
                 (("a.json",), "nothing to begin with"),
-                (("a.json", "--rule", "line.snab"), '"line.snab" is no rule'),
+                (("a.json", "--rule", "line.snab"), 'there is no rule "line.snab"; did you mean "line.snap"? `edgecase rules` prints all'),
                 (("a.json", "--draw", "points 0.1,1"), "x: 0.1 is no multiple of 1/65536"),
                 (("a.json", "--draw", "dots 1,1"), 'cannot be "dots"'),
                 (("a.json", "--draw", "points 1"), '"1" is no vertex'),
                 (("a.json", "--draw", "points"), "is no draw"),
                 (("a.json", "--draw", "points 1,1", "--size", "8"), "write WIDTHxHEIGHT"),
                 (("a.json", "--draw", "points 1,1", "--size", "0x8"), "width"),
-                (("a.json", "--from", "no/such"), "no/such.json"),
-                (("a.json", "--from", "lines/short/between-diamonds:dx=1"), "has no such case"),
+                (("a.json", "--from", "no/such"), "no/such: there is no such file, folder or case"),
+                (("a.json", "--from", "lines/short/between-diamonds:dx=1"),
+                 "between-diamonds:dx=1: there is no such case"),
                 (("a.json", "--from", "x", "--results", "none.json"), "none.json"),
                 (("a.json", "--results", "none.json"), "--from")):
             with self.subTest(arguments):

@@ -15,6 +15,9 @@ FAULT is `none` or one of these.
   front-for-back     the other faces are culled
   face-inverted      triangles face the other way
   sum-of-partials    polygon offset has |dz/dx| + |dz/dy| for the slope
+  colourless         draws that write no colour pass the depth test
+  back-wraps         decr and incr wrap of back faces alone
+  replace-masked     replace stores the reference under the read mask
 """
 import io
 import json
@@ -64,6 +67,8 @@ def spoil_face(face, fault):
     """The stencil state of one face."""
     if fault == "unmasked":
         face["read_mask"] = 255
+    if fault == "replace-masked":  # the comparison masks it anyway
+        face["reference"] &= face["read_mask"]
     if fault == "reference-unmasked" and face["reference"] & ~face["read_mask"]:
         # The masked value never has such a bit: it is less, and never equal.
         face["test"] = {"equal": "never", "lequal": "never", "less": "never",
@@ -80,6 +85,13 @@ def spoil(draw, fault):
         depth["test"] = OPPOSITE.get(depth["test"], depth["test"])
     if depth and fault == "depth-write-on":
         depth["write"] = True
+    if depth and fault == "colourless" and not any(draw.get("color_mask", [True])):
+        depth["test"] = "always"
+    if fault == "back-wraps" and "stencil" in draw:
+        back = draw["stencil"]["back"]
+        for outcome in "fail", "depth_fail", "pass":
+            if back[outcome] in ("incr", "decr"):
+                back[outcome] += "_wrap"
     if cull and fault == "front-for-back":
         draw["cull"] = OPPOSITE.get(cull, cull)
     if fault == "face-inverted":

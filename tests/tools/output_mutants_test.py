@@ -25,6 +25,9 @@ CASES = {
     "front-for-back": ["culling/strip", "culling/at-samples"],
     "face-inverted": ["culling/strip", "culling/at-samples", "stencil/each-face"],
     "sum-of-partials": ["offset/slope-diagonal"],
+    "colourless": ["depth/without-colour"],
+    "back-wraps": ["stencil/back-faces-stop"],
+    "replace-masked": ["stencil/replace-whole-reference"],
 }
 MOST = 60  # cases for a fault
 
@@ -99,6 +102,15 @@ class OutputMutants(CommandTest):
     def test_stencil_operations(self):
         for fault, cause in ("wrap", "wrapping"), ("saturate", "saturating"):
             self.assert_convicted(fault, 3, "stencil.test", causes={f"stencil.test={cause}"})
+
+    def test_a_depth_test_that_is_skipped_where_no_colour_is_written(self):
+        self.assert_convicted("colourless", 10, "depth.test", causes={"", "depth.test=ignored"})
+
+    def test_back_faces_that_wrap(self):
+        self.assert_convicted("back-wraps", 2, "stencil.test", causes={"stencil.test=wrapping"})
+
+    def test_a_reference_that_is_masked_before_it_is_stored(self):
+        self.assert_convicted("replace-masked", 20, "stencil.test", causes={""})
 
     def test_a_stencil_reference_without_its_mask(self):
         unmasked = "stencil.test=unmasked"

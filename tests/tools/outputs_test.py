@@ -4,7 +4,10 @@ CSV, Markdown, GitHub's annotations and PNG triptychs; the same from `run` and f
 import csv
 import io
 import json
+import os
 import re
+import signal
+import time
 import unittest
 import xml.etree.ElementTree
 
@@ -229,6 +232,46 @@ class Outputs(CommandTest):
             told = self.command(subcommand, "--help", expect=AS_EXPECTED).stdout
             for kind in (*KINDS, "triptychs"):
                 self.assertIn(f"--{kind} ", told)
+
+    def opener(self, script):
+        """A PATH whose xdg-open is this script of a shell."""
+        path = self.write("bin/xdg-open", f"#!/bin/sh\n{script}\n")
+        path.chmod(0o755)
+        return f"{path.parent}:{os.environ['PATH']}"
+
+    def test_the_report_is_opened(self):
+        opened = self.folder / "opened"
+        path = self.opener(f'echo "$@" > {opened}')
+        for command in (["run", "cases/plain.json", "--against", "exact"],
+                        ["report", "results.json"], ["merge", "results.json"]):
+            with self.subTest(command[0]):
+                run = self.command(*command, "--html", "page.html", "--open", PATH=path,
+                                   expect=None)
+                self.assertEqual(run.stderr, "")
+                self.assertEqual(opened.read_text(), f"{self.folder}/page.html\n")
+                opened.unlink()
+        # By default it is written to out/.
+        self.command("run", "cases/plain.json", "--against", "exact", "--open", PATH=path)
+        self.assertEqual(opened.read_text(), f"{self.folder}/out/report.html\n")
+
+    def test_a_browser_that_stays_is_not_waited_for(self):
+        path = self.opener("sleep 600 & echo $! > asleep; wait")
+        start = time.monotonic()
+        run = self.command("report", "results.json", "--html", "page.html", "--open", PATH=path)
+        self.assertLess(time.monotonic() - start, 300)
+        self.assertEqual(run.stderr, "")
+        os.kill(int(self.text("asleep")), signal.SIGKILL)
+
+    def test_where_it_cannot_be_opened(self):
+        report = ("report", "results.json", "--html", "page.html", "--open")
+        self.assertEqual(self.command(*report, PATH="/nowhere").stderr,
+                         "edgecase: --open: there is no xdg-open here; open page.html in a browser\n")
+        self.assertEqual(self.command(*report, PATH=self.opener("exit 3")).stderr,
+                         "edgecase: --open: xdg-open finds no browser; open page.html in a "
+                         "browser\n")
+        self.assertEqual(self.command("report", "results.json", "--csv", "a.csv", "--open").stderr,
+                         "edgecase: --open opens the HTML report, and none is written; add "
+                         "--html FILE\n")
 
     def test_unwritable_outputs(self):
         for option in (*KINDS, "triptychs"):

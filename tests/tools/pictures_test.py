@@ -1,44 +1,53 @@
 # SPDX-License-Identifier: MIT
-"""draw --against, and the README's gallery: each row's renderer still does what the row shows."""
+"""draw --against, and the pictures of the findings: each renderer still draws what they show."""
 import re
 import unittest
 import xml.etree.ElementTree
 
 from support import NOTHING_SELECTED, ROOT, SUITE, USAGE, CommandTest, only_result, triangle_case
 
-README = (ROOT / "README.md").read_text(encoding="utf-8")
-ROW = re.compile(r"^\| (?P<fault>[^|]+) \| (?P<who>[^|]+) \| (?P<rulings>[\d, ]+): (?P<allowed>\w+)"
-                 r"[^|]* \| \[[^\]]+\]\((?P<case>cases/[^)]+)\) \| <img src=\"(?P<picture>[^\"]+)\""
-                 r" width=\"\d+\" alt=\"exact and (?P<renderer>[^\"]+)\"> \|$", re.MULTILINE)
-GALLERY = [match.groupdict() for match in ROW.finditer(README)]
+FINDINGS = (ROOT / "reports/pages/findings-mesa-22.3.6.md").read_text(encoding="utf-8")
+FINDING = re.compile(r"^### (?P<fault>.+)\n\n.*?Rulings? (?P<rulings>[\d, ]+) (?P<does>\w+) it: "
+                     r"\[[^\]]+\]\(\.\./\.\./(?P<case>cases/[^)]+)\)[^\n]*\n\n"
+                     r"!\[exact and (?P<renderer>[^\]]+)\]\(\.\./images/(?P<picture>[^)]+)\)$",
+                     re.MULTILINE)
+GALLERY = [match.groupdict() for match in FINDING.finditer(FINDINGS)]
 BETWEEN = f"{SUITE}/lines/short/between-diamonds.json"
 SOFTPIPE = ("--against", "osmesa:softpipe")
 
 
 class Gallery(CommandTest):
-    def test_every_picture_is_of_a_row(self):
+    def test_every_picture_is_of_a_finding(self):
         self.assertGreaterEqual(len(GALLERY), 12)
-        others = ("disputed-pixel", "overview.png", "block-walk", "policy-gallery", "images/knot")
-        self.assertEqual(README.count("reports/images/") - sum(map(README.count, others)),
-                         len(GALLERY))
+        self.assertEqual(FINDINGS.count("../images/"), len(GALLERY))
 
     def test_the_pictures_are_what_the_program_draws(self):
-        for row in GALLERY:
-            with self.subTest(case=row["case"]):
+        for finding in GALLERY:
+            with self.subTest(case=finding["case"]):
                 drawn = self.folder / "drawn.svg"
-                self.command("draw", ROOT / row["case"], "--against", row["renderer"],
+                self.command("draw", ROOT / finding["case"], "--against", finding["renderer"],
                              "--svg", drawn)
-                self.assertEqual(drawn.read_bytes(), (ROOT / row["picture"]).read_bytes())
+                kept = ROOT / "reports/images" / finding["picture"]
+                self.assertEqual(drawn.read_bytes(), kept.read_bytes())
+
+    def test_no_picture_shows_two_equal_sides(self):
+        for finding in GALLERY:
+            with self.subTest(case=finding["case"]):
+                picture = xml.etree.ElementTree.parse(ROOT / "reports/images" / finding["picture"])
+                exact, _, rendered = [[pixel.get("class") for pixel in pane.findall("{*}rect")]
+                                      for pane in picture.findall("{*}g/{*}g")]
+                self.assertNotEqual(exact, rendered)
 
     def test_the_renderers_break_the_rulings_that_are_named(self):
-        for row in GALLERY:
-            with self.subTest(case=row["case"]):
-                results = self.results(ROOT / row["case"], "--against", row["renderer"],
+        for finding in GALLERY:
+            with self.subTest(case=finding["case"]):
+                results = self.results(ROOT / finding["case"], "--against", finding["renderer"],
                                        expect=None)
                 told = only_result(results["cases"][0])["disagreements"]
-                rulings = {d["ruling"] for d in told if (d["legality"] == "legal") == (row["allowed"] == "yes")}
-                self.assertTrue(rulings & {int(n) for n in row["rulings"].split(",")}, told)
-                if row["allowed"] == "yes":
+                is_allowed = finding["does"] == "allows"
+                rulings = {d["ruling"] for d in told if (d["legality"] == "legal") == is_allowed}
+                self.assertTrue(rulings & {int(n) for n in finding["rulings"].split(",")}, told)
+                if is_allowed:
                     self.assertTrue(all(d["legality"] == "legal" for d in told))
 
 
@@ -59,6 +68,15 @@ class DrawAgainst(CommandTest):
                          (root.get("width"), root.get("height")))
         words = "".join(root.itertext())
         self.assertIn("violation: pixel (3, 3) extra, line.diamond-exit, ruling 2", words)
+
+    def test_one_pane_has_no_words_and_needs_a_picture(self):
+        svg = self.folder / "pane.svg"
+        for pane in ("exact", "difference", "renderer"):
+            self.command("draw", BETWEEN, *SOFTPIPE, "--pane", pane, "--svg", svg)
+            root = xml.etree.ElementTree.parse(svg).getroot()
+            self.assertFalse(root.findall(".//{*}text"), pane)
+        self.command("draw", BETWEEN, *SOFTPIPE, "--pane", "exact", expect=USAGE)
+        self.command("draw", BETWEEN, "--pane", "exact", "--svg", svg, expect=USAGE)
 
     def test_filters_choose_one_case_of_a_sweep(self):
         swept = f"{SUITE}/lines/wide/rounded-widths.json"

@@ -99,6 +99,19 @@ class Profile(CommandTest):
             allowed = {"violation", "permitted", "convention"} if about_a_line else {"violation"}
             self.assertIn(found[f"found-{i}"], allowed, cluster["title"])
 
+    def test_a_summary_of_ten_lines_ends_it(self):
+        measure = ("profile", "--against", "exact", *FEWEST)
+        short = self.command(*measure).stdout.splitlines()
+        self.assertEqual(len(short), 10)
+        self.assertRegex(short[0], r"^exact: ")
+        self.assertRegex(short[2], r"^fbo: \d+ of \d+ traits hold in every scene")
+        self.assertEqual(short[4], "  outside the specification: nothing")
+        self.assertTrue(short[-1].startswith("--full prints the tables"))
+        full = self.command(*measure, "--full").stdout.splitlines()
+        self.assertGreater(len(full), 50)
+        self.assertEqual(full[-9:], short[:-1])
+        self.assertIn("--full", self.command(*measure, "--clusters", "3", expect=USAGE).stderr)
+
     def test_an_absent_renderer(self):
         run = self.command("profile", "--against", "exec:false", "--scenes", "100",
                            expect=RENDERER)

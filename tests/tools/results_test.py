@@ -28,8 +28,9 @@ class Results(CommandTest):
                              count["disagreements"] + count["differing"])
             self.assertEqual(sum(c["disagreements"] for c in clusters if "cause" in c),
                              count["with a cause"])
-            causes = ["cause" in cluster for cluster in clusters]
-            self.assertEqual(causes, sorted(causes), "those without cause come first")
+            order = [(["illegal", "contested", "legal"].index(c["legality"]), -c["cases"])
+                     for c in clusters]
+            self.assertEqual(order, sorted(order), "illegal ones first, then what most share")
         self.assertEqual(counts, {})
 
     def test_every_ruling_and_rule_that_results_cite_exists(self):

@@ -12,7 +12,7 @@ from suite_data import COUNT, in_share
 from support import ROOT, SUITE, CommandTest, contents, only_result
 
 SCENES = f"{SUITE}/scenes"
-VERDICTS = ["agree", "convention", "permitted", "violation"]
+VERDICTS = ["agree", "convention", "permitted", "contested", "violation"]
 MOST_BYTES = 1_000_000  # of one renderer's result
 
 

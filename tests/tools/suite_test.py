@@ -79,7 +79,7 @@ class WholeSuite(CommandTest):
     def test_a_run_without_arguments(self):
         self.copy_suite("points")
         run = self.command("run", expect=None)
-        self.assertIn("Report: out/report.html", run.stdout)
+        self.assertIn("\nReport: out/report.html\n", run.stdout)
         results = json.loads((self.folder / "out/results.json").read_text(encoding="utf-8"))
         self.assertEqual(results["renderers"][0]["name"], "osmesa:llvmpipe")
         self.assertTrue((self.folder / "out/junit.xml").read_bytes().startswith(b"<?xml"))

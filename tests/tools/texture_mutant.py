@@ -5,10 +5,13 @@ Coverage is the example rasterizer's; everything that has to do with textures is
 quad's differences, the scale factor, levels, filters, wrap modes and mip chains. Numbers are
 fractions but for the logarithm, which is decided exactly where it is a multiple of 1/2.
 
-FAULT is `none`, `x-only` (the scale factor of the vector along x alone), `half-bias` (half a level
-more), `ties` (half a level more where the level lies halfway between two: the second image alone),
-`floor-3` or `nearest-3` (weights between levels in eighths), `repeat` (for mirrored repetition) or
-`short-chain` (generated levels end one too early).
+FAULT is `none`, `x-only` (the scale factor of the vector along x alone), `half-bias`, `most-bias` and
+`more-bias` (half a level more, 1/20 and 1/8 beyond that), `ties` (half a level more where the level lies halfway between two: the second image alone),
+`floor-3` or `nearest-3` (weights between levels in eighths), `repeat` (for mirrored repetition),
+`short-chain` (generated levels end one too early), `black-levels` (they are black) or `one-is-zero`
+(a coordinate of exactly 1 is taken as 0). No faults are `floor-6` and `nearest-6` (weights of 6
+bits), `length-of-both` (the scale factor of both vectors together) and `short-logarithm` (1/70 of a
+level too small); `floor-5` and `shorter-logarithm` (1/20) are contested.
 """
 import io
 import json
@@ -47,8 +50,9 @@ def primitives_of(scene):
     for draw in scene["draws"]:
         for numbers in rasterizer.primitives(draw["primitive"], len(draw["vertices"])):
             vertices = [draw["vertices"][n] for n in numbers]
+            told = vertices[-1:] * 3 if draw["interpolation"] == "flat" else vertices
             yield draw, ([rasterizer.window(v, scene["viewport"]) for v in vertices],
-                         [[Fraction(n) for n in v["texture_coordinates"]] for v in vertices])
+                         [[Fraction(n) for n in v["texture_coordinates"]] for v in told])
 
 
 def float32(value):
@@ -74,7 +78,8 @@ def spelt_out(level):
     """A level with all of its texels, where they are all alike, too."""
     if "texels" in level:
         return level
-    return {**level, "texels": level["texel"] * (level["width"] * level["height"])}
+    size = {side: level[side] for side in ("width", "height")}
+    return {**size, "texels": level["texel"] * (level["width"] * level["height"])}
 
 
 def chain_of(texture, fault):
@@ -84,6 +89,10 @@ def chain_of(texture, fault):
             levels.append(halved(levels[-1], texture["format"] == "rgba8"))
         if fault == "short-chain":
             levels.pop()
+        if fault == "black-levels":
+            for level in levels[1:]:
+                level["texels"] = [0, 0, 0, 1 if texture["format"] == "rgba32f" else 255] * (
+                    level["width"] * level["height"])
     return levels
 
 
@@ -107,16 +116,19 @@ def level_of_detail(primitive, x, y, size, fault):
                                                          coordinates_at(primitive, *second), size))
     along_x = squared((left, y), (left + 1, y))
     along_y = squared((x, bottom), (x, bottom + 1))
-    return logarithm(along_x if fault == "x-only" else max(along_x, along_y))
+    if fault == "length-of-both":
+        return logarithm(along_x + along_y)
+    level = logarithm(along_x if fault == "x-only" else max(along_x, along_y))
+    return level - {"short-logarithm": 1 / 70, "shorter-logarithm": 1 / 20}.get(fault, 0)
 
 
 def weight_of(fraction, fault):
     if fault == "ties" and fraction == HALF:
         return 1
-    if fault == "floor-3":
-        return math.floor(fraction * 8) / 8
-    if fault == "nearest-3":
-        return math.floor(fraction * 8 + 0.5) / 8
+    kind, _, bits = fault.partition("-")
+    if kind in ("floor", "nearest"):
+        steps = 2 ** int(bits)
+        return math.floor(fraction * steps + (0.5 if kind == "nearest" else 0)) / steps
     return fraction
 
 
@@ -149,6 +161,8 @@ class Lookup:
 
     def filtered(self, number, kind, point):
         level = self.levels[number]
+        if self.fault == "one-is-zero":
+            point = [0 if n == 1 else n for n in point]
         u, v = point[0] * level["width"], point[1] * level["height"]
         if kind == "nearest":
             return self.texel(level, math.floor(u), math.floor(v))
@@ -164,8 +178,8 @@ class Lookup:
         use, fault = self.use, self.fault
         point = coordinates_at(primitive, x, y)
         prime = level_of_detail(primitive, x, y, self.size, fault) + Fraction(use["lod_bias"])
-        if fault == "half-bias":
-            prime += HALF
+        prime += {"half-bias": HALF, "most-bias": HALF + Fraction(1, 20),
+                  "more-bias": HALF + Fraction(1, 8)}.get(fault, 0)
         level = min(max(prime, use["min_lod"]), use["max_lod"])
         most = self.last - use["base_level"]
         within = min(max(level, 0), most)

@@ -16,6 +16,7 @@
 #include "kernels/kernel_use.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/help/help_pages.h"
+#include "tools/edgecase/help/usage_errors.h"
 #include "tools/edgecase/options.h"
 
 namespace edgecase {
@@ -39,46 +40,53 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   if (!edgecase::use_kernels_of_environment()) return static_cast<int>(ExitCode::usage);
   CLI::App app{
-      "Renders JSON-described test cases exactly and with real OpenGL, and says for every "
-      "disagreement which rule it is about, why, and whether the specification allows it."};
+      "Renders JSON-described test cases exactly and with real OpenGL. Says for every disagreement "
+      "which rule it is about, why, and whether the specification allows it."};
   app.name("edgecase");
   app.set_version_flag("--version", edgecase::kToolName);
   // At most one: were one required, a misspelt one would be reported as none.
   app.require_subcommand(0, 1);
   app.footer(
-      "Exit codes: 0 as expected, 1 something unexpected, 2 usage or case error,\n"
-      "3 input, output or internal error, 4 renderer missing or failing, 5 nothing selected.\n"
-      "Results do not depend on the processor; EDGECASE_KERNELS names the SIMD target to draw on\n"
-      "all the same, or none where no faster decision shall stand for the plain one.");
+      "`edgecase help run` prints the options of run, and examples.\n\n"
+      "Exit codes: 0 as expected, 1 something unexpected, 2 usage or case error, "
+      "3 input, output or internal error, 4 renderer missing or failing, 5 nothing selected.\n\n"
+      "Results do not depend on the processor. The variable EDGECASE_KERNELS names the SIMD target "
+      "to draw on, or none to decide without faster kernels.");
   ExitCode exit = ExitCode::as_expected;
+  // Group by group, in the order in which help lists them.
   edgecase::add_run_command(app, exit);
+  edgecase::add_report_command(app, exit);
+  edgecase::add_compare_command(app, exit);
+  edgecase::add_merge_command(app, exit);
+  edgecase::add_record_command(app, exit);
   edgecase::add_render_command(app, exit);
   edgecase::add_explain_command(app, exit);
-  edgecase::add_profile_command(app, exit);
-  edgecase::add_record_command(app, exit);
+  edgecase::add_draw_command(app, exit);
   edgecase::add_rules_command(app, exit);
-  edgecase::add_backends_command(app, exit);
+  edgecase::add_profile_command(app, exit);
+  edgecase::add_gallery_command(app, exit);
   edgecase::add_new_command(app, exit);
   edgecase::add_validate_command(app, exit);
-  edgecase::add_bless_command(app, exit);
-  edgecase::add_merge_command(app, exit);
-  edgecase::add_compare_command(app, exit);
-  edgecase::add_report_command(app, exit);
   edgecase::add_separation_command(app, exit);
-  edgecase::add_draw_command(app, exit);
-  edgecase::add_gallery_command(app, exit);
   edgecase::add_fuzz_command(app, exit);
   edgecase::add_minimize_command(app, exit);
+  edgecase::add_bless_command(app, exit);
+  edgecase::add_backends_command(app, exit);
   edgecase::add_bench_command(app, exit);
   edgecase::add_manual_command(app, exit);
+  edgecase::add_help_command(app, exit);
   edgecase::add_help_pages(app);
   try {
     app.parse(argc, argv);
-    if (app.get_subcommands().empty())
-      throw CLI::RequiredError("A subcommand, for example: edgecase run");
+    if (app.get_subcommands().empty()) throw CLI::RequiredError("a subcommand, such as run,");
   } catch (const CLI::ParseError& error) {
     // Help and the version come this way too, with the code 0.
-    if (app.exit(error) != 0) exit = ExitCode::usage;
+    if (error.get_exit_code() == 0) {
+      app.exit(error);
+    } else {
+      fmt::print(stderr, "{}", edgecase::usage_error(app, error));
+      exit = ExitCode::usage;
+    }
   } catch (const std::exception& error) {
     edgecase::print_error(std::string("internal error: ") + error.what());
     exit = ExitCode::internal;

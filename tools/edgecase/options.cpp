@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "casefile/policy_reader.h"
+#include "casefile/text.h"
 #include "reports/text.h"
 #include "results/expectations.h"
 #include "rules/all_rules.h"
@@ -55,13 +56,13 @@ Shard shard_of_environment() {
   return shard;
 }
 
-// The names of the policies in a folder: "cs184, direct3d-11, ...".
-std::string policy_names(const std::filesystem::path& folder) {
+// The names of the policies in a folder, in order: "cs184", "direct3d-11", "opengl" and so on.
+std::vector<std::string> policy_names(const std::filesystem::path& folder) {
   std::set<std::string> names = {"opengl"};
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
     if (entry.path().extension() == ".json") names.insert(entry.path().stem().string());
-  return fmt::format("{}", fmt::join(names, ", "));
+  return {names.begin(), names.end()};
 }
 
 // What cannot be looked at, its folder being closed say, is none.
@@ -81,14 +82,18 @@ std::filesystem::path suite_file(const Selection& selection, const std::filesyst
 std::optional<std::filesystem::path> policy_file(const std::string& policy,
                                                  const Selection& selection) {
   if (is_file(policy)) return policy;
-  const std::filesystem::path folder = suite_folder(selection) / "policies";
   if (policy.find('/') == std::string::npos) {
     const auto named = suite_file(selection, "policies/" + policy + ".json");
     if (is_file(named)) return named;
   }
+  // Where a suite has no policies of its own, the installed ones are found.
+  const auto folder = suite_file(selection, "policies/cs184.json").parent_path();
+  const auto names = policy_names(folder);
+  const std::string nearest = nearest_name(policy, names);
   print_error(
-      fmt::format("there is no policy \"{}\"; write the path of a policy file, or one of {}",
-                  policy, policy_names(folder)));
+      fmt::format("there is no policy \"{}\"; {}write the path of a policy file, or one of {}",
+                  policy, nearest.empty() ? "" : fmt::format("did you mean {}? ", quote(nearest)),
+                  fmt::join(names, ", ")));
   return std::nullopt;
 }
 
@@ -135,6 +140,19 @@ std::vector<KnownRule> known_rules() {
   return result;
 }
 
+Selection select_cases(const std::vector<std::string>& words) {
+  const std::string suite = default_suite();
+  return selection_of(words.empty() ? std::vector{suite} : words, suite);
+}
+
+void print_no_rule(const std::string& id) {
+  std::vector<std::string> ids;
+  for (const Rule& rule : all_rules()) ids.push_back(rule.id);
+  const std::string nearest = nearest_name(id, ids);
+  print_error(fmt::format("there is no rule \"{}\"; {}`edgecase rules` prints all", id,
+                          nearest.empty() ? "" : fmt::format("did you mean {}? ", quote(nearest))));
+}
+
 void add_repeatable(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                     const std::string& description) {
   command.add_option(name, values, description)->allow_extra_args(false);
@@ -142,7 +160,8 @@ void add_repeatable(CLI::App& command, const std::string& name, std::vector<std:
 
 void SelectionOptions::add_to(CLI::App& command, bool with_shard) {
   command.add_option("paths", paths,
-                     "Case files and folders of them (default: cases, or the installed suite)");
+                     "Case files and folders, ids of cases, globs of ids (default: the folder "
+                     "cases, or the installed suite)");
   add_repeatable(command, "--filter", filters,
                  "Only cases whose id matches this shell glob; repeatable");
   add_repeatable(command, "--exclude", excludes,
@@ -156,9 +175,7 @@ void SelectionOptions::add_to(CLI::App& command, bool with_shard) {
 }
 
 Selection SelectionOptions::selection() const {
-  Selection result;
-  for (const std::string& path : paths) result.paths.emplace_back(path);
-  if (result.paths.empty()) result.paths.emplace_back(default_suite());
+  Selection result = select_cases(paths);
   result.filters = filters;
   result.excludes = excludes;
   result.tags = tags;
@@ -214,7 +231,9 @@ std::optional<std::map<std::string, Policy>> load_profiles(
 std::filesystem::path suite_folder(const Selection& selection) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path first = fs::absolute(selection.paths.front(), error).lexically_normal();
+  const fs::path given =
+      selection.paths.empty() ? fs::path(default_suite()) : selection.paths.front();
+  const fs::path first = fs::absolute(given, error).lexically_normal();
   for (fs::path folder = first; folder.has_relative_path(); folder = folder.parent_path())
     if (folder.filename() == "cases") return folder;
   return fs::is_directory(first, error) ? first : first.parent_path();
@@ -222,8 +241,8 @@ std::filesystem::path suite_folder(const Selection& selection) {
 
 bool is_whole_suite(const Selection& selection) {
   namespace fs = std::filesystem;
-  if (selection.only || !selection.filters.empty() || !selection.excludes.empty() ||
-      !selection.tags.empty())
+  if (selection.only || !selection.diagnostics.empty() || !selection.filters.empty() ||
+      !selection.excludes.empty() || !selection.tags.empty())
     return false;
   const fs::path folder = suite_folder(selection);
   return std::any_of(selection.paths.begin(), selection.paths.end(), [&](const fs::path& path) {

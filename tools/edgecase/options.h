@@ -27,6 +27,13 @@ std::vector<KnownRule> known_rules();
 void add_repeatable(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                     const std::string& description);
 
+// What words select: paths, ids of the default suite, and globs of them (run/named_cases.h).
+// Without words the default suite.
+Selection select_cases(const std::vector<std::string>& words);
+
+// "there is no rule "line.snab"; did you mean "line.snap"? `edgecase rules` prints all".
+void print_no_rule(const std::string& id);
+
 // Which cases: PATH…, --filter, --exclude, --tag, --shard.
 struct SelectionOptions {
   std::vector<std::string> paths;

@@ -10,6 +10,7 @@
 #include <set>
 #include <thread>
 
+#include "model/counted.h"
 #include "model/recorded.h"
 #include "run/merge.h"
 #include "run/renderer_names.h"
@@ -85,8 +86,9 @@ std::variant<Results, std::string> run_rest(const Suite& suite, RunOptions& run,
   MergePart first{name, std::move(held)};
   if (const auto found = difference_at_once(first, rest, run))
     return found->what + "; run as then, or without --resume";
-  print_error(fmt::format("{} of {} cases are taken over from {}", first.results.cases.size(),
-                          suite.cases.size(), name));
+  print_error(fmt::format("{} of {} {} taken over from {}", first.results.cases.size(),
+                          counted(suite.cases.size(), "case", "cases"),
+                          first.results.cases.size() == 1 ? "is" : "are", name));
   MergePart second{kThisRun, run_with_progress(rest, run, options)};
   auto merged = merge_results({std::move(first), std::move(second)}, false);
   if (auto* results = std::get_if<Results>(&merged)) results->shard = suite.share;

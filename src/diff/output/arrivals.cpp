@@ -66,7 +66,9 @@ void Arrivals::set_depth(Arrival& arrival, int sample, const FateChoice& choice)
     arrival.told_depth = fragment.depth;
     arrival.depth = fragment.depth;
     arrival.permitted_depth =
-        std::isnan(fragment.depth) ? Interval::everything() : Interval(fragment.depth);
+        std::isnan(fragment.depth)
+            ? Interval::everything()
+            : clamped_depth(context_.values_of(fragment).lawful, fragment.depth);
     return;
   }
   const PrimitiveValues& values = context_.values_of(fragment);

@@ -116,7 +116,9 @@ void Replay::add_tested(const FateState& state, const Arrival& arrival, bool fro
   if (!stencil.pass) return;
   const Outcomes depth = depth_outcomes(state, arrival);
   if (depth.fail) with(state, &StencilFace::depth_fail, FateStep::depth_failed);
-  if (depth.pass) with(written(state, arrival), &StencilFace::pass, FateStep::passed);
+  if (!depth.pass) return;
+  for (FateState& reached : written_depths(written(state, arrival), arrival))
+    with(std::move(reached), &StencilFace::pass, FateStep::passed);
 }
 
 Replay::Outcomes Replay::stencil_outcomes(const FateState& state, const StencilFace& face) const {
@@ -131,6 +133,11 @@ Replay::Outcomes Replay::depth_outcomes(const FateState& state, const Arrival& a
   const DepthTest& test = arrival.operations->depth;
   if (freedom_.depth_test == FateScope::any && test.function != CompareFunction::always)
     return {true, true};
+  if (compares_unconverted()) {
+    const auto [may_pass, may_fail] = unconverted_outcomes(test.function, arrival.permitted_depth,
+                                                           state.permitted_depth, target_.depth);
+    return {may_pass, may_fail};
+  }
   if (freedom_.depth_test == FateScope::exact || output_.depth != DepthTestMethod::as_set) {
     const bool passes =
         passes_depth_test(test, arrival.depth, state.depth, target_.depth, output_.depth);
@@ -141,6 +148,20 @@ Replay::Outcomes Replay::depth_outcomes(const FateState& state, const Arrival& a
       permitted_outcomes(test.function, depth_permitted(arrival.permitted_depth, target_.depth),
                          state.permitted_depth, same);
   return {may_pass, may_fail};
+}
+
+// Where depths are compared unconverted, it matters which of two neighbours was stored of a depth:
+// each has a state of its own.
+std::vector<FateState> Replay::written_depths(FateState state, const Arrival& arrival) const {
+  const auto [low, high] = state.permitted_depth;
+  const bool is_own = state.source && state.source == arrival.told_depth;
+  if (!compares_unconverted() || !is_own || low == high) return {std::move(state)};
+  std::vector<FateState> states(2, state);
+  states[0].depth = low;
+  states[0].permitted_depth = low;
+  states[1].depth = high;
+  states[1].permitted_depth = high;
+  return states;
 }
 
 FateState Replay::written(FateState state, const Arrival& arrival) const {
@@ -179,7 +200,7 @@ bool permits(const FateState& state, const std::uint8_t* color) {
 // A range of depths holds numbers between the format's values too.
 bool permits(const FateState& state, double depth, DepthFormat format) {
   if (depth == state.depth) return true;
-  return depth == to_depth(depth, format) && state.permitted_depth.contains(depth);
+  return is_depth_of(depth, format) && state.permitted_depth.contains(depth);
 }
 
 }  // namespace

@@ -76,6 +76,11 @@ class Replay {
   Outcomes stencil_outcomes(const FateState& state, const StencilFace& face) const;
   Outcomes depth_outcomes(const FateState& state, const Arrival& arrival) const;
   FateState written(FateState state, const Arrival& arrival) const;
+  std::vector<FateState> written_depths(FateState state, const Arrival& arrival) const;
+  bool compares_unconverted() const {
+    return freedom_.depth_test == FateScope::permitted &&
+           output_.depth == DepthTestMethod::unconverted;
+  }
 
   const Target& target_;
   const OutputChoice output_;

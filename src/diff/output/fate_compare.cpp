@@ -41,6 +41,8 @@ void for_each_sample(const ValueContext& context, const Arrivals& arrivals,
   }
 }
 
+constexpr int kRulingOnUnconverted = 55;
+
 class FateComparison {
  public:
   FateComparison(const ValueContext& context, const Rendering& rendered)
@@ -57,8 +59,12 @@ class FateComparison {
     for_each_sample(context_, arrivals_, rendered_,
                     [&](const FateQuestion& question) { compare(question); });
     aggregates_.flush(result);
-    weigh_causes();
-    report(missed_, causes_.take(), chosen_, result);
+    if (are_unconverted()) {
+      report_unconverted(result);
+    } else {
+      weigh_causes();
+      report(missed_, causes_.take(), chosen_, result);
+    }
     report(excused_, excused_causes_.take(), {}, result);
   }
 
@@ -75,6 +81,29 @@ class FateComparison {
     }
     (agrees ? excused_ : missed_).push_back(question);
     (agrees ? excused_causes_ : causes_).add(question);
+  }
+
+  // Do depths that are compared before they are converted account for all samples (ruling 55)?
+  bool are_unconverted() const {
+    if (missed_.empty() || bits_of(context_.scene.target.depth) == 0) return false;
+    FateChoice unconverted;
+    unconverted.output.depth = DepthTestMethod::unconverted;
+    const auto agrees = [&](const FateQuestion& question) {
+      return question.agrees(unconverted, kAllPermitted);
+    };
+    if (!std::ranges::all_of(missed_, agrees)) return false;
+    bool all = true;
+    for_each_sample(context_, arrivals_, rendered_,
+                    [&](const FateQuestion& question) { all = all && agrees(question); });
+    return all;
+  }
+
+  void report_unconverted(Result& result) const {
+    for (const FateQuestion& question : missed_) {
+      Disagreement d = disagreement(question, "depth.test=unconverted", chosen_);
+      d.ruling = kRulingOnUnconverted;
+      result.disagreements.push_back(std::move(d));
+    }
   }
 
   // By samples that agree, so many of them.

@@ -21,12 +21,14 @@
 #include "diff/values/value_diff.h"
 #include "rules/samples/alpha_to_coverage.h"
 #include "rules/samples/resolve.h"
+#include "rules/samples/sample_mask.h"
 
 namespace edgecase {
 namespace {
 
 constexpr const char* kAlphaRule = "sample.alpha-to-coverage";
 constexpr int kAlphaRuling = 33;
+constexpr int kProportionRuling = 52;
 
 class ResolveComparison {
  public:
@@ -54,6 +56,7 @@ class ResolveComparison {
  private:
   static constexpr const char* kRule = "sample.resolve";
   static constexpr int kRuling = 31;
+  static constexpr int kRulingBeyond = 51;
 
   // Until `visit` returns false; whether it never did.
   template <class Visit>
@@ -103,10 +106,17 @@ class ResolveComparison {
     return among(samples_.low, samples_.high);
   }
 
+  // Of the pixel and its neighbours: filters wider than a pixel exist.
   ResolvedRange permitted(const SamplePlanes& samples, PixelPosition pixel,
                           std::size_t component) const {
-    return {resolve_permitted(values_at(samples.low, pixel, component)).low,
-            resolve_permitted(values_at(samples.high, pixel, component)).high};
+    ResolvedRange range{255, 0};
+    for (int y = std::max(pixel.y - 1, 0); y <= std::min(pixel.y + 1, rendered_.height - 1); ++y)
+      for (int x = std::max(pixel.x - 1, 0); x <= std::min(pixel.x + 1, rendered_.width - 1); ++x) {
+        const auto low = resolve_permitted(values_at(samples.low, {x, y}, component)).low;
+        const auto high = resolve_permitted(values_at(samples.high, {x, y}, component)).high;
+        range = {std::min(range.low, low), std::max(range.high, high)};
+      }
+    return range;
   }
   bool is_permitted(const SamplePlanes& samples, PixelPosition pixel) const {
     for (std::size_t c = 0; c < 4; ++c)
@@ -138,8 +148,8 @@ class ResolveComparison {
 
   void report(PixelPosition pixel, Result& result) {
     const bool alpha = is_due_to_alpha(pixel);
-    Disagreement d =
-        value_disagreement(pixel, -1, alpha ? kAlphaRule : kRule, alpha ? kAlphaRuling : kRuling);
+    Disagreement d = value_disagreement(pixel, -1, alpha ? kAlphaRule : kRule,
+                                        alpha ? kAlphaRuling : kRulingBeyond);
     std::string ranges;
     for (std::size_t c = 0; c < 4; ++c) {
       const ResolvedRange range = permitted(samples_, pixel, c);
@@ -179,6 +189,7 @@ class HitComparison {
       return true;
     });
     aggregator.flush(result);
+    judge_masks(result);
   }
 
  private:
@@ -195,6 +206,85 @@ class HitComparison {
       }
     }
     return true;
+  }
+
+  // A pixel whose only fragment covers all samples, and how many of them it kept.
+  struct WholePixel {
+    PixelPosition pixel;
+    double alpha = 0;
+    int kept = 0;
+  };
+
+  // Whether all fragments of a pixel are thinned, cover all samples and have one alpha.
+  bool have_one_alpha(std::span<const Fragment> fragments) const {
+    const std::uint32_t all = mask_of_all(rendered_.samples);
+    return !fragments.empty() && std::ranges::all_of(fragments, [&](const Fragment& f) {
+      return is_thinned(context_, f) && f.has_color && (f.coverage & all) == all &&
+             f.color[3] == fragments.front().color[3];
+    });
+  }
+
+  // Numbers of samples that are not proportional to alpha, and fragments of one alpha that keep
+  // different samples of a pixel.
+  void judge_masks(Result& result) const {
+    std::vector<WholePixel> whole;
+    for_each_sample([&](PixelPosition pixel, std::span<const Fragment> fragments, int sample) {
+      if (!have_one_alpha(fragments)) return true;
+      const std::uint32_t hits = hits_at(pixel, sample);
+      if (hits != 0 && hits != fragments.size()) {
+        report_two_masks(pixel, fragments, sample, hits, result);
+      } else if (fragments.size() == 1) {
+        if (sample == 0) whole.push_back({pixel, fragments.front().color[3], 0});
+        whole.back().kept += hits != 0 ? 1 : 0;
+      }
+      return true;
+    });
+    const int ruling = falls_with_alpha(whole) ? kAlphaRuling : kProportionRuling;
+    for (const WholePixel& one : whole) {
+      const bool is_end = !(one.alpha > 0 && one.alpha < 1);  // which other rulings are about
+      if (!is_end && !is_proportional(one.alpha, one.kept, rendered_.samples))
+        report_proportion(one, ruling, result);
+    }
+  }
+
+  // Does the mean number of kept samples fall from an alpha to a larger one?
+  static bool falls_with_alpha(std::vector<WholePixel> whole) {
+    std::ranges::sort(whole, {}, &WholePixel::alpha);
+    double before = 0;
+    for (auto first = whole.begin(); first != whole.end();) {
+      double sum = 0;
+      auto last = first;
+      for (; last != whole.end() && last->alpha == first->alpha; ++last) sum += last->kept;
+      const double mean = sum / static_cast<double>(last - first);
+      if (mean < before) return true;
+      before = mean;
+      first = last;
+    }
+    return false;
+  }
+
+  void report_proportion(const WholePixel& one, int ruling, Result& result) const {
+    Disagreement d = value_disagreement(one.pixel, -1, kAlphaRule, ruling);
+    d.exact = {one.alpha * rendered_.samples};
+    d.rendered = {static_cast<double>(one.kept)};
+    d.explanation = fmt::format(
+        "an alpha of {:.9g} is {:.9g} of {} samples; a fragment that covers all of them kept {}",
+        one.alpha, d.exact[0], rendered_.samples, one.kept);
+    d.cause = cause_;
+    result.disagreements.push_back(std::move(d));
+  }
+
+  void report_two_masks(PixelPosition pixel, std::span<const Fragment> fragments, int sample,
+                        std::uint32_t hits, Result& result) const {
+    Disagreement d = value_disagreement(pixel, -1, kAlphaRule, kAlphaRuling);
+    d.sample = sample;
+    d.exact = {static_cast<double>(fragments.size())};
+    d.rendered = {static_cast<double>(hits)};
+    d.explanation = fmt::format(
+        "{} fragments of the pixel have the same alpha, {:.9g}, and cover all samples; {} of them "
+        "wrote sample {}",
+        fragments.size(), fragments.front().color[3], hits, sample);
+    result.disagreements.push_back(std::move(d));
   }
 
   // How often a sample is written under a choice, by the renderer's own fragments.

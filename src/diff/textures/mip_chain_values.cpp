@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Mip chains that a renderer made, against exact's (ruling 25): how many levels there are and how
-// large they are is fixed; what they hold is not, and is said by the filter and rounding that make
-// it.
+// Mip chains that a renderer made, against exact's (rulings 25 and 48): how many levels there are
+// and how large they are is fixed; what they hold is not, but that a filter keeps an image of one
+// colour and, if none of its weights is negative, what lies between the least and the largest
+// texel. The filter and rounding that make a chain are its cause.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,11 +14,13 @@
 #include <vector>
 
 #include "diff/textures/texture_values.h"
+#include "exact/interval.h"
 
 namespace edgecase {
 namespace {
 
 constexpr int kRuling = 25;
+constexpr int kRulingOnHull = 48;
 
 using Chain = std::vector<TextureLevel>;
 
@@ -172,6 +175,79 @@ void report_base(const ToldChain& chain, Result& result) {
   result.disagreements.push_back(std::move(d));
 }
 
+// The least and the largest of a level's numbers of one component; everything, where one is none or
+// infinite.
+Interval range_of(const TextureLevel& level, std::size_t component) {
+  Interval range = static_cast<double>(level.texels[component]);
+  for (std::size_t i = component; i < level.texels.size(); i += 4) {
+    const auto number = static_cast<double>(level.texels[i]);
+    if (!std::isfinite(number)) return Interval::everything();
+    range = hull(range, number);
+  }
+  return range;
+}
+
+// Codes may be rounded once, and decoded and coded again; floats err by 1 part in 10^5.
+Interval with_rounding(Interval range, TextureFormat format) {
+  const double error = format == TextureFormat::rgba32f ? range.magnitude() * 1e-5 : 1;
+  return {range.low - error, range.high + error};
+}
+
+// A texel that no filter yields, or none without negative weights.
+struct StrayTexel {
+  std::size_t level = 0;
+  std::size_t texel = 0;
+  std::size_t component = 0;
+  Interval range;  // of the level that says so
+  bool of_one_color = false;
+};
+
+std::optional<StrayTexel> stray_in(const Chain& chain, std::size_t level, std::size_t component,
+                                   const TextureLevel& above, TextureFormat format) {
+  const Interval range = range_of(above, component);
+  const Interval allowed = with_rounding(range, format);
+  const TextureLevel& of = chain[level];
+  for (std::size_t i = 0; 4 * i < of.texels.size(); ++i) {
+    const auto number = static_cast<double>(of.texels[4 * i + component]);
+    if (std::isfinite(range.magnitude()) && !allowed.contains(number))
+      return StrayTexel{level, i, component, range, range.low == range.high};
+  }
+  return std::nullopt;
+}
+
+// The worst of a chain: one of an image that has one value in a component, else the first beyond
+// what the level above has.
+std::optional<StrayTexel> find_stray(const Chain& chain, TextureFormat format) {
+  std::optional<StrayTexel> found;
+  for (std::size_t level = 1; level < chain.size(); ++level)
+    for (std::size_t c = 0; c < 4; ++c) {
+      const auto of_base = stray_in(chain, level, c, chain[0], format);
+      if (of_base && of_base->of_one_color) return of_base;
+      if (found) continue;
+      found = stray_in(chain, level, c, chain[level - 1], format);
+      if (found) found->of_one_color = false;
+    }
+  return found;
+}
+
+void report_stray(const ToldChain& chain, const StrayTexel& stray, Result& result) {
+  Disagreement d = about_texture("mipmap.filter");
+  if (!stray.of_one_color) d.ruling = kRulingOnHull;
+  const TextureLevel& level = chain.told[stray.level];
+  d.exact = {
+      static_cast<double>(chain.exact[stray.level].texels[4 * stray.texel + stray.component])};
+  d.rendered = {static_cast<double>(level.texels[4 * stray.texel + stray.component])};
+  const std::string of_above = stray.of_one_color
+                                   ? fmt::format("all of level 0 has {:.9g}", stray.range.low)
+                                   : fmt::format("level {} has {:.9g} to {:.9g}", stray.level - 1,
+                                                 stray.range.low, stray.range.high);
+  constexpr const char* kComponents[] = {"red", "green", "blue", "alpha"};
+  d.explanation = fmt::format("level {} of texture {}: texel {} has a {} of {:.9g}, and {}",
+                              stray.level, chain.texture, stray.texel, kComponents[stray.component],
+                              d.rendered[0], of_above);
+  result.disagreements.push_back(std::move(d));
+}
+
 void report_way(const ToldChain& chain, const std::string& way, Result& result) {
   Disagreement d = about_texture("mipmap.filter");
   if (way.find(" + ") == std::string::npos) d.rule = way.substr(0, way.find('='));
@@ -191,6 +267,8 @@ void compare_chain(const ToldChain& chain, Result& result) {
   if (!same) return;
   if (!same_texels(chain.exact[0], chain.told[0])) return report_base(chain, result);
   if (std::ranges::equal(chain.exact, chain.told, same_texels)) return;
+  if (const auto stray = find_stray(chain.told, chain.given.format); stray && chain.is_judged)
+    report_stray(chain, *stray, result);
   const std::optional<std::string> way =
       way_of(chain.told, chain.given.format, chain.chosen.mipmap);
   if (way && !way->empty())

@@ -6,6 +6,7 @@
 
 #include "raster/texture_level.h"
 #include "rules/textures/directed.h"
+#include "rules/textures/precision.h"
 #include "rules/values/permitted_place.h"
 
 namespace edgecase {
@@ -17,8 +18,12 @@ constexpr double kClause = 1e-5;
 constexpr double kFloat32 = 0x1p-22;
 // No number is the logarithm of 0: any stands for it that no bias leads out of magnification.
 constexpr double kLogarithmOfZero = -16;
-// Ruling 22 and 24: sub-texel positions and weights between levels have at least 8 bits.
-constexpr double kStep = 0x1p-8;
+// Ruling 53: an sRGB texel may be decoded so far off.
+constexpr double kContestedSrgb = 0.005;
+
+SamplerPrecision precision_within(TextureLookups::Reach reach) {
+  return reach == TextureLookups::Reach::coarse ? kContestedPrecision : kPermittedPrecision;
+}
 
 // The largest of the numbers that are finite.
 double magnitude_of(const DecodedTexture& texture) {
@@ -203,16 +208,21 @@ Interval TextureLookups::permitted_lambda(const Fragment& fragment, Reach reach)
       permitted_scale_factor(footprint_of(fragment, permitted_gradients(fragment, reach)));
   Interval base = logarithm_of(scale, Log2Method::exact);
   if (scale.low <= 0) base.high = std::max(base.high, kLogarithmOfZero);  // ruling 20
-  return with_bias(base, sampler, {}, {});
+  return within(with_permitted_bias(base, sampler, {}), precision_within(reach).level);
 }
 
 Boxes TextureLookups::permitted_levels(const Fragment& fragment, Reach reach) {
-  if (use_of(fragment).sampler.max_anisotropy > 1) return anything(2);
+  const TextureUse& use = use_of(fragment);
+  if (use.sampler.max_anisotropy > 1) {
+    // An anisotropic filter may access any of these levels, and no other (ruling 23).
+    const int last = last_accessible(fragment) - use.sampler.base_level;
+    return {{Interval(0, std::max(last, 0)), Interval::everything()}};
+  }
   LevelRules rules;
   rules.any_tie = true;
-  rules.slack = kStep;
   const Interval band = permitted_lambda(fragment, reach);
-  Boxes boxes = level_boxes(fragment, told_lambda(fragment).value_or(band), rules);
+  const Interval told = told_lambda(fragment).value_or(band);
+  Boxes boxes = level_boxes(fragment, within(told, precision_within(reach).level), rules);
   for (std::vector<Interval>& box : boxes) box[1] = band;
   return boxes;
 }
@@ -254,13 +264,22 @@ Interval TextureLookups::lookup_lambda(const Fragment& fragment, Interval scale,
 Interval TextureLookups::permitted_lookup_lambda(const Fragment& fragment, Reach reach) {
   const TextureUse& use = use_of(fragment);
   const LookupKind kind = use.lookup.kind;
-  if (tells_level(fragment)) return clamped(*told_lambda(fragment), use.sampler);
+  const double error = precision_within(reach).level;
+  if (tells_level(fragment)) return clamped(within(*told_lambda(fragment), error), use.sampler);
+  if (kind == LookupKind::lod)
+    return clamped(
+        within(with_permitted_bias(static_cast<double>(use.lookup.value), use.sampler, use.lookup),
+               error),
+        use.sampler);
   Interval scale;
   if (kind == LookupKind::gradients)
     scale = permitted_scale_factor(footprint_of(fragment, asked_gradients(fragment)));
-  else if (kind != LookupKind::lod && shows_level(kinship_of(fragment, false)))
+  else if (shows_level(kinship_of(fragment, false)))
     scale = permitted_scale_factor(footprint_of(fragment, permitted_gradients(fragment, reach)));
-  return lookup_lambda(fragment, scale, {});
+  return clamped(
+      within(with_permitted_bias(logarithm_of(scale, Log2Method::exact), use.sampler, use.lookup),
+             error),
+      use.sampler);
 }
 
 // The largest finite number that a lookup may take a mean of.
@@ -275,8 +294,9 @@ bool TextureLookups::may_round(const Fragment& fragment) const {
   return means_of_codes(use_of(fragment).sampler, texture_of(fragment)) > 0;
 }
 
+// `of_srgb`: by which red, green and blue of an sRGB texture may be off beside.
 Boxes TextureLookups::widened(const Fragment& fragment, const std::vector<Texel>& colors,
-                              bool rounding) const {
+                              bool rounding, double of_srgb) const {
   const TextureUse& use = use_of(fragment);
   // Half a code for each mean.
   const double codes = rounding ? means_of_codes(use.sampler, texture_of(fragment)) * 0.5 / 255 : 0;
@@ -285,6 +305,8 @@ Boxes TextureLookups::widened(const Fragment& fragment, const std::vector<Texel>
   for (const Texel& color : colors) {
     boxes.emplace_back();
     for (const Interval component : color) boxes.back().push_back(within(component, margin));
+    if (texture_of(fragment).format == TextureFormat::srgb8)
+      for (std::size_t c = 0; c < 3; ++c) boxes.back()[c] = within(boxes.back()[c], of_srgb);
   }
   return boxes;
 }
@@ -354,18 +376,71 @@ Boxes TextureLookups::colors(const Fragment& fragment, const TextureChoice& choi
                  rounding);
 }
 
-Boxes TextureLookups::permitted_colors(const Fragment& fragment, Reach reach) {
+// The last level that an anisotropic filter may access, of all of whose texels it may take a mean
+// (ruling 23).
+int TextureLookups::last_accessible(const Fragment& fragment) const {
   const TextureUse& use = use_of(fragment);
-  const bool is_anisotropic = use.sampler.max_anisotropy > 1;  // ruling 23
-  if (is_anisotropic || has_unknown_chain(fragment) || has_unknown_coordinates(fragment))
-    return anything(4);
+  if (use.sampler.mipmap == MipFilter::none) return use.sampler.base_level;
+  return last_level_of(exact_.decoded(use.texture), use.sampler, texture_of(fragment));
+}
+
+bool TextureLookups::has_levels_of_one_color(const Fragment& fragment) const {
+  const TextureUse& use = use_of(fragment);
+  const std::vector<DecodedLevel>& levels = exact_.decoded(use.texture).levels;
+  const auto end = std::min(levels.size(), static_cast<std::size_t>(last_accessible(fragment)) + 1);
+  for (auto level = static_cast<std::size_t>(use.sampler.base_level); level < end; ++level) {
+    const std::vector<Texel>& texels = levels[level].texels;
+    if (!std::ranges::all_of(texels, [&](const Texel& t) { return same_box(t, texels[0]); }))
+      return false;
+  }
+  return true;
+}
+
+Texel TextureLookups::accessible_texels(const Fragment& fragment) const {
+  const TextureUse& use = use_of(fragment);
+  const DecodedTexture& decoded = exact_.decoded(use.texture);
+  const int last = last_accessible(fragment);
+  const auto end = decoded.levels.size();
+  std::vector<Texel> texels;
+  for (auto level = static_cast<std::size_t>(use.sampler.base_level);
+       level <= static_cast<std::size_t>(last) && level < end; ++level)
+    texels.push_back(hull_of(decoded.levels[level].texels));
+  const auto& wrap = use.sampler.wrap;
+  const bool has_border = wrap[0] == Wrap::clamp_to_border ||
+                          (decoded.dimensions == 2 && wrap[1] == Wrap::clamp_to_border);
+  if (has_border) texels.push_back(decode_border(use.sampler.border, decoded.format));
+  return hull_of(texels);
+}
+
+// sRGB texels may be decoded before they are filtered or after that (ruling 24).
+std::vector<Texel> TextureLookups::permitted_samples(const Fragment& fragment, Reach reach) {
+  const TextureUse& use = use_of(fragment);
+  const Texture& texture = texture_of(fragment);
   const TextureChoice lawful;
   const TextureSample at{point_of(fragment, context_.values_of(fragment).lawful, kClause),
                          permitted_lookup_lambda(fragment, reach)};
-  return widened(fragment,
-                 sample(exact_.decoded(use.texture), texture_of(fragment), use.sampler, lawful, at,
-                        {kStep, kStep, true}),
-                 true);
+  SampleLatitude latitude{precision_within(reach).texel, 0, true, SrgbDecoding::of_texels};
+  std::vector<Texel> colors =
+      sample(exact_.decoded(use.texture), texture, use.sampler, lawful, at, latitude);
+  if (texture.format != TextureFormat::srgb8) return colors;
+  const auto coded = srgb_.try_emplace(use.texture, srgb_coded(exact_.decoded(use.texture))).first;
+  Sampler sampler = use.sampler;
+  for (std::size_t c = 0; c < 3; ++c)
+    sampler.border[c] = static_cast<float>(linear_to_srgb_number(double{sampler.border[c]}));
+  for (const SrgbDecoding decoding : {SrgbDecoding::of_levels, SrgbDecoding::at_last}) {
+    latitude.decoding = decoding;
+    for (const Texel& color : sample(coded->second, texture, sampler, lawful, at, latitude))
+      colors.push_back(color);
+  }
+  return colors;
+}
+
+Boxes TextureLookups::permitted_colors(const Fragment& fragment, Reach reach) {
+  if (has_unknown_chain(fragment) || has_unknown_coordinates(fragment)) return anything(4);
+  const double of_srgb = reach == Reach::coarse_srgb ? kContestedSrgb : 0;
+  if (use_of(fragment).sampler.max_anisotropy > 1)
+    return widened(fragment, {accessible_texels(fragment)}, true, of_srgb);
+  return widened(fragment, permitted_samples(fragment, reach), true, of_srgb);
 }
 
 }  // namespace edgecase

@@ -45,12 +45,15 @@ class TextureLookups {
   bool is_definite(const Fragment& fragment, const TextureChoice& choice, bool is_query);
 
   // By what the specification permits: anything, or quicker and short of that, with vertices where
-  // they are.
-  enum class Reach { all, near };
+  // they are; or beyond it what is contested alone.
+  enum class Reach { near, all, coarse, coarse_srgb };
   Boxes permitted_levels(const Fragment& fragment, Reach reach = Reach::all);
   Boxes permitted_colors(const Fragment& fragment, Reach reach = Reach::all);
   // Of the level of detail only lambda'.
   Interval permitted_lambda(const Fragment& fragment, Reach reach = Reach::all);
+
+  // Is each level that an anisotropic filter may access of one colour?
+  bool has_levels_of_one_color(const Fragment& fragment) const;
 
   // Drops what is kept of a fragment in case that it is asked for again.
   void forget(const Fragment& fragment) { fragments_.erase(&fragment); }
@@ -83,6 +86,9 @@ class TextureLookups {
   Interval lookup_lambda(const Fragment& fragment, Interval scale_factor,
                          const TextureChoice& choice) const;
   Interval permitted_lookup_lambda(const Fragment& fragment, Reach reach);
+  std::vector<Texel> permitted_samples(const Fragment& fragment, Reach reach);
+  int last_accessible(const Fragment& fragment) const;
+  Texel accessible_texels(const Fragment& fragment) const;
   std::optional<Interval> told_lambda(const Fragment& fragment) const;
   Boxes level_boxes(const Fragment& fragment, Interval lambda_prime, const LevelRules& rules) const;
   std::vector<Texel> told_colors(const Fragment& fragment, const TextureChoice& choice) const;
@@ -92,12 +98,14 @@ class TextureLookups {
   bool has_unknown_coordinates(const Fragment& fragment) const;
   bool has_unknown_chain(const Fragment& fragment) const;
   double largest_of(const TextureUse& use) const;
-  Boxes widened(const Fragment& fragment, const std::vector<Texel>& colors, bool rounding) const;
+  Boxes widened(const Fragment& fragment, const std::vector<Texel>& colors, bool rounding,
+                double of_srgb = 0) const;
 
   const ValueContext& context_;
   const Rendering& rendered_;
   ExactLookups exact_;
-  std::vector<double> magnitudes_;                               // of each texture's numbers
+  std::vector<double> magnitudes_;              // of each texture's numbers
+  std::map<std::size_t, DecodedTexture> srgb_;  // of sRGB textures, not decoded; when asked for
   std::vector<std::optional<PermittedDerivatives>> primitives_;  // of s and of t
   InexactDerivatives inexact_;
   std::map<const Fragment*, OfFragment> fragments_;

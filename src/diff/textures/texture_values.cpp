@@ -74,6 +74,11 @@ double error_of(double exact, double rendered) {
   return std::isfinite(exact) && std::isfinite(rendered) ? error_in_ulp(exact, rendered) : 0x1p24;
 }
 
+constexpr int kRulingOnAnisotropy = 23;
+constexpr int kRulingOnAnisotropicHull = 57;
+constexpr int kRulingOnPrecision = 50;
+constexpr int kRulingOnSrgb = 53;
+
 using WaysOfLevels = std::map<const Fragment*, TextureWay>;
 
 class LookupComparison {
@@ -84,7 +89,6 @@ class LookupComparison {
         subject_(subject),
         profile_(profile),
         chosen_(context.choices.textures),
-        lawful_(lawful_ways(chosen_)),
         is_judged_(context.latitude != Latitude::none && !illegal_part(chosen_).empty()),
         aggregator_(subject.attribute, subject.rule, subject.ruling) {}
 
@@ -98,7 +102,7 @@ class LookupComparison {
         !agrees && may_round(told) && hold(under(told, chosen_, {true, false}), told.rendered);
     if (!agrees && !is_rounded) {
       others_.push_back(std::move(told));
-    } else if (is_judged_ && !is_lawful(told)) {
+    } else if (is_judged_ && !is_permitted(told)) {
       report_policy(told, is_correct, result);
     } else if (is_rounded) {
       rounded_.push_back(std::move(told));
@@ -162,17 +166,22 @@ class LookupComparison {
     return hold(at_most(told, Reach::near), told.rendered) || hold(at_most(told), told.rendered);
   }
 
+  // By which a lookup that is not permitted is judged: what coarse samplers yield is contested.
+  int ruling_on(const Told& told) const {
+    if (lookups_.use_of(*told.fragment).sampler.max_anisotropy > 1)
+      return subject_.is_query || lookups_.has_levels_of_one_color(*told.fragment)
+                 ? kRulingOnAnisotropy
+                 : kRulingOnAnisotropicHull;
+    if (hold(at_most(told, Reach::coarse), told.rendered)) return kRulingOnPrecision;
+    if (!subject_.is_query && hold(at_most(told, Reach::coarse_srgb), told.rendered))
+      return kRulingOnSrgb;
+    return subject_.ruling;
+  }
+
   LookupKinship kinship_of(const Told& told, bool as_told) const {
     LookupKinship kin = lookups_.kinship_of(*told.fragment, subject_.is_query);
     kin.is_level_given = as_told && tells_level(told);
     return kin;
-  }
-
-  // Is what the policy chooses inside the specification, here at least?
-  bool is_lawful(const Told& told) const {
-    return is_permitted(told) || std::ranges::any_of(lawful_, [&](const TextureChoice& choice) {
-             return hold(under(told, choice, {true, false}), told.rendered);
-           });
   }
 
   // The aggregate of what an open way yields; a way of one alternative is about that one's rule.
@@ -290,21 +299,21 @@ class LookupComparison {
 
   void name_ways(Result& result) {
     const auto ways = ways_of_others();
-    // A way that OpenGL forbids is no fault where it leads to what is permitted.
+    // Bounds decide what is legal, whichever way leads there.
     for (std::size_t i = 0; i < others_.size(); ++i) {
       if (ways[i]) ways_.emplace(others_[i].fragment, *ways[i]);
-      if (ways[i] && ways[i]->open)
-        aggregate(others_[i], aggregator_of(ways[i]->cause));
-      else if (is_permitted(others_[i]))
-        aggregate(others_[i]);
-      else
+      if (!is_permitted(others_[i]))
         report(others_[i], ways[i], result);
+      else if (ways[i] && ways[i]->open)
+        aggregate(others_[i], aggregator_of(ways[i]->cause));
+      else
+        aggregate(others_[i]);
     }
   }
 
   Disagreement disagreement(const Told& told) const {
     const Fragment& f = *told.fragment;
-    Disagreement d = value_disagreement({f.x, f.y}, f.primitive, subject_.rule, subject_.ruling);
+    Disagreement d = value_disagreement({f.x, f.y}, f.primitive, subject_.rule, ruling_on(told));
     d.exact = told.exact;
     d.rendered = told.rendered;
     d.explanation = fmt::format(
@@ -344,7 +353,6 @@ class LookupComparison {
   const Subject& subject_;
   const TextureChoice* profile_;
   TextureChoice chosen_;
-  std::vector<TextureChoice> lawful_;
   bool is_judged_;              // the policy has what OpenGL forbids, and OpenGL judges
   ValueAggregator aggregator_;  // of the policy's own way
   std::map<std::string, ValueAggregator> by_cause_;  // of open ways

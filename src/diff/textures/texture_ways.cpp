@@ -247,22 +247,6 @@ std::vector<std::size_t> sample_of(std::size_t count, std::size_t most) {
   return sample;
 }
 
-std::vector<TextureChoice> lawful_ways(const TextureChoice& choice) {
-  std::vector<TextureChoice> ways = {choice};
-  for_each_rule([&](const char* rule, const auto& values, auto member) {
-    if (!is_illegal(rule, choice.*member)) return;
-    std::vector<TextureChoice> others;
-    for (const TextureChoice& way : ways)
-      for (const auto value : values) {
-        if (is_illegal(rule, value)) continue;
-        others.push_back(way);
-        others.back().*member = value;
-      }
-    ways = std::move(others);
-  });
-  return ways;
-}
-
 TextureWaySearch::TextureWaySearch(const TextureChoice& chosen, const TextureChoice* profile,
                                    std::span<const LookupKinship> kinds) {
   const TextureWay own{chosen, "", illegal_part(chosen).empty()};

@@ -25,8 +25,6 @@ struct TextureWay {
 // The rules of a lookup in which a choice is not one that the specification leaves open, as a
 // cause; empty: there are none. Mip chains aside.
 std::string illegal_part(const TextureChoice& choice);
-// What a policy might have chosen in their place: the choice with any alternatives that are open.
-std::vector<TextureChoice> lawful_ways(const TextureChoice& choice);
 
 // At most so many of a row's numbers, 0 with them, one from each of as many stretches: irregularly,
 // since what differs may do so in every other column.

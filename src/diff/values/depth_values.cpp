@@ -68,13 +68,9 @@ DepthTruth truth_of(const ValueContext& context, const Fragment* last, int sampl
 // All that it may have been.
 Interval permitted_truth(const ValueContext& context, const Fragment* last, int sample) {
   if (last == nullptr) return kClearDepth;
-  if (tells_depth(context, *last)) return last->depth;
+  if (tells_depth(context, *last))
+    return clamped_depth(context.values_of(*last).lawful, last->depth);
   return permitted_at(context, *last, depth_place_of(context, *last, sample, {}));
-}
-
-// Does the format have this value?
-bool is_storable(double stored, DepthFormat format) {
-  return stored == to_depth(stored, format);
 }
 
 // Distance of the stored values next to this one.
@@ -136,7 +132,7 @@ class DepthComparison {
   bool is_permitted(const DepthTruth& truth, const Fragment* writer, int sample,
                     double stored) const {
     return stored == to_depth(truth.depth, format_) ||
-           (is_storable(stored, format_) &&
+           (is_depth_of(stored, format_) &&
             depth_permitted(permitted_truth(context_, writer, sample), format_).contains(stored));
   }
 
@@ -152,7 +148,7 @@ class DepthComparison {
           continue;
         const double stored = rendered_.depths[rendered_.sample_index(pixel.x, pixel.y, sample)];
         const Point place = place_in(pixel, places[static_cast<std::size_t>(sample)]);
-        if (!is_storable(stored, format_) || !stores(writer, place, stored)) return false;
+        if (!is_depth_of(stored, format_) || !stores(writer, place, stored)) return false;
       }
       return true;
     });

@@ -98,6 +98,16 @@ void blame(Disagreement& d, const std::string& cause) {
     std::tie(d.rule, d.ruling) = std::pair("attribute.centroid", 30);
 }
 
+// Would the depth be right if it were clamped? Then that it is not is contested (ruling 45).
+bool is_unclamped_alone(const ValueContext& context, const Fragment& fragment) {
+  const PrimitiveValues& values = context.values_of(fragment);
+  const Point place = context.depth_place_of(fragment, context.choices.values.locations);
+  const double depth = fragment.depth;
+  return std::isfinite(depth) && (depth < 0 || depth > 1) &&
+         rounded_to_float(PermittedPlace(values.moved(), place).value(values.permitted_depth))
+             .contains(depth);
+}
+
 // Is a depth one that a mean of a polygon's vertices can be, though not one on its plane?
 bool is_mean_of_polygon(const ValueContext& context, const Fragment& fragment, double depth) {
   const PrimitiveValues& values = context.values_of(fragment);
@@ -109,6 +119,10 @@ bool is_mean_of_polygon(const ValueContext& context, const Fragment& fragment, d
 
 // So is what is added to a depth.
 void blame_depth(const ValueContext& context, const Fragment& fragment, Disagreement& d) {
+  if (has_offset(context, fragment) && is_unclamped_alone(context, fragment)) {
+    std::tie(d.rule, d.ruling) = std::pair(offset_rule(context, fragment), 45);
+    return;
+  }
   // What an offset adds is no mean.
   if (!has_offset(context, fragment) && is_mean_of_polygon(context, fragment, fragment.depth)) {
     d.ruling = kRulingOnPolygonDepth;

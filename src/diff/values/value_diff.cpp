@@ -13,17 +13,17 @@
 #include "raster/rasterizer.h"
 #include "rules/coverage/clip_polygon.h"
 #include "rules/coverage/explain.h"
+#include "rules/output/polygon_offset.h"
 #include "rules/values/inexact_shares.h"
 
 namespace edgecase {
-namespace {
-
-// What OpenGL's own rules say about attributes.
 RuleChoices lawful_choices(const RuleChoices& chosen) {
   RuleChoices result = chosen;
   result.values = ValueChoice{};
   return result;
 }
+
+namespace {
 
 // A triangle cut at near and far alone, as by an implementation with a guard band.
 std::vector<ClipPolygonVertex> polygon_between_near_and_far(const ScenePrimitive& triangle) {
@@ -54,6 +54,7 @@ ValueContext::ValueContext(const Scene& of, std::span<const ScenePrimitive> all,
       choices(under),
       latitude(granted),
       bits_(bits),
+      fixed_unit_(permitted_fixed_unit(of.target.depth)),
       positions_(positions_of(of.target, CoverageChoice{}, reported)),
       values_(all.size()) {}
 
@@ -118,7 +119,7 @@ const PrimitiveValues& ValueContext::values_of(const Fragment& fragment) const {
     values = std::make_unique<PrimitiveValues>(PrimitiveValues{
         attributes_of(primitive, choices, scene.target),
         attributes_of(primitive, lawful, scene.target),
-        permitted_depth(primitive, lawful, scene.target, reach),
+        permitted_depth(primitive, lawful, scene.target, reach, fixed_unit_),
         permitted_inverse_w(primitive, lawful, scene.target),
         !interpolates_lawfully(choices.values), reach, is_polygon(primitive), std::nullopt});
   }

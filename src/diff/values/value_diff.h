@@ -54,6 +54,9 @@ class ValueContext {
 
   // How often the renderer runs its shader, where that is not as the policy has it.
   void follow(ShadingRate rate) { rate_ = rate; }
+  // What the unit of polygon offsets may be of a fixed-point buffer, where the renderer's depths
+  // tell more than permitted_fixed_unit(); before values of primitives are asked for.
+  void follow_fixed_unit(Interval unit) { fixed_unit_ = unit; }
 
   const Scene& scene;
   std::span<const ScenePrimitive> primitives;
@@ -86,6 +89,7 @@ class ValueContext {
 
   int bits_;
   ShadingRate rate_;
+  Interval fixed_unit_;
   SamplePositions positions_;
   // Worked out for a primitive when it is first asked for; some kilobytes each.
   mutable std::vector<std::unique_ptr<PrimitiveValues>> values_;
@@ -106,6 +110,10 @@ void compare_derivatives(const ValueContext& context, const Rendering& rendered,
 void compare_pixels(const ValueContext& context, const Rendering& rendered, Result& result);
 void compare_depths(const ValueContext& context, const Rendering& rendered, Result& result);
 
+// The unit of polygon offsets that most of the fragments can have whose depths are told: a constant
+// of a fixed-point buffer (ruling 38).
+Interval followed_fixed_unit(const ValueContext& context, const Rendering& rendered);
+
 // How often the shader ran for the pixels of multisampled draws.
 ShadingRate followed_rate(const ValueContext& context, const Rendering& rendered);
 void compare_invocations(const ValueContext& context, const Rendering& rendered, Result& result);
@@ -115,6 +123,9 @@ void compare_invocations(const ValueContext& context, const Rendering& rendered,
 void compare_resolved_pixels(const ValueContext& context, const Rendering& rendered,
                              Result& result);
 void compare_sample_hits(const ValueContext& context, const Rendering& rendered, Result& result);
+
+// The policy's choices, with OpenGL's own on attributes.
+RuleChoices lawful_choices(const RuleChoices& chosen);
 
 // Every depth that a primitive may have at a place of the window, its vertices moved and its
 // polygon offset as far as the specification leaves that open.

@@ -4,6 +4,7 @@
 // the specification permits (rulings 9, 13, 17, 29 and 46).
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -148,8 +149,14 @@ class ValueJudge {
  private:
   // Of what was interpolated, the float32 numbers that a fragment may tell.
   Interval told(const ValueQuestion& question, Interval interpolated) const {
-    return rounded_to_float(question.is_depth ? clamped_depth(values_.lawful, interpolated)
-                                              : interpolated);
+    return rounded_to_float(question.is_depth ? told_depth(interpolated) : interpolated);
+  }
+
+  // With a polygon offset depths are clamped. Without one a depth beyond 0 to 1, where a fragment's
+  // centre lies beyond the primitive, is clamped or not: 14.6.5 speaks of offset depths alone.
+  Interval told_depth(Interval depth) const {
+    if (values_.lawful.clamps_depth) return clamped_depth(values_.lawful, depth);
+    return hull(depth, {std::clamp(depth.low, 0.0, 1.0), std::clamp(depth.high, 0.0, 1.0)});
   }
 
   // Of what has a value for the whole pixel or column, of all places where that may be taken.

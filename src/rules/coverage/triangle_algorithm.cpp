@@ -105,7 +105,8 @@ Rule triangle_algorithm_rule() {
       {"edge-functions", Openness::open, "exact; samples on an edge follow triangle.fill-rule"},
       {"scan", Openness::open,
        "scan conversion in single precision, row by row upward: edges with rounded slopes, of "
-       "samples on an edge those on right and top edges are drawn; vertices that are quotients by "
+       "samples on an edge those on right and bottom edges are drawn; vertices that are quotients "
+       "by "
        "w "
        "and are not snapped are first taken to the nearest multiple of 2^-16"}};
   return rule;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rules/output/depth_test.h"
 
+#include <algorithm>
+
 #include "rules/alternative_table.h"
 #include "rules/values/depth_buffer.h"
 
@@ -36,6 +38,24 @@ CompareFunction function_by(CompareFunction function, DepthTestMethod method) {
   return function;
 }
 
+// How a depth may compare with a stored one.
+struct Comparisons {
+  bool less = false;
+  bool equal = false;
+  bool greater = false;
+};
+
+TestOutcomes outcomes_of(CompareFunction function, Comparisons may_be) {
+  TestOutcomes outcomes;
+  const auto add = [&](bool less, bool equal) {
+    (holds(function, less, equal) ? outcomes.may_pass : outcomes.may_fail) = true;
+  };
+  if (may_be.less) add(true, false);
+  if (may_be.equal) add(false, true);
+  if (may_be.greater) add(false, false);
+  return outcomes;
+}
+
 }  // namespace
 
 std::span<const DepthTestMethod> all_depth_test_methods() {
@@ -69,17 +89,20 @@ bool passes_depth_test(const DepthTest& test, double depth, double stored, Depth
 // common: the larger of the lower ends.
 TestOutcomes permitted_outcomes(CompareFunction function, Interval depth, Interval stored,
                                 bool same) {
-  const bool may_be_less = !same && depth.low < stored.high;
-  const bool may_be_equal = same || (depth.low <= stored.high && stored.low <= depth.high);
-  const bool may_be_greater = !same && depth.high > stored.low;
-  TestOutcomes outcomes;
-  const auto add = [&](bool less, bool equal) {
-    (holds(function, less, equal) ? outcomes.may_pass : outcomes.may_fail) = true;
-  };
-  if (may_be_less) add(true, false);
-  if (may_be_equal) add(false, true);
-  if (may_be_greater) add(false, false);
-  return outcomes;
+  const bool overlap = depth.low <= stored.high && stored.low <= depth.high;
+  return outcomes_of(function, {.less = !same && depth.low < stored.high,
+                                .equal = same || overlap,
+                                .greater = !same && depth.high > stored.low});
+}
+
+// Equal is what both ranges have in common and the format holds.
+TestOutcomes unconverted_outcomes(CompareFunction function, Interval depth, Interval stored,
+                                  DepthFormat format) {
+  const Interval common{std::max(depth.low, stored.low), std::min(depth.high, stored.high)};
+  const double first = depth_permitted(common.low, format).high;
+  return outcomes_of(function, {.less = depth.low < stored.high,
+                                .equal = common.low <= common.high && first <= common.high,
+                                .greater = depth.high > stored.low});
 }
 
 Rule depth_test_rule() {
@@ -99,7 +122,13 @@ Rule depth_test_rule() {
         "fragment that passes is blended, counted and stored, one that fails is none of these. "
         "Depths that the renderer tells as one and the same number are converted to one and the "
         "same value, and compare as equal. Where the renderer tells no depth, any is taken that "
-        "rulings 9 and 38 permit."}}};
+        "rulings 9 and 38 permit."},
+       {55,
+        "Depths that are compared as they are, before conversion, with what a fixed-point buffer "
+        "stores, are contested: 13.8.1 lets window depths be floating-point numbers, and 17.3.4 "
+        "names no conversion before the comparison; but 14.6.5 has depths that differ by r "
+        "distinct, and depths that are the same would not be equal. It must account for all "
+        "samples of a case."}}};
 }
 
 Rule depth_mask_rule() {

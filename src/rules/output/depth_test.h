@@ -57,4 +57,8 @@ struct TestOutcomes {
 TestOutcomes permitted_outcomes(CompareFunction function, Interval depth, Interval stored,
                                 bool same);
 
+// The same of a depth that is compared as it is, before conversion: `depth` is a range of numbers.
+TestOutcomes unconverted_outcomes(CompareFunction function, Interval depth, Interval stored,
+                                  DepthFormat format);
+
 }  // namespace edgecase

@@ -24,8 +24,7 @@ constexpr TabledAlternative<OffsetUnit> kUnits[] = {
      "1/(2^n - 1), the difference of neighbouring values of n bits"},
     {OffsetUnit::power, "power", Openness::open, "2^-n"},
     {OffsetUnit::two_steps, "two-steps", Openness::open, "2/(2^n - 1)"},
-    {OffsetUnit::four_steps, "four-steps", Openness::illegal,
-     "4/(2^n - 1): of 24 bits within ruling 38, of 16 bits beyond it"},
+    {OffsetUnit::four_steps, "four-steps", Openness::open, "4/(2^n - 1)"},
     {OffsetUnit::of_24_bits, "of-24-bits", Openness::illegal,
      "2^-24 whatever n is, which a buffer of 16 bits does not keep apart"},
     {OffsetUnit::ignored, "ignored", Openness::illegal, "0: the units do nothing"}};
@@ -159,13 +158,17 @@ Interval slope_of(const Gradient& gradient, OffsetSlope choice) {
   return 0;
 }
 
-// From one step, or 2^-bits, to two steps and two units in the last place of a float32 number just
-// below 1.
-Interval permitted_unit(const Interpolant& depth, DepthFormat format) {
+Interval permitted_unit(const Interpolant& depth, DepthFormat format, Interval fixed_unit) {
   if (format == DepthFormat::none) return 0;
-  const int bits = bits_of(format);
-  if (bits == 0) return float_unit_of(depth, kOperationError);
-  return {std::ldexp(1.0, -bits), (step_of(bits) * 2 + 2 * 0x1p-24).high};
+  return bits_of(format) == 0 ? float_unit_of(depth, kOperationError) : fixed_unit;
+}
+
+// Units so large that every depth is clamped whatever the slope adds are all alike: none is needed
+// that is larger, and errors stay small beside what is left.
+Interval short_of_saturation(Interval unit, float units, double of_slope) {
+  if (units == 0 || !std::isfinite(of_slope)) return unit;
+  const double enough = (2 + of_slope) / std::fabs(static_cast<double>(units));
+  return {unit.low, std::max(unit.low, std::min(unit.high, enough))};
 }
 
 // Depth runs linearly in the window, and the gradient is the same everywhere.
@@ -238,8 +241,12 @@ Interval offset_exact(const PolygonOffset& offset, const Interpolant& depth, Dep
   return clamped(product_of(offset.factor, slope) + product_of(offset.units, unit), offset.clamp);
 }
 
+Interval permitted_fixed_unit(DepthFormat format) {
+  return {std::ldexp(1.0, -bits_of(format)), 1};
+}
+
 Interval offset_permitted(const PolygonOffset& offset, const Interpolant& depth, DepthFormat format,
-                          double reach) {
+                          double reach, Interval fixed_unit) {
   if (depth.kind != PrimitiveKind::triangle) return 0;
   const Interpolant f = linear(depth);
   const Point place = nearest_point(depth.positions[0]);
@@ -249,8 +256,10 @@ Interval offset_permitted(const PolygonOffset& offset, const Interpolant& depth,
   const auto inexact_product = [](float share, Interval value) {
     return widened(product_of(share, value), kOperationError);
   };
-  const Interval sum = inexact_product(offset.factor, slope) +
-                       inexact_product(offset.units, permitted_unit(f, format));
+  const Interval of_slope = inexact_product(offset.factor, slope);
+  const Interval unit = short_of_saturation(permitted_unit(f, format, fixed_unit), offset.units,
+                                            of_slope.magnitude());
+  const Interval sum = of_slope + inexact_product(offset.units, unit);
   return clamped(widened(sum, kOperationError), offset.clamp);
 }
 
@@ -269,19 +278,24 @@ Rule offset_unit_rule() {
           "The units of a polygon's offset are the smallest depths that a fixed-point buffer keeps "
           "apart",
           "14.6.5 (depth offset)",
-          "any constant that a buffer of that many bits keeps apart (ruling 38)",
+          "any constant from 2^-n on, which a buffer of n bits keeps apart (ruling 38)",
           "step",
           alternatives_in(kUnits),
           {{38,
             "Polygon offset: permitted is clamp(factor m + units r) with any m from the larger "
-            "partial derivative of depth to the length of the gradient (14.6.5), and any r from "
-            "2^-n, which is no more than one step, to two steps and 2^-23 of a fixed-point buffer "
-            "of n bits: r is the implementation's, and depths that are off by a unit in the last "
-            "place of float32 and rounded to either neighbour are kept apart by no less for sure. "
-            "Of a buffer of float32, r is 2^(e - 23), with e the exponent of the largest depth "
+            "partial derivative of depth to the length of the gradient (14.6.5). Of a fixed-point "
+            "buffer of n bits r is the implementation's: any number from 2^-n, which is no more "
+            "than one step, since depths that differ by r have distinct values; but it is one "
+            "constant. Where a renderer tells its depths, we take the r that as many as possible "
+            "of a case's fragments can have, and hold all of them to it. Of a buffer of float32, r "
+            "is 2^(e - 23), with e the exponent of the largest depth "
             "among the vertices. Vertices may have moved, and each operation may err, as in ruling "
             "9. The sum of depth and offset is clamped to 0 to 1. All fragments of a triangle have "
-            "one offset."}}};
+            "one offset."},
+           {45,
+            "A fragment's depth beyond 0 to 1 after a polygon offset, as a shader reads it in "
+            "gl_FragCoord.z, is contested where clamped it were right: 14.6.5 clamps depths once "
+            "they are offset, 15.2.2 speaks of the addition alone. What is stored is clamped."}}};
 }
 
 Rule offset_exponent_rule() {

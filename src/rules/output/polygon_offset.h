@@ -5,9 +5,9 @@
 //   z + factor m + units r,   m = length of z's gradient in the window, per pixel
 //
 // clamped to 0 to 1. m may be approximated by the larger partial derivative, and r is the
-// smallest difference of depths that the buffer keeps apart: of a fixed-point buffer a constant of
-// the implementation, of a floating-point one 2^(e - 23), e the exponent of the triangle's largest
-// depth.
+// smallest difference of depths that is sure to stay one in the buffer: of a fixed-point buffer a
+// constant of the implementation, for which the section has no upper bound, of a floating-point one
+// 2^(e - 23), e the exponent of the triangle's largest depth.
 #pragma once
 
 #include <span>
@@ -63,10 +63,14 @@ struct OffsetChoice {
 Interval offset_exact(const PolygonOffset& offset, const Interpolant& depth, DepthFormat format,
                       const OffsetChoice& choice);
 
-// What may be: m from the largest partial derivative to the length, r from 2^-n, which is just less
-// than one step, to two steps and two units in the last place of a float32 depth below 1; `reach`
-// as in interpolate_permitted. Everything where the area may vanish, but for a factor of 0.
+// What r may be of a fixed-point buffer: from 2^-n, just less than one step, on. Depths that are
+// closer to each other become one value. Depths of 0 and 1 always differ, so that r is at most 1.
+Interval permitted_fixed_unit(DepthFormat format);
+
+// What may be: m from the largest partial derivative to the length, r of a fixed-point buffer any
+// of `fixed_unit`; `reach` as in interpolate_permitted. Everything where the area may vanish, but
+// for a factor of 0.
 Interval offset_permitted(const PolygonOffset& offset, const Interpolant& depth, DepthFormat format,
-                          double reach);
+                          double reach, Interval fixed_unit);
 
 }  // namespace edgecase

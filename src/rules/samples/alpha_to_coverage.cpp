@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rules/samples/alpha_to_coverage.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -87,20 +88,30 @@ SampleCounts alpha_permitted(Interval alpha, int samples) {
   return {alpha.low >= 1 ? samples : 0, alpha.high <= 0 ? 0 : samples};
 }
 
+bool is_proportional(double alpha, int kept, int samples) {
+  return std::fabs(kept - std::clamp(alpha, 0.0, 1.0) * samples) < 1;
+}
+
 Rule alpha_to_coverage_rule() {
   return {
       "sample.alpha-to-coverage",
       "Alpha to coverage keeps samples in proportion to alpha",
       "17.3.1 (alpha to coverage)",
-      "any mask, which may differ from pixel to pixel; none for alpha 0, all for 1 (ruling 33)",
+      "which samples, which may differ from pixel to pixel; none for alpha 0, all for 1 (rulings "
+      "33 and 52)",
       "proportional",
       alternatives_in(kChoices),
       {{33,
         "Alpha to coverage: a fragment whose alpha, clamped to 0 to 1, is 0 writes no sample, one "
-        "whose alpha is 1 writes all that it covers, and of others any part of them: that the "
-        "number of samples is proportional to alpha is intended, not required. Where the shader "
+        "whose alpha is 1 writes all that it covers, and of others any part of them. Fragments of "
+        "one pixel with the same alpha keep the same samples, and where fragments cover all "
+        "samples, the mean number that they keep does not fall as alpha grows. Where the shader "
         "runs for each sample, an invocation's alpha counts for its own sample. While "
-        "GL_MULTISAMPLE is disabled it does nothing."}}};
+        "GL_MULTISAMPLE is disabled it does nothing."},
+       {52,
+        "Where a fragment that covers all n samples keeps a number of them that is one or more "
+        "off alpha n, it is contested: 17.3.1 says that the function must have the properties of "
+        "proportionality of 14.9.3, and 14.9.3 calls them intended."}}};
 }
 
 }  // namespace edgecase

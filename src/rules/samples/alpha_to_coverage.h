@@ -3,10 +3,9 @@
 // Alpha to coverage (GL 4.6 core, 17.3.1).
 //
 // With GL_SAMPLE_ALPHA_TO_COVERAGE the alpha that the shader writes becomes a mask, which is anded
-// with the fragment's coverage. How is left open: the number of its ones is meant to be
-// proportional to alpha, all of them for 1 and none for 0, and the mask may differ from pixel to
-// pixel. Every implementation that we know sets bits from sample 0 upward as alpha passes
-// thresholds.
+// with the fragment's coverage. How is left open, but that the number of its ones is proportional
+// to alpha, all of them for 1 and none for 0; the mask may differ from pixel to pixel. Every
+// implementation that we know sets bits from sample 0 upward as alpha passes thresholds.
 #pragma once
 
 #include <cstdint>
@@ -49,5 +48,9 @@ struct SampleCounts {
   int most = 0;
 };
 SampleCounts alpha_permitted(Interval alpha, int samples);
+
+// Is the number of samples kept, of a fragment that covers all, proportional to alpha? It is less
+// than one sample off alpha n, as any rounding, table or dither leaves it.
+bool is_proportional(double alpha, int kept, int samples);
 
 }  // namespace edgecase

@@ -98,7 +98,7 @@ std::uint8_t resolved(std::span<const std::uint8_t> samples, ResolveMethod metho
 
 ResolvedRange resolve_permitted(std::span<const std::uint8_t> samples) {
   const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
-  return {*low, *high};
+  return {*low - kResolveMargin, *high + kResolveMargin};
 }
 
 Rule resolve_rule() {
@@ -110,12 +110,14 @@ Rule resolve_rule() {
       "nearest-even",
       alternatives_in(kMethods),
       {{31,
-        "The specification leaves it to the implementation how samples become one value. We "
-        "demand, "
-        "of each component by itself, a value between the least and the greatest of the pixel's "
-        "samples, both included: what is the same in all samples stays the same to the bit. Where "
-        "a "
-        "renderer tells its samples, of these; else of those that rulings 27 to 33 permit."}}};
+        "The specification leaves it to the implementation how the colours of samples become one "
+        "(18.3.1). Permitted is, of each component by itself, a value from the least to the "
+        "greatest of the samples of the pixel and its neighbours, since filters wider than a pixel "
+        "exist, and 12 codes beyond, which the Khronos tests take. Where a renderer tells its "
+        "samples, of these; else of those that rulings 27 to 33 permit."},
+       {51,
+        "A resolved colour beyond that is contested: the letter allows it, and the Khronos tests "
+        "do not."}}};
 }
 
 }  // namespace edgecase

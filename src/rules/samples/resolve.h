@@ -32,12 +32,14 @@ bool parse_name(std::string_view name, ResolveMethod& choice);
 // The resolved value; never empty, at most kMaxSamples samples.
 std::uint8_t resolved(std::span<const std::uint8_t> samples, ResolveMethod method);
 
-// What ruling 31 allows, both inclusive.
+// What ruling 31 takes without a word, both inclusive: from the least to the greatest of samples,
+// and kResolveMargin codes beyond.
 struct ResolvedRange {
-  std::uint8_t low = 0;
-  std::uint8_t high = 0;
+  int low = 0;
+  int high = 0;
   bool contains(int value) const { return low <= value && value <= high; }
 };
+inline constexpr int kResolveMargin = 12;
 ResolvedRange resolve_permitted(std::span<const std::uint8_t> samples);
 
 }  // namespace edgecase

@@ -98,14 +98,22 @@ Rule anisotropy_rule() {
   rule.id = "texture.anisotropy";
   rule.title = "Anisotropic filters look up several times along the longer vector of a footprint";
   rule.spec = "8.14.1, with EXT_texture_filter_anisotropic";
-  rule.latitude = "everything: the method is the implementation's (ruling 23)";
+  rule.latitude =
+      "the method, which is the implementation's, on levels that it may use (ruling 23)";
   rule.standard = "extension";
   rule.alternatives = alternatives_in(kChoices);
   rule.rulings = {
       {23,
-       "Anisotropy: the maximum that a sampler sets is a wish, and the method an example. Where it "
-       "is more than 1, no colour and no level of detail is a violation; which catalogued method "
-       "comes closest is told."}};
+       "Anisotropy: the maximum that a sampler sets is a wish, and the method an example: which "
+       "catalogued method comes closest is told. Whatever it is, it may only access mip levels "
+       "where the filter for minification is one that has them, and none outside of base_level to "
+       "max_level (8.14). So where the maximum is more than 1, a level accessed is one of these "
+       "levels, and where each of them is of one colour, each component of what is looked up lies "
+       "between the least and the largest of them; lambda' may be anything."},
+      {57,
+       "Anisotropy: a component beyond the least and the largest of the texels that a filter may "
+       "access is contested where levels are of many colours: no mean leads there, but filters "
+       "with negative weights do, and the scheme is the implementation's (8.14)."}};
   return rule;
 }
 

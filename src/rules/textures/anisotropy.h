@@ -3,7 +3,7 @@
 // Anisotropic filters: several lookups along the longer vector of a footprint, each of a level
 // finer than that vector by itself asks for (GL 4.6 core, 8.14.1, with the text of
 // EXT_texture_filter_anisotropic). OpenGL gives one way as an example and lets implementations take
-// another: nothing of it is ever a violation. With Pmax and Pmin the vectors' lengths:
+// another, on levels that the sampler lets them access. With Pmax and Pmin the vectors' lengths:
 //
 //   extension   N = min(ceil(Pmax / Pmin), max_anisotropy) lookups of equal weight at
 //               i / (N + 1) - 1/2 of the longer vector, i = 1 to N, in the level log2(Pmax / N); N

@@ -17,10 +17,10 @@ constexpr TabledAlternative<ScaleFactor> kScaleFactors[] = {
     {ScaleFactor::largest_partial, "largest-partial", Openness::open,
      "the largest of the partial derivatives, the least that is allowed"},
     {ScaleFactor::sum_of_partials, "sum-of-partials", Openness::open,
-     "the larger partial derivative of u plus the larger one of v, the most that is allowed"},
+     "the larger partial derivative of u plus the larger one of v"},
     {ScaleFactor::length_of_sum, "length-of-sum", Openness::illegal,
      "the length of the sum of the two vectors, which is 0 where they are opposite"},
-    {ScaleFactor::length_of_both, "length-of-both", Openness::illegal,
+    {ScaleFactor::length_of_both, "length-of-both", Openness::open,
      "the root of the sum of all squares, up to half a level more than the longer vector"},
     {ScaleFactor::sum, "sum", Openness::illegal, "the sum of all four partial derivatives"},
     {ScaleFactor::x_only, "x-only", Openness::illegal,
@@ -32,7 +32,7 @@ constexpr TabledAlternative<BiasChoice> kBiasChoices[] = {
     {BiasChoice::as_set, "as-set", Openness::open, "the sampler's bias plus the shader's"},
     {BiasChoice::sampler_nearest_8, "sampler-nearest-8", Openness::open,
      "the sampler's bias rounded to a multiple of 1/256, half away from 0, plus the shader's"},
-    {BiasChoice::unclamped, "unclamped", Openness::illegal,
+    {BiasChoice::unclamped, "unclamped", Openness::open,
      "the sum of both, even beyond GL_MAX_TEXTURE_LOD_BIAS"},
     {BiasChoice::not_of_gradients, "not-of-gradients", Openness::illegal,
      "lookups with gradients leave the sampler's bias out"},
@@ -102,6 +102,12 @@ Interval sampler_bias(const Sampler& sampler, const Lookup& lookup, BiasChoice c
   return known(choice == BiasChoice::sampler_nearest_8 ? std::round(bias * 256) / 256 : bias);
 }
 
+// A term that may be clamped at any limit from the least one on, or not at all.
+Interval clamped_or_not(Interval term, double least_limit) {
+  return hull(term, {std::clamp(term.low, -least_limit, least_limit),
+                     std::clamp(term.high, -least_limit, least_limit)});
+}
+
 Interval shader_bias(const Lookup& lookup) {
   return lookup.kind == LookupKind::bias ? known(static_cast<double>(lookup.value)) : Interval(0);
 }
@@ -153,8 +159,12 @@ Interval scale_factor(const Footprint& footprint, ScaleFactor method) {
 }
 
 Interval permitted_scale_factor(const Footprint& footprint) {
+  constexpr double kRootOfTwo = 0x1.6a09e667f3bcdp0;  // rounded up
+  const Partials high = range_of(footprint).high;
+  const double larger_sum = std::max(Up::sum(high.ux, high.vx), Up::sum(high.uy, high.vy));
   return {scale_factor(footprint, ScaleFactor::largest_partial).low,
-          scale_factor(footprint, ScaleFactor::sum_of_partials).high};
+          std::max(scale_factor(footprint, ScaleFactor::sum_of_partials).high,
+                   Up::product(kRootOfTwo, larger_sum))};
 }
 
 Interval with_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup,
@@ -166,6 +176,14 @@ Interval with_bias(Interval lambda_base, const Sampler& sampler, const Lookup& l
                                        std::clamp(sum.high, -kMaxLodBias, kMaxLodBias));
   const Interval lambda_prime = known(exact_sum(known(lambda_base), bias));
   return choice == BiasChoice::half_a_level_more ? exact_sum(lambda_prime, 0.5) : lambda_prime;
+}
+
+Interval with_permitted_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup) {
+  const Interval of_sampler =
+      clamped_or_not(sampler_bias(sampler, lookup, BiasChoice::as_set), kLeastBiasLimit);
+  const Interval of_shader = clamped_or_not(shader_bias(lookup), kLeastBiasLimit);
+  const Interval bias = clamped_or_not(known(exact_sum(of_sampler, of_shader)), kLeastBiasLimit);
+  return clamped_or_not(known(exact_sum(known(lambda_base), bias)), kLeastLevelLimit);
 }
 
 Interval clamped(Interval lambda_prime, const Sampler& sampler) {
@@ -184,17 +202,20 @@ Rule scale_factor_rule() {
       "The scale factor is the longer of the two vectors by which a pixel spans the texture";
   rule.spec = "8.14.1, scale factor and the conditions on its approximations";
   rule.latitude =
-      "any function between the largest partial derivative and the sum of the largest of u and of "
-      "v (ruling 19)";
+      "any function from the largest partial derivative to either upper bound of the section "
+      "(ruling 19)";
   rule.standard = "lengths";
   rule.alternatives = alternatives_in(kScaleFactors);
   rule.rulings = {
       {19,
-       "Scale factor: permitted is any value from the least that max(m_u, m_v) to the most that "
-       "m_u + m_v can be over the derivatives that ruling 16 permits for dFdx and dFdy, where m_u "
-       "is the larger absolute derivative of u along x and y and m_v that of v, in texels of the "
-       "base level. That the function is one and the same for all fragments, and grows with each "
-       "partial, is not judged of single fragments."}};
+       "Scale factor: permitted is any value from the largest absolute partial derivative to the "
+       "larger of two bounds, which 8.14.1 states one after the other: m_u + m_v, where m_u is the "
+       "larger absolute derivative of u along x and y and m_v that of v, and the root of 2 times "
+       "the larger of |du/dx| + |dv/dx| and |du/dy| + |dv/dy|, which holds the major axis of the "
+       "footprint's ellipse. Derivatives are those that ruling 16 permits for dFdx and dFdy, in "
+       "texels of the base level. OpenGL ES has the second bound alone; we hold it to either. That "
+       "the function is one and the same for all fragments, and grows with each partial, is not "
+       "judged of single fragments."}};
   return rule;
 }
 
@@ -214,15 +235,19 @@ Rule lod_bias_rule() {
   rule.title = "The bias of the sampler and that of the shader are added to the level of detail";
   rule.spec = "8.14.1, level of detail";
   rule.latitude =
-      "the precision of the sampler's bias, and from which sum on, 2 at least, it is clamped "
-      "(GL_MAX_TEXTURE_LOD_BIAS); we clamp at 16";
+      "the precision of the sampler's bias; and which terms beyond GL_MAX_TEXTURE_LOD_BIAS, 2 at "
+      "least, are clamped, and how (ruling 26); exact clamps the sum at 16";
   rule.standard = "as-set";
   rule.alternatives = alternatives_in(kBiasChoices);
   rule.rulings = {
       {26,
-       "Bias: OpenGL does not say to how many bits a sampler keeps its bias. One that is rounded "
-       "to "
-       "a multiple of 2^-8 is a convention, as weights between levels are (ruling 22)."}};
+       "Bias: where the sampler's, the lookup's or the sum of both is beyond 2, the least "
+       "GL_MAX_TEXTURE_LOD_BIAS, each of them may be clamped at any limit from 2 on, or not at "
+       "all, "
+       "and so may a level of detail beyond 14, the last level of the least GL_MAX_TEXTURE_SIZE: "
+       "8.14.1 says that implementations clamp intermediate and final terms differently and that "
+       "results then differ. Elsewhere the sum is as it is. OpenGL does not say to how many bits a "
+       "sampler keeps its bias: it may be off as the level of detail may (ruling 20)."}};
   return rule;
 }
 

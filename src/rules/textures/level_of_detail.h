@@ -7,12 +7,15 @@
 //
 //     dx = (du/dx, dv/dx)      dy = (du/dy, dv/dy)      in texels of the base level
 //
-// The scale factor rho is ideally the longer of the two. An implementation may take any f that is
-// continuous, grows with the absolute value of each partial, and lies within
+// They span an ellipse, whose major axis the scale factor rho should ideally be; equation 8.11
+// takes the longer of the two. An implementation may take any f that is continuous, grows with the
+// absolute value of each partial, and lies within either of the bounds that the section states:
 //
 //     max(m_u, m_v) <= f <= m_u + m_v      m_u = max(|du/dx|, |du/dy|), m_v likewise
+//     max(m_u, m_v) <= f <= sqrt(2) max(|du/dx| + |dv/dx|, |du/dy| + |dv/dy|)
 //
-// In one dimension m_v is 0, which leaves m_u alone. From rho to lambda, which selects levels:
+// Neither upper bound contains the other. OpenGL ES has the second alone. In one dimension v does
+// not move. From rho to lambda, which selects levels:
 //
 //     lambda_base = log2(rho), or what the shader gives in its place
 //     lambda'     = lambda_base + bias      what textureQueryLod tells
@@ -41,9 +44,9 @@ Rule lod_bias_rule();           // texture.lod-bias
 enum class ScaleFactor {
   lengths,          // the longer of the two vectors: OpenGL's own
   largest_partial,  // max(m_u, m_v), the least that OpenGL allows
-  sum_of_partials,  // m_u + m_v, the most
+  sum_of_partials,  // m_u + m_v
   length_of_sum,    // |dx + dy|, not within the bounds
-  length_of_both,   // sqrt(|dx|^2 + |dy|^2), not within the bounds
+  length_of_both,   // sqrt(|dx|^2 + |dy|^2), at most the root of 2 times the longer one
   sum,              // |du/dx| + |dv/dx| + |du/dy| + |dv/dy|, not within the bounds
   x_only,           // |dx|: fixture GLideN64 2203
   y_only,           // |dy|
@@ -51,6 +54,11 @@ enum class ScaleFactor {
 std::span<const ScaleFactor> all_scale_factors();
 const char* name_of(ScaleFactor method);
 bool parse_name(std::string_view name, ScaleFactor& method);
+
+// The least GL_MAX_TEXTURE_LOD_BIAS that an implementation may have (table 23.54).
+constexpr double kLeastBiasLimit = 2;
+// The last level of the least GL_MAX_TEXTURE_SIZE, 16384: no level of detail is clamped below it.
+constexpr double kLeastLevelLimit = 14;
 
 enum class BiasChoice {
   as_set,
@@ -81,7 +89,7 @@ IntervalPair lengths(const Footprint& footprint);
 
 // Texels per pixel, 0 or more: what a method yields of the footprint.
 Interval scale_factor(const Footprint& footprint, ScaleFactor method);
-// What any f may yield: from max(m_u, m_v) to m_u + m_v.
+// What any f may yield: from max(m_u, m_v) to the larger of the two upper bounds.
 Interval permitted_scale_factor(const Footprint& footprint);
 
 // lambda': with the sampler's bias, and with the lookup's where that is of kind `bias`; their sum
@@ -89,6 +97,11 @@ Interval permitted_scale_factor(const Footprint& footprint);
 // the place of lambda_base.
 Interval with_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup,
                    BiasChoice choice);
+// The same as the specification permits it. Where the sampler's bias, the lookup's or their sum is
+// beyond kLeastBiasLimit, either way, each may be clamped at any limit from there on, or not, and
+// so may a result beyond kLeastLevelLimit: "Different implementations have chosen to perform
+// clamping on intermediate and final terms … differently" (8.14.1).
+Interval with_permitted_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup);
 // lambda: clamped to min_lod and max_lod.
 Interval clamped(Interval lambda_prime, const Sampler& sampler);
 

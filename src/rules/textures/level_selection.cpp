@@ -275,15 +275,17 @@ Rule level_weight_rule() {
   rule.id = "texture.level-weight";
   rule.title = "NEAREST_MIPMAP_LINEAR and LINEAR_MIPMAP_LINEAR weigh two levels by the fraction";
   rule.spec = "8.14.3, linear mipmap filters";
-  rule.latitude = "the precision of the weight (ruling 22)";
+  rule.latitude = "the precision of the weight: 2^-6 (rulings 22 and 50)";
   rule.standard = "exact";
   rule.alternatives = alternatives_in(kLevelWeights);
   rule.rulings = {
       {22,
-       "Weight of the second level: OpenGL states no number of bits for it. Hardware has 8, and "
-       "Vulkan asks for 4 at least (mipmapPrecisionBits). Permitted is a weight that is off by "
-       "less than 2^-8; a fraction of 4 bits, cut or rounded, is a convention; anything coarser "
-       "is a violation."}};
+       "Weight of the second level: OpenGL states no number of bits for it. Permitted is any "
+       "weight "
+       "of a level of detail that is off by 2^-6 at most from the one that the renderer tells, or "
+       "else from one that ruling 20 permits: the Khronos tests ask for 6 bits. What is beyond is "
+       "a "
+       "violation, or contested by ruling 50. The same error may lead to another nearest level."}};
   return rule;
 }
 

@@ -16,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr TabledAlternative<Log2Method> kMethods[] = {
     {Log2Method::exact, "exact", Openness::open, "the logarithm itself"},
-    {Log2Method::linear_mantissa, "linear-mantissa", Openness::open,
+    {Log2Method::linear_mantissa, "linear-mantissa", Openness::illegal,
      "the exponent plus the mantissa less 1: up to 0.0861 too small"},
     {Log2Method::linear_mantissa_of_square, "linear-mantissa-of-square", Openness::open,
      "half of what linear-mantissa makes of the square: up to 0.0431 too small"},
@@ -105,16 +105,22 @@ Rule log2_rule() {
   rule.id = "texture.log2";
   rule.title = "The level of detail is the base-2 logarithm of the scale factor";
   rule.spec = "8.14.1, level of detail";
-  rule.latitude = "the precision, of which nothing is said (ruling 20)";
+  rule.latitude = "the precision, of which nothing is said: 2^-6 of a level (rulings 20 and 50)";
   rule.standard = "exact";
   rule.alternatives = alternatives_in(kMethods);
   rule.rulings = {
       {20,
-       "Logarithm: OpenGL states no precision for that of the scale factor. Permitted is what the "
-       "logarithm yields of any scale factor that ruling 19 permits; what a catalogued "
-       "approximation yields is a convention; anything else beyond is a violation. The "
-       "logarithm of 0 is told as any number of -16 or less, which no bias leads out of "
-       "magnification."}};
+       "Logarithm: OpenGL states no precision for that of the scale factor. Permitted is a level "
+       "of "
+       "detail within 2^-6 of what the logarithm yields of any scale factor that ruling 19 "
+       "permits, "
+       "as the Khronos tests ask; what is beyond is a violation, or contested by ruling 50, "
+       "whatever approximation leads there. The logarithm of 0 is told as any number of -16 or "
+       "less, which no bias leads out of magnification."},
+      {50,
+       "Coarse samplers: a level of detail that is off by 2^-6 to 2^-4, and a coordinate that is "
+       "off by 2^-7 to 2^-4 texel, are contested: OpenGL states no precision, and the Khronos "
+       "tests, which ask for 6 bits and 7, let 4 and 4 pass with a warning about quality."}};
   return rule;
 }
 

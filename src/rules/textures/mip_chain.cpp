@@ -185,13 +185,19 @@ Rule mipmap_filter_rule() {
       "mipmap.filter",
       "A generated level is a filtered reduction of the one before",
       "8.14.4 (manual mipmap generation)",
-      "any filter; a box filter is recommended (ruling 25)",
+      "any filter; a box filter is recommended (rulings 25 and 48)",
       "box",
       alternatives_in(kFilters),
       {{25,
         "Generated mip chains: how many levels there are and how large each is can be wrong, and "
-        "level 0, which is given and stays; nothing else: OpenGL lets the filter be, and with it "
-        "rounding and whether sRGB texels are decoded before they are averaged."}}};
+        "level 0, which is given and stays. OpenGL lets the filter be, and with it rounding and "
+        "whether sRGB texels are decoded before they are averaged. But levels are filtered "
+        "reductions of the image: a component that is the same in all of level 0 stays the same, "
+        "within one code of 8 bits or 1 part in 10^5."},
+       {48,
+        "A generated level that leaves what lies between the least and the largest of the level "
+        "above, by more than one code of 8 bits or 1 part in 10^5, is contested: no mean does, but "
+        "filters with negative weights do, and no particular filter is required (8.14.4)."}}};
 }
 
 Rule mipmap_rounding_rule() {

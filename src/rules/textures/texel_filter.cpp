@@ -300,15 +300,21 @@ Rule texel_filter_rule() {
       {{24,
         "Texels: which one holds a point, and how those around it are weighted, follows the "
         "coordinates that the renderer itself interpolated. OpenGL does not say to how many bits "
-        "positions within a texel are kept (Vulkan asks for 4, hardware has 8): a coordinate in "
-        "texels may be off by less than 2^-8 and 1 part in 10^5 of itself (2.3.1). Nearest: so "
-        "near a border either texel; exactly on it, the upper or right one is what the formula "
-        "says. Linear: any weights that such coordinates yield. A filter of a format of 8 bits may "
-        "compute in 8 bits: each mean that it takes, along s, along t and between levels, may "
-        "round to a code and be off by half of one. Numbers may besides be off by 1 part in 10^5 "
-        "of the texture's largest. Where the renderer tells the level of detail, its colour must "
-        "fit that level. A coordinate that is infinite or not a number may yield any colour, and "
-        "so may levels that the renderer generated and does not tell."}}};
+        "positions within a texel are kept: a coordinate in texels may be off by 2^-7, as the "
+        "Khronos tests ask, and 1 part in 10^5 of itself (2.3.4.1); what is beyond is a violation, "
+        "or contested by ruling 50. Nearest: so near a border either texel; exactly on it, the "
+        "upper or right one is what the formula says. Linear: any weights that such coordinates "
+        "yield. A filter of a format of 8 bits may compute in 8 bits: each mean that it takes, "
+        "along s, along t and between levels, may round to a code and be off by half of one. sRGB "
+        "texels may be decoded before they are filtered, after that within each level, or after "
+        "all of it (8.24). Numbers may besides be off by 1 part in 10^5 of the texture's largest. "
+        "Where the renderer tells the level of detail, its colour must fit that level. A "
+        "coordinate that is infinite or not a number may yield any colour, and so may levels that "
+        "the renderer generated and does not tell."},
+       {53,
+        "sRGB: a red, green or blue that is off by 0.005 at most, and not by more than that from "
+        "what ruling 24 permits, is contested: no precision is stated for the conversion of 8.24, "
+        "2.3.4 limits it by the format of 8 bits, and the Khronos tests take 0.005."}}};
 }
 
 Rule texel_grid_rule() {

@@ -72,6 +72,44 @@ Interval srgb_to_linear(int code) {
   return {Down::product(power, 1 - kError), Up::product(power, 1 + kError)};
 }
 
+double srgb_to_linear_number(double coded) {
+  const double s = std::clamp(coded, 0.0, 1.0);
+  return s <= 0.04045 ? s / 12.92 : std::min(raised((s + 0.055) / 1.055, 2.4), 1.0);
+}
+
+double linear_to_srgb_number(double linear) {
+  constexpr double kEndOfLine = 0.04045 / 12.92;
+  const double l = std::clamp(linear, 0.0, 1.0);
+  return l <= kEndOfLine ? l * 12.92 : std::min(1.055 * raised(l, 1 / 2.4) - 0.055, 1.0);
+}
+
+namespace {
+
+Texel with_colors(const Texel& texel, double (*function)(double)) {
+  constexpr std::size_t kAlpha = 3;
+  Texel result = texel;
+  for (std::size_t k = 0; k < kAlpha; ++k)
+    result[k] = {function(texel[k].low), function(texel[k].high)};
+  return result;
+}
+
+}  // namespace
+
+Texel srgb_coded(const Texel& linear) {
+  return with_colors(linear, linear_to_srgb_number);
+}
+
+Texel srgb_decoded(const Texel& coded) {
+  return with_colors(coded, srgb_to_linear_number);
+}
+
+DecodedTexture srgb_coded(const DecodedTexture& linear) {
+  DecodedTexture coded = linear;
+  for (DecodedLevel& level : coded.levels)
+    for (Texel& texel : level.texels) texel = srgb_coded(texel);
+  return coded;
+}
+
 Texel decode_border(const std::array<float, 4>& border, TextureFormat format) {
   Texel texel;
   for (std::size_t k = 0; k < texel.size(); ++k) {

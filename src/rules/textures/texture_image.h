@@ -40,10 +40,21 @@ Interval unorm8_to_number(int code);
 // are.
 Interval srgb_to_linear(int code);
 
+// The same functions of any number of 0 to 1: from an sRGB number to the linear one and back. Off
+// by less than 2^-48 of the result; numbers beyond are taken as the nearer of 0 and 1. Both grow.
+double srgb_to_linear_number(double coded);
+double linear_to_srgb_number(double linear);
+
 // A colour of four float32 numbers, as a texture of this format holds a border's: 0 to 1 unless the
 // format is of floats, and linear, also where texels are coded. What is not a number is 0 there,
 // and anything in a texture of floats.
 Texel decode_border(const std::array<float, 4>& border, TextureFormat format);
+
+// Red, green and blue of a linear colour, as sRGB has them, and back: a renderer may filter the
+// former and decode what comes of it (8.24).
+Texel srgb_coded(const Texel& linear);
+Texel srgb_decoded(const Texel& coded);
+DecodedTexture srgb_coded(const DecodedTexture& linear);
 
 DecodedLevel decode(const TextureLevel& level, TextureFormat format);
 // `levels`: a chain to take in place of the texture's own; none: the texture's own.

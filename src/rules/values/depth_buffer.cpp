@@ -55,14 +55,20 @@ int bits_of(DepthFormat format) {
 
 double to_depth(double depth, DepthFormat format) {
   if (std::isnan(depth)) return 0;
-  if (bits_of(format) == 0) return static_cast<double>(static_cast<float>(depth));
   const double clamped = std::clamp(depth, 0.0, 1.0);
+  if (bits_of(format) == 0) return to_float(clamped);
   const double largest = largest_of(format);
   return nearest(steps_of(clamped, largest)) / largest;
 }
 
+bool is_depth_of(double stored, DepthFormat format) {
+  return bits_of(format) == 0 ? stored == to_float(stored) : stored == to_depth(stored, format);
+}
+
 Interval depth_permitted(Interval depth, DepthFormat format) {
-  if (bits_of(format) == 0) return {to_depth(depth.low, format), to_depth(depth.high, format)};
+  if (bits_of(format) == 0)
+    return {std::min(to_float(depth.low), to_depth(depth.low, format)),
+            std::max(to_float(depth.high), to_depth(depth.high, format))};
   const double low = std::clamp(depth.low, 0.0, 1.0);
   const double high = std::clamp(depth.high, 0.0, 1.0);
   const double largest = largest_of(format);
@@ -70,17 +76,21 @@ Interval depth_permitted(Interval depth, DepthFormat format) {
 }
 
 Rule depth_buffer_rule() {
-  return {"framebuffer.depth",
-          "A depth is stored as the nearest value of the depth buffer's format",
-          "2.3.5.2 (conversion from floating-point to normalized fixed-point)",
-          "either of the two nearest integers; the nearest is preferred; a float32 depth none",
-          "",
-          {},
-          {{18,
-            "Depth buffers of 16 and 24 bits: either integer next to 2^bits - 1 times the depth of "
-            "the last fragment, as the renderer itself tells it; where it tells none, of any depth "
-            "that ruling 9 permits. Of 32 float bits: that depth. A pixel without fragments holds "
-            "the clear value."}}};
+  return {
+      "framebuffer.depth",
+      "A depth is stored as the nearest value of the depth buffer's format",
+      "2.3.5.2 (conversion from floating-point to normalized fixed-point)",
+      "either of the two nearest integers; the nearest is preferred; of a float32 depth, whether "
+      "one that has no polygon offset is clamped",
+      "",
+      {},
+      {{18,
+        "Depth buffers of 16 and 24 bits: either integer next to 2^bits - 1 times the depth of "
+        "the last fragment, as the renderer itself tells it; where it tells none, of any depth "
+        "that ruling 9 permits. Of 32 float bits: that depth. Depths are clamped to 0 to 1 "
+        "first, also where the buffer is of floats (14.6.5, 15.2.3); a float32 depth beyond 0 "
+        "to 1 to which no polygon offset was added may be kept. A pixel without fragments holds "
+        "the clear value."}}};
 }
 
 }  // namespace edgecase

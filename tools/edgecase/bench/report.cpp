@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/counted.h"
 #include "tools/edgecase/options.h"
 
 namespace edgecase {
@@ -52,7 +53,7 @@ void print_pipeline(const PipelineRates& rates) {
                         const std::string& ratio) {
     fmt::print(kLine, name, rate_of(spread_of(values).median), "", ratio);
   };
-  fmt::print("  {}, {} cases\n", rates.renderer, rates.cases);
+  fmt::print("  {}, {}\n", rates.renderer, counted(rates.cases, "case", "cases"));
   print("  the worker alone", rates.worker, "");
   const auto to_worker = [&](const std::vector<double>& values) {
     return spread_words(ratio_of(values, rates.worker), "x") + " of the worker alone";
@@ -77,7 +78,8 @@ void print_diff(const DiffRates& diff) {
 void print_stages(const StageTimes& times) {
   double whole = 0;
   for (const StageTimes::Stage& stage : times.stages) whole += stage.seconds;
-  fmt::print("where time goes: {}, {} cases, one thread\n", times.renderer, times.cases);
+  fmt::print("where time goes: {}, {}, one thread\n", times.renderer,
+             counted(times.cases, "case", "cases"));
   for (const StageTimes::Stage& stage : times.stages)
     fmt::print(kLine, stage.name,
                fmt::format("{:.1f} us", 1e6 * stage.seconds / static_cast<double>(times.cases)),

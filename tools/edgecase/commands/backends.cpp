@@ -205,8 +205,7 @@ ExitCode run_backends(const BackendsCommand& command) {
 void add_backends_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand(
       "backends",
-      "Probe renderers by rendering, print what each really offers, and check that programs keep "
-      "the protocol of exec:");
+      "Ask renderers by rendering what they offer, and check that programs keep the protocol");
   auto options = std::make_shared<BackendsCommand>();
   command->add_option(
       "renderers", options->names,

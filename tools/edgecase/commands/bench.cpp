@@ -74,16 +74,16 @@ void add_bench_command(CLI::App& app, ExitCode& exit) {
   add_repeatable(*command, "--part", options->parts,
                  "Only scenes, pipeline, diff or stages; repeatable (default: all)");
   command->get_option("--part")->check(CLI::IsMember(kParts));
-  command->add_option("--rounds", plan.rounds, "Of each measurement")
+  command->add_option("--rounds", plan.rounds, "Rounds of each measurement")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--seconds", plan.seconds, "Of one measurement, at least")
+  command->add_option("--seconds", plan.seconds, "Least seconds of one measurement")
       ->check(CLI::Range(0.0, 600.0))
       ->capture_default_str();
-  command->add_option("--side", plan.side, "Of the scenes' targets, in pixels")
+  command->add_option("--side", plan.side, "Side of the scenes' targets, in pixels")
       ->check(CLI::IsMember({64, 128, 256, 512, 1024}))
       ->capture_default_str();
-  command->add_option("--cases", plan.cases, "Of the pipeline, about so many")
+  command->add_option("--cases", plan.cases, "Number of cases of the pipeline, about")
       ->check(CLI::Range(64, 1'000'000))
       ->capture_default_str();
   command->add_option("--json", options->json, "Write all of it as JSON; - for standard output");

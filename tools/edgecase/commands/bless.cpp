@@ -140,7 +140,7 @@ ExitCode decide_renderer(const BlessCommand& command, const Results& results, st
 
 ExitCode decide(const BlessCommand& command, const Results& results) {
   const auto text = read_file(command.decisions);
-  if (!text) return ExitCode::usage;
+  if (!text) return ExitCode::internal;
   const auto parsed = parse_decisions(*text);
   if (const auto* fault = std::get_if<std::string>(&parsed)) {
     print_error(fmt::format("{}: {}", command.decisions, *fault));
@@ -169,10 +169,10 @@ ExitCode bless_all(const BlessCommand& command, const Results& results) {
 }
 
 ExitCode bless(const BlessCommand& command) {
-  const auto results = load_results(command.results);
-  if (!results) return ExitCode::usage;
-  const ExitCode exit =
-      command.decisions.empty() ? bless_all(command, *results) : decide(command, *results);
+  ExitCode exit = ExitCode::as_expected;
+  const auto results = load_results(command.results, exit);
+  if (!results) return exit;
+  exit = command.decisions.empty() ? bless_all(command, *results) : decide(command, *results);
   if (!command.apply) fmt::print("Nothing is written. Run again with --apply to write this.\n");
   return exit;
 }

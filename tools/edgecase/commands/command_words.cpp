@@ -34,17 +34,21 @@ std::string bracketed(const std::string& text, char open, char close) {
 }
 
 // The values of a list that the parser holds, or of one that the program knows.
-std::vector<std::string> choices_of(const CLI::Option& option, const std::string& name) {
+std::vector<std::string> choices_of(const CLI::App& app, const CLI::Option& option,
+                                    const std::string& name) {
   std::vector<std::string> choices;
   std::istringstream list(bracketed(option.get_type_name(), '{', '}'));
   for (std::string one; std::getline(list, one, ',');) choices.push_back(one);
   if (!choices.empty()) return choices;
   if (name == "--against" || name == "--with" || name == "renderers") return renderer_names();
-  if (name == "--rule" || name == "--rules") return rule_ids();
-  return {};
+  if (name == "--rule" || name == "--rules" || name == "rules") return rule_ids();
+  if (name != "subcommand") return {};
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    choices.push_back(command->get_name());
+  return choices;
 }
 
-OptionWords words_of(const CLI::Option& option) {
+OptionWords words_of(const CLI::App& app, const CLI::Option& option) {
   OptionWords words;
   words.is_positional = !option.nonpositional();
   if (words.is_positional) words.names = {option.get_name(true)};
@@ -57,7 +61,7 @@ OptionWords words_of(const CLI::Option& option) {
   words.default_value = option.get_default_str();
   if (words.takes_value) {
     words.range = bracketed(option.get_type_name(), '[', ']');
-    words.choices = choices_of(option, words.names.front());
+    words.choices = choices_of(app, option, words.names.front());
   }
   return words;
 }
@@ -69,7 +73,7 @@ std::vector<CommandWords> words_of(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     CommandWords words{command->get_name(), command->get_description(), {}};
     for (const CLI::Option* option : command->get_options())
-      words.options.push_back(words_of(*option));
+      words.options.push_back(words_of(app, *option));
     commands.push_back(std::move(words));
   }
   return commands;

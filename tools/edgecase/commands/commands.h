@@ -29,5 +29,6 @@ void add_minimize_command(CLI::App& app, ExitCode& exit);
 void add_record_command(CLI::App& app, ExitCode& exit);
 void add_bench_command(CLI::App& app, ExitCode& exit);
 void add_manual_command(CLI::App& app, ExitCode& exit);
+void add_help_command(CLI::App& app, ExitCode& exit);
 
 }  // namespace edgecase

@@ -30,9 +30,11 @@ bool deliver(const std::string& path, const std::string& text) {
 }
 
 ExitCode compare(const CompareCommand& command) {
-  const auto before = load_results(command.before);
-  const auto after = load_results(command.after);
-  if (!before || !after) return ExitCode::usage;
+  ExitCode exit = ExitCode::as_expected;
+  const auto before = load_results(command.before, exit);
+  if (!before) return exit;
+  const auto after = load_results(command.after, exit);
+  if (!after) return exit;
   const auto compared = compare_results(*before, *after);
   if (const auto* fault = std::get_if<std::string>(&compared)) {
     print_error(*fault);
@@ -56,7 +58,7 @@ void add_compare_command(CLI::App& app, ExitCode& exit) {
       "compare", "Compare two results files, of two drivers, versions or policies, case by case");
   auto options = std::make_shared<CompareCommand>();
   command->add_option("old", options->before, "Results file of `edgecase run`")->required();
-  command->add_option("new", options->after, "Another one")->required();
+  command->add_option("new", options->after, "Results file that it is compared with")->required();
   command->add_option("--json", options->json,
                       "File for the comparison as JSON, - for standard output");
   command->add_option("--markdown", options->markdown,

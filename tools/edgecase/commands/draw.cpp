@@ -26,6 +26,7 @@ struct DrawCommand {
   std::vector<std::string> filters;
   std::string rule = "line.algorithm";
   std::string renderer;
+  std::string pane;
   std::string svg;
 };
 
@@ -51,9 +52,13 @@ ExitCode deliver(const DrawCommand& command, const std::string& svg) {
 
 ExitCode draw_alternatives(const DrawCommand& command, const Case& one) {
   const Rule* rule = find_rule(command.rule);
-  if (rule == nullptr || rule->alternatives.empty()) {
-    print_error(fmt::format("\"{}\" is no rule with alternatives; `edgecase rules` lists them",
-                            command.rule));
+  if (rule == nullptr) {
+    print_no_rule(command.rule);
+    return ExitCode::usage;
+  }
+  if (rule->alternatives.empty()) {
+    print_error(fmt::format(
+        "the rule {0} has no alternatives to draw; `edgecase rules {0}` prints it", command.rule));
     return ExitCode::usage;
   }
   const AlternativesPicture picture = draw_all(one, *rule, command.svg.empty());
@@ -102,13 +107,15 @@ ExitCode draw_difference(const DrawCommand& command, const Selection& selection,
     return ExitCode::as_expected;
   }
   std::ostringstream text;
-  write_difference_svg(picture, text);
+  if (const auto pane = pane_named(command.pane))
+    write_pane_svg(picture, *pane, text);
+  else
+    write_difference_svg(picture, text);
   return deliver(command, text.str());
 }
 
 ExitCode draw(const DrawCommand& command) {
-  Selection selection;
-  selection.paths = {command.path};
+  Selection selection = select_cases({command.path});
   selection.filters = command.filters;
   const Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
@@ -129,17 +136,21 @@ void add_draw_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand(
       "draw", "Draw a case, exactly under every alternative of a rule or beside a renderer");
   auto options = std::make_shared<DrawCommand>();
-  command->add_option("case", options->path, "Case file")->required();
+  command->add_option("case", options->path, "Case file, or id of a case")->required();
   add_repeatable(*command, "--filter", options->filters,
                  "Only the cases of the file whose id matches this glob; repeatable");
   CLI::Option* rule =
-      command->add_option("--rule", options->rule, "The rule whose alternatives are drawn")
+      command->add_option("--rule", options->rule, "Rule whose alternatives are drawn")
           ->capture_default_str();
-  command
-      ->add_option("--against", options->renderer,
-                   "Renderer to draw beside exact, with what differs")
-      ->excludes(rule);
-  command->add_option("--svg", options->svg, "File for an SVG picture (default: text)");
+  CLI::Option* against = command
+                             ->add_option("--against", options->renderer,
+                                          "Renderer to draw beside exact, with what differs")
+                             ->excludes(rule);
+  CLI::Option* svg =
+      command->add_option("--svg", options->svg, "File for an SVG picture (default: text)");
+  command->add_option("--pane", options->pane, "One pane of that picture alone, without words")
+      ->check(CLI::IsMember({"exact", "difference", "renderer"}))
+      ->needs(against, svg);
   command->callback([options, &exit] { exit = draw(*options); });
 }
 

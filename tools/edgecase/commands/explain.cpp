@@ -157,8 +157,7 @@ ExitCode print_results(const Case& one, const Policy& policy, const Selection& s
 }
 
 ExitCode explain(const ExplainCommand& command) {
-  Selection selection;
-  selection.paths = {command.path};
+  Selection selection = select_cases({command.path});
   selection.filters = command.filters;
   const auto policy = command.policy.load(selection, command.run.renderers);
   if (!policy) return ExitCode::usage;
@@ -208,7 +207,7 @@ void add_explain_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand(
       "explain", "Say why pixels of a case are drawn, and why a renderer differs");
   auto options = std::make_shared<ExplainCommand>();
-  command->add_option("case", options->path, "Case file")->required();
+  command->add_option("case", options->path, "Case file, or id of a case")->required();
   add_repeatable(*command, "--filter", options->filters,
                  "Only the cases of the file whose id matches this glob; repeatable");
   command->add_option("--pixel", options->pixel, "X,Y: only this pixel, y up");

@@ -84,9 +84,7 @@ std::optional<std::vector<FuzzRenderer>> renderers_of(const FuzzCommand& command
 // The cases of files and folders; prints what is wrong and returns nothing.
 std::optional<std::vector<Case>> cases_of(const std::vector<std::string>& paths) {
   if (paths.empty()) return std::vector<Case>{};
-  Selection selection;
-  selection.paths.assign(paths.begin(), paths.end());
-  Suite suite = load_suite(selection);
+  Suite suite = load_suite(select_cases(paths));
   print_diagnostics(suite.diagnostics);
   if (!suite.diagnostics.empty()) return std::nullopt;
   return std::move(suite.cases);
@@ -285,7 +283,7 @@ ExitCode run_fuzz(FuzzCommand command) {
 
 void add_fuzz_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand(
-      "fuzz", "Search random and mutated scenes for disagreements, each made as small as can be");
+      "fuzz", "Search random and mutated scenes for disagreements, and make each small");
   auto options = std::make_shared<FuzzCommand>();
   add_repeatable(*command, "--against", options->renderers,
                  "Renderer, as `run` names them; repeatable");
@@ -295,19 +293,19 @@ void add_fuzz_command(CLI::App& app, ExitCode& exit) {
                    "separated by commas (default: all)")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("--seed", options->seed, "Of the scenes")->capture_default_str();
-  command->add_option("--seconds", options->seconds, "Stop after so many")
+  command->add_option("--seed", options->seed, "Number that fixes the scenes")
+      ->capture_default_str();
+  command->add_option("--seconds", options->seconds, "Stop after so many seconds")
       ->check(CLI::Range(0.1, 1e8));
   command->add_option("--count", options->count, "Stop after so many scenes")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}));
   command->add_flag(
       "--exhaustive", options->exhaustive,
-      "Ask every scene of families that have an end, such as grid-lines, and no other; "
-      "then stop");
+      "Ask every scene of the families that have an end, such as grid-lines; then stop");
   command->add_option("--finds", options->finds, "Stop after so many finds")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
   add_repeatable(*command, "--corpus", options->corpus,
-                 "Case file or folder whose scenes are mutated, too; repeatable");
+                 "Case file, folder, id or glob of ids whose scenes are mutated, too; repeatable");
   command->get_option("--exhaustive")->excludes(command->get_option("--corpus"));
   add_repeatable(*command, "--known", options->known,
                  "Finds that are known: the JSON of an earlier search, a case file or a folder; "

@@ -40,8 +40,9 @@ std::filesystem::path suite_folder_of(const Results& results) {
 ExitCode merge(const MergeCommand& command) {
   std::vector<MergePart> parts;
   for (const std::string& path : command.paths) {
-    auto results = load_results(path);
-    if (!results) return ExitCode::usage;
+    ExitCode exit = ExitCode::as_expected;
+    auto results = load_results(path, exit);
+    if (!results) return exit;
     parts.push_back({path, std::move(*results)});
   }
   auto merged = merge_results(std::move(parts), command.partial);

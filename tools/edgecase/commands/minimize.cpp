@@ -12,6 +12,7 @@
 
 #include "casefile/case_writer.h"
 #include "casefile/text.h"
+#include "model/counted.h"
 #include "model/scene_words.h"
 #include "rules/all_rules.h"
 #include "run/renderer_names.h"
@@ -20,7 +21,6 @@
 #include "search/minimize.h"
 #include "search/scene_size.h"
 #include "tools/edgecase/commands/commands.h"
-#include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/suite_run.h"
 
@@ -39,61 +39,20 @@ struct MinimizeCommand {
   PolicyOptions policy;
 };
 
-// The path of a file, and the case's parts behind it: "lines/a.json", "dx=1:reverse".
-struct CaseName {
-  std::string file;
-  std::string parts;
-};
-
-// A path, or an id below the suite's folder: with or without suffix and parts.
-CaseName split_name(const std::string& text) {
-  namespace fs = std::filesystem;
-  const auto exists = [](const std::string& path) {
-    std::error_code error;
-    return fs::is_regular_file(path, error);
-  };
-  for (std::size_t end = text.size(); end != std::string::npos;
-       end = end == 0 ? std::string::npos : text.rfind(':', end - 1)) {
-    const std::string head = text.substr(0, end);
-    const std::string parts = end < text.size() ? text.substr(end + 1) : "";
-    for (const std::string& file : {head, head + ".json", default_suite() + "/" + head + ".json"})
-      if (exists(file)) return {file, parts};
-  }
-  return {text, ""};
-}
-
-// The parts of a case's id, as split_name has them.
-std::string parts_of(const Case& one) {
-  std::string text;
-  for (const std::string& part : one.parts) text += (text.empty() ? "" : ":") + part;
-  return text;
-}
-
 // The one case that is meant; prints what is wrong otherwise.
-std::optional<Case> find_case(const CaseName& name, ExitCode& exit) {
-  Selection selection;
-  selection.paths = {name.file};
+std::optional<Case> find_case(const std::string& word, const Selection& selection, ExitCode& exit) {
   Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
   exit = ExitCode::usage;
   if (!suite.diagnostics.empty()) return std::nullopt;
-  if (name.parts.empty() && suite.cases.size() == 1) return suite.cases.front();
-  for (Case& one : suite.cases)
-    if (!name.parts.empty() && parts_of(one) == name.parts) return std::move(one);
-  const Case* first = suite.cases.empty() ? nullptr : &suite.cases.front();
-  if (first == nullptr) {
+  if (suite.cases.size() == 1) return std::move(suite.cases.front());
+  if (suite.cases.empty()) {
     print_nothing_selected();
     exit = ExitCode::nothing_selected;
-  } else if (name.parts.empty()) {
-    print_error(fmt::format("{} stands for {} cases; name one of them, for example {}:{}",
-                            name.file, suite.cases.size(), name.file,
-                            parts_of(suite.cases.back())));
-  } else {
-    print_error(
-        fmt::format("{} has no case \"{}\"; `edgecase run --list {}` prints the ids of "
-                    "its {}",
-                    name.file, name.parts, name.file, suite.cases.size()));
+    return std::nullopt;
   }
+  print_error(fmt::format("{} stands for {} cases; name one of them, for example {}", word,
+                          suite.cases.size(), suite.cases.back().id));
   return std::nullopt;
 }
 
@@ -119,17 +78,16 @@ std::optional<Signature> choose_signature(const TrialAnswer& answer, const std::
   return chosen;
 }
 
-std::string counted(std::int64_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 // "2 primitives, 8x8, 9 fraction bits".
 std::string words_of_size(const Scene& scene) {
   const SceneSize size = size_of(scene);
-  return fmt::format("{}, {}x{}, {}, {}", counted(size.primitives, "primitive", "primitives"),
+  const auto words = [](std::int64_t count, const char* one, const char* several) {
+    return counted(static_cast<std::size_t>(count), one, several);
+  };
+  return fmt::format("{}, {}x{}, {}, {}", words(size.primitives, "primitive", "primitives"),
                      scene.target.width, scene.target.height,
-                     counted(size.fraction_bits, "fraction bit", "fraction bits"),
-                     counted(size.settings, "setting", "settings"));
+                     words(size.fraction_bits, "fraction bit", "fraction bits"),
+                     words(size.settings, "setting", "settings"));
 }
 
 // What differs, in a sentence, with the renderer's answer. `info` holds what can be told.
@@ -237,8 +195,7 @@ ExitCode deliver(const MinimizeCommand& command, const Case& original, const Min
   }
   fmt::print(stderr, "{}: {}\n  from {}\n  to {}: {}\n  {}{}\n", original.id, title_of(signature),
              words_of_size(original.scene), words_of_size(minimized.scene),
-             scene_words(minimized.scene),
-             counted(static_cast<std::int64_t>(minimized.asks), "scene asked", "scenes asked"),
+             scene_words(minimized.scene), counted(minimized.asks, "scene asked", "scenes asked"),
              ending_words(minimized.end));
   const std::string text =
       command.json ? json_text(minimized, signature, original, info, written.text) : written.text;
@@ -315,19 +272,17 @@ ExitCode minimize_case(const MinimizeCommand& command, const Case& original,
 }
 
 ExitCode run_minimize(const MinimizeCommand& command) {
-  const CaseName name = split_name(command.path);
-  Selection selection;
-  selection.paths = {name.file};
+  const Selection selection = select_cases({command.path});
   const auto policy = command.policy.load(selection, {command.renderer});
   if (!policy || !are_known({command.renderer})) return ExitCode::usage;
   const auto profiles = load_profiles(selection, {command.renderer});
   if (!profiles) return ExitCode::usage;
   if (!command.rule.empty() && find_rule(command.rule) == nullptr) {
-    print_error(fmt::format("there is no rule \"{}\"; `edgecase rules` prints all", command.rule));
+    print_no_rule(command.rule);
     return ExitCode::usage;
   }
   ExitCode exit = ExitCode::as_expected;
-  const auto original = find_case(name, exit);
+  const auto original = find_case(command.path, selection, exit);
   if (!original) return exit;
   TrialOptions options;
   options.policy = *policy;
@@ -345,7 +300,7 @@ void add_minimize_command(CLI::App& app, ExitCode& exit) {
   auto options = std::make_shared<MinimizeCommand>();
   command
       ->add_option("case", options->path,
-                   "Case file, or id of a case: path:axis=value of one of a sweep")
+                   "Case file, or id of a case; path:axis=value is one of a sweep")
       ->required();
   command->add_option("--against", options->renderer, "Renderer, as `run` names them")->required();
   command->add_option("--rule", options->rule,

@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "casefile/case_writer.h"
 #include "casefile/loader.h"
 #include "casefile/scaffold.h"
-#include "casefile/suite.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "run/example_case.h"
@@ -51,7 +51,7 @@ struct Begun {
 bool is_known(const std::vector<std::string>& rules) {
   for (const std::string& rule : rules)
     if (find_rule(rule) == nullptr) {
-      print_error(fmt::format("\"{}\" is no rule; `edgecase rules` lists them", rule));
+      print_no_rule(rule);
       return false;
     }
   return true;
@@ -180,20 +180,14 @@ std::string file_id(const std::string& id) {
   return id.substr(0, id.find(':'));
 }
 
-// By the path of a file, whose base case is meant, or by an id of the suite.
+// By path or id. Of several cases of a file the base case is meant, whose id comes first.
 std::optional<Case> find_in_suite(const NewCommand& command) {
-  std::error_code error;
-  if (!fs::is_regular_file(command.from, error)) {
-    const fs::path file = fs::path(command.suite) / (file_id(command.from) + ".json");
-    return find_case(load_cases(file, file_id(command.from)), command.from);
-  }
-  const std::array paths = {fs::path(command.from)};
-  const FoundCases found = find_cases(paths);
-  print_diagnostics(found.diagnostics);
-  if (found.cases.empty()) return std::nullopt;
-  LoadedCases loaded = load_cases(found.cases.front().file, found.cases.front().id);
-  const std::string base = loaded.cases.empty() ? "" : loaded.cases.front().id;
-  return find_case(std::move(loaded), base);
+  Suite suite = load_suite(selection_of(std::array{command.from}, command.suite));
+  print_diagnostics(suite.diagnostics);
+  if (!suite.diagnostics.empty()) return std::nullopt;
+  if (!suite.cases.empty()) return std::move(suite.cases.front());
+  print_nothing_selected();
+  return std::nullopt;
 }
 
 // What the renderers of a run answered: a sentence for each that differs.
@@ -213,7 +207,9 @@ std::string answers_of(const Results& results, const CaseResults& one) {
 
 // The case that was run, and what the renderers made of it.
 std::optional<std::pair<Case, std::string>> find_in_results(const NewCommand& command) {
-  const auto results = load_results(command.results);
+  ExitCode ignored =
+      ExitCode::as_expected;  // whoever asks for a case asked for one that is not there
+  const auto results = load_results(command.results, ignored);
   if (!results) return std::nullopt;
   const auto found = std::ranges::find_if(
       results->cases, [&](const CaseResults& one) { return one.id == command.from; });

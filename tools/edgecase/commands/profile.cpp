@@ -33,6 +33,7 @@ struct ProfileCommand {
   double timeout = 10;
   int jobs = 0;
   std::string progress = "auto";
+  bool full = false;
   std::size_t clusters = 12;
   std::string json;
   std::string policy_file;
@@ -63,9 +64,17 @@ bool deliver(const std::string& path, const std::string& text) {
   return true;
 }
 
+// The summary comes last, where it is read. Its tenth line says where the rest is.
+void print_profile(const ProfileCommand& command, const Profile& profile) {
+  if (command.full) fmt::print("{}\n", xml_text(profile_text(profile, command.clusters)));
+  fmt::print("{}{}", xml_text(profile_summary(profile)),
+             command.full ? ""
+                          : "--full prints the tables, --policy-file FILE writes the policy that "
+                            "was found\n");
+}
+
 ExitCode deliver_all(const ProfileCommand& command, const Profile& profile) {
-  if (command.json != "-" && command.policy_file != "-")
-    fmt::print("{}", xml_text(profile_text(profile, command.clusters)));
+  if (command.json != "-" && command.policy_file != "-") print_profile(command, profile);
   ExitCode exit = ExitCode::as_expected;
   if (!command.json.empty() && !deliver(command.json, profile_json(profile, kToolName)))
     exit = ExitCode::internal;
@@ -118,7 +127,8 @@ void add_profile_command(CLI::App& app, ExitCode& exit) {
   auto options = std::make_shared<ProfileCommand>();
   command->add_option("--against", options->renderer, "Renderer to measure, as `run` names them")
       ->required();
-  command->add_option("--seed", options->seed, "Of the random scenes")->capture_default_str();
+  command->add_option("--seed", options->seed, "Number that fixes the random scenes")
+      ->capture_default_str();
   command
       ->add_option("--scenes", options->scenes,
                    "Random scenes of each primitive type on each surface")
@@ -128,9 +138,12 @@ void add_profile_command(CLI::App& app, ExitCode& exit) {
                  "fbo or window; repeatable (default: both)");
   command->get_option("--surface")->check(CLI::IsMember({"fbo", "window"}));
   options->policy.add_to(*command);
+  CLI::Option* full = command->add_flag("--full", options->full,
+                                        "Print the tables of each surface before the summary");
   command
       ->add_option("--clusters", options->clusters,
                    "Most clusters of counter-examples to print for each surface")
+      ->needs(full)
       ->capture_default_str();
   command->add_option("--json", options->json, "Write everything as JSON; - for standard output");
   command->add_option(

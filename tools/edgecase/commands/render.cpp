@@ -120,7 +120,7 @@ void add_render_command(CLI::App& app, ExitCode& exit) {
   auto options = std::make_shared<RenderOptions>();
   options->selection.add_to(*command, false);
   options->policy.add_to(*command);
-  command->add_option("--with", options->renderer, "The renderer, exact by default; see backends")
+  command->add_option("--with", options->renderer, "Renderer, as `run` names them")
       ->capture_default_str();
   command->add_option("--json", options->json,
                       "File for one JSON object per case, - for standard "

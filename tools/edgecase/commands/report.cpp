@@ -24,11 +24,13 @@ struct ReportCommand {
   bool strict = false;
 };
 
-// What changed from the results file at `path`; nothing, with the error printed, where that cannot
-// be said.
-std::optional<Comparison> changes_since(const std::string& path, const Results& results) {
-  const auto before = load_results(path);
+// What changed from the results file at `path`; nothing, with the error printed and the exit code
+// that it deserves, where that cannot be said.
+std::optional<Comparison> changes_since(const std::string& path, const Results& results,
+                                        ExitCode& exit) {
+  const auto before = load_results(path, exit);
   if (!before) return std::nullopt;
+  exit = ExitCode::usage;
   auto compared = compare_results(*before, results);
   if (auto* comparison = std::get_if<Comparison>(&compared)) return std::move(*comparison);
   print_error(std::get<std::string>(compared));
@@ -36,16 +38,19 @@ std::optional<Comparison> changes_since(const std::string& path, const Results& 
 }
 
 ExitCode report(const ReportCommand& command) {
-  auto results = load_results(command.results);
-  if (!results) return ExitCode::usage;
+  ExitCode exit = ExitCode::as_expected;
+  auto results = load_results(command.results, exit);
+  if (!results) return exit;
   load_sources(*results);
   if (command.strict) hold_contested(*results);
   ReportFiles files = command.files;
   if (!command.since.empty()) {
-    files.since = changes_since(command.since, *results);
-    if (!files.since) return ExitCode::usage;
+    files.since = changes_since(command.since, *results, exit);
+    if (!files.since) return exit;
   }
-  return files.write(*results) ? ExitCode::as_expected : ExitCode::internal;
+  if (!files.write(*results)) return ExitCode::internal;
+  files.open_if_asked();
+  return ExitCode::as_expected;
 }
 
 }  // namespace

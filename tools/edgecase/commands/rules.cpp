@@ -2,10 +2,14 @@
 //
 // edgecase rules: the catalogue, for people, as JSON, as the committed document or as a book.
 #include <fmt/format.h>
+#include <fnmatch.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
+#include <vector>
 
 #include "rules/all_rules.h"
 #include "rules/rules_document.h"
@@ -28,9 +32,39 @@ nlohmann::ordered_json ruling_json(const Ruling& ruling) {
   return json;
 }
 
-void print_json() {
+struct RulesCommand {
+  std::vector<std::string> ids;  // globs; none: all
+  std::string book;              // a folder
+  std::string suite = default_suite();
+  bool json = false;
+  bool markdown = false;
+};
+
+using Rules = std::vector<const Rule*>;
+
+// Those whose ids match one of the globs; all of them where there are none. Prints an error and
+// returns nothing for a glob that matches none.
+std::optional<Rules> select_rules(const std::vector<std::string>& globs) {
+  const auto matches = [](const std::string& glob, const Rule& rule) {
+    return fnmatch(glob.c_str(), rule.id.c_str(), 0) == 0;
+  };
+  for (const std::string& glob : globs)
+    if (std::ranges::none_of(all_rules(), [&](const Rule& rule) { return matches(glob, rule); })) {
+      print_no_rule(glob);
+      return std::nullopt;
+    }
+  Rules selected;
+  for (const Rule& rule : all_rules())
+    if (globs.empty() ||
+        std::ranges::any_of(globs, [&](const std::string& glob) { return matches(glob, rule); }))
+      selected.push_back(&rule);
+  return selected;
+}
+
+void print_json(const Rules& rules) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Rule& rule : all_rules()) {
+  for (const Rule* one : rules) {
+    const Rule& rule = *one;
     nlohmann::ordered_json alternatives = nlohmann::ordered_json::array();
     for (const Alternative& a : rule.alternatives)
       alternatives.push_back(
@@ -48,8 +82,9 @@ void print_json() {
   fmt::print("{}\n", list.dump(2));
 }
 
-void print_text() {
-  for (const Rule& rule : all_rules()) {
+void print_text(const Rules& rules) {
+  for (const Rule* one : rules) {
+    const Rule& rule = *one;
     fmt::print("{}\n  {}.\n  OpenGL 4.6 core: {}. Latitude: {}.\n", rule.id, rule.title, rule.spec,
                rule.latitude);
     for (const Alternative& a : rule.alternatives)
@@ -82,36 +117,43 @@ ExitCode write_book(const std::string& folder, const std::string& suite) {
   return ExitCode::as_expected;
 }
 
+ExitCode print_rules(const RulesCommand& command) {
+  if (!command.book.empty()) return write_book(command.book, command.suite);
+  if (command.markdown) {
+    fmt::print("{}", rules_document());
+    return ExitCode::as_expected;
+  }
+  const auto rules = select_rules(command.ids);
+  if (!rules) return ExitCode::usage;
+  if (command.json)
+    print_json(*rules);
+  else
+    print_text(*rules);
+  return ExitCode::as_expected;
+}
+
 }  // namespace
 
 void add_rules_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand("rules", "Print the rules, alternatives and rulings");
-  auto book = std::make_shared<std::string>();
-  auto suite = std::make_shared<std::string>(default_suite());
-  auto json = std::make_shared<bool>(false);
-  auto markdown = std::make_shared<bool>(false);
-  CLI::Option* as_json = command->add_flag("--json", *json, "As JSON");
-  command->add_flag("--markdown", *markdown, "As the document src/rules/RULINGS.md")
-      ->excludes(as_json);
+  auto options = std::make_shared<RulesCommand>();
+  CLI::Option* ids = command->add_option("rules", options->ids,
+                                         "Ids of rules, or globs of them (default: all rules)");
+  CLI::Option* as_json = command->add_flag("--json", options->json, "As JSON");
+  command->add_flag("--markdown", options->markdown, "As the document src/rules/RULINGS.md")
+      ->excludes(as_json)
+      ->excludes(ids);
   CLI::Option* as_book =
       command
-          ->add_option("--book", *book,
+          ->add_option("--book", options->book,
                        "Folder for a book of HTML pages, with worked scenes; index.html is first")
           ->excludes(as_json)
-          ->excludes("--markdown");
-  command->add_option("--suite", *suite, "Folder with the cases of the book's scenes")
+          ->excludes("--markdown")
+          ->excludes(ids);
+  command->add_option("--suite", options->suite, "Folder with the cases of the book's scenes")
       ->capture_default_str()
       ->needs(as_book);
-  command->callback([json, markdown, book, suite, &exit] {
-    if (!book->empty())
-      exit = write_book(*book, *suite);
-    else if (*json)
-      print_json();
-    else if (*markdown)
-      fmt::print("{}", rules_document());
-    else
-      print_text();
-  });
+  command->callback([options, &exit] { exit = print_rules(*options); });
 }
 
 }  // namespace edgecase

@@ -3,13 +3,16 @@
 // edgecase run: the suite against renderers, judged, held against expectations, reported.
 #include <fmt/format.h>
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <variant>
 
+#include "model/counted.h"
 #include "run/last_failed.h"
+#include "run/recording_renderer.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/output/delivery.h"
@@ -47,14 +50,15 @@ std::optional<ExitCode> narrow_to_last_failed(const RunCommand& command, Selecti
                     path));
     return ExitCode::usage;
   }
-  const auto last = load_results(path);
-  if (!last) return ExitCode::usage;
+  ExitCode exit = ExitCode::as_expected;
+  const auto last = load_results(path, exit);
+  if (!last) return exit;
   selection.only = unexpected_cases(*last);
   if (!selection.only->ids.empty() || !selection.only->files.empty()) return std::nullopt;
   print_error(
-      fmt::format("nothing failed: in {} all {} cases are as expected; run without "
-                  "--last-failed to run them again",
-                  path, last->cases.size()));
+      fmt::format("nothing failed: in {} all is as expected, {}; run without --last-failed to run "
+                  "them again",
+                  path, counted(last->cases.size(), "case", "cases")));
   return ExitCode::nothing_selected;
 }
 
@@ -70,8 +74,9 @@ std::variant<std::optional<MergePart>, ExitCode> earlier_run(const RunCommand& c
   }
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return earlier;
-  auto results = load_results(path);
-  if (!results) return ExitCode::usage;
+  ExitCode exit = ExitCode::as_expected;
+  auto results = load_results(path, exit);
+  if (!results) return exit;
   return MergePart{path, std::move(*results)};
 }
 
@@ -93,8 +98,18 @@ ExitCode print_list(const Suite& suite) {
   return ExitCode::nothing_selected;
 }
 
+// A recording is opened when it is asked, since that may take long.
+bool are_renderers_known(const SuiteRunOptions& options) {
+  std::vector<std::string> names = options.named();
+  std::erase_if(names, [](const std::string& name) { return is_recording(name); });
+  return are_known(names);
+}
+
 ExitCode run(const RunCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
   Selection selection = command.selection.selection();
+  // A misspelt name is told before thousands of cases are loaded.
+  if (!command.list && !are_renderers_known(command.run)) return ExitCode::usage;
   if (command.last_failed)
     if (const auto exit = narrow_to_last_failed(command, selection)) return *exit;
   const auto policy = command.policy.load(selection, command.run.renderers);
@@ -103,6 +118,8 @@ ExitCode run(const RunCommand& command) {
   const Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
   if (command.list) return print_list(suite);
+  // Of what was asked for nothing is there: what an earlier run wrote stays.
+  if (suite.is_misspelt) return ExitCode::usage;
   // Which renderer is taken where none is named shows only when OpenGL is loaded.
   auto expectations = load_expectations(suite_folder(selection) / "expectations",
                                         command.expectations, command.run.named());
@@ -119,7 +136,8 @@ ExitCode run(const RunCommand& command) {
   const InterruptGuard guard;
   const auto results = run_expecting(suite, *policy, *profiles, command.run, std::move(expectant));
   if (!results) return ExitCode::usage;
-  const ExitCode exit = deliver_results(*results, command.files, command.color);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  const ExitCode exit = deliver_results(*results, command.files, command.color, took.count());
   if (exit != ExitCode::internal) print_way_on(command, *results);
   return exit;
 }
@@ -152,8 +170,9 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
       ->add_option("--max-failures", options->max_failures,
                    "End after so many unexpected cases; what was finished is reported")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}));
-  command->add_flag("--no-rerun", options->no_rerun,
-                    "Do not ask for unexpected answers again, which tells flakes");
+  command->add_flag(
+      "--no-rerun", options->no_rerun,
+      "Do not ask a second time for unexpected answers; a second answer tells flakes");
   command->add_flag("--list", options->list, "Only list the ids of the selected cases");
   command->callback([options, &exit] { exit = run(*options); });
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "model/counted.h"
 #include "run/separation.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/options.h"
@@ -38,10 +39,11 @@ std::size_t print_weak_pairs(const SeparationMatrix& matrix, std::size_t least) 
     for (std::size_t j = 0; j < i; ++j) {
       if (matrix.cases[i][j] >= least) continue;
       if (++weak > kMostListed) continue;
-      fmt::print("  {} and {}: {} cases\n", matrix.alternatives[j], matrix.alternatives[i],
-                 matrix.cases[i][j]);
+      fmt::print("  {} and {}: {}\n", matrix.alternatives[j], matrix.alternatives[i],
+                 counted(matrix.cases[i][j], "case", "cases"));
     }
-  if (weak > kMostListed) fmt::print("  and {} more pairs\n", weak - kMostListed);
+  if (weak > kMostListed)
+    fmt::print("  and {}\n", counted(weak - kMostListed, "more pair", "more pairs"));
   return weak;
 }
 
@@ -52,12 +54,13 @@ ExitCode separate(const SeparationCommand& command) {
   if (suite.cases.empty()) return ExitCode::nothing_selected;
   const Separation separation = measure_separation(suite.cases);
   fmt::print(
-      "{} cases, {} of them ({:.1f} %) with a tie\n", separation.cases, separation.with_ties,
+      "{}, {} of them ({:.1f} %) with a tie\n", counted(separation.cases, "case", "cases"),
+      separation.with_ties,
       100.0 * static_cast<double>(separation.with_ties) / static_cast<double>(separation.cases));
   std::size_t weak = 0;
   for (const SeparationMatrix& matrix : separation.matrices) {
-    fmt::print("{}: {} alternatives, every pair told apart by at least {} cases\n", matrix.rule,
-               matrix.alternatives.size(), matrix.least());
+    fmt::print("{}: {} alternatives, every pair told apart by at least {}\n", matrix.rule,
+               matrix.alternatives.size(), counted(matrix.least(), "case", "cases"));
     if (command.full) print_matrix(matrix);
     weak += print_weak_pairs(matrix, command.least);
   }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "casefile/json_format.h"
+#include "model/counted.h"
 #include "raster/rasterizer.h"
 #include "reports/text.h"
 #include "run/expectation_check.h"
@@ -66,6 +67,7 @@ std::size_t print_unmet(const Suite& suite) {
 ExitCode validate(const ValidateCommand& command) {
   const Suite suite = load_suite(command.selection.selection());
   print_diagnostics(suite.diagnostics);
+  if (suite.is_misspelt) return ExitCode::usage;
   for (const Diagnostic& note : suite.notes) fmt::print("{}\n", one_line(to_string(note)));
   const std::size_t unmet = print_unmet(suite);
   std::size_t disorderly = 0;
@@ -74,8 +76,9 @@ ExitCode validate(const ValidateCommand& command) {
     if (!left) return ExitCode::internal;
     disorderly = *left;
   }
-  fmt::print("{} cases are well formed, {} faults, {} drawings not met\n", suite.cases.size(),
-             suite.diagnostics.size(), unmet);
+  fmt::print(
+      "{} well formed, {}, {} not met\n", counted(suite.cases.size(), "case is", "cases are"),
+      counted(suite.diagnostics.size(), "fault", "faults"), counted(unmet, "drawing", "drawings"));
   if (!suite.diagnostics.empty()) return ExitCode::usage;
   if (unmet > 0 || disorderly > 0) return ExitCode::unexpected;
   if (!suite.cases.empty()) return ExitCode::as_expected;

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+
+#include "tools/edgecase/help/wrapped_formatter.h"
 
 namespace edgecase {
 namespace {
@@ -21,136 +24,151 @@ constexpr std::array kMeanings = {"as expected",
 
 constexpr const char* kInterrupted = "interrupted";
 
+constexpr const char* kRun = "Run";
+constexpr const char* kUnderstand = "Understand";
+constexpr const char* kWrite = "Write cases";
+constexpr const char* kSearch = "Search";
+constexpr const char* kMaintain = "Maintain";
+
 constexpr HelpPage kPages[] = {
-    {"run",
-     "Every case is rendered exactly and by each renderer, compared, and judged by the "
-     "specification. Each answer is held against the expectations that are committed for its "
-     "renderer. With no file named, results.json, junit.xml and report.html go to out/. A run that "
-     "is interrupted keeps what was finished, and --resume goes on with the rest.",
+    {"run", kRun,
+     "Every case is rendered exactly and by each renderer. The two renderings are compared, and "
+     "the specification judges what differs. Each answer is held against the expectations that "
+     "are committed for its renderer. Without a file to write, results.json, junit.xml and "
+     "report.html go to out/. An interrupted run keeps what was finished, and --resume goes on "
+     "with the rest.",
      "012345", "an answer is not as expected, an unexpected agreement included",
      "edgecase run\n"
-     "edgecase run cases/lines --against osmesa:softpipe --html lines.html\n"
-     "edgecase run --against \"exec:python3 my_rasterizer.py\" --filter \"triangles/*\"\n"
+     "edgecase run lines --against osmesa:softpipe --html lines.html\n"
+     "edgecase run \"triangles/*\" --against \"exec:python3 my_rasterizer.py\" --open\n"
      "edgecase run --shard 2/4 --json 2.json\n"
      "edgecase run --json results.json --resume"},
-    {"render",
-     "Writes a rendering of each case, pixels and every fragment, or a picture of it. Nothing is "
-     "compared or judged.",
-     "012345", kInterrupted,
-     "edgecase render cases/triangles/ties --with osmesa:llvmpipe\n"
-     "edgecase render cases/scenes --png pictures"},
-    {"explain",
-     "Draws a case in characters and says in sentences which rule decides over a pixel; with "
-     "--against also where the renderer differs, the cause, and the ruling that it is judged by.",
-     "012345", kInterrupted,
-     "edgecase explain cases/lines/short/between-diamonds.json --pixel 3,3\n"
-     "edgecase explain cases/triangles/ties/flat-top.json --pixel 3,3 --svg pixel.svg\n"
-     "edgecase explain cases/lines/short/between-diamonds.json --against osmesa:softpipe\n"
-     "edgecase explain cases/triangles/single/across-blocks.json --blocks 4 --svg blocks.svg"},
-    {"profile",
-     "Asks the renderer for thousands of random scenes and infers from its answers which "
-     "alternative of each rule it follows, with the evidence and the counter-examples.",
-     "01234", "interrupted; nothing was written",
-     "edgecase profile --against osmesa:llvmpipe --scenes 2000\n"
-     "edgecase profile --against egl:device0 --policy-file device0.json"},
-    {"record",
-     "Writes every answer of the renderer into one file. Where it cannot run, recording:FILE "
-     "stands for it in every other subcommand.",
+    {"report", kRun,
+     "The reports are those that a run can write. The text of a case file is shown where the file "
+     "is still what it was in the run.",
+     "023", nullptr,
+     "edgecase report out/results.json --html report.html --open\n"
+     "edgecase report new.json --since old.json --html report.html"},
+    {"compare", kRun,
+     "Each case became worse, better or other, or stayed as it was. Changes are grouped by rule "
+     "and cause.",
+     "0123", "the two differ",
+     "edgecase compare old.json new.json\n"
+     "edgecase compare old.json new.json --markdown changes.md"},
+    {"merge", kRun,
+     "The cases of all shards are judged anew, as one run. The results are those that a run "
+     "without shards would have written.",
+     "012345", "an answer is not as expected, or shards are missing",
+     "edgecase merge 1.json 2.json 3.json 4.json --html report.html\n"
+     "edgecase merge 1.json 3.json --partial -o part.json"},
+    {"record", kRun,
+     "Every answer of the renderer goes into one file. Where the renderer cannot run, "
+     "recording:FILE stands for it in every other subcommand.",
      "012345", kInterrupted,
      "edgecase record --against egl:device0 -o card.rec\n"
-     "edgecase record cases/lines --against osmesa:softpipe -o lines.rec"},
-    {"rules",
-     "Each rule with its section of the specification, the latitude that this grants, the "
+     "edgecase record lines --against osmesa:softpipe -o lines.rec"},
+    {"render", kRun,
+     "Each case gives its pixels and every fragment, or a picture. Nothing is compared or judged.",
+     "012345", kInterrupted,
+     "edgecase render triangles/ties --with osmesa:llvmpipe\n"
+     "edgecase render scenes --png pictures"},
+    {"explain", kUnderstand,
+     "The case is drawn in characters, and sentences say which rule decides over a pixel. With "
+     "--against they also say where the renderer differs, the cause, and the ruling that judges "
+     "it.",
+     "012345", kInterrupted,
+     "edgecase explain lines/short/between-diamonds --pixel 3,3\n"
+     "edgecase explain triangles/ties/flat-top --pixel 3,3 --svg pixel.svg\n"
+     "edgecase explain lines/short/between-diamonds --against osmesa:softpipe\n"
+     "edgecase explain triangles/single/across-blocks --blocks 4 --svg blocks.svg"},
+    {"draw", kUnderstand,
+     "The picture is text or SVG. It has a panel for each alternative of a rule; with --against it "
+     "has exact, the difference and the renderer side by side.",
+     "012345", kInterrupted,
+     "edgecase draw lines/algorithms/all-differ --svg lines.svg\n"
+     "edgecase draw lines/joints/twice-on-a-corner --against osmesa:llvmpipe"},
+    {"rules", kUnderstand,
+     "Each rule has its section of the specification, the latitude that this grants, the "
      "alternatives, and the numbered rulings that verdicts cite. --book writes pages that teach "
      "them, with scenes in the words of explain.",
      "023", nullptr,
      "edgecase rules\n"
-     "edgecase rules --json\n"
+     "edgecase rules line.diamond-exit\n"
+     "edgecase rules \"texture.*\" --json\n"
      "edgecase rules --book out/book"},
-    {"backends",
-     "Believes nothing that a renderer says of itself: each is asked to render. Programs behind "
-     "exec: are also held against the protocol, well-formed and malformed requests alike.",
-     "01234", "a program does not keep the protocol, or interrupted",
-     "edgecase backends\n"
-     "edgecase backends \"exec:python3 my_rasterizer.py\" --json -"},
-    {"new",
-     "Writes a case file that is valid from the start; what is left to its author are the words "
-     "and the drawing of what must come out.",
-     "023", nullptr,
-     "edgecase new cases/lines/mine.json --draw \"lines 0.5,~0.3 9,1+1/2\" --rule "
-     "line.diamond-exit\n"
-     "edgecase new - --rule line.snap"},
-    {"validate",
-     "Names every fault of every file, with its line, JSON pointer and remedy, and holds the "
-     "drawings of the files against what exact draws.",
-     "01235", "a drawing is not what exact draws, or a file is not laid out as asked",
-     "edgecase validate\n"
-     "edgecase validate cases/lines --check-format"},
-    {"bless",
-     "Shows how the expectations would change so that the results are expected, a reason on each "
-     "line; --apply writes them. Decisions that a reviewer exported from the HTML report are "
-     "taken with --from.",
-     "0123", "a decision is refused, since something has changed since it was made",
-     "edgecase bless out/results.json --against osmesa:softpipe\n"
-     "edgecase bless --from decisions.json --apply"},
-    {"merge",
-     "Judges the cases of all shards anew, as one run: the results are those that a run without "
-     "shards would have written.",
-     "012345", "an answer is not as expected, or shards are missing",
-     "edgecase merge 1.json 2.json 3.json 4.json --html report.html\n"
-     "edgecase merge 1.json 3.json --partial -o part.json"},
-    {"compare", "Tells which cases became worse, better or other, grouped by rule and cause.",
-     "0123", "the two differ",
-     "edgecase compare old.json new.json\n"
-     "edgecase compare old.json new.json --markdown changes.md"},
-    {"report",
-     "Writes any of the reports that a run can write. The case files are read for their text, "
-     "where they are still what they were.",
-     "023", nullptr,
-     "edgecase report out/results.json --html report.html\n"
-     "edgecase report new.json --since old.json --html report.html"},
-    {"separation",
-     "Draws every case under every alternative of each rule. A pair of alternatives that no case "
-     "tells apart is a hole in the suite.",
-     "01235", "some pair is told apart by fewer cases than --least",
-     "edgecase separation --least 10\n"
-     "edgecase separation cases/lines --full"},
-    {"draw",
-     "A picture, in characters or SVG: a panel for each alternative, or exact, difference and "
-     "renderer side by side.",
-     "012345", kInterrupted,
-     "edgecase draw cases/lines/algorithms/all-differ.json --svg lines.svg\n"
-     "edgecase draw cases/lines/joints/twice-on-a-corner.json --against osmesa:llvmpipe"},
-    {"gallery",
-     "One page a policy: each choice that is not OpenGL's, with its source and a picture that "
+    {"profile", kUnderstand,
+     "The renderer draws thousands of random scenes. Its answers tell which alternative of each "
+     "rule it follows. A summary of ten lines is printed; --full prints the evidence and the "
+     "counter-examples before it.",
+     "01234", "interrupted; nothing was written",
+     "edgecase profile --against osmesa:llvmpipe --scenes 2000\n"
+     "edgecase profile --against egl:device0 --full --policy-file device0.json"},
+    {"gallery", kUnderstand,
+     "Each policy has a page: each choice that is not OpenGL's, its source, and a picture that "
      "shows it.",
      "012345", kInterrupted,
      "edgecase gallery\n"
      "edgecase gallery scotty3d --html pages"},
-    {"fuzz",
-     "Asks renderers for scenes that a seed fixes, and for mutations of --corpus; what differs is "
-     "made small, grouped by rule, kind and cause, and can be saved as cases.",
+    {"new", kWrite,
+     "The case file is valid from the start. Its author puts the words right and draws what must "
+     "come out.",
+     "023", nullptr,
+     "edgecase new cases/lines/mine.json --draw \"lines 0.5,~0.3 9,1+1/2\" --rule "
+     "line.diamond-exit\n"
+     "edgecase new - --rule line.snap"},
+    {"validate", kWrite,
+     "Every fault of every file is named, with its line, JSON pointer and remedy. The drawings of "
+     "the files are held against what exact draws.",
+     "01235", "a drawing is not what exact draws, or a file is not laid out as asked",
+     "edgecase validate\n"
+     "edgecase validate cases/lines --check-format"},
+    {"separation", kWrite,
+     "Every case is drawn under every alternative of each rule. A pair of alternatives that no "
+     "case tells apart is a hole in the suite.",
+     "01235", "some pair is told apart by fewer cases than --least",
+     "edgecase separation --least 10\n"
+     "edgecase separation lines --full"},
+    {"fuzz", kSearch,
+     "Renderers draw scenes that a seed fixes, and mutations of the scenes of --corpus. What "
+     "differs is made small, grouped by rule, kind and cause, and can be saved as cases.",
      "01234", "something was found",
      "edgecase fuzz --against osmesa:softpipe --seconds 60\n"
      "edgecase fuzz --against osmesa:llvmpipe --rules triangle.fill-rule --count 10000 --save "
      "finds"},
-    {"minimize",
-     "Takes primitives, state, pixels and digits away for as long as the renderer shows the same "
-     "difference, and prints what is left as a case file.",
+    {"minimize", kSearch,
+     "Primitives, state, pixels and digits are taken away for as long as the renderer shows the "
+     "same difference. What is left is printed as a case file.",
      "012345", "interrupted; the smallest scene so far is printed",
-     "edgecase minimize cases/lines/diagonals/two-in-a-column.json --against osmesa:softpipe"},
-    {"bench",
-     "Draws the same scenes by exact and by renderers in turn, and times cases, searches and "
-     "comparisons of pictures. Times depend on the machine; what counts are the ratios.",
+     "edgecase minimize lines/diagonals/two-in-a-column --against osmesa:softpipe"},
+    {"bless", kMaintain,
+     "The expectations change so that the results are expected, each with a reason. The changes "
+     "are printed, and --apply writes them. --from takes the decisions that a reviewer exported "
+     "from the HTML report.",
+     "0123", "a decision is refused, since something has changed since it was made",
+     "edgecase bless out/results.json --against osmesa:softpipe\n"
+     "edgecase bless --from decisions.json --apply"},
+    {"backends", kMaintain,
+     "Each renderer is asked to render: what it says of itself is not believed. Programs behind "
+     "exec: are also held against the protocol, by well-formed and malformed requests.",
+     "01234", "a program does not keep the protocol, or interrupted",
+     "edgecase backends\n"
+     "edgecase backends \"exec:python3 my_rasterizer.py\" --json -"},
+    {"bench", kMaintain,
+     "Exact and renderers draw the same scenes in turn. Cases, searches and comparisons of "
+     "pictures are timed. Times depend on the machine; ratios count.",
      "0235", "",
      "edgecase bench\n"
      "edgecase bench --part scenes --against egl:softpipe --rounds 3 --json bench.json"},
-    {"manual",
-     "The manual page holds every subcommand with all its options, made of what this program "
-     "knows; the completions likewise.",
+    {"manual", kMaintain,
+     "The manual page holds every subcommand with all its options. It and the completions are made "
+     "from what this program knows.",
      "023", nullptr,
      "edgecase manual | man -l -\n"
      "edgecase manual --completion bash > ~/.local/share/bash-completion/completions/edgecase"},
+    {"help", kMaintain, "The help of a subcommand is what its option --help prints.", "023",
+     nullptr,
+     "edgecase help\n"
+     "edgecase help run"},
 };
 
 std::string footer_of(const HelpPage& page) {
@@ -186,8 +204,14 @@ std::vector<std::string> exit_code_lines(const HelpPage& page) {
 }
 
 void add_help_pages(CLI::App& app) {
-  for (CLI::App* command : app.get_subcommands({}))
-    command->footer(footer_of(help_page(command->get_name())));
+  const auto formatter = std::make_shared<WrappedFormatter>(help_width());
+  app.formatter(formatter);
+  for (CLI::App* command : app.get_subcommands({})) {
+    const HelpPage& page = help_page(command->get_name());
+    command->group(page.group);
+    command->footer(footer_of(page));
+    command->formatter(formatter);
+  }
 }
 
 }  // namespace edgecase

@@ -84,13 +84,15 @@ std::string manual_page(const std::string& description, std::span<const CommandW
       ".TH EDGECASE 1 \"\" \"{}\" \"User Commands\"\n.SH NAME\nedgecase \\- exact rasterization, "
       "held "
       "against real OpenGL\n.SH SYNOPSIS\n\\fBedgecase\\fR SUBCOMMAND [options] [arguments]\n"
-      ".SH DESCRIPTION\n{}\n.PP\nWithout a path, cases are those of the folder cases here, or, "
-      "where there is none, of the installed suite.\n.SH SUBCOMMANDS\n",
+      ".SH DESCRIPTION\n{}\n.PP\nWithout a path, cases are those of the folder cases here, or of "
+      "the installed suite. Ids of cases and globs of ids stand wherever a path of cases may.\n.SH "
+      "SUBCOMMANDS\n",
       kToolName, literal(description));
   for (const CommandWords& command : commands) text += section(command);
   text +=
-      ".SH ENVIRONMENT\n.TP\nEDGECASE_KERNELS\nThe SIMD target to draw on, or none where no faster "
-      "decision shall stand for the plain one; results are the same.\n"
+      ".SH ENVIRONMENT\n.TP\nEDGECASE_KERNELS\nThe SIMD target to draw on, or none to decide "
+      "without "
+      "faster kernels. Results are the same.\n"
       ".SH FILES\n.TP\nPREFIX/share/edgecase/cases\nThe suite, with its schema, policies, profiles "
       "and expectations.\n.TP\nPREFIX/share/doc/edgecase\nHow cases are written, and the protocol "
       "of exec: programs.\n";

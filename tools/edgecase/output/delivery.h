@@ -4,6 +4,7 @@
 // code found. One path for both, so that what is merged from shards is what one run would write.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@
 namespace edgecase {
 
 // Of results to which expectations were applied. Where no case was selected nothing is written, so
-// that what an earlier run wrote stays.
-ExitCode deliver_results(const Results& results, const ReportFiles& files,
-                         const std::string& color);
+// that what an earlier run wrote stays. `seconds`: what the run took, where it was one.
+ExitCode deliver_results(const Results& results, const ReportFiles& files, const std::string& color,
+                         std::optional<double> seconds = {});
 
 }  // namespace edgecase

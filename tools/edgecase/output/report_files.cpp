@@ -22,6 +22,7 @@
 #include "tools/edgecase/options.h"
 #include "tools/edgecase/output/folder_lock.h"
 #include "tools/edgecase/output/html_report.h"
+#include "tools/edgecase/output/open_report.h"
 #include "tools/edgecase/output/triptych_files.h"
 
 namespace edgecase {
@@ -46,11 +47,15 @@ std::string path_in_repository(const std::string& file) {
 
 }  // namespace
 
-std::optional<Results> load_results(const std::string& path) {
+std::optional<Results> load_results(const std::string& path, ExitCode& exit) {
   const auto text = read_file(path);
-  if (!text) return std::nullopt;
+  if (!text) {
+    exit = ExitCode::internal;
+    return std::nullopt;
+  }
   auto read = read_results(*text);
   if (auto* results = std::get_if<Results>(&read)) return std::move(*results);
+  exit = ExitCode::usage;
   print_error(fmt::format("{}: {}; name a file that `edgecase run --json` wrote", path,
                           std::get<std::string>(read)));
   return std::nullopt;
@@ -79,13 +84,23 @@ void ReportFiles::add_to(CLI::App& command, const std::string& json_names) {
   command.add_option("--markdown", markdown,
                      "File for a summary in Markdown, at most 1 MB: $GITHUB_STEP_SUMMARY");
   command.add_option("--annotations", annotations,
-                     "File for GitHub annotations of the ten heaviest case files; - where a "
-                     "workflow's step shall make them");
+                     "File for GitHub annotations of the ten heaviest case files; - prints them "
+                     "for a step of a workflow");
   command.add_option("--csv", csv,
                      "File for every disagreement as a row of comma-separated values");
   command.add_option("--triptychs", triptychs,
                      "Folder for PNG files, RENDERER/CASE.png: exact, difference and rendered of "
                      "each case that differs");
+  command.add_flag("--open", open, "Open the HTML report in a browser when it is written");
+}
+
+void ReportFiles::open_if_asked() const {
+  if (!open) return;
+  const std::string path = html_path();
+  if (path.empty())
+    print_error("--open opens the HTML report, and none is written; add --html FILE");
+  else if (const std::string fault = open_in_browser(path); !fault.empty())
+    print_error(fmt::format("--open: {}; open {} in a browser", fault, path));
 }
 
 bool ReportFiles::is_none_given() const {

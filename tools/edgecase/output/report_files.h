@@ -11,11 +11,13 @@
 
 #include "results/comparison.h"
 #include "results/results.h"
+#include "tools/edgecase/exit_code.h"
 
 namespace edgecase {
 
-// The results in the file at `path`; prints an error and returns nothing when there are none.
-std::optional<Results> load_results(const std::string& path);
+// The results in the file at `path`. Prints an error and returns nothing when there are none;
+// `exit` is then `internal` for a file that cannot be read, `usage` for one that holds no results.
+std::optional<Results> load_results(const std::string& path, ExitCode& exit);
 
 // The text of the case files is not part of a results file; takes it from where they lie. A file
 // that was changed since the run is left out, and said to be.
@@ -33,6 +35,7 @@ struct ReportFiles {
   std::string annotations;
   std::string csv;
   std::string triptychs;            // a folder
+  bool open = false;                // the HTML report, when it is written
   std::optional<Comparison> since;  // what the HTML report tells to have changed
 
   // `json_names`: how the option for the results file is called.
@@ -40,6 +43,9 @@ struct ReportFiles {
   // Writes what was asked for, "-" meaning standard output. False when something cannot be written;
   // the error is printed and the other files are written all the same.
   bool write(const Results& results) const;
+  // Opens the HTML report if --open asks for it, and says on standard error why it cannot be
+  // opened.
+  void open_if_asked() const;
   // Is anything written to standard output?
   bool use_standard_output() const;
   // The files that write() makes of results and as HTML; empty where there is none, and for results

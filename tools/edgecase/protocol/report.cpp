@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/counted.h"
+
 namespace edgecase {
 
 std::string examination_text(const std::string& renderer, const ProtocolExamination& examination) {
@@ -16,8 +18,9 @@ std::string examination_text(const std::string& renderer, const ProtocolExaminat
     if (check.outcome == CheckOutcome::fail)
       text += fmt::format("      {}.\n      Remedy: {}.\n", check.finding, check.remedy);
   }
-  return text + fmt::format("{} checks: {} pass, {} not supported, {} fail\n",
-                            examination.checks.size(), examination.count(CheckOutcome::pass),
+  return text + fmt::format("{}: {} pass, {} not supported, {} fail\n",
+                            counted(examination.checks.size(), "check", "checks"),
+                            examination.count(CheckOutcome::pass),
                             examination.count(CheckOutcome::not_supported),
                             examination.count(CheckOutcome::fail));
 }

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "reports/unexpected_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <tuple>
+#include <utility>
+
+#include "model/counted.h"
+#include "reports/explain_command.h"
+#include "reports/text.h"
+#include "results/clusters.h"
+#include "results/worst_first.h"
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kMaxListed = 10;
+
+// The difference that an answer is told by: the worst, null where there is none.
+const Disagreement* leading(const Result& result) {
+  const std::vector<const Disagreement*> sorted = worst_first(result);
+  return sorted.empty() ? nullptr : sorted.front();
+}
+
+std::string cause_of(const CaseResults& one, const Result& result) {
+  if (result.failure) return name_of(result.failure->kind);
+  Cluster cluster;
+  cluster.surface = one.surface;
+  if (const Disagreement* d = leading(result)) {
+    cluster.cause = d->cause;
+    cluster.rule = d->rule;
+    cluster.kind = name_of(d->kind);
+    cluster.situation = d->situation;
+    return title_of(cluster);
+  }
+  for (const ValueAggregate& values : result.values) {
+    if (values.differing.empty()) continue;
+    cluster.cause = values.cause;
+    cluster.rule = values.rule;
+    cluster.attribute = values.attribute;
+    return title_of(cluster);
+  }
+  return "";
+}
+
+std::string expected_of(const KnownResult& result) {
+  if (!result.expected) return name_of(Verdict::agree);
+  const bool same = result.expected->verdict == result.verdict;
+  return fmt::format("{}{}", same ? "another " : "", name_of(result.expected->verdict));
+}
+
+int urgency_of(Verdict verdict) {
+  if (verdict == Verdict::violation) return 0;
+  if (verdict == Verdict::not_run) return 1;
+  return 2 + static_cast<int>(Verdict::violation) - static_cast<int>(verdict);
+}
+
+bool comes_before(const UnexpectedGroup& a, const UnexpectedGroup& b) {
+  const auto order = [](const UnexpectedGroup& group) {
+    return std::tuple(urgency_of(group.verdict), -static_cast<long>(group.cases),
+                      std::tie(group.cause, group.expected, group.renderer, group.standing));
+  };
+  return order(a) < order(b);
+}
+
+// Where to look, and what is there: a sentence.
+std::string evidence_of(const CaseResults& one, const KnownResult& result) {
+  if (result.standing == Standing::flake) return result.expectation;
+  if (const Disagreement* d = leading(result))
+    return fmt::format("{}: {}", place_of(*d, one.samples.samples), d->explanation);
+  return first_explanation(result, one.samples.samples);
+}
+
+std::string command_for(const CaseResults& one, const Result& result, const std::string& renderer,
+                        const std::string& policy) {
+  ExplainCommand command{one.file, one.id, renderer, policy, {}};
+  if (const Disagreement* d = leading(result)) command.pixel = {d->x, d->y};
+  return words_of(command);
+}
+
+void write_group(const UnexpectedGroup& group, const Results& results, const Painter& paint,
+                 std::ostream& out) {
+  const CaseResults& one = *group.simplest;
+  const KnownResult& result = one.results[group.renderer];
+  const std::string name =
+      group.renderer < results.renderers.size() ? results.renderers[group.renderer].name : "?";
+  out << fmt::format("  {}, {}: expected {}, got {}{}\n", counted(group.cases, "case", "cases"),
+                     one_line(name), group.expected,
+                     paint(style_of(group.verdict), name_of(group.verdict)),
+                     group.standing == Standing::flake ? ", and then another answer" : "");
+  if (!group.cause.empty()) out << "    " << paint.bold(one_line(group.cause)) << '\n';
+  const std::string evidence = one_line(evidence_of(one, result));
+  out << fmt::format("    {}{}{}\n", one_line(one.id), evidence.empty() ? "" : ": ", evidence);
+  out << "    " << command_for(one, result, name, results.policy) << '\n';
+}
+
+}  // namespace
+
+std::vector<UnexpectedGroup> unexpected_groups(const Results& results) {
+  using Key = std::tuple<std::size_t, Standing, Verdict, std::string, std::string>;
+  std::map<Key, UnexpectedGroup> groups;
+  for (const CaseResults& one : results.cases)
+    for (std::size_t r = 0; r < one.results.size(); ++r) {
+      const KnownResult& result = one.results[r];
+      if (!is_unexpected(result.standing)) continue;
+      const std::string expected = expected_of(result);
+      const std::string cause = cause_of(one, result);
+      UnexpectedGroup& group = groups[{r, result.standing, result.verdict, expected, cause}];
+      if (group.cases == 0) group = {r, result.standing, result.verdict, expected, cause, 0, &one};
+      ++group.cases;
+      if (is_simpler(one, *group.simplest)) group.simplest = &one;
+    }
+  std::vector<UnexpectedGroup> sorted;
+  for (auto& [key, group] : groups) sorted.push_back(std::move(group));
+  std::ranges::sort(sorted, comes_before);
+  return sorted;
+}
+
+std::size_t count_unexpected(const Results& results) {
+  std::size_t count = 0;
+  for (const CaseResults& one : results.cases)
+    count += static_cast<std::size_t>(std::ranges::count_if(
+        one.results, [](const KnownResult& result) { return is_unexpected(result.standing); }));
+  return count;
+}
+
+void write_unexpected(const Results& results, const Painter& paint, std::ostream& out) {
+  const std::vector<UnexpectedGroup> groups = unexpected_groups(results);
+  if (groups.empty()) return;
+  out << '\n' << paint.bold("Unexpected, by cause:") << '\n';
+  const std::size_t listed = std::min(kMaxListed, groups.size());
+  for (std::size_t i = 0; i < listed; ++i) write_group(groups[i], results, paint, out);
+  if (listed < groups.size())
+    out << fmt::format("  and {}\n", counted(groups.size() - listed, "more cause", "more causes"));
+}
+
+}  // namespace edgecase

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// The unexpected answers of a run on the terminal: those of one renderer that share cause, verdict
+// and expectation are one entry, with the command that reproduces its simplest case.
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "reports/painter.h"
+#include "results/results.h"
+
+namespace edgecase {
+
+struct UnexpectedGroup {
+  std::size_t renderer = 0;  // index
+  Standing standing = Standing::unexpected;
+  Verdict verdict = Verdict::violation;
+  std::string expected;  // "agree", or "another violation" where only what differs is another
+  // Of a failure its kind; else what title_of(Cluster) says of the worst difference; empty where
+  // nothing differs.
+  std::string cause;
+  std::size_t cases = 0;
+  const CaseResults* simplest = nullptr;  // by is_simpler(), never null
+};
+
+// Violations first, then answers that did not come, then the rest by verdict; within each the
+// groups of most cases first, ties by cause, expectation and renderer. Points into `results`.
+std::vector<UnexpectedGroup> unexpected_groups(const Results& results);
+
+// Answers that are not as expected, flakes included.
+std::size_t count_unexpected(const Results& results);
+
+// At most 10 groups, and how many more there are; nothing where all is expected. Text from files
+// and renderers stands on one line, its control characters visible.
+void write_unexpected(const Results& results, const Painter& paint, std::ostream& out);
+
+}  // namespace edgecase

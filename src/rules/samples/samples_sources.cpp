@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+//
+// Sources of the rulings on samples of a pixel.
+#include "rules/ruling_sources.h"
+
+namespace edgecase {
+
+void add_samples_sources(std::map<int, RulingSource>& of) {
+  of[27] = {
+      .clause = "14.3.1 (Multisampling)",
+      .quotation =
+          "These sample points do not necessarily correspond to the shading sample "
+          "locations ... Their locations cannot be queried, and may lie inside or outside",
+      .khronos =
+          "dEQP-GLES31.functional.shaders.sample_variables.sample_pos.correctness/distribution "
+          "(es31fSampleVariableTests.cpp): gl_SamplePosition lies in the pixel and the "
+          "interpolated coordinate at the sample agrees with it; distribution: not all in "
+          "one place. dEQP-GLES3.functional.multisample.*.num_samples, polygon/line "
+          "patterns: at least samples + 1 shades are seen (quality warning on large "
+          "targets). None asks that coverage follow GL_SAMPLE_POSITION. "
+          "dEQP-GLES3.functional.rasterization.fbo.*.primitives multisampled targets "
+          "(dEQP-GLES3.functional.rasterization.fbo.rbo_multisample_*.primitives): pixels "
+          "that the primitive covers wholly must be full, pixels that it does not meet "
+          "must be empty, all others are free: so they take sample points to lie within "
+          "the pixel, and no more",
+      .es =
+          "13.4: same words; adds that the told place is where depth and data are "
+          "evaluated"};
+
+  of[28] = {.clause =
+                "14.5.4 (Line Multisample Rasterization); 14.5.2.3 (Antialiasing); 14.4.1 "
+                "(widths)",
+            .quotation =
+                "Two of the edges are parallel to the specified line segment; each is at a "
+                "distance of one-half the current width",
+            .khronos =
+                "dEQP-GLES3.functional.rasterization.fbo.rbo_multisample_*.primitives.lines(_wide) "
+                "and .interpolation: verifyMultisampleLineGroupRasterization: as two triangles "
+                "of the rectangle, with the edges free; wide multisampled failing is a "
+                "compatibility warning only. (The functions' `strictMode`/Bresenham branches "
+                "serve Vulkan.)",
+            .es =
+                "13.6.4: same rectangle; MULTISAMPLE_LINE_WIDTH_RANGE and _GRANULARITY; \"If an "
+                "unsupported width is requested, the nearest supported width is used instead. "
+                "Width 1.0 segments must be supported.\""};
+
+  of[29] = {.clause = "14.3.1 (Multisampling)",
+            .quotation =
+                "set to the values that would have been assigned by single-sample rasterization, "
+                "or they may be assigned as described below for multisample rasterization",
+            .khronos =
+                "dEQP-GLES31.functional.shaders.multisample_interpolation.* "
+                "(es31fShaderMultisampleInterpolationTests.cpp): sample and interpolateAt* only, "
+                "within rounding of 8-bit colours; shaders.sample_variables.sample_pos.*: "
+                "gl_SamplePosition in [0,1] and varied. None asks where an unqualified attribute "
+                "lies, none disables GL_MULTISAMPLE",
+            .es =
+                "13.4, same, but there is no GL_MULTISAMPLE to disable (only "
+                "EXT_multisample_compatibility); 13.4 adds that the queried place is that \"at "
+                "which depth and associated data for that sample are evaluated\". 13.6.4: same "
+                "for lines, and the major-axis approximation of R9 may not be used there"};
+
+  of[30] = {
+      .clause = "4.5 (Interpolation Qualifiers)",
+      .revision = kLanguageRevision,
+      .quotation =
+          "interpolated at a location that lies in both the pixel and in the primitive "
+          "being rendered, including any of the pixel's samples covered",
+      .khronos =
+          "dEQP-GLES31.functional.shaders.multisample_interpolation.interpolate_at_centroid.* "
+          "and glcShaderMultisampleInterpolationTests.cpp: barycentrics of narrow "
+          "triangles stay within [0,1] but for a small margin; consistency of both ways; "
+          "sample qualifier at samples",
+      .es = "ESSL 4.5: same"};
+
+  of[31] = {.clause = "18.3.1 (Blitting Pixel Rectangles)",
+            .quotation =
+                "If the source formats are floating-point or normalized types, the sample values "
+                "for each pixel are resolved in an implementation-dependent manner",
+            .khronos =
+                "dEQP-GLES3.functional.fbo.msaa.* (es3fFboMultisampleTests.cpp): resolved image "
+                "compared with the image of the reference, threshold 12/255 and more; uniform "
+                "areas (green) within 12/255. So equal samples must resolve to within 12 codes",
+            .es = "16.2.1: same words"};
+
+  of[32] = {.clause = "14.9.3; 15.2.2",
+            .quotation =
+                "Bits in the sample mask corresponding to covered samples that will be killed "
+                "due to SAMPLE_COVERAGE or SAMPLE_MASK will not be set",
+            .khronos =
+                "es31cTextureStorageMultisampleSampleMaskiTests.cpp; "
+                "dEQP-GLES31.functional.shaders.sample_variables.sample_mask_in.* "
+                "(bit_count_per_pixel etc.), texture.multisample.*.use_texture... sample_mask_*",
+            .es = "13.8.3, 14.2.2: same; skipped only if SAMPLE_BUFFERS is not one"};
+
+  of[33] = {.clause = "17.3.1 (Alpha To Coverage); 14.9.3 (Multisample Fragment Operations)",
+            .quotation =
+                "The function need not be identical, but it must have the same properties of "
+                "proportionality and invariance",
+            .khronos =
+                "dEQP-GLES3.functional.multisample.*.proportionality_alpha_to_coverage "
+                "(es3fMultisampleTests.cpp MaskProportionalityCase): image's sum never falls as "
+                "alpha grows, 0 makes black, 1 makes all red; constancy_alpha_to_coverage: same "
+                "alpha and pixel, same mask",
+            .es = "15.1.1: same, no alpha to one; 13.8.3 same intent"};
+
+  of[34] = {
+      .clause = "14.3.1.1 (Sample Shading); 15.2.2",
+      .quotation =
+          "unique sets of fragment shader inputs for each fragment ... These are "
+          "associated with the samples in an implementation-dependent manner",
+      .khronos =
+          "dEQP-GLES31.functional.sample_shading.min_sample_shading.multisample_*_{color,discard} "
+          "(es31fSampleShadingTests.cpp): at least m + 1 shades over whole pixels (the "
+          "triangles' edge is skipped); sample_variables.sample_mask_in.bits_unique*: "
+          "every bit in one invocation",
+      .es =
+          "13.4.1: same, \"If the value of SAMPLE_BUFFERS is zero or SAMPLE_SHADING is "
+          "disabled\""};
+
+  of[35] = {.clause =
+                "14.3.1 (Multisampling); 15.2.2 (Shader Inputs); 17.3.10 (Additional Multisample "
+                "Fragment Operations)",
+            .quotation =
+                "multisample rasterization of all primitives is equivalent to single-sample "
+                "(fragment-center) rasterization, except that the fragment coverage value is set "
+                "to full coverage",
+            .khronos =
+                "none asks this (glDisable(GL_MULTISAMPLE) occurs only in tests that do not look "
+                "at samples: glcFramebufferBlitTests.cpp, gl4cPostDepthCoverageTests.cpp)",
+            .es =
+                "no such state (13.4: multisample rasterization whenever SAMPLE_BUFFERS is one; "
+                "14.2.2: bit 0 for a non-multisample buffer). With EXT_multisample_compatibility "
+                "its own text holds: do not judge"};
+
+  of[36] = {
+      .clause = "17.3.6.1 (Blend Equation); GLSL 4.60, 4.7.1",
+      .quotation =
+          "performed with a precision and dynamic range no lower than that used to "
+          "represent destination components",
+      .khronos = "none asks this (float blending is tested with 8-bit style thresholds)",
+      .es = "15.1.5.1: same sentence; blending of 32-bit float targets needs EXT_float_blend"};
+
+  of[47] = {
+      .clause = "14.3.1 (Multisampling)",
+      .quotation =
+          "These sample points do not necessarily correspond to the shading sample "
+          "locations ... Their locations cannot be queried, and may lie inside or outside",
+      .basis = Basis::contested,
+      .contest =
+          "the points at which coverage is found cannot be asked for; no test of coverage "
+          "follows GL_SAMPLE_POSITION, and the Khronos tests leave all partly covered "
+          "pixels free",
+      .khronos =
+          "dEQP-GLES31.functional.shaders.sample_variables.sample_pos.correctness/distribution "
+          "(es31fSampleVariableTests.cpp): gl_SamplePosition lies in the pixel and the "
+          "interpolated coordinate at the sample agrees with it; distribution: not all in "
+          "one place. dEQP-GLES3.functional.multisample.*.num_samples, polygon/line "
+          "patterns: at least samples + 1 shades are seen (quality warning on large "
+          "targets). None asks that coverage follow GL_SAMPLE_POSITION. "
+          "dEQP-GLES3.functional.rasterization.fbo.*.primitives multisampled targets "
+          "(dEQP-GLES3.functional.rasterization.fbo.rbo_multisample_*.primitives): pixels "
+          "that the primitive covers wholly must be full, pixels that it does not meet "
+          "must be empty, all others are free: so they take sample points to lie within "
+          "the pixel, and no more",
+      .es =
+          "13.4: same words; adds that the told place is where depth and data are "
+          "evaluated"};
+
+  of[51] = {.clause = "18.3.1 (Blitting Pixel Rectangles)",
+            .quotation =
+                "If the source formats are floating-point or normalized types, the sample values "
+                "for each pixel are resolved in an implementation-dependent manner",
+            .basis = Basis::contested,
+            .contest =
+                "the letter leaves the method to the implementation; the Khronos tests do not "
+                "pass what is farther off",
+            .khronos =
+                "dEQP-GLES3.functional.fbo.msaa.* (es3fFboMultisampleTests.cpp): resolved image "
+                "compared with the image of the reference, threshold 12/255 and more; uniform "
+                "areas (green) within 12/255. So equal samples must resolve to within 12 codes",
+            .es = "16.2.1: same words"};
+
+  of[52] = {.clause = "17.3.1 (Alpha To Coverage); 14.9.3 (Multisample Fragment Operations)",
+            .quotation =
+                "The function need not be identical, but it must have the same properties of "
+                "proportionality and invariance",
+            .basis = Basis::contested,
+            .contest =
+                "17.3.1 says that the function must have the properties of proportionality of "
+                "14.9.3, and 14.9.3 calls them intended",
+            .khronos =
+                "dEQP-GLES3.functional.multisample.*.proportionality_alpha_to_coverage "
+                "(es3fMultisampleTests.cpp MaskProportionalityCase): image's sum never falls as "
+                "alpha grows, 0 makes black, 1 makes all red; constancy_alpha_to_coverage: same "
+                "alpha and pixel, same mask",
+            .es = "15.1.1: same, no alpha to one; 13.8.3 same intent"};
+}
+
+}  // namespace edgecase

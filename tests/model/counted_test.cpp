@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "model/counted.h"
+
+#include <gtest/gtest.h>
+
+namespace edgecase {
+namespace {
+
+TEST(Counted, GroupsDigitsByThree) {
+  EXPECT_EQ(grouped(0), "0");
+  EXPECT_EQ(grouped(999), "999");
+  EXPECT_EQ(grouped(1000), "1,000");
+  EXPECT_EQ(grouped(30718), "30,718");
+  EXPECT_EQ(grouped(1234567), "1,234,567");
+}
+
+TEST(Counted, OneIsSingular) {
+  EXPECT_EQ(counted(0, "case", "cases"), "0 cases");
+  EXPECT_EQ(counted(1, "case", "cases"), "1 case");
+  EXPECT_EQ(counted(2000, "case is", "cases are"), "2,000 cases are");
+}
+
+}  // namespace
+}  // namespace edgecase

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "tools/edgecase/help/usage_errors.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "casefile/text.h"
+#include "reports/text.h"
+
+namespace edgecase {
+namespace {
+
+bool is_option(const std::string& word) {
+  return word.size() > 1 && word.front() == '-';
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+std::string question(const std::string& name, const std::vector<std::string>& known) {
+  const std::string nearest = nearest_name(name, known);
+  return nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
+}
+
+// "--agianst=exact" is "--agianst". `command`: null for the program itself.
+std::string unknown_option(const CLI::App& app, const CLI::App* command, const std::string& word) {
+  const std::string option = word.substr(0, word.find('='));
+  // A single dash with more than a letter behind it: two were meant.
+  const bool is_long = option.starts_with("--") || option.size() > 2;
+  const std::string written = is_long && !option.starts_with("--") ? "-" + option : option;
+  const std::string asked = question(written, option_names(command == nullptr ? app : *command));
+  if (command == nullptr)
+    return fmt::format("there is no option {}; {}`edgecase help` lists them", option, asked);
+  return fmt::format("{0} has no option {1}; {2}`edgecase help {0}` lists them",
+                     command->get_name(), option, asked);
+}
+
+// What nothing took, of the chosen subcommand or, where none was chosen, of the program.
+std::string extra_words(const CLI::App& app, const CLI::App* command,
+                        const std::vector<std::string>& words) {
+  for (const std::string& word : words)
+    if (is_option(word)) return unknown_option(app, command, word);
+  if (command == nullptr)
+    return fmt::format("there is no subcommand {}; {}`edgecase help` lists them",
+                       quote(clean_line(words.front())), nearest_subcommand(app, words.front()));
+  return fmt::format("{0} has no use for {1}; `edgecase help {0}` says what it takes",
+                     command->get_name(), quote(clean_line(words.front())));
+}
+
+}  // namespace
+
+std::string nearest_subcommand(const CLI::App& app, const std::string& name) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return question(name, names);
+}
+
+std::string usage_error(const CLI::App& app, const CLI::Error& error) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App* command = chosen.empty() ? nullptr : chosen.front();
+  const std::vector<std::string> extra = app.remaining(true);
+  std::string text;
+  if (!extra.empty())
+    text = extra_words(app, command, extra);
+  else if (command == nullptr)
+    text = fmt::format("{}; `edgecase help` lists them", error.what());
+  else
+    text =
+        fmt::format("{}; `edgecase help {}` says what it takes", error.what(), command->get_name());
+  return one_line("edgecase: " + text) + "\n";
+}
+
+}  // namespace edgecase

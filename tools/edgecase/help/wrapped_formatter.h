@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// Help as wide as the terminal: descriptions are broken between words.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace edgecase {
+
+// Columns of what standard output writes to: of the terminal, or what the variable COLUMNS says, or
+// 80; from 40 to 100, beyond which lines are hard to read.
+std::size_t help_width();
+
+// The text in lines of at most `width` columns, all but the first with `indent` spaces in front.
+// A line break in the text ends a line; a line that begins with a space is left as it is. Words
+// longer than a line are not broken. Columns are counted as bytes: help is ASCII.
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
+
+class WrappedFormatter : public CLI::Formatter {
+ public:
+  explicit WrappedFormatter(std::size_t width);
+
+  std::string make_description(const CLI::App* app) const override;
+  std::string make_footer(const CLI::App* app) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
+  std::string make_option(const CLI::Option* option, bool is_positional) const override;
+  // What stands behind an option's name: "TEXT ..." where it takes values.
+  std::string make_option_opts(const CLI::Option* option) const override;
+  // What it means, which values it takes, its default, and the options that it needs or excludes.
+  std::string make_option_desc(const CLI::Option* option) const override;
+
+ private:
+  // A name, and beside it, from the second column on, what it means.
+  std::string entry(const std::string& name, const std::string& description) const;
+
+  std::size_t width_;
+};
+
+}  // namespace edgecase
