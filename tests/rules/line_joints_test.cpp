@@ -73,9 +73,29 @@ bool shows_in_column(const Segment& segment, int column, int way, const PixelBou
   return false;
 }
 
+// Has the rule a fragment in one of these columns, all of them where `columns` is empty, within one
+// unit of the border or up to two beyond it?
+bool hides(const Segment& segment, const std::vector<int>& columns, int way,
+           const PixelBounds& bounds) {
+  const oracle::Boundary boundary = oracle::boundary_named("left-bottom");
+  const PixelBounds inside = bounds.grown(-1);
+  for (int y = bounds.y_min - 2; y <= bounds.y_max + 2; ++y)
+    for (int x = bounds.x_min - 2; x <= bounds.x_max + 2; ++x) {
+      const bool is_asked = columns.empty() || std::find(columns.begin(), columns.end(),
+                                                         column_of({x, y}, way)) != columns.end();
+      if (is_asked && !inside.contains({x, y}) &&
+          oracle::exits_diamond({spot(segment.a), spot(segment.b)}, boundary, x, y))
+        return true;
+    }
+  return false;
+}
+
 bool oracle_breaks(const Drawn& first, const std::vector<Segment>& between, const Drawn& second,
                    const PixelBounds& bounds) {
   const int go = way(first.segment);
+  // A segment between of which the border may hide something is not passed over.
+  for (const Segment& segment : between)
+    if (hides(segment, {}, go, bounds)) return false;
   // No pixel is drawn by both.
   for (PixelPosition p : first.pixels)
     for (PixelPosition q : second.pixels)
@@ -96,6 +116,11 @@ bool oracle_breaks(const Drawn& first, const std::vector<Segment>& between, cons
       if (shows_in_column(segment, column, go, bounds)) return true;
   // The fragments next to the joint are at most one unit apart.
   if ((next - last) * step > 1) return false;
+  std::vector<int> near;
+  for (int column = std::min(last, next) - 1; column <= std::max(last, next) + 1; ++column)
+    near.push_back(column);
+  for (const Segment& segment : all)
+    if (hides(segment, near, go, bounds)) return false;
   for (PixelPosition p : first.pixels)
     for (PixelPosition q : second.pixels)
       if (std::max(std::abs(p.x - q.x), std::abs(p.y - q.y)) <= 1) return false;

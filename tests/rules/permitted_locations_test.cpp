@@ -56,9 +56,22 @@ TEST(PermittedLocations, UnderSampleShadingAndWithoutMultisampling) {
   EXPECT_EQ(count(), 4u);
   shape.draw.multisampling.min_sample_shading = 1.0F;
   EXPECT_EQ(count(), 1u);
+  // gl_FragCoord is bound to the sample by the share alone, whatever else is.
+  const auto of_coordinates = [&] {
+    return permitted_coordinate_locations(shape.draw.multisampling, kPixel, at(0.25, 0.5));
+  };
+  EXPECT_EQ(of_coordinates(), std::vector<Point>{at(1.25, 1.5)});
+  shape.draw.multisampling.min_sample_shading = 0.5F;
+  for (const AttributeLocation location :
+       {AttributeLocation::sample, AttributeLocation::centroid}) {
+    shape.draw.multisampling.location = location;
+    EXPECT_EQ(of_coordinates().size(), 4u);
+  }
+  // Without GL_MULTISAMPLE nothing is bound.
+  shape.draw.multisampling.min_sample_shading = 1.0F;
   shape.draw.multisampling.enabled = false;
-  EXPECT_EQ(permitted_locations(shape.primitive, kPixel, at(0.25, 0.5), Fixed()),
-            std::vector<Point>{at(1.5, 1.5)});
+  EXPECT_EQ(count(), 4u);
+  EXPECT_EQ(of_coordinates().size(), 4u);
 }
 
 // The other vertices of a point are none of its.

@@ -81,11 +81,11 @@ class SampleMutants(CommandTest):
         swaps = [f"swapped-{i}-{j}" for i, j in pairs]
         words = [w for swap in swaps for w in ("--against", self.against(swap))]
         path = self.write("case.json", case(samples))
-        (found,) = self.results(path, *words, expect=UNEXPECTED)["cases"]
+        (found,) = self.results(path, *words)["cases"]
         self.assertEqual(len(found["results"]), len(swaps))
         for swap, result in zip(swaps, found["results"].values()):
             with self.subTest(swap):
-                self.assertEqual(result["verdict"], "violation", result.get("failure"))
+                self.assertEqual(result["verdict"], "contested", result.get("failure"))
                 self.assertEqual({(d["rule"], d["cause"]) for d in result["disagreements"]},
                                  {("triangle.fill-rule", "sample.positions=swapped")})
 
@@ -99,7 +99,9 @@ class SampleMutants(CommandTest):
         for fault in "mirrored-x", "mirrored-y", "turned":
             for samples in 4, *in_share((8, 16)):
                 with self.subTest(fault, samples=samples):
-                    self.assert_told(fault, case(samples),
+                    result = self.run_fault(fault, case(samples), None)
+                    self.assertIn(result["verdict"], {"contested", "violation"})
+                    self.assertEqual({(d["rule"], d["cause"]) for d in result["disagreements"]},
                                      {("triangle.fill-rule", f"sample.positions={fault}")})
 
     def test_a_resolve_that_truncates(self):
@@ -165,8 +167,9 @@ class SampleMutants(CommandTest):
         self.assert_refused("one-sample", case(), "/hits must have 1024 elements, but it has 256")
         self.assert_refused("one-sample", case(), "no \"coverage\", and the target has several",
                             "hits", "coverage")
-        result = self.run_fault("one-sample", case(), UNEXPECTED, "hits")
-        self.assertEqual(result["verdict"], "violation", result.get("failure"))
+        # How many points decide on coverage is not told (14.3.1).
+        result = self.run_fault("one-sample", case(), AS_EXPECTED, "hits")
+        self.assertEqual(result["verdict"], "contested", result.get("failure"))
 
     def test_samples_that_are_refused(self):
         result = self.run_fault("refused", case(), UNEXPECTED)

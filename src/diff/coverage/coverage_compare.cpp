@@ -10,6 +10,7 @@
 
 #include "diff/coverage/cause.h"
 #include "diff/coverage/common_cause.h"
+#include "diff/coverage/coverage_finding.h"
 #include "diff/coverage/explanation.h"
 #include "diff/coverage/joint_faults.h"
 #include "diff/coverage/legality.h"
@@ -22,45 +23,6 @@
 
 namespace edgecase {
 namespace {
-
-Disagreement at_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                       Point sample, const Target& target) {
-  Disagreement d;
-  d.x = difference.pixel.x;
-  d.y = difference.pixel.y;
-  d.sample = difference.sample;
-  d.primitive = primitive.index;
-  d.exact = {static_cast<double>(difference.exact)};
-  d.rendered = {static_cast<double>(difference.drawn)};
-  d.kind =
-      difference.drawn < difference.exact ? DisagreementKind::missing : DisagreementKind::extra;
-  d.rule = rule_on_coverage(primitive, target);
-  d.situation = situation_of(primitive, sample, target);
-  return d;
-}
-
-Disagreement duplicate(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                       Point sample, const Target& target) {
-  Disagreement d = at_sample(primitive, difference, sample, target);
-  d.kind = DisagreementKind::duplicate;
-  d.rule = "fragment.once";
-  d.ruling = 7;
-  d.explanation = fmt::format(
-      "primitive {} produces the fragment of {}pixel ({}, {}) {} times. Ruling 7: once at most.",
-      primitive.index, target.samples > 1 ? fmt::format("sample {} of ", d.sample) : "", d.x, d.y,
-      difference.drawn);
-  d.figure.marks = {sample_mark(sample)};
-  return d;
-}
-
-// Adds names to others, the whole in catalogue order.
-void merge_snaps(const std::vector<std::string>& more, std::vector<std::string>& names) {
-  std::set<std::string> all(names.begin(), names.end());
-  all.insert(more.begin(), more.end());
-  names.clear();
-  for (Snap snap : all_snaps())
-    if (all.contains(name_of(snap))) names.push_back(name_of(snap));
-}
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -215,27 +177,11 @@ class CoverageComparison {
                          const CoverageDifference& difference) const {
     CoverageLegality legality = judge_sample(primitive, difference, within(primitive, difference),
                                              context_.bits, context_.sizes);
-    if (!legality.legal && !judged_by_mask(legality)) contest(primitive, difference, legality);
+    if (!legality.legal)
+      contest(primitive, difference, {is_multisampled(primitive), context_.bits, context_.sizes},
+              legality);
     return judge_facing(primitive, difference, is_missing(primitive), std::move(legality),
                         context_.bits);
-  }
-
-  static bool judged_by_mask(const CoverageLegality& legality) {
-    return legality.rule == "sample.mask" || legality.rule == "sample.enable";
-  }
-
-  // What is not allowed, but by a ruling that is contested.
-  void contest(const ScenePrimitive& primitive, const CoverageDifference& difference,
-               CoverageLegality& legality) const {
-    if (is_cut_at_viewport(primitive, difference)) {
-      legality.ruling = kRulingOnViewport;
-      legality.reason += ", and the pixel lies beyond the viewport's sides";
-    } else if (is_multisampled(primitive) &&
-               is_so_elsewhere(primitive, difference, context_.bits, context_.sizes)) {
-      legality.ruling = kRulingOnOtherPlaces;
-      legality.reason += fmt::format(", but a sample elsewhere could be {}",
-                                     difference.drawn > difference.exact ? "covered" : "left out");
-    }
   }
 
   // Was nothing of it drawn?

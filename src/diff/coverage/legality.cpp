@@ -261,6 +261,10 @@ CoverageLegality judge_facing(const ScenePrimitive& primitive, const CoverageDif
   return {turns, kRuling, kRule, "nothing of the triangle is drawn, and " + reason};
 }
 
+namespace {
+
+// Would a sample elsewhere in the pixel, or less than a pixel beyond it, be covered, or not, as the
+// difference has it?
 bool is_so_elsewhere(const ScenePrimitive& primitive, const CoverageDifference& difference,
                      int bits, const SupportedSizes& sizes) {
   const bool extra = difference.drawn > difference.exact;
@@ -287,9 +291,26 @@ bool is_so_elsewhere(const ScenePrimitive& primitive, const CoverageDifference& 
   return false;
 }
 
+// Is the difference one that a cut at the viewport's sides makes?
 bool is_cut_at_viewport(const ScenePrimitive& primitive, const CoverageDifference& difference) {
   return primitive.kind != PrimitiveKind::triangle && difference.drawn < difference.exact &&
          !pixels_in(primitive.viewport).contains(difference.pixel);
+}
+
+}  // namespace
+
+void contest(const ScenePrimitive& primitive, const CoverageDifference& difference,
+             const ContestTerms& terms, CoverageLegality& legality) {
+  if (judge_mask(primitive, difference)) return;
+  if (is_cut_at_viewport(primitive, difference)) {
+    legality.ruling = kRulingOnViewport;
+    legality.reason += ", and the pixel lies beyond the viewport's sides";
+  } else if (terms.is_multisampled &&
+             is_so_elsewhere(primitive, difference, terms.bits, terms.sizes)) {
+    legality.ruling = kRulingOnOtherPlaces;
+    legality.reason += fmt::format(", but a sample elsewhere could be {}",
+                                   difference.drawn > difference.exact ? "covered" : "left out");
+  }
 }
 
 namespace {

@@ -43,19 +43,22 @@ CoverageLegality judge_sample(const ScenePrimitive& primitive, const CoverageDif
 CoverageLegality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
                               bool whole, CoverageLegality otherwise, int bits);
 
-// Of multisampled draws, what judge_sample does not allow of a sample where it is reported to lie:
-// where the points lie by which coverage is found is not told, and they may lie beyond the pixel
-// (14.3.1). Would a sample be covered, or not, as the difference has it, that lies elsewhere in the
-// pixel or less than a pixel beyond it?
-bool is_so_elsewhere(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                     int bits, const SupportedSizes& sizes = {});
-// The ruling on coverage at other places than are reported.
+// The ruling on coverage at other places than are reported, and the one on fragments of points and
+// lines that are left out beyond the viewport's sides.
 inline constexpr int kRulingOnOtherPlaces = 47;
-
-// The ruling on fragments of points and lines that are left out beyond the viewport's sides.
 inline constexpr int kRulingOnViewport = 54;
-// Is the difference one that such a cut makes?
-bool is_cut_at_viewport(const ScenePrimitive& primitive, const CoverageDifference& difference);
+
+// What judge_sample does not allow, but by one of these: the ruling becomes theirs. Of multisampled
+// draws where the points lie by which coverage is found is not told, and they may lie beyond the
+// pixel (14.3.1): ruling 47 is broken where a sample elsewhere in the pixel, or less than a pixel
+// beyond it, would be covered, or not, as the difference has it.
+struct ContestTerms {
+  bool is_multisampled = false;
+  int bits = 4;
+  const SupportedSizes& sizes;
+};
+void contest(const ScenePrimitive& primitive, const CoverageDifference& difference,
+             const ContestTerms& terms, CoverageLegality& legality);
 
 // The ruling on wide lines that are as wide as the next smaller integer.
 inline constexpr int kRulingOnSmallerWidth = 56;

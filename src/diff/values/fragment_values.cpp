@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -18,200 +16,10 @@
 #include "diff/values/offset_causes.h"
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
-#include "rules/coverage/line_algorithm.h"
-#include "rules/values/inexact_place.h"
+#include "diff/values/value_judge.h"
 
 namespace edgecase {
 namespace {
-
-// One component of a told value, with what is exact and what is permitted for it.
-struct Component {
-  double exact = 0;    // the double nearest to the exact value
-  Interval permitted;  // float32 values that the specification allows
-  double rendered = 0;
-  bool may_be_of_column = false;  // a value that another fragment of a wide line's column may have
-  double range = 0;               // of the attribute over the vertices; of a correct one not needed
-
-  // Equal to what exact itself would answer. Halfway between two float32 numbers the other one is
-  // told, half a unit off.
-  bool is_correct() const { return to_float(rendered) == to_float(exact); }
-  // NaN and infinity never are: where there is a primitive, there is a number.
-  bool is_permitted() const {
-    return std::isfinite(rendered) && permitted.contains(to_float(rendered));
-  }
-};
-
-// What is permitted at a sample of a line as wide as `width`, rounded: each fragment of a column
-// may have the value of its own centre, or that of the adjusted line at the column's lowest
-// fragment, which is the line's own in the middle of the column: at most (width - 1)/2 away (ruling
-// 13).
-// `across`: how far, pixels.
-Interval permitted_across(const Interpolant& interpolant, const MovedVertices& vertices,
-                          const PermittedPlace& place, Point sample, Fixed across) {
-  Interval result = place.value(interpolant);
-  if (interpolant.kind != PrimitiveKind::line || across == Fixed()) return result;
-  const bool x_major = is_x_major(interpolant);
-  for (const Fixed offset : {across, -across}) {
-    Point moved = sample;
-    (x_major ? moved.y : moved.x) = (x_major ? moved.y : moved.x) + offset;
-    result = hull(result, PermittedPlace(vertices, moved).value(interpolant));
-  }
-  return result;
-}
-
-// What a value's exact number is made of, what is permitted of it, and where.
-struct Question {
-  const Interpolant& chosen;
-  const Interpolant& lawful;
-  Point place;                                 // where exact evaluates it
-  const std::vector<PermittedPlace>& corners;  // of the region where it may be evaluated, or none
-  bool is_depth = false;                       // with a polygon offset it is clamped
-};
-
-// Does exact evaluate attributes where the specification lets them be evaluated?
-bool has_lawful_places(const LocationChoice& choice) {
-  return choice.plain != PlainLocation::half_pixel_off &&
-         choice.centroid != CentroidLocation::centre && choice.depth == DepthLocation::at_sample;
-}
-
-// One attribute of one fragment: under the policy, and as OpenGL has it.
-class Judge {
- public:
-  Judge(const ValueContext& context, const Fragment& fragment)
-      : primitive_(context.primitive_of(fragment)),
-        values_(context.values_of(fragment)),
-        place_(pixel_centre(fragment.x, fragment.y)),
-        depth_place_(place_),
-        pixel_{fragment.x, fragment.y},
-        depth_is_zero_(fragment_depth_is_zero(primitive_.state->multisampling,
-                                              context.choices.values.locations)),
-        lawful_(!values_.differ && has_lawful_places(context.choices.values.locations)),
-        forgiving_(context.latitude == Latitude::none) {
-    if (context.scene.target.samples == 1) return;
-    place_ = context.place_of(fragment, context.choices.values.locations);
-    depth_place_ = context.depth_place_of(fragment, context.choices.values.locations);
-    for (const Point corner : context.permitted_places(fragment))
-      corners_.emplace_back(values_.moved(), corner);
-    for (const Point corner : context.permitted_coordinates(fragment))
-      depth_corners_.emplace_back(values_.moved(), corner);
-    // An invocation for several samples is at none of them (ruling 34 judges it).
-    if (is_at_sample(primitive_.state->multisampling) && !std::has_single_bit(fragment.coverage))
-      lawful_ = false;
-  }
-
-  // `exact`: what question.chosen yields.
-  Component component(Interval exact, const Question& question, double rendered) const {
-    Component result;
-    result.exact = middle(exact);
-    result.rendered = rendered;
-    result.permitted = rounded_to_float(exact);
-    // Under a policy without latitude what is correct is permitted, whatever its formula.
-    if (result.is_correct() && (forgiving_ || !values_.differ)) return result;
-    result.range = range_of(question.chosen);
-    // What lies near enough without moving any vertex needs no search over their moves.
-    result.permitted = told(question, inexact_at(question.place).value(question.lawful));
-    if (result.is_permitted()) return result;
-    result.permitted = told(question, permitted(question));
-    if (lawful_) result.permitted = holding(result.permitted, result.exact);
-    result.may_be_of_column =
-        !result.is_permitted() && question.corners.empty() &&
-        told(question, permitted_in_column(question)).contains(to_float(rendered));
-    return result;
-  }
-
-  Point place() const { return place_; }
-  Point depth_place() const { return depth_place_; }
-
-  // Is what is correct here correct everywhere in the primitive, and all that is asked for?
-  bool asks_alike_everywhere() const {
-    return are_constant(values_.chosen) && are_constant(values_.lawful) &&
-           (forgiving_ || !values_.differ);
-  }
-
-  Component color(std::size_t c, double rendered) const {
-    Component result =
-        component(color_exact(values_.chosen, c, place_, pixel_),
-                  {values_.chosen.color[c], values_.lawful.color[c], place_, corners_}, rendered);
-    if (!result.is_permitted())
-      result.permitted = rounded_to_float(with_means(result.permitted, primitive_, values_, c));
-    return result;
-  }
-  Component depth(double rendered) const {
-    const Interval exact = depth_is_zero_ ? 0 : depth_exact(values_.chosen, depth_place_);
-    return component(
-        exact, {values_.chosen.depth, values_.permitted_depth, depth_place_, depth_corners_, true},
-        rendered);
-  }
-  Component inverse_w(double rendered) const {
-    Component result = component(
-        interpolate_exact(values_.chosen.inverse_w, depth_place_),
-        {values_.chosen.inverse_w, values_.permitted_inverse_w, depth_place_, depth_corners_},
-        rendered);
-    if (!result.is_permitted())
-      result.permitted =
-          rounded_to_float(with_means_of_inverse_w(result.permitted, primitive_, values_));
-    return result;
-  }
-
- private:
-  // Of what was interpolated, the float32 numbers that a fragment may tell.
-  Interval told(const Question& question, Interval interpolated) const {
-    return rounded_to_float(question.is_depth ? told_depth(interpolated) : interpolated);
-  }
-
-  // With a polygon offset depths are clamped. Without one a depth beyond 0 to 1, where a fragment's
-  // centre lies beyond the primitive, is clamped or not: 14.6.5 speaks of offset depths alone.
-  Interval told_depth(Interval depth) const {
-    if (values_.lawful.clamps_depth) return clamped_depth(values_.lawful, depth);
-    return hull(depth, {std::clamp(depth.low, 0.0, 1.0), std::clamp(depth.high, 0.0, 1.0)});
-  }
-
-  // Of what has a value for the whole pixel or column, of all places where that may be taken.
-  Interval permitted(const Question& question) const {
-    const auto& [chosen, lawful, place, corners, is_depth] = question;
-    if (!corners.empty()) return permitted_within(lawful, values_.lawful.inverse_w, corners);
-    return permitted_across(lawful, values_.moved(), permitted_at(place), place,
-                            Fixed::from_raw(across() / 2));
-  }
-
-  // What any fragment of a wide line's column may have.
-  Interval permitted_in_column(const Question& question) const {
-    return permitted_across(question.lawful, values_.moved(), permitted_at(question.place),
-                            question.place, Fixed::from_raw(across()));
-  }
-
-  // From the first to the last fragment of a line's column, raw.
-  std::int64_t across() const {
-    return (rounded_width(primitive_.state->line_width) - 1) * Fixed::kOne;
-  }
-
-  // What the components of a colour share is worked out once.
-  const PermittedPlace& permitted_at(Point place) const {
-    if (!known_ || known_->first != place)
-      known_.emplace(place, PermittedPlace(values_.moved(), place));
-    return known_->second;
-  }
-
-  // The same of lawful attributes where no vertex moves.
-  const InexactPlace& inexact_at(Point place) const {
-    if (!unmoved_ || unmoved_->first != place) unmoved_.emplace(place, InexactPlace(place));
-    return unmoved_->second;
-  }
-
-  const ScenePrimitive& primitive_;
-  const PrimitiveValues& values_;
-  Point place_;        // of the colour
-  Point depth_place_;  // of gl_FragCoord.z and gl_FragCoord.w
-  PixelPosition pixel_;
-  bool depth_is_zero_;
-  bool lawful_;  // exact evaluates as the specification has it
-  // Of the regions where the colour, and gl_FragCoord, may be taken.
-  std::vector<PermittedPlace> corners_;
-  std::vector<PermittedPlace> depth_corners_;
-  mutable std::optional<std::pair<Point, PermittedPlace>> known_;
-  mutable std::optional<std::pair<Point, InexactPlace>> unmoved_;
-  bool forgiving_;
-};
 
 // "the pixel's centre (2.5, 3.5)", "(2.375, 3.125)".
 std::string words_of_place(Point place) {
@@ -232,18 +40,18 @@ std::string name_of_component(const std::string& attribute, std::size_t componen
 // wide line's column.
 constexpr int kRulingOnLineValues = 46;
 
-Disagreement beyond_disagreement(std::span<const Component> components, const Component& beyond,
-                                 const Fragment& fragment, Point place, const char* rule,
-                                 const std::string& attribute) {
+Disagreement beyond_disagreement(std::span<const ValueComponent> components,
+                                 const ValueComponent& beyond, const Fragment& fragment,
+                                 Point place, const char* rule, const std::string& attribute) {
   Disagreement d = value_disagreement({fragment.x, fragment.y}, fragment.primitive, rule, 9);
-  for (const Component& c : components) {
+  for (const ValueComponent& c : components) {
     d.exact.push_back(c.exact);
     d.rendered.push_back(c.rendered);
   }
   d.policy_agrees = std::all_of(components.begin(), components.end(),
-                                [](const Component& c) { return c.is_correct(); });
+                                [](const ValueComponent& c) { return c.is_correct(); });
   if (std::all_of(components.begin(), components.end(),
-                  [](const Component& c) { return c.is_permitted() || c.may_be_of_column; }))
+                  [](const ValueComponent& c) { return c.is_permitted() || c.may_be_of_column; }))
     d.ruling = kRulingOnLineValues;
   d.explanation = fmt::format(
       "{} of primitive {} is exactly {:.9g} at {}; the specification permits {:.9g} to {:.9g}, the "
@@ -256,12 +64,12 @@ Disagreement beyond_disagreement(std::span<const Component> components, const Co
 
 // Components of one attribute of one fragment: agree, permitted (aggregated) or beyond. The
 // disagreement, if there is one.
-Disagreement* compare_components(std::span<const Component> components, const Fragment& fragment,
-                                 Point place, const char* rule, ValueAggregator& aggregator,
-                                 Result& result) {
+Disagreement* compare_components(std::span<const ValueComponent> components,
+                                 const Fragment& fragment, Point place, const char* rule,
+                                 ValueAggregator& aggregator, Result& result) {
   aggregator.count_compared(components.size());
   const auto beyond = std::find_if(components.begin(), components.end(),
-                                   [](const Component& c) { return !c.is_permitted(); });
+                                   [](const ValueComponent& c) { return !c.is_permitted(); });
   if (beyond != components.end()) {
     result.disagreements.push_back(
         beyond_disagreement(components, *beyond, fragment, place, rule, aggregator.attribute()));
@@ -270,7 +78,7 @@ Disagreement* compare_components(std::span<const Component> components, const Fr
   const ValueAggregate::Place where{fragment.x, fragment.y, fragment.primitive};
   bool differs = false;
   for (std::size_t i = 0; i < components.size(); ++i) {
-    const Component& c = components[i];
+    const ValueComponent& c = components[i];
     if (c.is_correct()) continue;
     differs = true;
     aggregator.add_error(where, {static_cast<int>(i), c.exact, c.rendered,
@@ -315,7 +123,8 @@ void blame_depth(const ValueContext& context, const Fragment& fragment, Disagree
     std::tie(d.rule, d.ruling) = std::pair(offset_rule(context, fragment), 45);
     return;
   }
-  if (is_mean_of_polygon(context, fragment, fragment.depth)) {
+  // What an offset adds is no mean.
+  if (!has_offset(context, fragment) && is_mean_of_polygon(context, fragment, fragment.depth)) {
     d.ruling = kRulingOnPolygonDepth;
     return;
   }
@@ -375,16 +184,16 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
     const Draw& draw = *context.primitive_of(told).state;
     const Fragment f = interpolated(context, rendered, told);
     const bool textured = draw.texture.has_value();
-    const Judge judge(context, f);
+    const ValueJudge judge(context, f);
     const std::size_t before = result.disagreements.size();
     bool is_correct = !textured && judge.asks_alike_everywhere();
     correct = {};
     if (f.has_color && draw.interpolation == Interpolation::flat) {
       compare_flat_color(context, f, result);
     } else if (f.has_color) {
-      std::array<Component, 4> components;
+      std::array<ValueComponent, 4> components;
       for (std::size_t c = 0; c < 4; ++c) components[c] = judge.color(c, f.color[c]);
-      is_correct = is_correct && std::ranges::all_of(components, &Component::is_correct);
+      is_correct = is_correct && std::ranges::all_of(components, &ValueComponent::is_correct);
       correct.color = textured                        ? &coordinates
                       : followed.explains(context, f) ? &elsewhere
                                                       : &colors;
@@ -394,7 +203,7 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
       if (d != nullptr) blame(*d, cause_of_color(context, f));
     }
     if (f.has_depth) {
-      const Component depth = judge.depth(f.depth);
+      const ValueComponent depth = judge.depth(f.depth);
       is_correct = is_correct && depth.is_correct();
       correct.depth = followed_z.explains(context, f)   ? &depths_elsewhere
                       : followed_o.explains(context, f) ? &depths_offset
@@ -459,9 +268,9 @@ void compare_coordinates(const ValueContext& context, const Rendering& rendered,
         d.cause = cause_of(MultisampleSwitch::ignored);
       result.disagreements.push_back(std::move(d));
     }
-    const Judge judge(context, f);
-    const Component depth = judge.depth(z);
-    const Component inverse = judge.inverse_w(w);
+    const ValueJudge judge(context, f);
+    const ValueComponent depth = judge.depth(z);
+    const ValueComponent inverse = judge.inverse_w(w);
     Fragment told = f;
     told.depth = z;
     Disagreement* d =

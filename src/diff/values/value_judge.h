@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+//
+// What one fragment's colour, depth and gl_FragCoord should be, as the policy has it, and all that
+// the specification permits (rulings 9, 13, 17, 29 and 46).
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "diff/values/value_diff.h"
+#include "rules/coverage/line_algorithm.h"
+#include "rules/values/inexact_place.h"
+
+namespace edgecase {
+
+// One component of a told value, with what is exact and what is permitted for it.
+struct ValueComponent {
+  double exact = 0;    // the double nearest to the exact value
+  Interval permitted;  // float32 values that the specification allows
+  double rendered = 0;
+  bool may_be_of_column = false;  // a value that another fragment of a wide line's column may have
+  double range = 0;               // of the attribute over the vertices; of a correct one not needed
+
+  // Equal to what exact itself would answer. Halfway between two float32 numbers the other one is
+  // told, half a unit off.
+  bool is_correct() const { return to_float(rendered) == to_float(exact); }
+  // NaN and infinity never are: where there is a primitive, there is a number.
+  bool is_permitted() const {
+    return std::isfinite(rendered) && permitted.contains(to_float(rendered));
+  }
+};
+
+// What is permitted at a sample of a line as wide as `width`, rounded: each fragment of a column
+// may have the value of its own centre, or that of the adjusted line at the column's lowest
+// fragment, which is the line's own in the middle of the column: at most (width - 1)/2 away (ruling
+// 13).
+// `across`: how far, pixels.
+inline Interval permitted_across(const Interpolant& interpolant, const MovedVertices& vertices,
+                                 const PermittedPlace& place, Point sample, Fixed across) {
+  Interval result = place.value(interpolant);
+  if (interpolant.kind != PrimitiveKind::line || across == Fixed()) return result;
+  const bool x_major = is_x_major(interpolant);
+  for (const Fixed offset : {across, -across}) {
+    Point moved = sample;
+    (x_major ? moved.y : moved.x) = (x_major ? moved.y : moved.x) + offset;
+    result = hull(result, PermittedPlace(vertices, moved).value(interpolant));
+  }
+  return result;
+}
+
+// What a value's exact number is made of, what is permitted of it, and where.
+struct ValueQuestion {
+  const Interpolant& chosen;
+  const Interpolant& lawful;
+  Point place;                                 // where exact evaluates it
+  const std::vector<PermittedPlace>& corners;  // of the region where it may be evaluated, or none
+  bool is_depth = false;                       // with a polygon offset it is clamped
+};
+
+// Does exact evaluate attributes where the specification lets them be evaluated?
+inline bool has_lawful_places(const LocationChoice& choice) {
+  return choice.plain != PlainLocation::half_pixel_off &&
+         choice.centroid != CentroidLocation::centre && choice.depth == DepthLocation::at_sample;
+}
+
+// One attribute of one fragment: under the policy, and as OpenGL has it.
+class ValueJudge {
+ public:
+  ValueJudge(const ValueContext& context, const Fragment& fragment)
+      : primitive_(context.primitive_of(fragment)),
+        values_(context.values_of(fragment)),
+        place_(pixel_centre(fragment.x, fragment.y)),
+        depth_place_(place_),
+        pixel_{fragment.x, fragment.y},
+        depth_is_zero_(fragment_depth_is_zero(primitive_.state->multisampling,
+                                              context.choices.values.locations)),
+        lawful_(!values_.differ && has_lawful_places(context.choices.values.locations)),
+        forgiving_(context.latitude == Latitude::none) {
+    if (context.scene.target.samples == 1) return;
+    place_ = context.place_of(fragment, context.choices.values.locations);
+    depth_place_ = context.depth_place_of(fragment, context.choices.values.locations);
+    for (const Point corner : context.permitted_places(fragment))
+      corners_.emplace_back(values_.moved(), corner);
+    for (const Point corner : context.permitted_coordinates(fragment))
+      depth_corners_.emplace_back(values_.moved(), corner);
+    // An invocation for several samples is at none of them (ruling 34 judges it).
+    if (is_at_sample(primitive_.state->multisampling) && !std::has_single_bit(fragment.coverage))
+      lawful_ = false;
+  }
+
+  // `exact`: what question.chosen yields.
+  ValueComponent component(Interval exact, const ValueQuestion& question, double rendered) const {
+    ValueComponent result;
+    result.exact = middle(exact);
+    result.rendered = rendered;
+    result.permitted = rounded_to_float(exact);
+    // Under a policy without latitude what is correct is permitted, whatever its formula.
+    if (result.is_correct() && (forgiving_ || !values_.differ)) return result;
+    result.range = range_of(question.chosen);
+    // What lies near enough without moving any vertex needs no search over their moves.
+    result.permitted = told(question, inexact_at(question.place).value(question.lawful));
+    if (result.is_permitted()) return result;
+    result.permitted = told(question, permitted(question));
+    if (lawful_) result.permitted = holding(result.permitted, result.exact);
+    result.may_be_of_column =
+        !result.is_permitted() && question.corners.empty() &&
+        told(question, permitted_in_column(question)).contains(to_float(rendered));
+    return result;
+  }
+
+  Point place() const { return place_; }
+  Point depth_place() const { return depth_place_; }
+
+  // Is what is correct here correct everywhere in the primitive, and all that is asked for?
+  bool asks_alike_everywhere() const {
+    return are_constant(values_.chosen) && are_constant(values_.lawful) &&
+           (forgiving_ || !values_.differ);
+  }
+
+  ValueComponent color(std::size_t c, double rendered) const {
+    ValueComponent result =
+        component(color_exact(values_.chosen, c, place_, pixel_),
+                  {values_.chosen.color[c], values_.lawful.color[c], place_, corners_}, rendered);
+    if (!result.is_permitted())
+      result.permitted = rounded_to_float(with_means(result.permitted, primitive_, values_, c));
+    return result;
+  }
+  ValueComponent depth(double rendered) const {
+    const Interval exact = depth_is_zero_ ? 0 : depth_exact(values_.chosen, depth_place_);
+    return component(
+        exact, {values_.chosen.depth, values_.permitted_depth, depth_place_, depth_corners_, true},
+        rendered);
+  }
+  ValueComponent inverse_w(double rendered) const {
+    ValueComponent result = component(
+        interpolate_exact(values_.chosen.inverse_w, depth_place_),
+        {values_.chosen.inverse_w, values_.permitted_inverse_w, depth_place_, depth_corners_},
+        rendered);
+    if (!result.is_permitted())
+      result.permitted =
+          rounded_to_float(with_means_of_inverse_w(result.permitted, primitive_, values_));
+    return result;
+  }
+
+ private:
+  // Of what was interpolated, the float32 numbers that a fragment may tell.
+  Interval told(const ValueQuestion& question, Interval interpolated) const {
+    return rounded_to_float(question.is_depth ? told_depth(interpolated) : interpolated);
+  }
+
+  // With a polygon offset depths are clamped. Without one a depth beyond 0 to 1, where a fragment's
+  // centre lies beyond the primitive, is clamped or not: 14.6.5 speaks of offset depths alone.
+  Interval told_depth(Interval depth) const {
+    if (values_.lawful.clamps_depth) return clamped_depth(values_.lawful, depth);
+    return hull(depth, {std::clamp(depth.low, 0.0, 1.0), std::clamp(depth.high, 0.0, 1.0)});
+  }
+
+  // Of what has a value for the whole pixel or column, of all places where that may be taken.
+  Interval permitted(const ValueQuestion& question) const {
+    const auto& [chosen, lawful, place, corners, is_depth] = question;
+    if (!corners.empty()) return permitted_within(lawful, values_.lawful.inverse_w, corners);
+    return permitted_across(lawful, values_.moved(), permitted_at(place), place,
+                            Fixed::from_raw(across() / 2));
+  }
+
+  // What any fragment of a wide line's column may have.
+  Interval permitted_in_column(const ValueQuestion& question) const {
+    return permitted_across(question.lawful, values_.moved(), permitted_at(question.place),
+                            question.place, Fixed::from_raw(across()));
+  }
+
+  // From the first to the last fragment of a line's column, raw.
+  std::int64_t across() const {
+    return (rounded_width(primitive_.state->line_width) - 1) * Fixed::kOne;
+  }
+
+  // What the components of a colour share is worked out once.
+  const PermittedPlace& permitted_at(Point place) const {
+    if (!known_ || known_->first != place)
+      known_.emplace(place, PermittedPlace(values_.moved(), place));
+    return known_->second;
+  }
+
+  // The same of lawful attributes where no vertex moves.
+  const InexactPlace& inexact_at(Point place) const {
+    if (!unmoved_ || unmoved_->first != place) unmoved_.emplace(place, InexactPlace(place));
+    return unmoved_->second;
+  }
+
+  const ScenePrimitive& primitive_;
+  const PrimitiveValues& values_;
+  Point place_;        // of the colour
+  Point depth_place_;  // of gl_FragCoord.z and gl_FragCoord.w
+  PixelPosition pixel_;
+  bool depth_is_zero_;
+  bool lawful_;  // exact evaluates as the specification has it
+  // Of the regions where the colour, and gl_FragCoord, may be taken.
+  std::vector<PermittedPlace> corners_;
+  std::vector<PermittedPlace> depth_corners_;
+  mutable std::optional<std::pair<Point, PermittedPlace>> known_;
+  mutable std::optional<std::pair<Point, InexactPlace>> unmoved_;
+  bool forgiving_;
+};
+
+}  // namespace edgecase
