@@ -90,7 +90,8 @@ DifferencePicture long_line(int length) {
   large.width = 100;
   large.height = 50;
   large.exact_hits.assign(5000, 0);
-  for (int x = 0; x < length; ++x) large.exact_hits[static_cast<std::size_t>(25 * 100 + 40 + x)] = 1;
+  for (int x = 0; x < length; ++x)
+    large.exact_hits[static_cast<std::size_t>(25 * 100 + 40 + x)] = 1;
   large.disagreements = {difference(41, 25, DisagreementKind::missing, 1, 0)};
   large.rendered_hits = rendered_hits(large.exact_hits, 100, large.disagreements);
   return large;
