@@ -8,6 +8,7 @@
 
 #include "rules/all_rules.h"
 #include "rules/choices.h"
+#include "rules/ruling_sources.h"
 
 namespace edgecase {
 namespace {
@@ -74,6 +75,11 @@ TEST(Catalogue, EveryRulingSaysWhatItRestsOn) {
       EXPECT_EQ(source.contest.empty(), source.basis == Basis::normative) << number;
       EXPECT_THAT(source.clause, testing::MatchesRegex("[A-Z0-9].*[0-9].*|[0-9].*")) << number;
     }
+}
+
+TEST(Catalogue, EverySourceIsThatOfARuling) {
+  for (int number = 1; number < 1000; ++number)
+    EXPECT_EQ(source_of(number).clause.empty(), find_ruling(number) == nullptr) << number;
 }
 
 TEST(Catalogue, EveryRuleSaysWhatItIs) {
