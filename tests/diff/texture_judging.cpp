@@ -293,4 +293,10 @@ Rendering in_float32(const Scene& scene, Rendering rendering) {
   return stored(scene, std::move(rendering));
 }
 
+TextureChange level_moved(double by) {
+  return [by](Fragment&, FragmentDetail& detail) {
+    for (double& level : detail.level_of_detail) level += by;
+  };
+}
+
 }  // namespace edgecase

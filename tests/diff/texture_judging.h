@@ -52,6 +52,8 @@ std::string describe_textures(const Result& result);
 using TextureChange = std::function<void(Fragment&, FragmentDetail&)>;
 Rendering changed_textures(const Scene& scene, const TextureChange& change);
 Rendering changed_texture(const Scene& scene, std::size_t fragment, const TextureChange& change);
+// lambda' and what is accessed, moved together by so many levels.
+TextureChange level_moved(double by);
 // As the GPU has it: every number of fragments and details a float32.
 Rendering in_float32(const Scene& scene, Rendering rendering);
 

@@ -12,18 +12,12 @@
 namespace edgecase {
 namespace {
 
-// About 1 part in 10^5 per operation (GL 4.6 core, 2.3).
-constexpr double kClause = 1e-5;
 // A product by a texture's size and what wraps it, in float32.
 constexpr double kFloat32 = 0x1p-22;
 // No number is the logarithm of 0: any stands for it that no bias leads out of magnification.
 constexpr double kLogarithmOfZero = -16;
 // Ruling 53: an sRGB texel may be decoded so far off.
 constexpr double kContestedSrgb = 0.005;
-
-SamplerPrecision precision_within(TextureLookups::Reach reach) {
-  return reach == TextureLookups::Reach::coarse ? kContestedPrecision : kPermittedPrecision;
-}
 
 // The largest of the numbers that are finite.
 double magnitude_of(const DecodedTexture& texture) {
@@ -63,11 +57,15 @@ LevelRules rules_of(const TextureChoice& choice) {
 
 // lambda_base. Each end errs by a part of itself: one that is infinite says nothing of the other.
 Interval logarithm_of(Interval scale, Log2Method method) {
-  const Interval exact = log2_of(widened(scale, kClause), method);
-  return {widened(exact.low, kClause).low, widened(exact.high, kClause).high};
+  const Interval exact = log2_of(widened(scale, kLookupError), method);
+  return {widened(exact.low, kLookupError).low, widened(exact.high, kLookupError).high};
 }
 
 }  // namespace
+
+SamplerPrecision TextureLookups::precision_within(Reach reach) {
+  return reach == Reach::coarse ? kContestedPrecision : kPermittedPrecision;
+}
 
 TextureLookups::TextureLookups(const ValueContext& context, const Rendering& exact,
                                const Rendering& rendered)
@@ -235,7 +233,7 @@ std::optional<Interval> TextureLookups::told_lambda(const Fragment& fragment) co
   // The logarithm of 0 is a level, too: the least that there is.
   if (std::isinf(told) && told < 0) return Interval(told);
   if (!std::isfinite(told)) return std::nullopt;
-  return edgecase::widened(told, kClause);
+  return edgecase::widened(told, kLookupError);
 }
 
 TexturePoint TextureLookups::point_of(const Fragment& fragment,
@@ -300,7 +298,7 @@ Boxes TextureLookups::widened(const Fragment& fragment, const std::vector<Texel>
   const TextureUse& use = use_of(fragment);
   // Half a code for each mean.
   const double codes = rounding ? means_of_codes(use.sampler, texture_of(fragment)) * 0.5 / 255 : 0;
-  const double margin = largest_of(use) * kClause + codes;
+  const double margin = largest_of(use) * kLookupError + codes;
   Boxes boxes;
   for (const Texel& color : colors) {
     boxes.emplace_back();
@@ -374,65 +372,6 @@ Boxes TextureLookups::colors(const Fragment& fragment, const TextureChoice& choi
   return widened(fragment,
                  as_told ? told_colors(fragment, choice) : probed_colors(fragment, choice),
                  rounding);
-}
-
-// The last level that an anisotropic filter may access, of all of whose texels it may take a mean
-// (ruling 23).
-int TextureLookups::last_accessible(const Fragment& fragment) const {
-  const TextureUse& use = use_of(fragment);
-  if (use.sampler.mipmap == MipFilter::none) return use.sampler.base_level;
-  return last_level_of(exact_.decoded(use.texture), use.sampler, texture_of(fragment));
-}
-
-bool TextureLookups::has_levels_of_one_color(const Fragment& fragment) const {
-  const TextureUse& use = use_of(fragment);
-  const std::vector<DecodedLevel>& levels = exact_.decoded(use.texture).levels;
-  const auto end = std::min(levels.size(), static_cast<std::size_t>(last_accessible(fragment)) + 1);
-  for (auto level = static_cast<std::size_t>(use.sampler.base_level); level < end; ++level) {
-    const std::vector<Texel>& texels = levels[level].texels;
-    if (!std::ranges::all_of(texels, [&](const Texel& t) { return same_box(t, texels[0]); }))
-      return false;
-  }
-  return true;
-}
-
-Texel TextureLookups::accessible_texels(const Fragment& fragment) const {
-  const TextureUse& use = use_of(fragment);
-  const DecodedTexture& decoded = exact_.decoded(use.texture);
-  const int last = last_accessible(fragment);
-  const auto end = decoded.levels.size();
-  std::vector<Texel> texels;
-  for (auto level = static_cast<std::size_t>(use.sampler.base_level);
-       level <= static_cast<std::size_t>(last) && level < end; ++level)
-    texels.push_back(hull_of(decoded.levels[level].texels));
-  const auto& wrap = use.sampler.wrap;
-  const bool has_border = wrap[0] == Wrap::clamp_to_border ||
-                          (decoded.dimensions == 2 && wrap[1] == Wrap::clamp_to_border);
-  if (has_border) texels.push_back(decode_border(use.sampler.border, decoded.format));
-  return hull_of(texels);
-}
-
-// sRGB texels may be decoded before they are filtered or after that (ruling 24).
-std::vector<Texel> TextureLookups::permitted_samples(const Fragment& fragment, Reach reach) {
-  const TextureUse& use = use_of(fragment);
-  const Texture& texture = texture_of(fragment);
-  const TextureChoice lawful;
-  const TextureSample at{point_of(fragment, context_.values_of(fragment).lawful, kClause),
-                         permitted_lookup_lambda(fragment, reach)};
-  SampleLatitude latitude{precision_within(reach).texel, 0, true, SrgbDecoding::of_texels};
-  std::vector<Texel> colors =
-      sample(exact_.decoded(use.texture), texture, use.sampler, lawful, at, latitude);
-  if (texture.format != TextureFormat::srgb8) return colors;
-  const auto coded = srgb_.try_emplace(use.texture, srgb_coded(exact_.decoded(use.texture))).first;
-  Sampler sampler = use.sampler;
-  for (std::size_t c = 0; c < 3; ++c)
-    sampler.border[c] = static_cast<float>(linear_to_srgb_number(double{sampler.border[c]}));
-  for (const SrgbDecoding decoding : {SrgbDecoding::of_levels, SrgbDecoding::at_last}) {
-    latitude.decoding = decoding;
-    for (const Texel& color : sample(coded->second, texture, sampler, lawful, at, latitude))
-      colors.push_back(color);
-  }
-  return colors;
 }
 
 Boxes TextureLookups::permitted_colors(const Fragment& fragment, Reach reach) {

@@ -16,6 +16,7 @@
 #include "diff/textures/exact_lookups.h"
 #include "diff/textures/texture_relevance.h"
 #include "diff/values/value_diff.h"
+#include "rules/textures/precision.h"
 #include "rules/values/coordinate_derivatives.h"
 
 namespace edgecase {
@@ -76,6 +77,7 @@ class TextureLookups {
     std::vector<std::pair<DerivativeMethod, Gradients>> gradients;
   };
 
+  static SamplerPrecision precision_within(Reach reach);
   Gradients gradients_of(const Fragment& fragment, DerivativeMethod method);
   Gradients permitted_gradients(const Fragment& fragment, Reach reach);
   Gradients asked_gradients(const Fragment& fragment) const;

@@ -53,7 +53,7 @@ inline Interval permitted_across(const Interpolant& interpolant, const MovedVert
 }
 
 // What a value's exact number is made of, what is permitted of it, and where.
-struct ValueQuestion {
+struct JudgedValue {
   const Interpolant& chosen;
   const Interpolant& lawful;
   Point place;                                 // where exact evaluates it
@@ -93,7 +93,7 @@ class ValueJudge {
   }
 
   // `exact`: what question.chosen yields.
-  ValueComponent component(Interval exact, const ValueQuestion& question, double rendered) const {
+  ValueComponent component(Interval exact, const JudgedValue& question, double rendered) const {
     ValueComponent result;
     result.exact = middle(exact);
     result.rendered = rendered;
@@ -148,7 +148,7 @@ class ValueJudge {
 
  private:
   // Of what was interpolated, the float32 numbers that a fragment may tell.
-  Interval told(const ValueQuestion& question, Interval interpolated) const {
+  Interval told(const JudgedValue& question, Interval interpolated) const {
     return rounded_to_float(question.is_depth ? told_depth(interpolated) : interpolated);
   }
 
@@ -160,7 +160,7 @@ class ValueJudge {
   }
 
   // Of what has a value for the whole pixel or column, of all places where that may be taken.
-  Interval permitted(const ValueQuestion& question) const {
+  Interval permitted(const JudgedValue& question) const {
     const auto& [chosen, lawful, place, corners, is_depth] = question;
     if (!corners.empty()) return permitted_within(lawful, values_.lawful.inverse_w, corners);
     return permitted_across(lawful, values_.moved(), permitted_at(place), place,
@@ -168,7 +168,7 @@ class ValueJudge {
   }
 
   // What any fragment of a wide line's column may have.
-  Interval permitted_in_column(const ValueQuestion& question) const {
+  Interval permitted_in_column(const JudgedValue& question) const {
     return permitted_across(question.lawful, values_.moved(), permitted_at(question.place),
                             question.place, Fixed::from_raw(across()));
   }

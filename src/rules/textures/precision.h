@@ -21,4 +21,8 @@ inline constexpr SamplerPrecision kPermittedPrecision{0x1p-6, 0x1p-7};
 // Contested beyond that (ruling 50).
 inline constexpr SamplerPrecision kContestedPrecision{0x1p-4, 0x1p-4};
 
+// The part of itself that the result of a floating-point operation may be off, about 1 part in 10^5
+// (GL 4.6 core, 2.3.4.1).
+inline constexpr double kLookupError = 1e-5;
+
 }  // namespace edgecase

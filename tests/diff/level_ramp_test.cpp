@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// Ramps of levels of detail along a strip, and the band that is permitted.
+#include <gtest/gtest.h>
+
+#include "diff/textures/level_ramp.h"
+#include "raster/rasterizer.h"
+#include "tests/diff/texture_judging.h"
+#include "tests/raster/texture_scenes.h"
+
+namespace edgecase {
+namespace {
+
+TEST(LevelRamp, TheRampIsWhatFragmentsOfAStripTell) {
+  const Placement place{{0, 0}, {32, 2}, {0, 0}, {1.5f, 0.0625f}};
+  Scene strip = textured_scene(32, 2, *textures_named("floor").textures[0], place,
+                               sampler_of(Filter::linear, MipFilter::linear));
+  for (const std::size_t right : {1u, 3u}) strip.draws[0].vertices[right].w = 8;
+  const auto ramp = level_ramp(strip, {}, changed_textures(strip, level_moved(0.01)), {8});
+  ASSERT_EQ(ramp.size(), 32u);
+  const Rendering exact = rasterize(strip, {});
+  for (std::size_t i = 0; i < ramp.size(); ++i) {
+    const Result::LevelPoint& point = ramp[i];
+    EXPECT_EQ(point.x, static_cast<int>(i));
+    EXPECT_EQ(point.y, 0);
+    const Fragment& f = exact.fragments[i];
+    EXPECT_EQ(point.exact, exact.details[static_cast<std::size_t>(f.detail)].level_of_detail[1]);
+    EXPECT_NEAR(point.rendered, point.exact + 0.01, 1e-9);
+    EXPECT_LT(point.low, point.exact);
+    EXPECT_GT(point.high, point.exact);
+    EXPECT_LT(point.high - point.low, 3);
+  }
+}
+
+// The band of an axis-aligned footprint, worked out by hand: from log2 of max(m_u, m_v) to that of
+// the larger bound, and a 64th of a level more.
+TEST(LevelRamp, TheBandIsThatOfTheLeastAndTheMost) {
+  const Texture texture = chain_of(64, 64, TextureFormat::rgba32f, distinct);
+  for (const double u : {1.5, 3.0, 5.25})
+    for (const double v : {0.25, 2.0}) {
+      const Placement place{
+          {0, 0}, {32, 2}, {0, 0}, {static_cast<float>(u / 2), static_cast<float>(v / 32)}};
+      const Scene strip =
+          textured_scene(32, 2, texture, place, sampler_of(Filter::linear, MipFilter::linear));
+      const auto ramp = level_ramp(strip, {}, rasterize(strip, {}), {8});
+      EXPECT_EQ(ramp.size(), 32u);
+      for (const auto& point : ramp) {
+        EXPECT_NEAR(point.low, std::log2(std::max(u, v)), 0.08);
+        const double most = std::max(u + v, std::sqrt(2.0) * std::max(u, v));
+        EXPECT_NEAR(point.high, std::log2(most), 0.12);
+        EXPECT_LE(point.low, std::log2(std::max(u, v)));
+        EXPECT_GE(point.high, std::log2(most));
+      }
+    }
+}
+
+// A renderer that says less exactly where vertices are may look up what a finer one may.
+
+}  // namespace
+}  // namespace edgecase
