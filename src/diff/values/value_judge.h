@@ -105,7 +105,9 @@ class ValueJudge {
     result.permitted = told(question, inexact_at(question.place).value(question.lawful));
     if (result.is_permitted()) return result;
     result.permitted = told(question, permitted(question));
-    if (lawful_) result.permitted = holding(result.permitted, result.exact);
+    // Of an offset depth the renderer's unit need not be exact's (ruling 38).
+    const bool has_own_unit = question.is_depth && values_.lawful.clamps_depth;
+    if (lawful_ && !has_own_unit) result.permitted = holding(result.permitted, result.exact);
     result.may_be_of_column =
         !result.is_permitted() && question.corners.empty() &&
         told(question, permitted_in_column(question)).contains(to_float(rendered));
