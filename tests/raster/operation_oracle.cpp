@@ -26,7 +26,9 @@ int to_code(const Rational& value) {
 }
 
 double stored_depth(double depth, DepthFormat format) {
-  if (format == DepthFormat::depth32f) return static_cast<double>(static_cast<float>(depth));
+  // Clamped whatever the format (ruling 18).
+  if (format == DepthFormat::depth32f)
+    return static_cast<double>(static_cast<float>(std::min(std::max(depth, 0.0), 1.0)));
   const int largest = format == DepthFormat::depth16 ? 65535 : 16777215;
   const Integer steps = nearest(clamped(rational_of(depth)) * largest);
   return static_cast<double>(steps) / largest;

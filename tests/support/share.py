@@ -26,6 +26,12 @@ def in_share(items):
     return list(items)[NUMBER - 1::COUNT]
 
 
+def least_of(count):
+    """How often something has to be seen in this share that is seen `count` times in all of them:
+    half of its part, as share.h has it, since sweeps do not deal their values evenly."""
+    return count if COUNT == 1 else count / COUNT / 2
+
+
 # No test of the full tier has as many parts as the quick tier has shares.
 IS_QUICK = COUNT >= 16
 

@@ -2,7 +2,7 @@
 """The example rasterizer in Python, judged over a fifth of what the suite has of what it draws."""
 import unittest
 
-from suite_data import COUNT, shard
+from suite_data import COUNT, least_of, shard
 from support import PROBES, ROOT, UNHURRIED, CommandTest, only_result
 
 PROGRAM = f"exec:/usr/bin/env python3 {ROOT / 'reference/examples/rasterizer.py'}"
@@ -54,8 +54,9 @@ class PythonExample(CommandTest):
 
     def test_it_agrees_on_nearest_texels(self):
         folders = [ROOT / "cases/textures" / name for name in ("wrap", "filter", "formats")]
+        # Its sweeps deal their filters unevenly to four shares.
         drawn, _ = self.check("this example ", *folders, *shard())
-        self.assertGreater(drawn, 200 / COUNT)
+        self.assertGreater(drawn, least_of(200))
 
 
 if __name__ == "__main__":

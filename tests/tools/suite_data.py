@@ -22,7 +22,7 @@ from support import (AS_EXPECTED, BIN, EDGECASE, MESA, PATIENCE, PROBES, RENDERE
 
 sys.path.insert(0, str(ROOT / "tests" / "support"))
 
-from share import COUNT, IS_QUICK, NUMBER, in_full_tier, in_share  # noqa: E402
+from share import COUNT, IS_QUICK, NUMBER, in_full_tier, in_share, least_of  # noqa: E402
 
 KEPT = pathlib.Path(os.environ.get("EDGECASE_BUILD", BIN.parent)) / "suite-data"
 SHARE = f"{NUMBER}-of-{COUNT}"
