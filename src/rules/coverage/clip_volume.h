@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Primitive clipping (GL 4.6 core, 13.7): of a primitive only what lies in the clip volume is
+// Primitive clipping (GL 4.6 core, 13.7): only the part of a primitive inside the clip volume is
 // rasterized, -w <= x, y, z <= w.
 //
-// A triangle need not be cut for that. The sample s = (x, y, 1) is the sum of b_i v_i over the
-// vertices v_i = (x_i, y_i, w_i) of the window; it is covered where all b_i are positive, whatever
-// the signs of the w_i (Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous
-// Coordinates", 1997), and it lies between the near and the far plane where the sum of b_i z_i lies
-// between -1 and 1. The other four planes are the viewport's sides. No vertex is made, so that
-// nothing is rounded.
+// Clipping does not require that a triangle is cut. Let v_i = (x_i, y_i, w_i) be its vertices in
+// the window. A sample s = (x, y, 1) is the sum of b_i v_i. The triangle covers the sample where
+// all b_i are positive, whatever the signs of the w_i (Olano and Greer, "Triangle Scan Conversion
+// using 2D Homogeneous Coordinates", 1997). The sample lies between the near and the far plane
+// where the sum of b_i z_i lies between -1 and 1. The other four planes are the viewport's sides.
+// This method makes no new vertices and rounds nothing.
 #pragma once
 
 #include <array>

@@ -2,16 +2,16 @@
 //
 // Lines of width 1: the diamond-exit rule (GL 4.6 core, 14.5.1).
 //
-// Round every pixel centre lies an open diamond, |dx| + |dy| < 1/2. A segment from a to b produces
-// the fragment of each diamond that it meets, except the one that contains b: the segment must exit
-// it. Both ends are first moved by -(e, e^2), so that nothing depends on what happens exactly on a
+// An open diamond, |dx| + |dy| < 1/2, surrounds each pixel's centre. A segment from a to b produces
+// a fragment for each diamond that it exits. These are all diamonds that it meets, except the one
+// that contains b. The rule first moves both ends by -(e, e^2), so that no result depends on a
 // diamond's boundary. We move the diamond by +(e, e^2) instead, which is tie rule `left-bottom`.
 //
-// In rotated coordinates u = x + y, v = x - y the diamond is an open square with sides parallel to
-// the axes, and a segment meets an open convex set unless one of three directions separates them:
-// u, v, or the segment's normal. That makes six linear functions of the sample that must all be
-// positive; a seventh to tenth say whether b lies inside. No square roots, no division, no
-// rounding.
+// In the rotated coordinates u = x + y, v = x - y the diamond is an open square with sides parallel
+// to the axes. A segment meets an open convex set unless a direction separates the two. Three
+// directions can do so here: u, v, and the segment's normal. They give six linear functions of the
+// sample, which must all be positive. Four more functions say whether b lies inside. The test needs
+// no square root, no division and no rounding.
 #pragma once
 
 #include <vector>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// One primitive of width or size 1 produces at most one fragment per pixel.
+// A primitive of width or size 1 produces at most one fragment per pixel.
 //
-// The rules of points, lines and triangles (GL 4.6 core, 14.4 to 14.6) speak of the set of
-// fragments of a primitive; a fragment that comes twice is blended twice.
+// The rules for points, lines and triangles (GL 4.6 core, 14.4 to 14.6) define the set of a
+// primitive's fragments. A set holds each fragment once. A fragment that is produced twice is
+// blended twice.
 #pragma once
 
 #include "rules/rule.h"

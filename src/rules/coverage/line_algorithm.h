@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Which algorithm draws a line, and how a wide one is made of it.
+// Algorithms that draw lines, and how each draws a wide line.
 //
-// The diamond-exit rule is OpenGL's ideal; its relaxed rules admit others, and Direct3D, Vulkan,
-// hardware and textbooks have theirs. Here is the list of those that are known, under one function.
+// The diamond-exit rule is OpenGL's ideal. Its relaxed rules admit other algorithms. Direct3D,
+// Vulkan, hardware and textbooks have theirs. This header lists the known ones and evaluates each
+// by one function.
 //
-// A line wider than 1 is the line of width 1 moved down (left, if y-major) by (w - 1)/2, each of
-// its fragments replaced by a column (row) of w fragments, w being the width rounded to an integer
-// (GL 4.6 core, 14.5.2); areas take their width as it is.
+// A line wider than 1 starts as the line of width 1, moved down (left, if y-major) by (w - 1)/2.
+// Each fragment is then replaced by a column (row) of w fragments (GL 4.6 core, 14.5.2). Here w is
+// the width rounded to an integer. An area has the line's width itself; of the areas only
+// `parallelogram-ends-tested` rounds it.
 #pragma once
 
 #include <span>

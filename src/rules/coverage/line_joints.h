@@ -2,13 +2,15 @@
 //
 // Joints of lines (GL 4.6 core, 14.5.1, the fourth of the relaxed rules; ruling 14).
 //
-// A polyline that goes on in one direction must look like one line: no fragment twice, none missing
-// where one segment hands over to the next. An algorithm that draws both ends of every segment, or
-// neither, may pass every rule on single segments and still fails here.
+// Connected segments that run in one direction must look like one line. No fragment is drawn twice,
+// and none is missing where one segment ends and the next begins. An algorithm may draw both ends
+// of every segment, or neither. It may then obey every rule for single segments and still fail
+// here.
 //
-// The letter speaks of any two segments with a common endpoint, both x-major from left to right,
-// say. Two that start at one point are such, too, and the diamond-exit rule itself draws their
-// first fragment twice; so ruling 14 reads it of one that ends where the other starts.
+// The specification speaks of any two segments with a common endpoint and, for example, both
+// x-major from left to right. Two segments that start at one point meet that condition. The
+// diamond-exit rule itself draws their first fragment twice. Ruling 14 therefore applies the
+// sentence only to a segment that ends where the other starts.
 #pragma once
 
 #include <span>

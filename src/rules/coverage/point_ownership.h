@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Points (GL 4.6 core, 14.4).
+// Points (GL 4.6 core, 14.4): which pixels a point covers.
 //
-// A point produces a fragment for each pixel whose centre lies inside a square round the vertex, as
-// wide as the point's size; for size 1 exactly one, unless a centre lies on the square's boundary:
-// the specification does not say whom a boundary belongs to. The older text of OpenGL does, for
-// points without antialiasing: the pixel at (floor x, floor y). That is `right-top` here: a centre
-// on the right or top side is owned, one on the left or bottom side is not.
+// A point produces a fragment for each pixel whose centre lies inside a square around its vertex.
+// The square is as wide as the point's size. A point of size 1 produces exactly one fragment,
+// unless a centre lies on the square's boundary. The specification does not say who owns the
+// boundary. The older text of OpenGL does, for points without antialiasing: it draws the pixel at
+// (floor x, floor y). That is tie rule `right-top`. The square owns centres on its right and top
+// sides, and not those on its left and bottom sides.
 #pragma once
 
 #include <span>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Which way a triangle faces (GL 4.6 core, 14.6.1): by the sign of its area in the window. The
-// front face is the one whose vertices run as the draw says; culling drops triangles by it, and the
-// stencil test has a state for each.
+// Front and back faces (GL 4.6 core, 14.6.1). The sign of a triangle's area in the window says
+// which way it faces. The draw says which order of vertices is the front. Culling drops triangles
+// by their facing. The stencil test has a state for each facing.
 //
 //   area = 1/2 sum of (x_i y_i+1 - x_i+1 y_i)    above 0: counter-clockwise, y up
 //
-// Only the sign counts, and it is exact: a triangle of hardly any area still faces one way.
+// Only the sign counts, and it is exact. A triangle of hardly any area still faces one way.
 #pragma once
 
 #include <array>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Row order: which way the rows of the target run for a rasterizer.
+// Row order: the direction in which a rasterizer counts the rows of its target.
 //
-// Window coordinates have y up. A rasterizer that works in the order of memory sees window surfaces
-// upside down, since their first row in memory is the top one, and with them every tie and every
-// rounding: what it rounds up is rounded down, y up, and bottom edges are its top edges.
+// Window coordinates have y up. The first row of a window surface in memory is the top one. A
+// rasterizer that works in the order of memory therefore sees window surfaces upside down. Its ties
+// and its rounding are upside down too. What it rounds up is rounded down in window coordinates.
+// The edges that it takes for top edges are bottom edges.
 #pragma once
 
 #include <string>

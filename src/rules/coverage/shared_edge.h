@@ -2,11 +2,12 @@
 //
 // Shared edges: no hole and no double hit between two triangles (GL 4.6 core, 14.6.1).
 //
-// When two triangles lie on opposite sides of an edge with bit-identical ends, a sample on it is
-// produced by exactly one of them. Snapping moves both triangles alike, so the promise holds for
-// every sample that lies inside their union whatever the allowed moves are; it is the one thing
-// about ties that OpenGL does mandate. Near the ends of the edge other triangles take part, and
-// there nothing is promised about two alone.
+// Two triangles lie on opposite sides of an edge with bit-identical ends. Exactly one of them
+// produces a sample on that edge. OpenGL mandates nothing else about ties.
+//
+// Snapping moves both triangles alike. The promise therefore holds for every sample that lies
+// inside their union under all allowed moves. Near the ends of the edge other triangles take part.
+// Nothing is promised there about two triangles alone.
 #pragma once
 
 #include <optional>

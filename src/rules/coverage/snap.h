@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Sub-pixel snapping: vertices rounded to a grid of 2^-b pixels before anything else is decided.
+// Sub-pixel snapping: vertices are rounded to a grid of 2^-b pixels before anything else is
+// decided.
 //
-// OpenGL's ideal rasterization knows no grid; implementations have one and say how fine it is with
-// GL_SUBPIXEL_BITS, at least 4 (GL 4.6 core, implementation-dependent values). Policy `opengl`
-// therefore snaps nothing, and a renderer that does is explained by the alternative it follows.
-// Snapping comes before edge setup: a triangle may degenerate by it, and two triangles may overlap.
+// OpenGL's ideal rasterization has no grid. Implementations have one. GL_SUBPIXEL_BITS reports its
+// b, which is at least 4 (GL 4.6 core, implementation-dependent values). Policy `opengl` snaps
+// nothing, and a renderer that snaps is explained by the alternative that it follows. Snapping
+// precedes edge setup: a triangle may become degenerate, and two triangles may come to overlap.
 #pragma once
 
 #include <span>

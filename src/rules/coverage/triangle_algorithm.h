@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Which algorithm draws a triangle.
+// Algorithms that draw triangles.
 //
-// OpenGL says which samples lie inside and leaves the way to find them to the implementation, as
-// long as rulings 4 and 5 hold. Edge functions are exact; scan conversion rounds, and is catalogued
-// so that a renderer that does it can be told from one that is merely wrong.
+// OpenGL says which samples lie inside a triangle. It leaves the method to the implementation, as
+// long as rulings 4 and 5 hold. Edge functions are exact. Scan conversion rounds. It is listed here
+// so that a renderer which uses it can be told from one that is merely wrong.
 #pragma once
 
 #include <span>

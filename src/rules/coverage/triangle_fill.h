@@ -2,19 +2,20 @@
 //
 // Triangles: point sampling and the fill rule (GL 4.6 core, 14.6.1).
 //
-// A triangle produces the fragment of each pixel whose centre lies inside it. Three edge functions,
-// cross products in 62-bit integers, say on which side of each edge the centre lies. A centre
-// exactly on an edge is decided by a tie rule; OpenGL demands only that of two triangles which
-// share an edge exactly one gets it, so any of the eight perturbed rules conforms. `left-top` owns
-// left edges, then top edges, y up. Mind the sense of the words: where y points down, `left-bottom`
-// is what is usually called the top-left rule.
+// A triangle produces a fragment for each pixel whose centre lies inside it. Three edge functions
+// say on which side of each edge the centre lies. They are cross products in 62-bit integers:
 //
 //   E(s) = (b - a) x (s - a)    of the edge a -> b, vertices counter-clockwise
 //   above 0: inside; below 0: outside; 0: exactly on the edge
 //
-// A tie rule moves every sample by as little as you like in one direction, and by much less in the
-// other: `left-top` by (e, -e^2), right and very little down. No sample then lies on an edge.
-// Both windings are drawn alike; a triangle without area draws nothing.
+// A tie rule decides over a centre exactly on an edge. OpenGL demands only that exactly one of two
+// triangles which share the edge gets the centre. Each of the eight perturbed rules does so. Such a
+// rule moves every sample by an arbitrarily small step in one direction, and by a much smaller one
+// in the other. No sample then lies on an edge. `left-top` moves by (e, -e^2): right, and much less
+// down. It owns left edges, then top edges, y up. Where y points down, the common name "top-left
+// rule" means `left-bottom`.
+//
+// Both windings are drawn alike. A triangle without area draws nothing.
 #pragma once
 
 #include <array>

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// The window's origin: its lower left corner, from which y runs upward.
+// The window's origin is its lower left corner, and y runs upward.
 //
-// The viewport is given by its lower left corner (GL 4.6 core, 13.8.1), a fragment is located by
-// the lower left corner of its grid square (14, introduction), and rows are read back from the
-// lowest (18.2.2). Most image formats and most windowing systems have the first row on top, and a
-// rasterizer that was written for them forgets to turn its picture over, or does so twice. Nothing
-// of that picture is wrong but where its rows stand, and telling every sample of it as a sample on
-// the wrong side of an edge would hide that.
+// The specification says so in three places. The viewport is given by its lower left corner (GL 4.6
+// core, 13.8.1). A fragment is located by the lower left corner of its grid square (14,
+// introduction). Pixels are read back from the lowest row upward (18.2.2).
 //
-// Which way rows run while ties are decided is another matter, and open: see row_order.h.
+// Most image formats and most windowing systems store the top row first. A rasterizer that was
+// written for them may forget to flip its picture, or flip it twice. Such a picture has a single
+// fault: its rows stand in reverse order. Reporting every sample as one on the wrong side of an
+// edge would hide that fault.
+//
+// The direction of rows while ties are decided is a separate question, which is open: see
+// row_order.h.
 #pragma once
 
 #include "rules/rule.h"

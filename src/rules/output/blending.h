@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Blending (GL 4.6 core, 17.3.6): what a fragment's colour and the stored one make together, and
-// which components of it are written (17.4.2).
+// Blending (GL 4.6 core, 17.3.6) combines a fragment's colour with the stored one. The colour mask
+// says which components of the result are written (17.4.2).
 //
-// The target holds 8-bit values, so that source colour, constant and factors are clamped to 0 to 1
-// first, and so is the result.
+// The target holds 8-bit values. The source colour, the constant and the factors are therefore
+// clamped to 0 to 1 first. The result is clamped in the same way.
 #pragma once
 
 #include <array>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The depth test (GL 4.6 core, 17.3.4): a fragment whose depth does not compare as the draw has it
-// with the stored one goes no further. Where it passes, its depth is stored, unless the draw masks
-// depths (17.4.2).
+// The depth test (GL 4.6 core, 17.3.4) compares a fragment's depth with the stored one. The draw
+// names the comparison. A fragment that fails it is discarded. A fragment that passes has its depth
+// stored, unless the draw masks depths (17.4.2).
 //
-// What is compared are values of the depth buffer's format: a fragment's depth is converted first
+// The test compares values in the depth buffer's format. A fragment's depth is converted first
 // (13.8.1, rules/values/depth_buffer.h).
 #pragma once
 

@@ -4,10 +4,10 @@
 //
 //   z + factor m + units r,   m = length of z's gradient in the window, per pixel
 //
-// clamped to 0 to 1. m may be approximated by the larger partial derivative, and r is the
-// smallest difference of depths that is sure to stay one in the buffer: of a fixed-point buffer a
-// constant of the implementation, for which the section has no upper bound, of a floating-point one
-// 2^(e - 23), e the exponent of the triangle's largest depth.
+// clamped to 0 to 1. The larger partial derivative may take the place of m. r is the smallest
+// difference of depths that is sure to remain in the buffer. For a fixed-point buffer, r is a
+// constant of the implementation, and the section gives no upper bound for it. For a floating-point
+// buffer, r is 2^(e - 23), where e is the exponent of the triangle's largest depth.
 #pragma once
 
 #include <span>

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// The stencil test (GL 4.6 core, 17.3.3): the draw's reference against what is stored, both under a
-// mask; and what becomes of the stored value. All of it is integers: nothing is open.
+// The stencil test (GL 4.6 core, 17.3.3) compares the draw's reference with the stored value, both
+// under a mask. The outcome selects an operation on the stored value. All values are integers, and
+// nothing is open.
 //
-//   the test fails                      the value becomes what `fail` makes of it
-//   it passes, and the depth test fails what `depth_fail` makes of it
-//   both pass                           what `pass` makes of it
+//   outcome                               the stored value becomes what
+//   the test fails                        `fail` makes of it
+//   it passes, and the depth test fails   `depth_fail` makes of it
+//   both pass                             `pass` makes of it
 //
-// Of the new value only bits of the write mask are stored.
+// Only those bits of the new value that are in the write mask are stored.
 #pragma once
 
 #include <cstdint>

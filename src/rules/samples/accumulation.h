@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Accumulation: one colour of what the passes of a supersampled scene show (model/supersampling.h).
+// Accumulation: one colour from the passes of a supersampled scene (model/supersampling.h).
 //
-// The weighted mean, which we define: the specification knows no passes. Renderers add in single
-// precision, where sums of many terms are off in their last digits. How far they may be off is
-// derived from how precise each operation is.
+// The colour is the weighted mean of the passes. This is our definition, since the specification
+// has no passes. Renderers add in single precision, where sums of many terms are off in their last
+// digits. The bound on this error is derived from the precision of each operation.
 #pragma once
 
 #include <span>

@@ -2,9 +2,9 @@
 //
 // Alpha to coverage (GL 4.6 core, 17.3.1).
 //
-// With GL_SAMPLE_ALPHA_TO_COVERAGE the alpha that the shader writes becomes a mask, which is anded
-// with the fragment's coverage. How is left open, but that the number of its ones is proportional
-// to alpha, all of them for 1 and none for 0; the mask may differ from pixel to pixel. Every
+// GL_SAMPLE_ALPHA_TO_COVERAGE turns the alpha that the shader writes into a mask. The mask is ANDed
+// with the fragment's coverage. The number of its ones is proportional to alpha: all of them for 1,
+// none for 0. Everything else about the mask is open, and it may differ from pixel to pixel. Every
 // implementation that we know sets bits from sample 0 upward as alpha passes thresholds.
 #pragma once
 

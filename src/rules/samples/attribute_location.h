@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Where within a pixel of a multisampled target attributes are evaluated (GL 4.6 core, 14.3.1 and
-// 14.3.1.1; GLSL 4.60, 4.5).
+// Where in a multisampled pixel attributes are evaluated (GL 4.6 core, 14.3.1 and 14.3.1.1; GLSL
+// 4.60, 4.5).
 //
-// A fragment that stands for several samples has one value of each attribute, and one place where
-// it is taken: anywhere in the pixel, unless the shader qualifies it. `centroid` asks for a place
-// in the pixel that the primitive covers, `sample` for the sample that the invocation runs for.
-// Under GL_SAMPLE_SHADING with a share of 1 every attribute is taken at the sample. The depth that
-// is written to a sample is always that of the sample.
+// A fragment that stands for several samples has one value of each attribute. The attribute is
+// evaluated at one place: anywhere in the pixel, unless the shader qualifies it. `centroid` asks
+// for a place in the part of the pixel that the primitive covers. `sample` asks for the location of
+// the sample that the invocation runs for. Under GL_SAMPLE_SHADING with a share of 1 every
+// attribute is evaluated at the sample. The depth of a sample is always evaluated at that sample.
 #pragma once
 
 #include <cstdint>

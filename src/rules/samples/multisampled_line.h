@@ -2,10 +2,11 @@
 //
 // Multisampled lines (GL 4.6 core, 14.5.4).
 //
-// With multisampling a line is no row of pixels but an area: the rectangle of 14.5.3, as long as
-// the segment and as wide as the line, centred on it, whether or not GL_LINE_SMOOTH is enabled. It
-// covers each sample inside; a line of width 1 too, and nothing of the diamond-exit rule is left.
-// Its width is not rounded. Implementations round its corners (rules/samples/snapped_rectangle.h).
+// Under multisampling a line is an area and not a row of pixels. The area is the rectangle of
+// 14.5.3, centred on the segment, as long as the segment and as wide as the line. GL_LINE_SMOOTH
+// makes no difference. The line covers each sample inside the rectangle. The diamond-exit rule does
+// not apply, even to a line of width 1. The width is not rounded. Implementations round the
+// rectangle's corners (rules/samples/snapped_rectangle.h).
 #pragma once
 
 #include <span>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Resolving: one 8-bit value of a pixel's samples (GL 4.6 core, 18.3.1).
+// Resolving: one 8-bit value from a pixel's samples (GL 4.6 core, 18.3.1).
 //
-// glBlitFramebuffer from a multisampled framebuffer to one that is not makes a single value of each
-// pixel's samples, and the specification does not say how. Everybody takes the mean; how it is
-// rounded differs.
+// glBlitFramebuffer can copy from a multisampled framebuffer to a single-sampled one. It then makes
+// one value of each pixel's samples. The specification does not say how. Implementations take the
+// mean and round it in different ways.
 #pragma once
 
 #include <cstdint>

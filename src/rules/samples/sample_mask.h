@@ -2,10 +2,11 @@
 //
 // GL_MULTISAMPLE and the sample mask (GL 4.6 core, 14.3.1 and 14.9.3).
 //
-// While GL_MULTISAMPLE is disabled, a multisampled target is drawn to as though it had one sample,
-// and every sample of a fragment's pixel is written. While it is enabled, glSampleMaski says which
-// samples may be written: the mask is anded with what a primitive covers, before the shader runs,
-// so that gl_SampleMaskIn shows it and a pixel of which nothing is left has no fragment.
+// While GL_MULTISAMPLE is disabled, a multisampled target is drawn to as though it had one sample.
+// A fragment then writes every sample of its pixel. While GL_MULTISAMPLE is enabled, glSampleMaski
+// says which samples may be written. The mask is ANDed with the primitive's coverage before the
+// shader runs. gl_SampleMaskIn therefore shows the masked coverage. A pixel whose masked coverage
+// is empty has no fragment.
 #pragma once
 
 #include <cstdint>

@@ -2,14 +2,14 @@
 //
 // Where the samples of a pixel lie (GL 4.6 core, 14.3.1).
 //
-// An implementation puts them where it likes, the same in every pixel of a target whose locations
-// are fixed, and says where with glGetMultisamplefv(GL_SAMPLE_POSITION); what it says is what
-// coverage is held against. The other alternatives are what goes wrong: positions that are reported
-// and not used, a pixel seen in a mirror, samples in another order.
+// An implementation chooses the locations. They are the same in every pixel of a target with fixed
+// sample locations. glGetMultisamplefv(GL_SAMPLE_POSITION) reports them, and coverage is compared
+// with what it reports. The other alternatives are known faults: locations that are reported and
+// not used, a mirrored pixel, samples in another order.
 //
-// The standard patterns are those that D3D and Vulkan name: with n samples no two of them lie in
-// the same of n columns or of n rows (of 16: of 16 columns). Their numbers are taken with y up, as
-// the drivers that report them do. The pattern of 4 is a 2 x 2 grid turned by arctan(1/2).
+// The standard patterns are those of D3D and Vulkan. In the pattern of n samples no two share one
+// of n columns or one of n rows. The patterns are read with y up, as the drivers that report them
+// do. The pattern of 4 is a 2 x 2 grid turned by arctan(1/2).
 #pragma once
 
 #include <string>

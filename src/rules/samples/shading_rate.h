@@ -2,10 +2,10 @@
 //
 // How often the fragment shader runs for a pixel of a multisampled target (GL 4.6 core, 14.3.1.1).
 //
-// Once for each pixel and primitive is enough, unless the draw asks for more: an input that is
-// evaluated `sample` by sample, or GL_SAMPLE_SHADING with a share s of n samples, which demands at
-// least max(ceil(s n), 1) different values. Which samples share an invocation is left open, and so
-// is more than is asked for.
+// One invocation for each pixel and primitive is enough, unless the draw asks for more. It asks for
+// more by an input that is qualified `sample`, or by GL_SAMPLE_SHADING. A share s of n samples
+// demands at least max(ceil(s n), 1) different values. Implementations choose which samples share
+// an invocation. They may run more invocations than the draw asks for.
 #pragma once
 
 #include <span>

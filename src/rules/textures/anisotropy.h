@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Anisotropic filters: several lookups along the longer vector of a footprint, each of a level
-// finer than that vector by itself asks for (GL 4.6 core, 8.14.1, with the text of
-// EXT_texture_filter_anisotropic). OpenGL gives one way as an example and lets implementations take
-// another, on levels that the sampler lets them access. With Pmax and Pmin the vectors' lengths:
+// Anisotropic filters: several lookups along the longer vector of a footprint (GL 4.6 core, 8.14.1,
+// with the text of EXT_texture_filter_anisotropic). Each lookup reads a finer level than that
+// vector alone would select. OpenGL gives one method as an example. Implementations may use
+// another, on levels that the sampler lets them access. Pmax and Pmin are the lengths of the
+// vectors:
 //
 //   extension   N = min(ceil(Pmax / Pmin), max_anisotropy) lookups of equal weight at
 //               i / (N + 1) - 1/2 of the longer vector, i = 1 to N, in the level log2(Pmax / N); N
-//               is rounded down where max_anisotropy is no whole number
+//               is rounded down where max_anisotropy is not an integer
 //   gaussian-5  a course's: five lookups at -2/5, -1/5, 0, 1/5, 2/5 of the longer vector, weights
 //               proportional to exp(-2 (2x)^2) at x of it, in the level log2(max(Pmin, Pmax / 5))
 //
-// Where the vectors are of one length the one along y counts as the longer, as in the extension.
+// If the vectors have equal lengths, the one along y counts as the longer, as in the extension.
 #pragma once
 
 #include <array>

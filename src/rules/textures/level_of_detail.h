@@ -2,28 +2,29 @@
 //
 // Level of detail: how much a texture shrinks at a fragment (GL 4.6 core, 8.14.1).
 //
-// The footprint of a pixel in the base level is spanned by two vectors, how far the point in the
+// Two vectors span the footprint of a pixel in the base level. They say how far the point in the
 // texture moves from a pixel to the next along x and along y:
 //
 //     dx = (du/dx, dv/dx)      dy = (du/dy, dv/dy)      in texels of the base level
 //
-// They span an ellipse, whose major axis the scale factor rho should ideally be; equation 8.11
-// takes the longer of the two. An implementation may take any f that is continuous, grows with the
-// absolute value of each partial, and lies within either of the bounds that the section states:
+// The vectors span an ellipse. Ideally the scale factor rho is its major axis. Equation 8.11 takes
+// the length of the longer vector. An implementation may take another function f. It must be
+// continuous, must grow with the absolute value of each partial derivative, and must lie within one
+// of the section's two bounds:
 //
 //     max(m_u, m_v) <= f <= m_u + m_v      m_u = max(|du/dx|, |du/dy|), m_v likewise
 //     max(m_u, m_v) <= f <= sqrt(2) max(|du/dx| + |dv/dx|, |du/dy| + |dv/dy|)
 //
-// Neither upper bound contains the other. OpenGL ES has the second alone. In one dimension v does
-// not move. From rho to lambda, which selects levels:
+// Neither upper bound contains the other. OpenGL ES has the second alone. In one dimension the
+// derivatives of v are 0. Levels are selected by lambda, which follows from rho:
 //
 //     lambda_base = log2(rho), or what the shader gives in its place
-//     lambda'     = lambda_base + bias      what textureQueryLod tells
+//     lambda'     = lambda_base + bias      what textureQueryLod returns
 //     lambda      = lambda' clamped to min_lod and max_lod
 //
-// Intervals go in and bounds outwards come out; exact numbers stay exact as long as results are
-// doubles (rules/textures/directed.h), so that a footprint of 2^k by 0 has the level k. Where an
-// input is no number nothing is known, and the result is everything that it can be.
+// Inputs are intervals, and results are bounds rounded outward. Exact numbers stay exact as long as
+// results are doubles (rules/textures/directed.h). A footprint of 2^k by 0 therefore has the level
+// k. If an input is not a number, the result is the interval of all possible values.
 #pragma once
 
 #include <array>

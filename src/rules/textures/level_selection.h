@@ -2,20 +2,20 @@
 //
 // Which filter and which levels a level of detail selects (GL 4.6 core, 8.14, 8.14.3 and 8.15).
 //
-//   lambda <= c     the texture is magnified: the base level, under the filter for magnification
-//   lambda > c      it is minified, under the other filter, and the filter between levels takes
+//   lambda <= c     the texture is magnified: the magnification filter takes the base level
+//   lambda > c      the texture is minified: the minification filter takes, by its mipmap part,
 //     none            the base level
 //     nearest         the level ceil(lambda + 1/2) - 1 beyond the base, at most q
 //     linear          the levels floor(lambda) and floor(lambda) + 1 beyond, the second weighted by
 //                     the fraction of lambda; from q on q alone
 //
-// q is the last level that is used: floor(log2(larger side of the base level)) beyond the base, at
-// most max_level.
+// q is the last level that is used. It is floor(log2(larger side of the base level)) beyond the
+// base, and at most max_level.
 //
 // c is 0 since version 4.5 (KhronosGroup/OpenGL-API, issue 34). Versions 1.0 to 3.0 asked for 1/2
-// where the filter for magnification is linear and that for minification NEAREST_MIPMAP_NEAREST or
-// NEAREST_MIPMAP_LINEAR, that is, nearest within a level and any filter between levels;
-// versions 3.1 to 4.4 let implementations choose between that and 0.
+// under two conditions. The magnification filter is linear, and the minification filter is
+// NEAREST_MIPMAP_NEAREST or NEAREST_MIPMAP_LINEAR. Both of these are nearest within a level.
+// Versions 3.1 to 4.4 let implementations choose between that and 0.
 #pragma once
 
 #include <span>

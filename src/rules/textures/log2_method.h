@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Logarithms: how the level of detail is made of the scale factor, lambda_base = log2(rho)
+// Logarithms: how the level of detail is computed from the scale factor, lambda_base = log2(rho)
 // (GL 4.6 core, 8.14.1).
 //
-// A logarithm is dear, and a level of detail wants eight bits of it, so renderers approximate. A
-// floating-point number (1 + f) 2^e has the whole part e for nothing; what is left is the logarithm
-// of 1 + f, for which there are a straight line and a table. The line is closer the higher the
-// power of the number that it is taken of, since the result is divided by as much:
+// A logarithm is expensive, and a level of detail needs eight bits of it. Renderers therefore
+// approximate it. The exponent of a floating-point number (1 + f) 2^e gives the integer part e. The
+// logarithm of 1 + f remains, and renderers take it from a straight line or a table. The line may
+// also be applied to a power of the number, and its result divided accordingly. That divides the
+// error too:
 //
 //                                     largest error, levels
 //     exact                            0
@@ -15,8 +16,8 @@
 //     linear-mantissa-of-fourth-power -0.0216   a quarter of that of the fourth power
 //     mantissa-8                      +-0.0029  e + log2(1 + f), f rounded to 1/256, half up
 //
-// All of them are exact at powers of two, those of powers of the number also at the roots.
-// Renderers compute them in float32; these are the formulas.
+// All of them are exact at powers of two. The methods that use a power are also exact at the
+// corresponding roots. The formulas here are exact; renderers compute them in float32.
 #pragma once
 
 #include <span>

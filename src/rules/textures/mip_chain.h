@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Mip chains: images of half the size, each made of the one before (GL 4.6 core, 8.14.3 and
-// 8.14.4). OpenGL fixes how many levels there are and how large they are, and lets the filter be.
+// Mip chains: images of half the size, each made from the one before (GL 4.6 core, 8.14.3 and
+// 8.14.4). OpenGL fixes the number of levels and their sizes. It leaves the filter open.
 //
 //   levels     floor(log2(larger side of level 0)) + 1
 //   level k    each side is max(1, floor(side of level 0 / 2^k))

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Filters within one level (GL 4.6 core, 8.14.2 and 8.14.3): nearest takes the texel that holds the
-// point, linear the mean of the four (two, in one dimension) whose centres are around it.
+// Filters within one level (GL 4.6 core, 8.14.2 and 8.14.3). Nearest takes the texel that holds the
+// point. Linear takes the weighted mean of the four texels whose centres surround it, or of two in
+// one dimension.
 //
 //     u in texels of the level     0     1     2     3
 //                                  |--0--|--1--|--2--|
 //     nearest  floor(u)
 //     linear   i = floor(u - 1/2), weights 1 - a of i and a of i + 1, a = frac(u - 1/2)
 //
-// Coordinates come as intervals, and all that any point of them yields goes out: exact ones yield
-// one colour; where a coordinate is only known to lie somewhere about a texel's border, two.
+// Coordinates are intervals, and the result holds the colours of all points in them. Exact
+// coordinates give one colour. A coordinate interval that contains a texel's border gives two.
 #pragma once
 
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Wrap modes: which texel stands where coordinates leave the image (GL 4.6 core, 8.14.2, table
-// 8.20). They act on whole texels, after the filter has chosen them:
+// Wrap modes choose the texel where coordinates leave the image (GL 4.6 core, 8.14.2, table 8.20).
+// They act on whole texels, after the filter has chosen them:
 //
-//                    -2 -1  0  1  2  3  4  5    of an image of 4
+//                    -2 -1  0  1  2  3  4  5    of an image of 4; b is the border
 //   repeat            2  3  0  1  2  3  0  1
 //   mirrored repeat   1  0  0  1  2  3  3  2
 //   clamp to edge     0  0  0  1  2  3  3  3

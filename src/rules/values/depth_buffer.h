@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What ends up in the depth buffer (GL 4.6 core, 2.3.5.2 and 13.8.1).
+// The value that the depth buffer ends up with (GL 4.6 core, 2.3.5.2 and 13.8.1).
 //
-// A depth is clamped to 0 to 1, of a floating-point buffer too (14.6.5, 15.2.3), and becomes an
-// integer of 16 or 24 bits, depth times 2^bits - 1, or a float32 number. A pixel without a fragment
-// keeps the clear value, 1.
+// A depth is clamped to 0 to 1, in a floating-point buffer too (14.6.5, 15.2.3). It becomes an
+// integer of 16 or 24 bits, depth times (2^bits - 1), or a float32 number. A pixel without a
+// fragment keeps the clear value, 1.
 #pragma once
 
 #include "exact/interval.h"

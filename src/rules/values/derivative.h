@@ -2,18 +2,18 @@
 //
 // Derivatives of an attribute along the window's axes (GLSL 4.60, 8.14.1, derivative functions).
 //
-// A shader asks for dFdx or dFdy, and for their fine or coarse forms. The specification describes
-// differences of neighbours and leaves which ones: "local differencing", forward or backward, for
-// the fine form with the fragment itself, for the coarse form of any fragments around it. Hardware
-// shades 2x2 quads and subtracts within them; software may subtract the next pixel, or know the
-// derivative.
+// A shader asks for dFdx or dFdy, or for their fine or coarse forms. The specification describes
+// "local differencing": forward or backward differences of neighbours. The fine form uses the
+// fragment itself. The coarse form may use any fragments around it. The choice of neighbours is
+// open. Hardware shades quads of 2x2 pixels and subtracts within a quad. Software may subtract from
+// the next pixel, or know the derivative.
 //
 //     quad   2 3     fine x of 0 and 1: a1 - a0, of 2 and 3: a3 - a2
 //            0 1     coarse x of all four: a1 - a0 (bottom) or a3 - a2 (top)
 //
-// Where the attribute runs linearly in the window all of these are one number; with perspective,
-// and for w that differs much, they are not. Values beyond the primitive's edges are those of the
-// plane that its vertices span: a quad's other pixels need not be covered.
+// All of these are equal where the attribute is linear in the window. Under perspective they
+// differ, and the more w varies, the more they differ. Values beyond the primitive's edges are
+// those of the plane through its vertices. The other pixels of a quad need not be covered.
 #pragma once
 
 #include <array>

@@ -2,8 +2,9 @@
 //
 // Flat attributes and the provoking vertex (GL 4.6 core, flat shading in chapter 13).
 //
-// A flat attribute takes the value of one vertex of the primitive, the provoking one: the last by
-// default, the first where the scene asks for it. Nothing is computed, so nothing may be lost.
+// A flat attribute takes the value of one vertex of the primitive, the provoking vertex. That is
+// the last vertex by default, and the first where the scene asks for it. Nothing is computed, so
+// the value must arrive unchanged.
 #pragma once
 
 #include <cstddef>

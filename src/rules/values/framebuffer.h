@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What ends up in a pixel (GL 4.6 core, 2.3.5.2, 2.1 and 17.3).
+// The value that a pixel ends up with (GL 4.6 core, 2.3.5.2, 2.1 and 17.3).
 //
-// Without blending and depth test the last fragment drawn wins, and its colour is converted to the
-// target's format: clamped to [0, 1], scaled by 255, and rounded to one of the two nearest
-// integers, the nearest preferred. A pixel without a fragment keeps the clear colour.
+// Without blending and depth test the last fragment drawn wins. Its colour is converted to the
+// target's format. Each component is clamped to [0, 1], scaled by 255, and rounded to one of the
+// two nearest integers. The nearest is preferred. A pixel without a fragment keeps the clear
+// colour.
 #pragma once
 
 #include <cstdint>

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// Smooth attributes and depth: what a policy may choose about interpolation (GL 4.6 core, 14.5.1
-// and 14.6.1). The arithmetic is in rules/values/interpolation.h.
+// Smooth attributes and depth: a policy's choices for interpolation (GL 4.6 core, 14.5.1 and
+// 14.6.1). The arithmetic is in rules/values/interpolation.h.
 //
-// A fragment's centre and two vertices of a triangle span a smaller one; its area over the whole is
-// the share of the third vertex. On a line, the share of the end is how far the centre, projected
-// onto the segment, has come from the start. Shares add up to 1. With w the vertices' clip w, the
-// fragment has
+// A fragment's centre and two vertices of a triangle span a smaller triangle. Its area, divided by
+// the whole area, is the share of the third vertex. On a line, the centre is projected onto the
+// segment. The share of the segment's end is the distance from the start to that projection,
+// divided by the segment's length. Shares add up to 1. With w the vertices' clip w, the fragment
+// has
 //
 //   depth, noperspective    sum of share * value
 //   smooth                  (sum of share * value / w) / (sum of share / w)
 //   gl_FragCoord.w          sum of share / w
 //
-// Where all w are equal, the first two are one. Exact rounds once, at the end.
+// Where all w are equal, the first two agree. Exact rounds once, at the end.
 #pragma once
 
 #include <span>
