@@ -215,10 +215,10 @@ void add_head(Node body, const std::string& title, const std::string& about) {
 
 void add_legend(Node body) {
   add_words(body, "p", "legend",
-            "In the pictures y points up; blue pixels have a fragment, darker ones more. The pixel "
-            "in question has a frame, dashed where it is not drawn. A dot is a sample that is "
-            "covered, a ring one that is not; a thick edge owns the samples on it; a shaded shape "
-            "is what the rule looks at.");
+            "In the pictures y points up. Blue pixels have a fragment, and darker ones have more. "
+            "The pixel in question has a frame, which is dashed if the pixel is not drawn. A dot "
+            "is a covered sample, a ring one that is not covered. A thick edge owns the samples on "
+            "it. A shaded shape is the region that the rule tests.");
 }
 
 void save(const std::string& title, const pugi::xml_document& document, std::ostream& out) {
@@ -304,16 +304,16 @@ void write_book_index(const RuleBook& book, std::ostream& out) {
   Node body = add(document, "main", "book");
   add_head(body, "When is a pixel drawn?",
            "How OpenGL 4.6, core profile, decides what is drawn, rule by rule: what it says, what "
-           "it leaves open, what implementations do with that, and how a difference is judged "
-           "where the text is silent. Words and pictures come from the program that judges.");
+           "it leaves open, what implementations do, and how differences are judged where the text "
+           "is silent. Words and pictures come from the program that judges.");
   add_navigation(body, book, "index.html");
-  add_words(body, "p", "about",
-            "A rule has alternatives: left open, where the specification leaves the choice to the "
-            "implementation; mandated, where it is the only one that conforms; forbidden, where it "
-            "is known from faulty implementations. A ruling is how the text is read where it is "
-            "silent or loose; verdicts cite its number. Window coordinates are in pixels, y up; "
-            "pixel (i, j) has its centre at (i + 1/2, j + 1/2). e is as small as you like, and e^2 "
-            "smaller still.");
+  add_words(
+      body, "p", "about",
+      "A rule has alternatives. One is left open if the specification leaves the choice to the "
+      "implementation. It is mandated if no other conforms. It is forbidden if it is known from "
+      "faulty implementations. A ruling is our reading of the text where it is silent or vague; "
+      "verdicts cite its number. Window coordinates are in pixels, y up. Pixel (i, j) has its "
+      "centre at (i + 1/2, j + 1/2). e is arbitrarily small, and e^2 is smaller still.");
   add_chapters(body, book);
   add_scene_list(body, book);
   add_ruling_list(body, book);

@@ -40,8 +40,8 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   if (!edgecase::use_kernels_of_environment()) return static_cast<int>(ExitCode::usage);
   CLI::App app{
-      "Renders JSON-described test cases exactly and with real OpenGL. Says for every disagreement "
-      "which rule it is about, why, and whether the specification allows it."};
+      "Renders test cases exactly and with real OpenGL. Explains every disagreement: the rule that "
+      "it concerns, the cause, and whether the specification allows it."};
   app.name("edgecase");
   app.set_version_flag("--version", edgecase::kToolName);
   // At most one: were one required, a misspelt one would be reported as none.
@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
       "Exit codes: 0 as expected, 1 something unexpected, 2 usage or case error, "
       "3 input, output or internal error, 4 renderer missing or failing, 5 nothing selected.\n\n"
       "Results do not depend on the processor. The variable EDGECASE_KERNELS names the SIMD target "
-      "to draw on, or none to decide without faster kernels.");
+      "of the fast kernels; none turns them off.");
   ExitCode exit = ExitCode::as_expected;
   // Group by group, in the order in which help lists them.
   edgecase::add_run_command(app, exit);

@@ -165,13 +165,13 @@ void SelectionOptions::add_to(CLI::App& command, bool with_shard) {
   add_repeatable(command, "--filter", filters,
                  "Only cases whose id matches this shell glob; repeatable");
   add_repeatable(command, "--exclude", excludes,
-                 "Not the cases whose id matches this glob; repeatable");
+                 "Leave out cases whose id matches this glob; repeatable");
   add_repeatable(command, "--tag", tags, "Only cases with this tag; repeatable");
   obeys_variables = with_shard;
   if (with_shard)
     command.add_option("--shard", shard,
-                       "I/N: only the I-th of N shares, I from 1 (default: what "
-                       "TEST_TOTAL_SHARDS, TEST_SHARD_INDEX or CI_NODE_TOTAL, CI_NODE_INDEX say)");
+                       "I/N: only the I-th of N shares, I from 1 (default: from TEST_TOTAL_SHARDS "
+                       "and TEST_SHARD_INDEX, or CI_NODE_TOTAL and CI_NODE_INDEX)");
 }
 
 Selection SelectionOptions::selection() const {
@@ -188,18 +188,18 @@ Selection SelectionOptions::selection() const {
 
 void PolicyOptions::add_to(CLI::App& command) {
   command
-      .add_option(
-          "--policy", policy,
-          "Rules of the exact side: opengl, a name in the suite's folder policies, a file, or "
-          "profile: what the renderer is measured to follow")
+      .add_option("--policy", policy,
+                  "Rules of the exact side: opengl, a name in the suite's folder policies, a file, "
+                  "or profile, the rules that the renderer was measured to follow")
       ->capture_default_str();
   command.add_flag("--no-latitude", no_latitude,
                    "Grant no latitude: every difference is a violation");
 }
 
 void add_strict_option(CLI::App& command, bool& strict) {
-  command.add_flag("--strict", strict,
-                   "What is contested is unexpected, as a violation is, unless it is known");
+  command.add_flag(
+      "--strict", strict,
+      "Count contested differences as unexpected, like violations, unless they are known");
 }
 
 std::optional<Policy> PolicyOptions::load(const Selection& selection,

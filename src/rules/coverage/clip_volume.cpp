@@ -12,15 +12,15 @@ namespace {
 
 constexpr TabledAlternative<ClipMethod> kMethods[] = {
     {ClipMethod::homogeneous, "homogeneous", Openness::open,
-     "nothing is cut: each sample is held against the volume"},
+     "nothing is cut; each sample is compared with the volume"},
     {ClipMethod::polygon, "polygon", Openness::open,
-     "cut at all six planes to a polygon, whose new vertices are snapped as others are"},
+     "cut at all six planes; new vertices are snapped as others are"},
     {ClipMethod::guard_band, "guard-band", Openness::open,
-     "cut so at near and far, and at x and y only where a vertex lies beyond 8192 pixels"},
+     "the same at near and far, and at the sides only where a vertex lies beyond 8192 pixels"},
     {ClipMethod::discarded, "discarded", Openness::illegal,
-     "a triangle that reaches out of the volume is dropped whole"},
+     "a triangle that is partly outside the volume is dropped"},
     {ClipMethod::depth_ignored, "depth-ignored", Openness::illegal,
-     "what lies nearer than near or farther than far is drawn too"}};
+     "parts nearer than near or farther than far are drawn too"}};
 constexpr auto kAllMethods = values_in(kMethods);
 
 bool all_in_front(const UnclippedTriangle& triangle) {
@@ -100,10 +100,10 @@ std::vector<PixelPosition> clipped_triangle_pixels(const UnclippedTriangle& tria
 Rule clip_volume_rule() {
   return {
       "clip.volume",
-      "Only what lies in the clip volume is drawn",
+      "Only the part of a primitive in the clip volume is drawn",
       "13.7 (primitive clipping)",
-      "vertices that clipping makes are rounded and may be moved as others are; points outside the "
-      "sides of the view volume may be drawn or not (ruling 42)",
+      "new vertices are rounded and may be moved as others are; points outside the sides of the "
+      "view volume may be drawn or not (ruling 42)",
       "homogeneous",
       alternatives_in(kMethods),
       {{42,

@@ -242,11 +242,13 @@ Rule diamond_exit_rule() {
   Rule rule;
   rule.id = "line.diamond-exit";
   rule.title =
-      "A line produces the fragments whose diamonds it exits; who owns a diamond's boundary";
+      "A line produces the fragments whose diamonds it exits; a tie rule decides on their "
+      "boundaries";
   rule.spec = "14.5.1 (basic line segment rasterization)";
   rule.latitude =
-      "other algorithms, as long as no fragment is more than one unit from one of the diamond-exit "
-      "rule, their number differs by at most one, and no column (row, if y-major) holds two";
+      "other algorithms, under three conditions: each fragment lies within one unit of one of the "
+      "diamond-exit rule; the number of fragments differs by at most one; no column (row, if "
+      "y-major) holds two";
   rule.standard = "left-bottom";
   rule.alternatives = tie_alternatives(all_tie_rules(), Openness::open, Openness::open);
   rule.alternatives.push_back({"direct3d", Openness::open,

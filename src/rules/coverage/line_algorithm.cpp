@@ -24,16 +24,17 @@ constexpr Entry kEntries[] = {
     {LineAlgorithm::walk_floor_to_floor, "walk-floor-to-floor",
      "a pixel in each column from the start's to the end's, both included"},
     {LineAlgorithm::walk_ends_tested, "walk-ends-tested",
-     "a pixel in each column from the start's to the end's, the first and the last held to the "
+     "a pixel in each column from the start's to the end's; the first and the last must pass the "
      "diamond-exit test"},
     {LineAlgorithm::walk_half_open_direction, "walk-half-open-direction",
-     "a pixel in each column whose centre lies between start, included, and end, excluded"},
+     "a pixel in each column whose centre lies from the start, included, to the end, excluded"},
     {LineAlgorithm::walk_half_open_geometry, "walk-half-open-geometry",
-     "a pixel in each column whose centre lies between the lower end, included, and the other"},
+     "a pixel in each column whose centre lies from the lower end, included, to the other, "
+     "excluded"},
     {LineAlgorithm::bresenham, "bresenham",
-     "Bresenham's algorithm between the pixels of the ends, the last one left out"},
+     "Bresenham's algorithm between the pixels of the ends, without the last one"},
     {LineAlgorithm::bresenham_toward_zero, "bresenham-toward-zero",
-     "the same with coordinates truncated toward zero, so that negative ones move right or up"},
+     "the same, with coordinates truncated toward zero: negative ones move right or up"},
     {LineAlgorithm::midpoint, "midpoint",
      "the midpoint algorithm between the pixels of the ends, both drawn"},
     {LineAlgorithm::rectangle, "rectangle",
@@ -41,9 +42,8 @@ constexpr Entry kEntries[] = {
     {LineAlgorithm::parallelogram, "parallelogram",
      "the centres in a parallelogram whose ends run along the minor axis"},
     {LineAlgorithm::parallelogram_ends_tested, "parallelogram-ends-tested",
-     "the same, its corners on a grid of 1/256 pixel, an end moved to the border of its pixel "
-     "where a "
-     "diamond-exit test of the end wants it"},
+     "the same, with corners on a grid of 1/256 pixel; a diamond-exit test may move an end to the "
+     "border of its pixel"},
 };
 
 constexpr WideLine kWideLines[] = {WideLine::replicate, WideLine::rectangle,
@@ -222,12 +222,12 @@ std::span<const WideLine> all_wide_lines() {
 Rule line_algorithm_rule() {
   Rule rule;
   rule.id = "line.algorithm";
-  rule.title = "A line of width 1 is drawn by the diamond-exit rule, or one that stays close to it";
+  rule.title = "A line of width 1 is drawn by the diamond-exit rule or by an algorithm close to it";
   rule.spec = "14.5.1 (basic line segment rasterization)";
   rule.latitude =
-      "any algorithm that holds rulings 1 and 2; the diamond-exit rule is decided on vertices that "
-      "are quotients by w as they are, the others take them, where they are not snapped, to the "
-      "nearest multiple of 2^-16";
+      "any algorithm that obeys rulings 1 and 2; the diamond-exit rule takes vertices divided by w "
+      "as they are; other algorithms round those that are not snapped to the nearest multiple of "
+      "2^-16";
   rule.standard = "diamond-exit";
   for (const Entry& entry : kEntries)
     rule.alternatives.push_back({entry.name, Openness::open, entry.meaning});
@@ -237,7 +237,8 @@ Rule line_algorithm_rule() {
 Rule line_width_rule() {
   Rule rule;
   rule.id = "line.width";
-  rule.title = "A wide line is a line of width 1, each fragment replicated along the minor axis";
+  rule.title =
+      "A wide line is a line of width 1 whose fragments are replicated along the minor axis";
   rule.spec = "14.5.2 (other line segment features)";
   rule.latitude = "as for lines of width 1, for the lowest fragment of each column";
   rule.standard = "replicate";
@@ -249,11 +250,11 @@ Rule line_width_rule() {
       {"parallelogram", Openness::illegal,
        "the centres in a parallelogram whose ends run along the minor axis"},
       {"parallelogram-ends-tested", Openness::illegal,
-       "the same of the rounded width, its corners on a grid of 1/256 pixel, an end moved to the "
-       "border of its pixel where a diamond-exit test of the segment's end wants it"},
+       "the same of the rounded width, with corners on a grid of 1/256 pixel; a diamond-exit test "
+       "of the segment's end may move an end to the border of its pixel"},
       {"shifted-triangles", Openness::illegal,
-       "two triangles of such a parallelogram, scan-converted, half a pixel back along the major "
-       "axis and 1/8 pixel down (right, if y-major)"}};
+       "the parallelogram as two triangles, scan-converted; they are moved half a pixel back along "
+       "the major axis and 1/8 pixel down (right, if y-major)"}};
   rule.rulings = {
       {12,
        "Wide lines: each column (row, if y-major) holds one run of as many fragments as the width "

@@ -135,7 +135,7 @@ Rule line_joint_rule() {
   rule.id = "line.joint";
   rule.title = "Connected segments of one direction make one line: no fragment twice, no gap";
   rule.spec = "14.5.1 (basic line segment rasterization)";
-  rule.latitude = "where connected segments differ in major axis or direction, anything";
+  rule.latitude = "anything where connected segments differ in major axis or direction";
   rule.rulings = {
       {14,
        "Joints of lines of width 1: where one segment ends bit-identically where another starts, "

@@ -44,9 +44,9 @@ Point moved(Point vertex, PointOffset offset) {
 Rule point_offset_rule() {
   Rule rule;
   rule.id = "point.offset";
-  rule.title = "The square of a point lies round its vertex";
+  rule.title = "A point's square is centred on its vertex";
   rule.spec = "14.4 (points)";
-  rule.latitude = "none; ruling 6 judges what comes of it";
+  rule.latitude = "none; ruling 6 judges the result";
   rule.standard = "none";
   rule.alternatives = {
       {"none", Openness::mandated, "the vertex is the centre of the square"},

@@ -8,11 +8,11 @@ namespace {
 
 constexpr TabledAlternative<FacingMethod> kMethods[] = {
     {FacingMethod::as_set, "as-set", Openness::mandated,
-     "a polygon whose vertices run in the window as the draw says faces the front"},
+     "a polygon faces the front if its winding in the window is the one that the draw sets"},
     {FacingMethod::reversed, "reversed", Openness::illegal,
-     "y is taken to run downwards, so that front and back change places"},
+     "y is taken to run downward, which exchanges front and back"},
     {FacingMethod::always_ccw, "always-ccw", Openness::illegal,
-     "what runs counter-clockwise faces the front, whatever the draw says"},
+     "counter-clockwise polygons face the front, whatever the draw sets"},
     {FacingMethod::not_culled, "not-culled", Openness::illegal, "no polygon is dropped"}};
 constexpr auto kAllMethods = values_in(kMethods);
 
@@ -66,7 +66,7 @@ bool is_culled(const ScenePrimitive& primitive, const std::array<HomogeneousPoin
 
 Rule polygon_facing_rule() {
   return {"polygon.facing",
-          "A polygon faces the front if its vertices run in the window as the draw says",
+          "A polygon faces the front if its winding in the window is the one that the draw sets",
           "14.6.1 (basic polygon rasterization)",
           "that of the vertices' positions (ruling 40)",
           "as-set",

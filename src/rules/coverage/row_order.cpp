@@ -22,9 +22,10 @@ Rule row_order_rule(const std::string& id) {
   Rule rule;
   rule.id = id;
   const std::string kind = id.substr(0, id.find('.'));
-  rule.title = fmt::format("{}s are decided with y up, as window coordinates have it",
-                           static_cast<char>(kind[0] - 'a' + 'A') + kind.substr(1));
-  rule.spec = "14 (rasterization), which knows no memory";
+  rule.title =
+      fmt::format("Ties and rounding of {}s are decided with y up, as in window coordinates",
+                  static_cast<char>(kind[0] - 'a' + 'A') + kind.substr(1));
+  rule.spec = "14 (rasterization), which does not speak of memory";
   rule.latitude = "any, as long as the rulings on what is drawn hold";
   rule.standard = "bottom-up";
   rule.alternatives = {{"bottom-up", Openness::open, "ties and rounding see y up"},

@@ -34,7 +34,7 @@ Rule shared_edge_rule() {
       "triangle.shared-edge",
       "A sample on an edge that two triangles share is hit exactly once",
       "14.6.1 (basic polygon rasterization)",
-      "none: which of the two triangles gets the sample is open, that exactly one gets it is not",
+      "none: exactly one triangle gets the sample; which of the two is open",
       "",
       {},
       {{5,

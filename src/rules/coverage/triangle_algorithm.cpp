@@ -97,18 +97,17 @@ std::vector<PixelPosition> tied_triangle_pixels(const Triangle& triangle,
 Rule triangle_algorithm_rule() {
   Rule rule;
   rule.id = "triangle.algorithm";
-  rule.title = "The samples inside a triangle are found exactly, or by a known way of rounding";
+  rule.title =
+      "The samples inside a triangle are found exactly or by a known algorithm that rounds";
   rule.spec = "14.6.1 (basic polygon rasterization)";
-  rule.latitude = "any algorithm that holds rulings 4 and 5";
+  rule.latitude = "any algorithm that obeys rulings 4 and 5";
   rule.standard = "edge-functions";
   rule.alternatives = {
       {"edge-functions", Openness::open, "exact; samples on an edge follow triangle.fill-rule"},
       {"scan", Openness::open,
-       "scan conversion in single precision, row by row upward: edges with rounded slopes, of "
-       "samples on an edge those on right and bottom edges are drawn; vertices that are quotients "
-       "by "
-       "w "
-       "and are not snapped are first taken to the nearest multiple of 2^-16"}};
+       "scan conversion in single precision, row by row upward, with rounded slopes; right and "
+       "bottom edges own the samples on them; vertices that are divided by w and not snapped are "
+       "first rounded to the nearest multiple of 2^-16"}};
   return rule;
 }
 

@@ -16,14 +16,14 @@ namespace {
 
 constexpr TabledAlternative<BlendMethod> kMethods[] = {
     {BlendMethod::as_set, "as-set", Openness::mandated,
-     "equation and factors of the draw, those of colour for red, green and blue"},
+     "the draw's equations and factors; those of colour apply to red, green and blue"},
     {BlendMethod::ignored, "ignored", Openness::illegal, "the source replaces the destination"},
     {BlendMethod::color_for_alpha, "color-for-alpha", Openness::illegal,
      "alpha is blended by the equation and the factors of colour"},
     {BlendMethod::swapped, "swapped", Openness::illegal,
-     "the factors of source and destination are taken for each other"},
+     "the factors of source and destination are exchanged"},
     {BlendMethod::over_as_premultiplied, "over-as-premultiplied", Openness::illegal,
-     "over of a straight colour does without the product by its alpha, as if it had been "
+     "over of a straight colour omits the product by its alpha, as if the colour were "
      "premultiplied"},
     {BlendMethod::over_as_straight, "over-as-straight", Openness::illegal,
      "over of a premultiplied colour multiplies it by its alpha once more"}};
@@ -31,19 +31,19 @@ constexpr auto kAllMethods = values_in(kMethods);
 
 constexpr TabledAlternative<BlendRounding> kRoundings[] = {
     {BlendRounding::once, "once", Openness::open,
-     "the exact result, to the nearest value, a tie to the even one"},
+     "the exact result is rounded to the nearest value, a tie to the even one"},
     {BlendRounding::source_first, "source-first", Openness::open,
-     "source colour and constant are rounded to 8 bits first, the result again"},
+     "source colour and constant are rounded to 8 bits first, then the result"},
     {BlendRounding::every_product, "every-product", Openness::open,
      "source colour, constant, factors and both products are rounded to 8 bits"},
     {BlendRounding::shifted, "shifted-products", Openness::open,
      "the same, but a product p of two codes becomes (p + p/256 + 128)/256 without remainders, in "
-     "place of p/255: half a code off at most, and a little"}};
+     "place of p/255; it is off by little more than half a code at most"}};
 constexpr auto kAllRoundings = values_in(kRoundings);
 
 constexpr TabledAlternative<ColorMaskMethod> kMasks[] = {
     {ColorMaskMethod::as_set, "as-set", Openness::mandated,
-     "components that the draw masks keep what is stored"},
+     "components that the draw masks keep the stored value"},
     {ColorMaskMethod::ignored, "ignored", Openness::illegal, "all components are written"}};
 
 constexpr int kLargest = 255;
@@ -271,9 +271,9 @@ Rule blend_equation_rule() {
 
 Rule blend_rounding_rule() {
   return {"blend.rounding",
-          "A blended colour is stored as the value nearest to the equation's",
+          "A blended colour is stored as the value nearest to the equation's result",
           "17.3.6.1 (blend equation), with 2.3.5.2 (conversion to normalized fixed-point)",
-          "the precision of 8 bits for each number on the way (ruling 37)",
+          "the precision of 8 bits for each intermediate number (ruling 37)",
           "once",
           alternatives_in(kRoundings),
           {{37,
@@ -289,7 +289,7 @@ Rule blend_rounding_rule() {
 
 Rule color_mask_rule() {
   return {"color.mask",
-          "Components that are masked are not written",
+          "Masked components are not written",
           "17.4.2 (fine control of buffer updates)",
           "none",
           "as-set",

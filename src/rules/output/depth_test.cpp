@@ -13,8 +13,8 @@ constexpr TabledAlternative<DepthTestMethod> kMethods[] = {
     {DepthTestMethod::as_set, "as-set", Openness::mandated,
      "the fragment's depth, as the buffer would store it, is compared with the stored one"},
     {DepthTestMethod::unconverted, "unconverted", Openness::illegal,
-     "the fragment's depth is compared before it is converted: of what was stored by the same "
-     "depth, the equal test may fail"},
+     "the fragment's depth is compared before it is converted; the equal test may fail against a "
+     "stored value of the same depth"},
     {DepthTestMethod::ties_pass, "ties-pass", Openness::illegal,
      "less and greater let equal depths pass"},
     {DepthTestMethod::ties_fail, "ties-fail", Openness::illegal,
@@ -24,7 +24,7 @@ constexpr auto kAllMethods = values_in(kMethods);
 
 constexpr TabledAlternative<DepthMaskMethod> kMasks[] = {
     {DepthMaskMethod::as_set, "as-set", Openness::mandated,
-     "draws that mask depths leave what is stored"},
+     "draws that mask depths leave the stored depth as it is"},
     {DepthMaskMethod::ignored, "ignored", Openness::illegal,
      "the depth of every fragment that passes is stored"}};
 
@@ -108,9 +108,10 @@ TestOutcomes unconverted_outcomes(CompareFunction function, Interval depth, Inte
 Rule depth_test_rule() {
   return {
       "depth.test",
-      "A fragment passes if its depth compares with the stored one as the draw has it",
+      "A fragment passes if the draw's comparison of its depth with the stored one holds",
       "17.3.4 (depth buffer test), with 13.8.1 (controlling the viewport)",
-      "none in the comparison; either where the latitude of the depths leaves it open (ruling 39)",
+      "none in the comparison; either outcome where the latitude of the depths leaves it open "
+      "(ruling 39)",
       "as-set",
       alternatives_in(kMethods),
       {{39,
@@ -133,7 +134,7 @@ Rule depth_test_rule() {
 
 Rule depth_mask_rule() {
   return {"depth.mask",
-          "Depths that are masked are not stored",
+          "Masked depths are not stored",
           "17.4.2 (fine control of buffer updates)",
           "none",
           "as-set",

@@ -26,7 +26,7 @@ constexpr TabledAlternative<OffsetUnit> kUnits[] = {
     {OffsetUnit::two_steps, "two-steps", Openness::open, "2/(2^n - 1)"},
     {OffsetUnit::four_steps, "four-steps", Openness::open, "4/(2^n - 1)"},
     {OffsetUnit::of_24_bits, "of-24-bits", Openness::illegal,
-     "2^-24 whatever n is, which a buffer of 16 bits does not keep apart"},
+     "2^-24 whatever n is, a difference that a buffer of 16 bits does not keep"},
     {OffsetUnit::ignored, "ignored", Openness::illegal, "0: the units do nothing"}};
 constexpr auto kAllUnits = values_in(kUnits);
 
@@ -36,7 +36,7 @@ constexpr TabledAlternative<OffsetExponent> kExponents[] = {
     {OffsetExponent::doubled, "doubled", Openness::illegal, "2^(e - 22)"},
     {OffsetExponent::one, "one", Openness::illegal, "2^-23, whatever the depths are"},
     {OffsetExponent::as_fixed, "as-fixed", Openness::illegal,
-     "what a fixed-point buffer of 24 bits has"}};
+     "the unit of a fixed-point buffer of 24 bits"}};
 constexpr auto kAllExponents = values_in(kExponents);
 
 // The floating-point clause: relative error that one operation may have.
@@ -275,10 +275,10 @@ Rule offset_slope_rule() {
 
 Rule offset_unit_rule() {
   return {"offset.unit",
-          "The units of a polygon's offset are the smallest depths that a fixed-point buffer keeps "
-          "apart",
+          "A unit of polygon offset is the smallest difference of depths that a fixed-point buffer "
+          "keeps",
           "14.6.5 (depth offset)",
-          "any constant from 2^-n on, which a buffer of n bits keeps apart (ruling 38)",
+          "any constant of at least 2^-n, a difference that a buffer of n bits keeps (ruling 38)",
           "step",
           alternatives_in(kUnits),
           {{38,
@@ -299,13 +299,14 @@ Rule offset_unit_rule() {
 }
 
 Rule offset_exponent_rule() {
-  return {"offset.exponent",
-          "The units of a polygon's offset depend on its largest depth in a floating-point buffer",
-          "14.6.5 (depth offset)",
-          "none beyond that of the vertices' depths (ruling 38)",
-          "largest-depth",
-          alternatives_in(kExponents),
-          {}};
+  return {
+      "offset.exponent",
+      "In a floating-point buffer a unit of polygon offset depends on the polygon's largest depth",
+      "14.6.5 (depth offset)",
+      "none beyond that of the vertices' depths (ruling 38)",
+      "largest-depth",
+      alternatives_in(kExponents),
+      {}};
 }
 
 }  // namespace edgecase

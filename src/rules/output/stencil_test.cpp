@@ -8,16 +8,15 @@ namespace {
 
 constexpr TabledAlternative<StencilMethod> kMethods[] = {
     {StencilMethod::as_set, "as-set", Openness::mandated,
-     "the masked reference is compared with the masked stored value, and the operation of the "
-     "outcome is carried out under the write mask"},
+     "the masked reference is compared with the masked stored value; the outcome's operation is "
+     "carried out under the write mask"},
     {StencilMethod::ignored, "ignored", Openness::illegal,
      "there is no test, and stored values stay"},
     {StencilMethod::one_sided, "one-sided", Openness::illegal,
      "back-facing polygons are treated as front-facing ones"},
-    {StencilMethod::unmasked, "unmasked", Openness::illegal,
-     "the comparison does without its mask"},
+    {StencilMethod::unmasked, "unmasked", Openness::illegal, "the comparison uses no mask"},
     {StencilMethod::stored_first, "stored-first", Openness::illegal,
-     "the stored value is compared with the reference: less and greater change places"},
+     "the stored value is compared with the reference, which exchanges less and greater"},
     {StencilMethod::wrapping, "wrapping", Openness::illegal,
      "incr and decr wrap, as incr_wrap and decr_wrap do"},
     {StencilMethod::saturating, "saturating", Openness::illegal,
@@ -94,7 +93,7 @@ std::uint8_t after(StencilOperation operation, const StencilFace& face, std::uin
 Rule stencil_test_rule() {
   return {
       "stencil.test",
-      "A fragment passes if the reference compares with the stored value as the draw has it",
+      "A fragment passes if the draw's comparison of reference and stored value holds",
       "17.3.3 (stencil test), with 17.4.2 (fine control of buffer updates)",
       "none",
       "as-set",

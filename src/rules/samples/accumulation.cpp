@@ -169,10 +169,10 @@ Interval accumulation_permitted(std::span<const double> shown, const Supersampli
 
 Rule accumulation_rule() {
   return {"supersample.accumulation",
-          "A supersampled pixel is the weighted mean of what its passes show",
+          "A supersampled pixel is the weighted mean of its passes",
           "17.3.6 (blending); that a pixel is such a mean is our own definition, "
           "src/model/supersampling.h",
-          "what single precision rounds off (ruling 36); the exact mean is preferred",
+          "the rounding of single precision (ruling 36); the exact mean is preferred",
           "exact-mean",
           alternatives_in(kAccumulations),
           {{36,

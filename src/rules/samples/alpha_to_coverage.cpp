@@ -13,13 +13,13 @@ namespace {
 
 constexpr TabledAlternative<AlphaToCoverage> kChoices[] = {
     {AlphaToCoverage::proportional, "proportional", Openness::open,
-     "the first of n samples, as many as alpha n rounded to nearest, a tie to the larger number"},
+     "the first samples of n; their number is alpha n rounded to nearest, a tie to the larger "
+     "number"},
     {AlphaToCoverage::above_quotient, "above-quotient", Openness::open,
      "sample s of n where alpha is above s/n"},
     {AlphaToCoverage::above_quotient_of_others, "above-quotient-of-others", Openness::illegal,
-     "sample s of n where alpha is above s/n; where the shader runs for each sample, where those "
-     "of "
-     "all other samples of the pixel are, and not its own"},
+     "sample s of n where alpha is above s/n; if the shader runs for each sample, the alphas of "
+     "all other samples of the pixel must be, and its own need not"},
     {AlphaToCoverage::spread, "spread", Openness::open,
      "sample s of n where alpha is at least (s + 1)/(n + 1)"},
     {AlphaToCoverage::ignored, "ignored", Openness::illegal, "all samples, whatever alpha is"}};

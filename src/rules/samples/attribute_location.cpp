@@ -14,8 +14,8 @@ constexpr TabledAlternative<PlainLocation> kPlain[] = {
     {PlainLocation::first_covered, "first-covered", Openness::open,
      "the covered sample of lowest index"},
     {PlainLocation::half_pixel_off, "half-pixel-off", Openness::illegal,
-     "of points and lines half a pixel to the right of and above the place where it should be: the "
-     "pixel's corner, or a place beyond it"}};
+     "for points and lines, half a pixel to the right of and above the proper place: at the "
+     "pixel's corner or beyond it"}};
 constexpr auto kAllPlain = values_in(kPlain);
 
 constexpr TabledAlternative<CentroidLocation> kCentroids[] = {
@@ -33,11 +33,12 @@ constexpr TabledAlternative<DepthLocation> kDepths[] = {
     {DepthLocation::at_sample, "at-sample", Openness::mandated, "at the sample"},
     {DepthLocation::centre, "centre", Openness::illegal, "at the pixel's centre, for all samples"},
     {DepthLocation::mirrored_x, "mirrored-x", Openness::illegal,
-     "at the sample with the pixel's left and right exchanged, and gl_FragCoord.z at sample 0 so"},
+     "at the sample, with the pixel's left and right exchanged; gl_FragCoord.z likewise at sample "
+     "0"},
     {DepthLocation::mirrored_x_or_zero, "mirrored-x-or-zero", Openness::illegal,
-     "the same, but that gl_FragCoord.z is 0 where the sample mask lacks sample 0"},
+     "the same, but gl_FragCoord.z is 0 where the sample mask lacks sample 0"},
     {DepthLocation::half_pixel_off, "half-pixel-off", Openness::illegal,
-     "of points and lines half a pixel to the right of and above the sample, or of gl_FragCoord"}};
+     "for points and lines, half a pixel to the right of and above the sample or gl_FragCoord"}};
 constexpr auto kAllDepths = values_in(kDepths);
 
 Point first_covered(const Invocation& invocation, const SamplePositions& positions) {
@@ -216,9 +217,9 @@ Rule centroid_rule() {
 
 Rule sample_depth_rule() {
   return {"sample.depth",
-          "Each sample has the depth of its own place",
+          "Each sample has the depth at its own location",
           "14.3.1 (multisampling)",
-          "none beside that of values; ruling 29",
+          "none beyond that of values (ruling 29)",
           "at-sample",
           alternatives_in(kDepths),
           {}};

@@ -18,14 +18,14 @@ constexpr TabledAlternative<MultisampledLine> kLines[] = {
     {MultisampledLine::rectangle, "rectangle", Openness::open,
      "the samples in a rectangle as long as the segment and as wide as the line"},
     {MultisampledLine::snapped_offset, "snapped-offset", Openness::open,
-     "the samples in that rectangle, its ends and half of its width across each rounded to 1/256 "
-     "pixel"},
+     "the samples in that rectangle, with the segment's ends and the offset from them to the "
+     "corners each rounded to 1/256 pixel"},
     {MultisampledLine::snapped_offset_across_borders, "snapped-offset-across-borders",
      Openness::illegal,
-     "the same, but nothing of a line through whose rectangle's extent no left or no lower border "
-     "of a pixel of the target runs"},
+     "the same, but a line draws nothing unless a left and a lower border of pixels of the target "
+     "run through its rectangle's extent"},
     {MultisampledLine::snapped_corners, "snapped-corners", Openness::open,
-     "the samples in that rectangle, its corners rounded to 1/16 pixel"},
+     "the samples in that rectangle, with its corners rounded to 1/16 pixel"},
     {MultisampledLine::parallelogram, "parallelogram", Openness::illegal,
      "the samples in a parallelogram whose ends run along the minor axis"},
     {MultisampledLine::single_sampled, "single-sampled", Openness::illegal,

@@ -18,7 +18,7 @@ constexpr TabledAlternative<ResolveMethod> kMethods[] = {
     {ResolveMethod::truncated, "truncated", Openness::open,
      "the largest value that is not above the mean"},
     {ResolveMethod::half_up_by_pairs, "half-up-by-pairs", Openness::open,
-     "neighbouring samples' means, and theirs in turn, each rounded half up"},
+     "the means of neighbouring samples, then the means of these in turn, each rounded half up"},
     {ResolveMethod::float32_sum, "float32-sum", Openness::open,
      "the mean of values/255 in single precision, summed in the samples' order, then rounded to "
      "nearest: a tie goes either way"},

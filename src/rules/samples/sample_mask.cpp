@@ -10,15 +10,15 @@ constexpr TabledAlternative<MultisampleSwitch> kSwitches[] = {
     {MultisampleSwitch::honoured, "honoured", Openness::mandated,
      "without GL_MULTISAMPLE the pixel's centre decides for all samples"},
     {MultisampleSwitch::depth_of_first, "depth-of-first", Openness::illegal,
-     "the pixel's centre decides for all samples, and sample 0 alone is given a depth"},
+     "the pixel's centre decides for all samples, and only sample 0 gets a depth"},
     {MultisampleSwitch::ignored, "ignored", Openness::illegal,
-     "each sample decides for itself, GL_MULTISAMPLE enabled or not; the sample mask is for "
-     "enabled ones alone"},
+     "each sample decides for itself, whether GL_MULTISAMPLE is enabled or not; the sample mask "
+     "applies only while it is enabled"},
     {MultisampleSwitch::ignored_but_for_lines, "ignored-but-for-lines", Openness::illegal,
      "honoured for lines, ignored for points and triangles"},
     {MultisampleSwitch::ignored_but_whole_lines, "ignored-but-whole-lines", Openness::illegal,
-     "ignored for points and triangles; of lines the pixel's centre decides for all samples, and "
-     "the coverage has all of their bits"}};
+     "ignored for points and triangles; for lines the pixel's centre decides for all samples, and "
+     "the coverage has the bits of all samples"}};
 constexpr auto kAllSwitches = values_in(kSwitches);
 
 constexpr TabledAlternative<SampleMask> kMasks[] = {

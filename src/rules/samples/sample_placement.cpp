@@ -16,15 +16,15 @@ using Kind = SamplePlacement::Kind;
 
 constexpr TabledAlternative<Kind> kKinds[] = {
     {Kind::as_reported, "as-reported", Openness::mandated,
-     "where the renderer says; where nobody says, where the case has them, or else the standard "
-     "pattern"},
+     "where the renderer reports them; without a report, where the case puts them, else the "
+     "standard pattern"},
     {Kind::standard, "standard", Openness::illegal,
-     "the pattern that D3D and Vulkan call standard, though others are reported"},
+     "the pattern that D3D and Vulkan call standard, although other positions are reported"},
     {Kind::ordered_grid, "ordered-grid", Openness::illegal,
-     "rows and columns of equal distances, of 4, 9 and 16 samples"},
+     "rows and columns at equal distances, for 4, 9 and 16 samples"},
     {Kind::rotated_grid, "rotated-grid", Openness::illegal,
-     "the ordered grid of 4, 9 and 16 samples, turned so that no two share a row or a column; of 4 "
-     "the standard pattern"},
+     "the ordered grid of 4, 9 and 16 samples, turned so that no two share a row or a column; for "
+     "4 samples it is the standard pattern"},
     {Kind::centre, "centre", Openness::illegal, "all samples at the pixel's centre"},
     {Kind::mirrored_x, "mirrored-x", Openness::illegal, "left and right exchanged"},
     {Kind::mirrored_y, "mirrored-y", Openness::illegal, "top and bottom exchanged"},
@@ -158,9 +158,9 @@ bool parse_name(std::string_view name, SamplePlacement& placement) {
 Rule sample_positions_rule() {
   return {
       "sample.positions",
-      "A pixel's samples lie where the renderer says that they lie",
+      "A pixel's samples lie where the renderer reports them",
       "14.3.1 (multisampling)",
-      "any positions within the pixel that GL_SAMPLE_POSITION tells (ruling 27)",
+      "any positions within the pixel that GL_SAMPLE_POSITION reports (ruling 27)",
       "as-reported",
       alternatives_in(kKinds),
       {{27,

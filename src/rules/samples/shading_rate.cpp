@@ -8,9 +8,8 @@ namespace {
 
 constexpr TabledAlternative<ShadingRate> kRates[] = {
     {ShadingRate::as_needed, "as-needed", Openness::open,
-     "once for each pixel and primitive; where more than one invocation is asked for, once for "
-     "each "
-     "covered sample"},
+     "once for each pixel and primitive, or once for each covered sample if the draw asks for more "
+     "than one invocation"},
     {ShadingRate::per_sample, "per-sample", Openness::open, "once for each covered sample"},
     {ShadingRate::per_pixel, "per-pixel", Openness::illegal,
      "once for each pixel and primitive, whatever is asked for"}};

@@ -14,11 +14,11 @@ namespace {
 
 constexpr TabledAlternative<Anisotropy> kChoices[] = {
     {Anisotropy::extension, "extension", Openness::open,
-     "up to max_anisotropy lookups of equal weight along the longer vector, in the level of its "
-     "length divided by their number: the example of EXT_texture_filter_anisotropic"},
+     "up to max_anisotropy lookups of equal weight along the longer vector; the level is that of "
+     "its length divided by their number, as in the example of EXT_texture_filter_anisotropic"},
     {Anisotropy::gaussian_5, "gaussian-5", Openness::open,
-     "five lookups with Gaussian weights along the longer vector, in the level of the shorter one "
-     "or of a fifth of the longer one"},
+     "five lookups with Gaussian weights along the longer vector; the level is that of the shorter "
+     "vector or of a fifth of the longer one"},
     {Anisotropy::none, "none", Openness::open, "one lookup, whatever the sampler says"}};
 
 struct Axes {
@@ -98,8 +98,7 @@ Rule anisotropy_rule() {
   rule.id = "texture.anisotropy";
   rule.title = "Anisotropic filters look up several times along the longer vector of a footprint";
   rule.spec = "8.14.1, with EXT_texture_filter_anisotropic";
-  rule.latitude =
-      "the method, which is the implementation's, on levels that it may use (ruling 23)";
+  rule.latitude = "the implementation chooses the method, on levels that it may use (ruling 23)";
   rule.standard = "extension";
   rule.alternatives = alternatives_in(kChoices);
   rule.rulings = {

@@ -13,9 +13,9 @@ namespace {
 
 constexpr TabledAlternative<ScaleFactor> kScaleFactors[] = {
     {ScaleFactor::lengths, "lengths", Openness::open,
-     "the longer of the two vectors by which a pixel spans the texture"},
+     "the length of the longer vector of the pixel's footprint in the texture"},
     {ScaleFactor::largest_partial, "largest-partial", Openness::open,
-     "the largest of the partial derivatives, the least that is allowed"},
+     "the largest of the partial derivatives, which is the least value that is allowed"},
     {ScaleFactor::sum_of_partials, "sum-of-partials", Openness::open,
      "the larger partial derivative of u plus the larger one of v"},
     {ScaleFactor::length_of_sum, "length-of-sum", Openness::illegal,
@@ -37,7 +37,7 @@ constexpr TabledAlternative<BiasChoice> kBiasChoices[] = {
     {BiasChoice::not_of_gradients, "not-of-gradients", Openness::illegal,
      "lookups with gradients leave the sampler's bias out"},
     {BiasChoice::half_a_level_more, "half-a-level-more", Openness::illegal,
-     "half a level more than both"}};
+     "the sum of both plus half a level"}};
 constexpr auto kAllBiasChoices = values_in(kBiasChoices);
 
 // One end of the absolute values of all partials.
@@ -199,7 +199,7 @@ Rule scale_factor_rule() {
   Rule rule;
   rule.id = "texture.scale-factor";
   rule.title =
-      "The scale factor is the longer of the two vectors by which a pixel spans the texture";
+      "The scale factor is the length of the longer vector of a pixel's footprint in the texture";
   rule.spec = "8.14.1, scale factor and the conditions on its approximations";
   rule.latitude =
       "any function from the largest partial derivative to either upper bound of the section "
@@ -222,9 +222,9 @@ Rule scale_factor_rule() {
 Rule level_derivatives_rule() {
   Rule rule = derivative_rule();
   rule.id = "texture.derivatives";
-  rule.title = "The scale factor is made of derivatives of the texture coordinates";
+  rule.title = "The scale factor is computed from derivatives of the texture coordinates";
   rule.spec = "8.14.1, with GLSL 4.60, 8.14.1 (derivative functions)";
-  rule.latitude = "which derivatives: any that dFdx and dFdy may be (rulings 16 and 19)";
+  rule.latitude = "the derivatives may be any that dFdx and dFdy may return (rulings 16 and 19)";
   rule.rulings.clear();
   return rule;
 }
@@ -235,8 +235,8 @@ Rule lod_bias_rule() {
   rule.title = "The bias of the sampler and that of the shader are added to the level of detail";
   rule.spec = "8.14.1, level of detail";
   rule.latitude =
-      "the precision of the sampler's bias; and which terms beyond GL_MAX_TEXTURE_LOD_BIAS, 2 at "
-      "least, are clamped, and how (ruling 26); exact clamps the sum at 16";
+      "the precision of the sampler's bias; which terms beyond GL_MAX_TEXTURE_LOD_BIAS, at least "
+      "2, are clamped, and how (ruling 26); exact clamps the sum at 16";
   rule.standard = "as-set";
   rule.alternatives = alternatives_in(kBiasChoices);
   rule.rulings = {

@@ -14,7 +14,7 @@ namespace {
 constexpr TabledAlternative<Crossover> kCrossovers[] = {
     {Crossover::zero, "zero", Openness::mandated, "a level of detail of 0, whatever the filters"},
     {Crossover::by_filters, "by-filters", Openness::illegal,
-     "1/2 from LINEAR magnification to NEAREST_MIPMAP_NEAREST or NEAREST_MIPMAP_LINEAR, else 0: "
+     "1/2 for LINEAR magnification with NEAREST_MIPMAP_NEAREST or NEAREST_MIPMAP_LINEAR, else 0; "
      "versions 1.0 to 3.0 asked for it, 3.1 to 4.4 allowed it"}};
 constexpr auto kAllCrossovers = values_in(kCrossovers);
 

@@ -17,11 +17,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr TabledAlternative<Log2Method> kMethods[] = {
     {Log2Method::exact, "exact", Openness::open, "the logarithm itself"},
     {Log2Method::linear_mantissa, "linear-mantissa", Openness::illegal,
-     "the exponent plus the mantissa less 1: up to 0.0861 too small"},
+     "the exponent plus the mantissa minus 1: up to 0.0861 too small"},
     {Log2Method::linear_mantissa_of_square, "linear-mantissa-of-square", Openness::open,
-     "half of what linear-mantissa makes of the square: up to 0.0431 too small"},
+     "half of linear-mantissa of the square: up to 0.0431 too small"},
     {Log2Method::linear_mantissa_of_fourth_power, "linear-mantissa-of-fourth-power", Openness::open,
-     "a quarter of what linear-mantissa makes of the fourth power: up to 0.0216 too small"},
+     "a quarter of linear-mantissa of the fourth power: up to 0.0216 too small"},
     {Log2Method::mantissa_8, "mantissa-8", Openness::open,
      "the logarithm of the mantissa rounded to 8 bits: up to 0.0029 off"}};
 constexpr auto kValues = values_in(kMethods);
@@ -105,7 +105,7 @@ Rule log2_rule() {
   rule.id = "texture.log2";
   rule.title = "The level of detail is the base-2 logarithm of the scale factor";
   rule.spec = "8.14.1, level of detail";
-  rule.latitude = "the precision, of which nothing is said: 2^-6 of a level (rulings 20 and 50)";
+  rule.latitude = "the precision, which is not stated: 2^-6 of a level (rulings 20 and 50)";
   rule.standard = "exact";
   rule.alternatives = alternatives_in(kMethods);
   rule.rulings = {

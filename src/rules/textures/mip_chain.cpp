@@ -22,7 +22,7 @@ constexpr TabledAlternative<MipmapFilter> kFilters[] = {
     {MipmapFilter::box, "box", Openness::open,
      "the mean of texels 2i and 2i + 1 along each axis; the last of an odd size is left out"},
     {MipmapFilter::bilinear_centre, "bilinear-centre", Openness::open,
-     "a linear lookup at the smaller texel's centre, which is the box of even sizes"},
+     "a linear lookup at the smaller texel's centre; for even sizes it is the box"},
     {MipmapFilter::nearest, "nearest", Openness::open, "texel 2i along each axis"}};
 constexpr auto kAllFilters = values_in(kFilters);
 
@@ -33,8 +33,8 @@ constexpr TabledAlternative<MipmapRounding> kRoundings[] = {
      "to the nearest value, a tie to the larger one"},
     {MipmapRounding::down, "down", Openness::open, "to the largest value that is not above"},
     {MipmapRounding::half_up_by_rows, "half-up-by-rows", Openness::open,
-     "of codes of 8 bits each row's mean, with weights in multiples of 1/256, and then the mean of "
-     "both, a tie to the larger value; others as nearest-even"}};
+     "for codes of 8 bits, each row's mean with weights in multiples of 1/256, then the mean of "
+     "both rows, a tie to the larger value; for others, nearest-even"}};
 constexpr auto kAllRoundings = values_in(kRoundings);
 
 // Neighbouring texels of the larger image along an axis, and their whole weights.
@@ -216,7 +216,7 @@ Rule mipmap_srgb_rule() {
           "8.14.4 (manual mipmap generation) and 8.24 (sRGB texture color conversion)",
           "whether texels are decoded before they are averaged (ruling 25)",
           "linear",
-          {{"linear", Openness::open, "decoded, averaged and coded again"},
+          {{"linear", Openness::open, "decoded, averaged and encoded again"},
            {"codes", Openness::open, "averaged as they are stored"}},
           {}};
 }

@@ -21,8 +21,8 @@ constexpr TabledAlternative<TexelGrid> kGrids[] = {
     {TexelGrid::nearest_8, "nearest-8", Openness::open,
      "they are moved to the nearest multiple of 1/256 texel, a tie to the right or up"},
     {TexelGrid::linear_even_8, "linear-even-8", Openness::open,
-     "under linear filters of rgba8 textures they are moved to the nearest multiple of 1/256 "
-     "texel, a tie to the even one; elsewhere they are taken as they are"}};
+     "for linear filters of rgba8 textures, they are moved to the nearest multiple of 1/256 texel, "
+     "a tie to the even one; otherwise they are taken as they are"}};
 constexpr auto kAllGrids = values_in(kGrids);
 
 // Does a coordinate that lies `rest` of a step above step `below` move up?
@@ -293,7 +293,7 @@ Rule texel_filter_rule() {
       "texture.filter",
       "A lookup takes the texel that holds the point, or the mean of the four around it",
       "8.14.2 (coordinate wrapping and texel selection) and 8.14.3 (mipmapping)",
-      "positions within a texel have no stated precision, nor have the weights that are made of "
+      "positions within a texel have no stated precision, and neither have the weights made from "
       "them; textures of 8 bits may be filtered in 8 bits (ruling 24)",
       "",
       {},
@@ -319,9 +319,9 @@ Rule texel_filter_rule() {
 
 Rule texel_grid_rule() {
   return {"texture.texel-grid",
-          "Texels and weights are taken from coordinates as they are",
+          "Texels and weights follow from coordinates that are not rounded",
           "8.14.2 (coordinate wrapping and texel selection)",
-          "coordinates in texels may be kept to some bits (ruling 24)",
+          "coordinates in texels may be rounded to some bits (ruling 24)",
           "none",
           alternatives_in(kGrids),
           {}};

@@ -80,8 +80,8 @@ Rule depth_buffer_rule() {
       "framebuffer.depth",
       "A depth is stored as the nearest value of the depth buffer's format",
       "2.3.5.2 (conversion from floating-point to normalized fixed-point)",
-      "either of the two nearest integers; the nearest is preferred; of a float32 depth, whether "
-      "one that has no polygon offset is clamped",
+      "either of the two nearest integers, of which the nearest is preferred; for float32, a depth "
+      "without polygon offset may be clamped or not",
       "",
       {},
       {{18,

@@ -17,11 +17,11 @@ struct Entry {
 
 constexpr Entry kEntries[] = {
     {DerivativeMethod::analytic, "analytic", "the derivative itself, not a difference"},
-    {DerivativeMethod::forward, "forward", "the next pixel's value less the pixel's own"},
+    {DerivativeMethod::forward, "forward", "the next pixel's value minus the pixel's own"},
     {DerivativeMethod::fine, "quad-fine",
      "the difference within the 2x2 quad, in the pixel's own row or column"},
     {DerivativeMethod::fine_odd, "quad-fine-odd",
-     "the same, of quads that begin at odd columns and rows"},
+     "the same, for quads that begin at odd columns and rows"},
     {DerivativeMethod::coarse_bottom_left, "quad-coarse-bottom-left",
      "one difference for the quad, along x in its bottom row, along y in its left column"},
     {DerivativeMethod::coarse_bottom_right, "quad-coarse-bottom-right",
@@ -31,7 +31,7 @@ constexpr Entry kEntries[] = {
     {DerivativeMethod::coarse_top_right, "quad-coarse-top-right",
      "one difference for the quad, along x in its top row, along y in its right column"},
     {DerivativeMethod::other_row, "quad-other-row",
-     "the difference within the quad, in the row or column that the pixel is not in"}};
+     "the difference within the quad, in the row or column that does not hold the pixel"}};
 
 constexpr DerivativeMethod kMethods[] = {DerivativeMethod::analytic,
                                          DerivativeMethod::forward,

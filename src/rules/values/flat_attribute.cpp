@@ -12,7 +12,7 @@ std::size_t provoking_index(const ScenePrimitive& primitive, ProvokingChoice cho
 
 Rule flat_attribute_rule() {
   return {"attribute.flat",
-          "A flat attribute is that of the provoking vertex, unchanged",
+          "A flat attribute has the value of the provoking vertex, unchanged",
           "13 (flat shading)",
           "none",
           "",

@@ -107,8 +107,9 @@ Rule attribute_positions_rule() {
   rule.latitude = "vertices may have been moved to the sub-pixel grid (ruling 9)";
   rule.standard = "unsnapped";
   rule.alternatives = {
-      {"unsnapped", Openness::open, "from where the vertices are, whatever grid coverage knows"},
-      {"snapped", Openness::open, "from where coverage has snapped them to"}};
+      {"unsnapped", Openness::open,
+       "from the vertices' own positions, whatever grid coverage uses"},
+      {"snapped", Openness::open, "from the positions that coverage has snapped them to"}};
   return rule;
 }
 

@@ -204,12 +204,10 @@ ExitCode run_backends(const BackendsCommand& command) {
 
 void add_backends_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand(
-      "backends",
-      "Ask renderers by rendering what they offer, and check that programs keep the protocol");
+      "backends", "Test what renderers offer, and check that programs keep the protocol");
   auto options = std::make_shared<BackendsCommand>();
-  command->add_option(
-      "renderers", options->names,
-      "Renderers (default: the OpenGL and OpenGL ES ones, with every device of EGL)");
+  command->add_option("renderers", options->names,
+                      "Renderers (default: those of OpenGL and OpenGL ES, with every EGL device)");
   command->add_option("--json", options->json,
                       "Write the checks of programs as JSON; - for standard output");
   command->add_option("--timeout", options->timeout, "Seconds for each answer to a check")

@@ -64,8 +64,8 @@ ExitCode bench(BenchCommand command) {
 }  // namespace
 
 void add_bench_command(CLI::App& app, ExitCode& exit) {
-  CLI::App* command = app.add_subcommand(
-      "bench", "Time exact and renderers side by side, a run's rate, and where its time goes");
+  CLI::App* command =
+      app.add_subcommand("bench", "Time exact and renderers side by side, and the stages of a run");
   auto options = std::make_shared<BenchCommand>();
   BenchPlan& plan = options->plan;
   options->selection.add_to(*command, true);
@@ -83,10 +83,11 @@ void add_bench_command(CLI::App& app, ExitCode& exit) {
   command->add_option("--side", plan.side, "Side of the scenes' targets, in pixels")
       ->check(CLI::IsMember({64, 128, 256, 512, 1024}))
       ->capture_default_str();
-  command->add_option("--cases", plan.cases, "Number of cases of the pipeline, about")
+  command->add_option("--cases", plan.cases, "Approximate number of cases of the pipeline")
       ->check(CLI::Range(64, 1'000'000))
       ->capture_default_str();
-  command->add_option("--json", options->json, "Write all of it as JSON; - for standard output");
+  command->add_option("--json", options->json,
+                      "Write all measurements as JSON; - for standard output");
   command->callback([options, &exit] { exit = bench(*options); });
 }
 

@@ -190,12 +190,11 @@ void add_bless_command(CLI::App& app, ExitCode& exit) {
   add_repeatable(*command, "--filter", options->filters, "Only cases whose id matches; repeatable");
   add_repeatable(*command, "--against", options->renderers, "Only this renderer; repeatable");
   command->add_option("--reason", options->reason,
-                      "Reason for new and changed entries (default: made of the causes found)");
+                      "Reason for new and changed entries (default: made from the causes found)");
   command
-      ->add_option(
-          "--from", options->decisions,
-          "File of decisions on single cases: only what they accept changes, where nothing "
-          "has changed since")
+      ->add_option("--from", options->decisions,
+                   "File of decisions on single cases; only what they accept is changed, and only "
+                   "where nothing has changed since")
       ->excludes("--filter")
       ->excludes("--against")
       ->excludes("--reason");

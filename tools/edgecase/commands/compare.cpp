@@ -58,11 +58,13 @@ void add_compare_command(CLI::App& app, ExitCode& exit) {
       "compare", "Compare two results files, of two drivers, versions or policies, case by case");
   auto options = std::make_shared<CompareCommand>();
   command->add_option("old", options->before, "Results file of `edgecase run`")->required();
-  command->add_option("new", options->after, "Results file that it is compared with")->required();
+  command->add_option("new", options->after, "Results file to compare with the old one")
+      ->required();
   command->add_option("--json", options->json,
                       "File for the comparison as JSON, - for standard output");
-  command->add_option("--markdown", options->markdown,
-                      "File for it as Markdown, - for standard output (default: printed)");
+  command->add_option(
+      "--markdown", options->markdown,
+      "File for the comparison as Markdown, - for standard output (default: printed)");
   command->callback([options, &exit] { exit = compare(*options); });
 }
 

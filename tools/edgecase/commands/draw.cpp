@@ -134,7 +134,7 @@ ExitCode draw(const DrawCommand& command) {
 
 void add_draw_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand(
-      "draw", "Draw a case, exactly under every alternative of a rule or beside a renderer");
+      "draw", "Draw a case under every alternative of a rule, or beside a renderer");
   auto options = std::make_shared<DrawCommand>();
   command->add_option("case", options->path, "Case file, or id of a case")->required();
   add_repeatable(*command, "--filter", options->filters,
@@ -144,7 +144,7 @@ void add_draw_command(CLI::App& app, ExitCode& exit) {
           ->capture_default_str();
   CLI::Option* against = command
                              ->add_option("--against", options->renderer,
-                                          "Renderer to draw beside exact, with what differs")
+                                          "Renderer to draw beside exact, with the difference")
                              ->excludes(rule);
   CLI::Option* svg =
       command->add_option("--svg", options->svg, "File for an SVG picture (default: text)");

@@ -214,8 +214,8 @@ void add_explain_command(CLI::App& app, ExitCode& exit) {
   CLI::Option* blocks =
       command
           ->add_option("--blocks", options->blocks,
-                       "Show how a walk by blocks of so many pixels a side (8, or a list such as "
-                       "32,8) accepts, rejects or tests each block of a triangle")
+                       "Sides of blocks in pixels, 8 or a list such as 32,8: show how a walk over "
+                       "blocks accepts, rejects or tests each block of a triangle")
           ->expected(0, 1);
   command->add_option("--svg", options->svg,
                       "File for an SVG picture of the blocks, or of the pixel");

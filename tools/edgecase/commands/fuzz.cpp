@@ -283,13 +283,13 @@ ExitCode run_fuzz(FuzzCommand command) {
 
 void add_fuzz_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand(
-      "fuzz", "Search random and mutated scenes for disagreements, and make each small");
+      "fuzz", "Search random and mutated scenes for disagreements, and minimize each");
   auto options = std::make_shared<FuzzCommand>();
   add_repeatable(*command, "--against", options->renderers,
                  "Renderer, as `run` names them; repeatable");
   command
       ->add_option("--rules", options->rules,
-                   "Families of scenes, or ids of rules that they are about, globs allowed; "
+                   "Families of scenes, ids of rules that scenes are about, or globs of them; "
                    "separated by commas (default: all)")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -299,17 +299,16 @@ void add_fuzz_command(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(0.1, 1e8));
   command->add_option("--count", options->count, "Stop after so many scenes")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}));
-  command->add_flag(
-      "--exhaustive", options->exhaustive,
-      "Ask every scene of the families that have an end, such as grid-lines; then stop");
+  command->add_flag("--exhaustive", options->exhaustive,
+                    "Render every scene of the finite families, such as grid-lines; then stop");
   command->add_option("--finds", options->finds, "Stop after so many finds")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
   add_repeatable(*command, "--corpus", options->corpus,
                  "Case file, folder, id or glob of ids whose scenes are mutated, too; repeatable");
   command->get_option("--exhaustive")->excludes(command->get_option("--corpus"));
   add_repeatable(*command, "--known", options->known,
-                 "Finds that are known: the JSON of an earlier search, a case file or a folder; "
-                 "repeatable. They are counted only");
+                 "Known finds, which are only counted: the JSON of an earlier search, a case file "
+                 "or a folder; repeatable");
   options->policy.add_to(*command);
   command->add_option("--verdict", options->verdict, "The least verdict that makes a find")
       ->check(CLI::IsMember({"convention", "permitted", "contested", "violation"}))
@@ -319,7 +318,7 @@ void add_fuzz_command(CLI::App& app, ExitCode& exit) {
   command->get_option("--surface")->check(CLI::IsMember({"fbo", "window"}));
   command
       ->add_option("--max-asks", options->max_asks,
-                   "Scenes that a renderer is asked at most to make one find smaller")
+                   "Most scenes that a renderer is asked to draw while one find is minimized")
       ->check(CLI::Range(1, 10'000'000))
       ->capture_default_str();
   command->add_option("--save", options->save, "Folder to write each find to, as a case file");

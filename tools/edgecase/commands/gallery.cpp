@@ -131,8 +131,9 @@ void add_gallery_command(CLI::App& app, ExitCode& exit) {
   auto options = std::make_shared<GalleryCommand>();
   command->add_option("galleries", options->names,
                       "Names of galleries, or files (default: all of the suite)");
-  command->add_option("--against", options->renderer,
-                      "Renderer whose pictures stand beside them (default: that of `run`)");
+  command->add_option(
+      "--against", options->renderer,
+      "Renderer whose pictures stand beside those of the policies (default: that of `run`)");
   command->add_option("--html", options->folder, "Folder for the pages")->capture_default_str();
   command->add_option("--suite", options->suite, "Folder with cases, policies and galleries")
       ->capture_default_str();

@@ -296,20 +296,24 @@ ExitCode run_minimize(const MinimizeCommand& command) {
 
 void add_minimize_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand(
-      "minimize", "Find the smallest scene that shows what a case shows of a renderer");
+      "minimize", "Find the smallest scene that shows the same difference as a case");
   auto options = std::make_shared<MinimizeCommand>();
   command
       ->add_option("case", options->path,
                    "Case file, or id of a case; path:axis=value is one of a sweep")
       ->required();
   command->add_option("--against", options->renderer, "Renderer, as `run` names them")->required();
-  command->add_option("--rule", options->rule,
-                      "Id of a rule: minimise what differs of it (default: the worst there is)");
-  command->add_option("--pixel", options->pixel, "X,Y: minimise what differs there, y up");
+  command->add_option(
+      "--rule", options->rule,
+      "Id of the rule whose difference is minimized (default: the worst difference)");
+  command->add_option("--pixel", options->pixel,
+                      "X,Y: minimize the difference at this pixel, y up");
   command->add_option("-o,--output", options->output,
                       "File to write the case to (default: standard output)");
-  command->add_flag("--json", options->json, "Tell what was done as JSON, the case within");
-  command->add_option("--max-asks", options->max_asks, "Scenes that the renderer is asked at most")
+  command->add_flag("--json", options->json, "Print the case and what was done as JSON");
+  command
+      ->add_option("--max-asks", options->max_asks,
+                   "Most scenes that the renderer is asked to draw")
       ->check(CLI::Range(1, 10'000'000))
       ->capture_default_str();
   command->add_option("--timeout", options->timeout, "Seconds per scene")

@@ -313,17 +313,19 @@ ExitCode make_new(const NewCommand& command) {
 
 void add_new_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand(
-      "new", "Begin a case file: from coordinates, from a case or a result, or by rule");
+      "new", "Write a new case file: from coordinates, a case, a result or a rule");
   auto options = std::make_shared<NewCommand>();
   command
       ->add_option("file", options->file, "File to write, ending with .json; - for standard output")
       ->required();
   add_repeatable(*command, "--rule", options->rules,
-                 "Rule that the case is about, repeatable; alone: begin with the suite's simplest "
-                 "case about it");
+                 "Rule that the case is about; repeatable. Without --from and --draw the file "
+                 "begins with the suite's simplest case about the rule");
   CLI::Option* from =
       command->add_option("--from", options->from, "Case file or id of a case to begin with");
-  command->add_option("--results", options->results, "Results file that --from is an id of")
+  command
+      ->add_option("--results", options->results,
+                   "Results file that holds the case which --from names")
       ->needs(from);
   add_repeatable(*command, "--draw", options->draws,
                  "Draw, repeatable: a primitive and its vertices, \"lines 0.5,0.5 6,1+1/2\"");
@@ -335,11 +337,11 @@ void add_new_command(CLI::App& app, ExitCode& exit) {
   command->add_option("--surface", options->surface, "Surface: fbo or window")->needs(draw);
   command->add_option("--depth", options->depth, "Format of the depth buffer")->needs(draw);
   command->add_option("--title", options->title, "Title, one line");
-  command->add_option("--why", options->why, "Why it must come out as it does");
+  command->add_option("--why", options->why, "Why the result must be as it is");
   command->add_option("--suite", options->suite, "Suite that ids and examples are looked up in")
       ->capture_default_str();
   command->add_flag("--drawing", options->drawing,
-                    "Put in what exact draws, for you to check by hand");
+                    "Include the drawing of exact, which you check by hand");
   command->add_flag("--force", options->force, "Overwrite the file");
   command->callback([options, &exit] { exit = make_new(*options); });
 }

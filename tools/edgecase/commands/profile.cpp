@@ -122,8 +122,8 @@ ExitCode run_profile(const ProfileCommand& command) {
 }  // namespace
 
 void add_profile_command(CLI::App& app, ExitCode& exit) {
-  CLI::App* command = app.add_subcommand(
-      "profile", "Measure which rules a renderer follows, with what it does not follow");
+  CLI::App* command =
+      app.add_subcommand("profile", "Measure which alternative of each rule a renderer follows");
   auto options = std::make_shared<ProfileCommand>();
   command->add_option("--against", options->renderer, "Renderer to measure, as `run` names them")
       ->required();
@@ -148,7 +148,7 @@ void add_profile_command(CLI::App& app, ExitCode& exit) {
   command->add_option("--json", options->json, "Write everything as JSON; - for standard output");
   command->add_option(
       "--policy-file", options->policy_file,
-      "Write the policy that was found, as --policy takes it; - for standard output");
+      "File for the measured policy, which --policy accepts; - for standard output");
   command->add_option("--timeout", options->timeout, "Seconds per scene")
       ->check(CLI::Range(0.01, 3600.0));
   command->add_option("--jobs", options->jobs, "Threads (default: one per processor)")

@@ -87,7 +87,7 @@ ExitCode record(const RecordCommand& command) {
 
 void add_record_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand(
-      "record", "Keep what a renderer answers in a file, which recording:FILE replays anywhere");
+      "record", "Write a renderer's answers to a file, which recording:FILE replays anywhere");
   auto options = std::make_shared<RecordCommand>();
   options->selection.add_to(*command, true);
   command->add_option("--against", options->renderer, "Renderer to record, as `run` names them")

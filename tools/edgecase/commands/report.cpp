@@ -61,7 +61,7 @@ void add_report_command(CLI::App& app, ExitCode& exit) {
   auto options = std::make_shared<ReportCommand>();
   command->add_option("results", options->results, "Results file of `edgecase run`")->required();
   command->add_option("--since", options->since,
-                      "Earlier results file: the HTML report tells what changed since");
+                      "Earlier results file; the HTML report shows what has changed since");
   add_strict_option(*command, options->strict);
   options->files.add_to(*command);
   command->callback([options, &exit] { exit = report(*options); });

@@ -163,16 +163,16 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
                     "file that --json names, or in out/results.json");
   command
       ->add_flag("--resume", options->resume,
-                 "Go on with a run that ended early: take over what the file that --json names, or "
-                 "out/results.json, holds of unchanged cases, and run the rest")
+                 "Continue a run that ended early: keep the results of unchanged cases from the "
+                 "file that --json names, or from out/results.json, and run the rest")
       ->excludes("--last-failed");
   command
       ->add_option("--max-failures", options->max_failures,
-                   "End after so many unexpected cases; what was finished is reported")
+                   "End after so many unexpected cases, and report the finished ones")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}));
   command->add_flag(
       "--no-rerun", options->no_rerun,
-      "Do not ask a second time for unexpected answers; a second answer tells flakes");
+      "Do not ask again after an unexpected answer; the second answer reveals flakes");
   command->add_flag("--list", options->list, "Only list the ids of the selected cases");
   command->callback([options, &exit] { exit = run(*options); });
 }

@@ -89,13 +89,14 @@ ExitCode validate(const ValidateCommand& command) {
 }  // namespace
 
 void add_validate_command(CLI::App& app, ExitCode& exit) {
-  CLI::App* command = app.add_subcommand(
-      "validate", "Check case files, and their drawings against the exact side, without OpenGL");
+  CLI::App* command =
+      app.add_subcommand("validate", "Check case files and their drawings, without OpenGL");
   auto options = std::make_shared<ValidateCommand>();
   options->selection.add_to(*command, false);
   CLI::Option* check = command->add_flag("--check-format", options->check_format,
-                                         "Also name files that are not laid out as a suite's are");
-  command->add_flag("--format", options->format, "Lay out such files anew")->excludes(check);
+                                         "Also report files whose layout is not that of a suite");
+  command->add_flag("--format", options->format, "Rewrite such files in the layout of a suite")
+      ->excludes(check);
   command->callback([options, &exit] { exit = validate(*options); });
 }
 

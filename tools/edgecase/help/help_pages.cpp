@@ -19,7 +19,7 @@ constexpr std::array kMeanings = {"as expected",
                                   "",
                                   "usage or case error",
                                   "input, output or internal error",
-                                  "a renderer is missing, crashed or came too late",
+                                  "a renderer is missing, crashed or timed out",
                                   "nothing is selected"};
 
 constexpr const char* kInterrupted = "interrupted";
@@ -33,10 +33,10 @@ constexpr const char* kMaintain = "Maintain";
 constexpr HelpPage kPages[] = {
     {"run", kRun,
      "Every case is rendered exactly and by each renderer. The two renderings are compared, and "
-     "the specification judges what differs. Each answer is held against the expectations that "
-     "are committed for its renderer. Without a file to write, results.json, junit.xml and "
-     "report.html go to out/. An interrupted run keeps what was finished, and --resume goes on "
-     "with the rest.",
+     "the differences are judged by the specification. Each answer is compared with the "
+     "expectations that are committed for its renderer. If no option names a file, results.json, "
+     "junit.xml and report.html go to out/. An interrupted run keeps the finished cases, and "
+     "--resume runs the rest.",
      "012345", "an answer is not as expected, an unexpected agreement included",
      "edgecase run\n"
      "edgecase run lines --against osmesa:softpipe --html lines.html\n"
@@ -44,14 +44,13 @@ constexpr HelpPage kPages[] = {
      "edgecase run --shard 2/4 --json 2.json\n"
      "edgecase run --json results.json --resume"},
     {"report", kRun,
-     "The reports are those that a run can write. The text of a case file is shown where the file "
-     "is still what it was in the run.",
+     "The reports are those that a run can write. The text of a case file is shown if the file has "
+     "not changed since the run.",
      "023", nullptr,
      "edgecase report out/results.json --html report.html --open\n"
      "edgecase report new.json --since old.json --html report.html"},
     {"compare", kRun,
-     "Each case became worse, better or other, or stayed as it was. Changes are grouped by rule "
-     "and cause.",
+     "Each case is worse, better, different or unchanged. Changes are grouped by rule and cause.",
      "0123", "the two differ",
      "edgecase compare old.json new.json\n"
      "edgecase compare old.json new.json --markdown changes.md"},
@@ -62,8 +61,8 @@ constexpr HelpPage kPages[] = {
      "edgecase merge 1.json 2.json 3.json 4.json --html report.html\n"
      "edgecase merge 1.json 3.json --partial -o part.json"},
     {"record", kRun,
-     "Every answer of the renderer goes into one file. Where the renderer cannot run, "
-     "recording:FILE stands for it in every other subcommand.",
+     "All answers of the renderer go into one file. Every other subcommand accepts recording:FILE "
+     "in place of the renderer, also where the renderer cannot run.",
      "012345", kInterrupted,
      "edgecase record --against egl:device0 -o card.rec\n"
      "edgecase record lines --against osmesa:softpipe -o lines.rec"},
@@ -88,80 +87,80 @@ constexpr HelpPage kPages[] = {
      "edgecase draw lines/algorithms/all-differ --svg lines.svg\n"
      "edgecase draw lines/joints/twice-on-a-corner --against osmesa:llvmpipe"},
     {"rules", kUnderstand,
-     "Each rule has its section of the specification, the latitude that this grants, the "
-     "alternatives, and the numbered rulings that verdicts cite. --book writes pages that teach "
-     "them, with scenes in the words of explain.",
+     "A rule is printed with its section of the specification, the latitude that the section "
+     "grants, its alternatives, and the numbered rulings that verdicts cite. --book writes pages "
+     "that teach the rules by worked scenes.",
      "023", nullptr,
      "edgecase rules\n"
      "edgecase rules line.diamond-exit\n"
      "edgecase rules \"texture.*\" --json\n"
      "edgecase rules --book out/book"},
     {"profile", kUnderstand,
-     "The renderer draws thousands of random scenes. Its answers tell which alternative of each "
+     "The renderer draws thousands of random scenes. Its answers show which alternative of each "
      "rule it follows. A summary of ten lines is printed; --full prints the evidence and the "
      "counter-examples before it.",
      "01234", "interrupted; nothing was written",
      "edgecase profile --against osmesa:llvmpipe --scenes 2000\n"
      "edgecase profile --against egl:device0 --full --policy-file device0.json"},
     {"gallery", kUnderstand,
-     "Each policy has a page: each choice that is not OpenGL's, its source, and a picture that "
-     "shows it.",
+     "Each policy has a page. It shows each choice that differs from OpenGL's, with its source and "
+     "a picture.",
      "012345", kInterrupted,
      "edgecase gallery\n"
      "edgecase gallery scotty3d --html pages"},
     {"new", kWrite,
-     "The case file is valid from the start. Its author puts the words right and draws what must "
-     "come out.",
-     "023", nullptr,
+     "The new file is valid. Its author corrects the words and draws the expected result.", "023",
+     nullptr,
      "edgecase new cases/lines/mine.json --draw \"lines 0.5,~0.3 9,1+1/2\" --rule "
      "line.diamond-exit\n"
      "edgecase new - --rule line.snap"},
     {"validate", kWrite,
-     "Every fault of every file is named, with its line, JSON pointer and remedy. The drawings of "
-     "the files are held against what exact draws.",
-     "01235", "a drawing is not what exact draws, or a file is not laid out as asked",
+     "Every fault is reported with its line, JSON pointer and remedy. The drawings in the files "
+     "are compared with what exact draws.",
+     "01235", "a drawing is not what exact draws, or a file has another layout",
      "edgecase validate\n"
      "edgecase validate cases/lines --check-format"},
     {"separation", kWrite,
      "Every case is drawn under every alternative of each rule. A pair of alternatives that no "
      "case tells apart is a hole in the suite.",
-     "01235", "some pair is told apart by fewer cases than --least",
+     "01235", "fewer cases than --least tell some pair apart",
      "edgecase separation --least 10\n"
      "edgecase separation lines --full"},
     {"fuzz", kSearch,
-     "Renderers draw scenes that a seed fixes, and mutations of the scenes of --corpus. What "
-     "differs is made small, grouped by rule, kind and cause, and can be saved as cases.",
+     "Renderers draw scenes that the seed determines, and mutations of the scenes of --corpus. "
+     "Each disagreement is minimized and can be saved as a case. Finds are grouped by rule, kind "
+     "and cause.",
      "01234", "something was found",
      "edgecase fuzz --against osmesa:softpipe --seconds 60\n"
      "edgecase fuzz --against osmesa:llvmpipe --rules triangle.fill-rule --count 10000 --save "
      "finds"},
     {"minimize", kSearch,
-     "Primitives, state, pixels and digits are taken away for as long as the renderer shows the "
-     "same difference. What is left is printed as a case file.",
+     "Primitives, state, pixels and digits are removed while the renderer shows the same "
+     "difference. The remaining scene is printed as a case file.",
      "012345", "interrupted; the smallest scene so far is printed",
      "edgecase minimize lines/diagonals/two-in-a-column --against osmesa:softpipe"},
     {"bless", kMaintain,
-     "The expectations change so that the results are expected, each with a reason. The changes "
-     "are printed, and --apply writes them. --from takes the decisions that a reviewer exported "
-     "from the HTML report.",
-     "0123", "a decision is refused, since something has changed since it was made",
+     "Each change makes a result expected and states a reason. The changes are printed, and "
+     "--apply writes them. --from takes the decisions that a reviewer exported from the HTML "
+     "report.",
+     "0123", "a decision is refused because something has changed since it was made",
      "edgecase bless out/results.json --against osmesa:softpipe\n"
      "edgecase bless --from decisions.json --apply"},
     {"backends", kMaintain,
-     "Each renderer is asked to render: what it says of itself is not believed. Programs behind "
-     "exec: are also held against the protocol, by well-formed and malformed requests.",
+     "Each renderer is tested by what it renders, not by what it reports. Programs behind exec: "
+     "also get well-formed and malformed requests of the protocol.",
      "01234", "a program does not keep the protocol, or interrupted",
      "edgecase backends\n"
      "edgecase backends \"exec:python3 my_rasterizer.py\" --json -"},
     {"bench", kMaintain,
      "Exact and renderers draw the same scenes in turn. Cases, searches and comparisons of "
-     "pictures are timed. Times depend on the machine; ratios count.",
+     "pictures are timed, too. Times depend on the machine, so compare ratios.",
      "0235", "",
      "edgecase bench\n"
      "edgecase bench --part scenes --against egl:softpipe --rounds 3 --json bench.json"},
     {"manual", kMaintain,
-     "The manual page holds every subcommand with all its options. It and the completions are made "
-     "from what this program knows.",
+     "The manual page holds every subcommand with all its options. It and the completions are "
+     "generated from the program's own options.",
      "023", nullptr,
      "edgecase manual | man -l -\n"
      "edgecase manual --completion bash > ~/.local/share/bash-completion/completions/edgecase"},

@@ -90,9 +90,8 @@ std::string manual_page(const std::string& description, std::span<const CommandW
       kToolName, literal(description));
   for (const CommandWords& command : commands) text += section(command);
   text +=
-      ".SH ENVIRONMENT\n.TP\nEDGECASE_KERNELS\nThe SIMD target to draw on, or none to decide "
-      "without "
-      "faster kernels. Results are the same.\n"
+      ".SH ENVIRONMENT\n.TP\nEDGECASE_KERNELS\nThe SIMD target of the fast kernels; none turns "
+      "them off. Results are the same.\n"
       ".SH FILES\n.TP\nPREFIX/share/edgecase/cases\nThe suite, with its schema, policies, profiles "
       "and expectations.\n.TP\nPREFIX/share/doc/edgecase\nHow cases are written, and the protocol "
       "of exec: programs.\n";

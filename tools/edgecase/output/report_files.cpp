@@ -84,8 +84,8 @@ void ReportFiles::add_to(CLI::App& command, const std::string& json_names) {
   command.add_option("--markdown", markdown,
                      "File for a summary in Markdown, at most 1 MB: $GITHUB_STEP_SUMMARY");
   command.add_option("--annotations", annotations,
-                     "File for GitHub annotations of the ten heaviest case files; - prints them "
-                     "for a step of a workflow");
+                     "File for GitHub annotations of the ten case files with the worst results; - "
+                     "prints them for a step of a workflow");
   command.add_option("--csv", csv,
                      "File for every disagreement as a row of comma-separated values");
   command.add_option("--triptychs", triptychs,
