@@ -20,6 +20,7 @@ import sys
 import tempfile
 import unittest
 
+from shown_output import FIRST_LINE, is_in_order, of_few_cases, shown_pieces, without_seconds
 from suite_data import in_share
 from support import BIN, EDGECASE, PATIENCE, ROOT, CommandTest, environment
 
@@ -67,9 +68,6 @@ STANDS_IN = {
 # What reads a few cases of the whole suite, by their names, or a folder of it.
 OF_WHOLE_SUITE = ("edgecase gallery", "edgecase rules --book", "edgecase run cases/triangles ")
 
-# What a console prints of the whole suite, or of the time that it took.
-NOT_COMPARED = re.compile(r"[\d,]+ cases, \d+ renderers: \d+ unexpected, \d+ s")
-
 # Commands that do not end with 0, by how they begin.
 EXITS = {
     # A few cases tell few alternatives apart.
@@ -113,21 +111,6 @@ def blocks_of(document):
             if following and not following[1] and not text[block.end():following.start()].strip():
                 outputs[-1] = following[2]
             yield line, commands, outputs
-
-
-def is_in_order(pieces, text):
-    """Whether the pieces occur in the text one behind the other."""
-    for piece in pieces:
-        _, found, text = text.partition(piece)
-        if not found and piece:
-            return False
-    return True
-
-
-def shown_pieces(output):
-    """What of an output that a document shows is compared: all, but for `…` and what varies."""
-    lines = [line for line in output.splitlines(keepends=True) if not NOT_COMPARED.match(line)]
-    return [piece for line in lines for piece in line.split("…") if piece.strip()]
 
 
 def saved_files(document):
@@ -256,7 +239,17 @@ class Documents(CommandTest):
                            {0})
             self.assertIn(run.returncode, allowed, f"{place}: {command}\n{run.stdout[-2000:]}\n"
                                                    f"{run.stderr[-2000:]}")
-            self.check_output(f"{place}: {command}", output, run.stdout + run.stderr)
+            if output and FIRST_LINE.search(output):
+                counts = [self.count_cases(command, suite) for suite in (folder, ROOT)]
+                output = of_few_cases(output, *counts)
+            self.check_output(f"{place}: {command}", output,
+                              without_seconds(run.stdout + run.stderr))
+
+    def count_cases(self, command, folder):
+        """How many cases the command selects in a folder, as a summary prints it: "30,718"."""
+        run = self.shell(f"{in_short(command)} --list", folder)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return f"{len(run.stdout.splitlines()):,}"
 
     def check_output(self, place, output, said):
         if output is None:
@@ -329,7 +322,14 @@ class Documents(CommandTest):
     def test_an_output_is_compared_in_its_order(self):
         self.assertTrue(is_in_order(shown_pieces("a\n…\nc, …\n"), "a\nb\nc, d\n"))
         self.assertFalse(is_in_order(shown_pieces("c\n…\na\n"), "a\nb\nc\n"))
-        self.assertEqual(shown_pieces("30,718 cases, 2 renderers: 0 unexpected, 41 s\n…\n"), [])
+
+    def test_the_first_line_of_a_summary_is_compared_but_for_its_seconds(self):
+        said = without_seconds("3 cases, 2 renderers: 0 unexpected, 0.4 s\nmore\n")
+        shown = "30,718 cases, 2 renderers: 0 unexpected, 41 s\n…\n"
+        for right, wrong in (("41 s", "0.2 s"), ("30,718", "30,719"), ("30,718", "3"),
+                             ("2 renderers", "3 renderers"), ("0 un", "1 un"), (", 41 s", "")):
+            pieces = shown_pieces(of_few_cases(shown.replace(right, wrong), "3", "30,718"))
+            self.assertEqual(is_in_order(pieces, said), right == "41 s", wrong)
 
 
 class Pages(unittest.TestCase):

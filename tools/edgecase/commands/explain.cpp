@@ -213,9 +213,10 @@ void add_explain_command(CLI::App& app, ExitCode& exit) {
   command->add_option("--pixel", options->pixel, "X,Y: only this pixel, y up");
   CLI::Option* blocks =
       command
-          ->add_option("--blocks", options->blocks,
-                       "Sides of blocks in pixels, 8 or a list such as 32,8: show how a walk over "
-                       "blocks accepts, rejects or tests each block of a triangle")
+          ->add_option(
+              "--blocks", options->blocks,
+              "Show how a walk over blocks of this side in pixels (8, or a list such as 32,8) "
+              "accepts, rejects or tests each block of a triangle")
           ->expected(0, 1);
   command->add_option("--svg", options->svg,
                       "File for an SVG picture of the blocks, or of the pixel");
