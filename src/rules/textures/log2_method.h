@@ -17,7 +17,7 @@
 //     mantissa-8                      +-0.0029  e + log2(1 + f), f rounded to 1/256, half up
 //
 // All of them are exact at powers of two. The methods that use a power are also exact at the
-// corresponding roots. The formulas here are exact; renderers compute them in float32.
+// corresponding roots. Renderers compute these formulas in float32.
 #pragma once
 
 #include <span>
