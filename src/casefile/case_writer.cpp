@@ -7,26 +7,19 @@
 #include <string>
 #include <utility>
 
-#include "casefile/fragment_operations_writer.h"
+#include "casefile/fragment_operations.h"
 #include "casefile/json_layout.h"
 #include "casefile/loader.h"
-#include "casefile/number_pieces.h"
+#include "casefile/plain_fields.h"
 #include "casefile/text.h"
+#include "casefile/texture_use.h"
 #include "casefile/texture_writer.h"
 #include "casefile/viewport.h"
 #include "casefile/word_pieces.h"
-#include "exact/numeral.h"
 #include "model/scene_words.h"
 
 namespace edgecase {
 namespace {
-
-// A decimal where it is short; a fraction says what 10.01171875 hides.
-JsonPiece coordinate(Fixed value) {
-  constexpr std::int64_t kReadable = Fixed::kOne / 16;
-  if (value.raw() % kReadable == 0) return json_scalar(to_decimal(value));
-  return json_string(to_fraction(value));
-}
 
 JsonPiece rectangle(const Viewport& value) {
   return json_object({named("x", integer_piece(value.x)), named("y", integer_piece(value.y)),
@@ -45,7 +38,7 @@ bool chosen_by_loader(const Scene& scene) {
 JsonPiece positions_piece(const SamplePositions& positions) {
   Pieces items;
   for (const Point within : positions)
-    items.push_back(json_array({coordinate(within.x), coordinate(within.y)}));
+    items.push_back(json_array({plain_piece(within.x), plain_piece(within.y)}));
   return json_array(std::move(items));
 }
 
@@ -54,7 +47,7 @@ JsonPiece passes_piece(const Supersampling& passes) {
   Pieces samples;
   Pieces weights;
   for (const ShadingPass& pass : passes) {
-    samples.push_back(json_array({coordinate(pass.at.x), coordinate(pass.at.y)}));
+    samples.push_back(json_array({plain_piece(pass.at.x), plain_piece(pass.at.y)}));
     weights.push_back(json_scalar(std::to_string(pass.weight)));
   }
   Pieces members{named("samples", json_array(std::move(samples)))};
@@ -75,21 +68,25 @@ JsonPiece target_piece(const Scene& scene) {
     members.push_back(named("sample_positions", positions_piece(target.sample_positions)));
   if (!scene.supersampling.empty())
     members.push_back(named("supersample", passes_piece(scene.supersampling)));
-  if (target.color != standard.color)
-    members.push_back(named("color", json_string(name_of(target.color))));
-  if (target.depth != standard.depth)
-    members.push_back(named("depth", json_string(name_of(target.depth))));
-  for (JsonPiece& member : target_operation_pieces(scene)) members.push_back(std::move(member));
-  if (target.surface != standard.surface)
-    members.push_back(named("surface", json_string(name_of(target.surface))));
+  if (target.depth != standard.depth) members.push_back(named("depth", plain_piece(target.depth)));
+  if (target.stencil != standard.stencil)
+    members.push_back(named("stencil", plain_piece(target.stencil)));
+  // Width and height stand in front whatever they are.
+  Target others = standard;
+  others.width = target.width;
+  others.height = target.height;
+  add_fields(target, members, others);
+  if (scene.depth_range != DepthRange())
+    members.push_back(named("depth_range",
+                            exact_list(std::array{scene.depth_range.near, scene.depth_range.far})));
   members.push_back(named("clear", color_piece(target.clear)));
   if (!chosen_by_loader(scene)) members.push_back(named("viewport", rectangle(scene.viewport)));
   return json_object(std::move(members));
 }
 
 JsonPiece position(const Vertex& vertex) {
-  Pieces coordinates{coordinate(vertex.position.x), coordinate(vertex.position.y)};
-  if (vertex.z != Fixed() || vertex.w != 1) coordinates.push_back(coordinate(vertex.z));
+  Pieces coordinates{plain_piece(vertex.position.x), plain_piece(vertex.position.y)};
+  if (vertex.z != Fixed() || vertex.w != 1) coordinates.push_back(plain_piece(vertex.z));
   if (vertex.w != 1) coordinates.push_back(exact_piece(vertex.w));
   return json_array(std::move(coordinates));
 }
@@ -120,35 +117,17 @@ int dimensions_of(const Draw& draw, const Scene& scene) {
   return draw.texture ? scene.textures[draw.texture->texture]->dimensions : 0;
 }
 
-JsonPiece flag_piece(bool value) {
-  return json_scalar(value ? "true" : "false");
-}
-
 void add_multisampling(const Multisampling& own, Pieces& members) {
-  const Multisampling standard;
-  if (own.enabled != standard.enabled)
-    members.push_back(named("multisample", flag_piece(own.enabled)));
-  if (own.location != standard.location)
-    members.push_back(named("attribute_location", json_string(name_of(own.location))));
-  if (own.min_sample_shading)
-    members.push_back(named("min_sample_shading", exact_piece(*own.min_sample_shading)));
-  if (own.mask != standard.mask)
+  add_fields(own, members);
+  if (own.mask != Multisampling().mask)
     members.push_back(named("sample_mask", json_scalar(std::to_string(own.mask))));
-  if (own.alpha_to_coverage != standard.alpha_to_coverage)
-    members.push_back(named("alpha_to_coverage", flag_piece(own.alpha_to_coverage)));
 }
 
 std::optional<JsonPiece> state_piece(const Draw& draw, int dimensions) {
-  const Draw standard;
+  Draw standard;
+  if (draw.texture) standard.interpolation = Interpolation::smooth;
   Pieces members;
-  if (draw.interpolation != (draw.texture ? Interpolation::smooth : standard.interpolation))
-    members.push_back(named("interpolation", json_string(name_of(draw.interpolation))));
-  if (draw.provoking_vertex != standard.provoking_vertex)
-    members.push_back(named("provoking_vertex", json_string(name_of(draw.provoking_vertex))));
-  if (draw.line_width != standard.line_width)
-    members.push_back(named("line_width", coordinate(draw.line_width)));
-  if (draw.point_size != standard.point_size)
-    members.push_back(named("point_size", coordinate(draw.point_size)));
+  add_fields(draw, members, standard);
   if (draw.scissor) members.push_back(named("scissor", rectangle(*draw.scissor)));
   add_multisampling(draw.multisampling, members);
   for (JsonPiece& member : fragment_operation_pieces(draw)) members.push_back(std::move(member));

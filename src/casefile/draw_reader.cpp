@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "casefile/fragment_operations_reader.h"
+#include "casefile/fragment_operations.h"
 #include "casefile/mesh.h"
-#include "casefile/numbers.h"
-#include "casefile/sampler_reader.h"
+#include "casefile/plain_fields.h"
 #include "casefile/samples_reader.h"
 #include "casefile/scene_reader.h"
+#include "casefile/texture_use.h"
 #include "casefile/transform.h"
 #include "casefile/vertex_reader.h"
 
@@ -15,39 +15,21 @@ namespace {
 
 const Keys kDrawKeys{{"primitive"}, {"vertices", "mesh", "state", "color", "transform"}, {}};
 Keys state_keys() {
-  Keys keys{{},
-            {"interpolation", "provoking_vertex", "line_width", "point_size", "scissor", "texture",
-             "sampler", "lookup"},
-            {}};
+  Keys keys{{}, plain_keys<Draw>(), {}};
+  for (const char* name : {"scissor", "texture", "sampler", "lookup"})
+    keys.optional.emplace_back(name);
   for (std::string& name : multisampling_keys()) keys.optional.push_back(std::move(name));
   for (std::string& name : fragment_operation_keys()) keys.optional.push_back(std::move(name));
   return keys;
 }
 
-const Names kPrimitiveNames{
-    {"points", "lines", "line_strip", "line_loop", "triangles", "triangle_strip", "triangle_fan"},
-    {}};
-
-// Widths of lines and sizes of points, pixels: every multiple of 2^-16 above 0.
-constexpr FixedRange kSizeRange{Fixed::from_raw(1), Fixed::from_integer(64)};
 constexpr Float32Range kColorRange{-kMaxColor, kMaxColor};
 
 TextureState read_state(const Place& place, const DrawContext& context, Draw& draw,
                         Findings& findings) {
   static const Keys kStateKeys = state_keys();
   const ObjectReader object(place, "a state", kStateKeys, findings);
-  if (const auto interpolation = object.find("interpolation"))
-    read_enum(*interpolation, "interpolation", {{"flat", "smooth", "noperspective"}, {}}, findings,
-              draw.interpolation);
-  if (const auto provoking = object.find("provoking_vertex"))
-    read_enum(*provoking, "the provoking vertex", {{"first", "last"}, {}}, findings,
-              draw.provoking_vertex);
-  if (const auto width = object.find("line_width"))
-    draw.line_width =
-        read_coordinate(*width, "line_width", kSizeRange, findings).value_or(draw.line_width);
-  if (const auto size = object.find("point_size"))
-    draw.point_size =
-        read_coordinate(*size, "point_size", kSizeRange, findings).value_or(draw.point_size);
+  read_fields(object, findings, draw);
   if (const auto scissor = object.find("scissor"))
     draw.scissor = read_rectangle(*scissor, "a scissor", 0, findings);
   draw.multisampling = read_multisampling(object, context.target.target.samples, findings);
@@ -130,7 +112,7 @@ DrawFields read_draw(const Place& place, const DrawContext& context, TransformUs
   const ObjectReader object(place, "a draw", kDrawKeys, findings);
   std::optional<Primitive> known;
   if (const auto primitive = object.find("primitive")) {
-    if (read_enum(*primitive, "a primitive", kPrimitiveNames, findings, fields.draw.primitive))
+    if (read_plain(*primitive, "a primitive", {}, findings, fields.draw.primitive))
       known = fields.draw.primitive;
   }
   VertexDefaults defaults;

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "casefile/numbers.h"
+#include "casefile/plain_fields.h"
 #include "casefile/text.h"
 
 namespace edgecase {
@@ -17,11 +17,7 @@ constexpr int kMaxTargetSamples = 1 << 24;
 // Within a pixel: 0 to below 1.
 constexpr FixedRange kWithinPixel{Fixed(), Fixed::from_raw(Fixed::kOne - 1)};
 
-constexpr const char* kMultisample = "multisample";
-constexpr const char* kLocation = "attribute_location";
-constexpr const char* kShading = "min_sample_shading";
 constexpr const char* kMask = "sample_mask";
-constexpr const char* kAlphaToCoverage = "alpha_to_coverage";
 
 Point read_position(const Place& place, Findings& findings) {
   if (!expect_count(place, "a sample position", 2, findings)) return {};
@@ -45,11 +41,6 @@ SamplePositions read_positions(const Place& place, int samples, Findings& findin
   return positions;
 }
 
-void read_flag(const ObjectReader& object, const char* name, Findings& findings, bool& value) {
-  const auto place = object.find(name);
-  if (place && expect_kind(*place, JsonKind::boolean, name, findings)) value = place->node->truth;
-}
-
 // Nothing of it would count, and what is ignored would pass for tested.
 void refuse_of_one_sample(const ObjectReader& state, Findings& findings) {
   for (const std::string& name : multisampling_keys())
@@ -62,7 +53,9 @@ void refuse_of_one_sample(const ObjectReader& state, Findings& findings) {
 }  // namespace
 
 std::vector<std::string> multisampling_keys() {
-  return {kMultisample, kLocation, kShading, kMask, kAlphaToCoverage};
+  std::vector<std::string> keys = plain_keys<Multisampling>();
+  keys.emplace_back(kMask);
+  return keys;
 }
 
 void read_samples(const ObjectReader& object, TargetFields& fields, Findings& findings) {
@@ -96,18 +89,11 @@ Multisampling read_multisampling(const ObjectReader& state, int samples, Finding
     refuse_of_one_sample(state, findings);
     return result;
   }
-  read_flag(state, kMultisample, findings, result.enabled);
-  if (const auto location = state.find(kLocation))
-    read_enum(*location, kLocation, {{"center", "centroid", "sample"}, {}}, findings,
-              result.location);
-  if (const auto share = state.find(kShading))
-    result.min_sample_shading =
-        read_float32(*share, kShading, {0, 1}, Float32Kind::exact, findings);
+  read_fields(state, findings, result);
   const int bits = samples > 0 ? samples : kMaxSamples;
   if (const auto mask = state.find(kMask))
     if (const auto value = read_integer(*mask, kMask, {0, (1 << bits) - 1}, findings))
       result.mask = static_cast<std::uint32_t>(*value);
-  read_flag(state, kAlphaToCoverage, findings, result.alpha_to_coverage);
   return result;
 }
 

@@ -22,7 +22,6 @@
 
 namespace edgecase {
 
-constexpr int kMaxTargetSize = 4096;         // pixels along a side
 constexpr std::size_t kMaxDraws = 64;        // of a case
 constexpr std::size_t kMaxVertices = 65536;  // of a case, all draws together
 

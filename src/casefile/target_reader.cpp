@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/fragment_operations_reader.h"
-#include "casefile/numbers.h"
+#include "casefile/fragment_operations.h"
+#include "casefile/plain_fields.h"
 #include "casefile/samples_reader.h"
 #include "casefile/scene_reader.h"
 #include "casefile/supersample_reader.h"
@@ -11,9 +11,9 @@ namespace {
 
 Keys target_keys() {
   Keys keys{{"width", "height"},
-            {"samples", "sample_positions", "color", "depth", "surface", "clear", "viewport", "y",
-             "supersample"},
+            {"samples", "sample_positions", "depth", "clear", "viewport", "y", "supersample"},
             {}};
+  for (std::string& name : plain_keys<Target>()) keys.optional.push_back(std::move(name));
   for (std::string& name : target_operation_keys()) keys.optional.push_back(std::move(name));
   return keys;
 }
@@ -46,16 +46,9 @@ TargetFields read_target(const Place& place, Findings& findings) {
   TargetFields fields;
   const ObjectReader object(place, "a target", kTargetKeys, findings);
   fields.depth_known = fields.stencil_known = object.valid();
-  read_into(object, "width", {1, kMaxTargetSize}, findings, fields.target.width);
-  read_into(object, "height", {1, kMaxTargetSize}, findings, fields.target.height);
-  if (const auto color = object.find("color"))
-    read_enum(*color, "a colour format", {{"rgba8"}, {}}, findings, fields.target.color);
+  read_fields(object, findings, fields.target);
   if (const auto depth = object.find("depth"))
-    fields.depth_known =
-        read_enum(*depth, "a depth format", {{"none", "depth16", "depth24", "depth32f"}, {}},
-                  findings, fields.target.depth);
-  if (const auto surface = object.find("surface"))
-    read_enum(*surface, "a surface", {{"fbo", "window"}, {}}, findings, fields.target.surface);
+    fields.depth_known = read_plain(*depth, "a depth format", {}, findings, fields.target.depth);
   read_samples(object, fields, findings);
   read_supersample(object, fields, findings);
   read_target_operations(object, fields, findings);

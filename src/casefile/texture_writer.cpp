@@ -133,52 +133,12 @@ JsonPiece size_piece(const Texture& texture) {
   return json_array(std::move(sides));
 }
 
-void add_name(const char* key, const char* name, const char* standard, Pieces& members) {
-  if (std::string(name) != standard) members.push_back(named(key, json_string(name)));
-}
-
-void add_float(const char* key, float value, float standard, Pieces& members) {
-  if (value != standard) members.push_back(named(key, exact_piece(value)));
-}
-
-void add_integer(const char* key, int value, int standard, Pieces& members) {
-  if (value != standard) members.push_back(named(key, integer_piece(value)));
-}
-
-JsonPiece sampler_piece(const Sampler& sampler, int dimensions) {
-  const Sampler standard;
-  Pieces members;
-  if (dimensions == 1 || sampler.wrap[0] == sampler.wrap[1])
-    add_name("wrap", name_of(sampler.wrap[0]), name_of(standard.wrap[0]), members);
-  else
-    members.push_back(named("wrap", json_array({json_string(name_of(sampler.wrap[0])),
-                                                json_string(name_of(sampler.wrap[1]))})));
-  add_name("magnify", name_of(sampler.magnify), name_of(standard.magnify), members);
-  add_name("minify", name_of(sampler.minify), name_of(standard.minify), members);
-  add_name("mipmap", name_of(sampler.mipmap), name_of(standard.mipmap), members);
-  add_float("lod_bias", sampler.lod_bias, standard.lod_bias, members);
-  add_float("min_lod", sampler.min_lod, standard.min_lod, members);
-  add_float("max_lod", sampler.max_lod, standard.max_lod, members);
-  add_integer("base_level", sampler.base_level, standard.base_level, members);
-  add_integer("max_level", sampler.max_level, standard.max_level, members);
-  if (sampler.border != standard.border)
-    members.push_back(named("border", color_piece(sampler.border)));
-  add_float("max_anisotropy", sampler.max_anisotropy, standard.max_anisotropy, members);
-  return json_object(std::move(members));
-}
-
-JsonPiece lookup_piece(const Lookup& lookup, int dimensions) {
-  if (lookup.kind != LookupKind::gradients)
-    return json_object({named(name_of(lookup.kind), exact_piece(lookup.value))});
-  return json_object({named("gradients", json_array({uv_piece(lookup.dx, dimensions),
-                                                     uv_piece(lookup.dy, dimensions)}))});
-}
-
 }  // namespace
 
 JsonPiece texture_piece(const Texture& texture) {
   Pieces members{named("size", size_piece(texture))};
-  add_name("format", name_of(texture.format), name_of(TextureFormat::rgba8), members);
+  if (texture.format != TextureFormat::rgba8)
+    members.push_back(named("format", json_string(name_of(texture.format))));
   const TextureLevel& base = texture.levels.front();
   if (texture.generated) {
     members.push_back(named("mipmaps", json_string("generated")));
@@ -190,19 +150,6 @@ JsonPiece texture_piece(const Texture& texture) {
   }
   members.push_back(image_piece(base, texture.format));
   return json_object(std::move(members));
-}
-
-std::vector<JsonPiece> texture_use_pieces(const TextureUse& use, int dimensions) {
-  Pieces members{named("texture", integer_piece(static_cast<int>(use.texture)))};
-  JsonPiece sampler = sampler_piece(use.sampler, dimensions);
-  if (!sampler.children.empty()) members.push_back(named("sampler", std::move(sampler)));
-  if (use.lookup.kind != LookupKind::implicit)
-    members.push_back(named("lookup", lookup_piece(use.lookup, dimensions)));
-  return members;
-}
-
-JsonPiece uv_piece(const std::array<float, 2>& coordinates, int dimensions) {
-  return exact_list({coordinates.data(), dimensions == 1 ? 1U : 2U});
 }
 
 }  // namespace edgecase

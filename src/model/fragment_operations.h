@@ -12,13 +12,24 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
+
+#include "model/names.h"
 
 namespace edgecase {
 
 // Of the depth test: does a fragment's depth compare so with the stored one? Of the stencil test:
 // does the reference compare so with the stored value?
 enum class CompareFunction { never, less, equal, lequal, greater, notequal, gequal, always };
+template <>
+inline constexpr auto kNames<CompareFunction> =
+    std::to_array<Named<CompareFunction>>({{CompareFunction::never, "never"},
+                                           {CompareFunction::less, "less"},
+                                           {CompareFunction::equal, "equal"},
+                                           {CompareFunction::lequal, "lequal"},
+                                           {CompareFunction::greater, "greater"},
+                                           {CompareFunction::notequal, "notequal"},
+                                           {CompareFunction::gequal, "gequal"},
+                                           {CompareFunction::always, "always"}});
 
 // Depth values that a draw's fragments are held against, and write. GL_DEPTH_TEST disabled is
 // {always, false}: without the test nothing is written.
@@ -31,6 +42,16 @@ struct DepthTest {
 // What becomes of a stored stencil value, before the write mask: `incr` and `decr` stop at 255 and
 // 0, the others wrap.
 enum class StencilOperation { keep, zero, replace, incr, incr_wrap, decr, decr_wrap, invert };
+template <>
+inline constexpr auto kNames<StencilOperation> =
+    std::to_array<Named<StencilOperation>>({{StencilOperation::keep, "keep"},
+                                            {StencilOperation::zero, "zero"},
+                                            {StencilOperation::replace, "replace"},
+                                            {StencilOperation::incr, "incr"},
+                                            {StencilOperation::incr_wrap, "incr_wrap"},
+                                            {StencilOperation::decr, "decr"},
+                                            {StencilOperation::decr_wrap, "decr_wrap"},
+                                            {StencilOperation::invert, "invert"}});
 
 // The stencil test for polygons of one facing; points and lines are front-facing.
 struct StencilFace {
@@ -68,8 +89,33 @@ enum class BlendFactor {
   one_minus_constant_alpha,
   src_alpha_saturate,
 };
+template <>
+inline constexpr auto kNames<BlendFactor> = std::to_array<Named<BlendFactor>>(
+    {{BlendFactor::zero, "zero"},
+     {BlendFactor::one, "one"},
+     {BlendFactor::src_color, "src_color"},
+     {BlendFactor::one_minus_src_color, "one_minus_src_color"},
+     {BlendFactor::dst_color, "dst_color"},
+     {BlendFactor::one_minus_dst_color, "one_minus_dst_color"},
+     {BlendFactor::src_alpha, "src_alpha"},
+     {BlendFactor::one_minus_src_alpha, "one_minus_src_alpha"},
+     {BlendFactor::dst_alpha, "dst_alpha"},
+     {BlendFactor::one_minus_dst_alpha, "one_minus_dst_alpha"},
+     {BlendFactor::constant_color, "constant_color"},
+     {BlendFactor::one_minus_constant_color, "one_minus_constant_color"},
+     {BlendFactor::constant_alpha, "constant_alpha"},
+     {BlendFactor::one_minus_constant_alpha, "one_minus_constant_alpha"},
+     {BlendFactor::src_alpha_saturate, "src_alpha_saturate"}});
+
 // How the two products are put together (table 17.1); `min` and `max` take no factors.
 enum class BlendEquation { add, subtract, reverse_subtract, min, max };
+template <>
+inline constexpr auto kNames<BlendEquation> =
+    std::to_array<Named<BlendEquation>>({{BlendEquation::add, "add"},
+                                         {BlendEquation::subtract, "subtract"},
+                                         {BlendEquation::reverse_subtract, "reverse_subtract"},
+                                         {BlendEquation::min, "min"},
+                                         {BlendEquation::max, "max"}});
 
 struct BlendTerm {
   BlendEquation equation = BlendEquation::add;
@@ -87,8 +133,18 @@ struct Blending {
 
 // Which way round the vertices of a front-facing polygon run in the window, y up.
 enum class FrontFace { ccw, cw };
+template <>
+inline constexpr auto kNames<FrontFace> = std::to_array<Named<FrontFace>>({{FrontFace::ccw, "ccw"},
+                                                                           {FrontFace::cw, "cw"}});
+
 // Which polygons are dropped.
 enum class CullMode { none, front, back, front_and_back };
+template <>
+inline constexpr auto kNames<CullMode> = std::to_array<Named<CullMode>>({{CullMode::none, "none"},
+                                                                         {CullMode::front, "front"},
+                                                                         {CullMode::back, "back"},
+                                                                         {CullMode::front_and_back,
+                                                                          "front_and_back"}});
 
 // Added to the depth of each fragment of a polygon: factor m + units r, with m the depth's slope
 // and r the smallest difference that the depth buffer resolves; where the clamp is not 0, no
@@ -107,21 +163,6 @@ struct FragmentOperations {
   std::array<bool, 4> color_mask{true, true, true, true};  // which components are written
   friend bool operator==(const FragmentOperations&, const FragmentOperations&) = default;
 };
-
-const char* name_of(CompareFunction);
-const char* name_of(StencilOperation);
-const char* name_of(BlendFactor);
-const char* name_of(BlendEquation);
-const char* name_of(FrontFace);
-const char* name_of(CullMode);
-
-// The inverse: false when `name` names none, `value` then untouched.
-bool parse_name(const std::string& name, CompareFunction& value);
-bool parse_name(const std::string& name, StencilOperation& value);
-bool parse_name(const std::string& name, BlendFactor& value);
-bool parse_name(const std::string& name, BlendEquation& value);
-bool parse_name(const std::string& name, FrontFace& value);
-bool parse_name(const std::string& name, CullMode& value);
 
 // Does a comparison hold between a value and the stored one, given how they are ordered?
 bool holds(CompareFunction function, bool less, bool equal);

@@ -11,6 +11,7 @@
 
 #include "exact/fixed.h"
 #include "exact/pixel.h"
+#include "model/names.h"
 
 namespace edgecase {
 
@@ -40,6 +41,11 @@ enum class AttributeLocation {
   centroid,  // anywhere in the pixel and the primitive
   sample,    // at the sample
 };
+template <>
+inline constexpr auto kNames<AttributeLocation> =
+    std::to_array<Named<AttributeLocation>>({{AttributeLocation::center, "center"},
+                                             {AttributeLocation::centroid, "centroid"},
+                                             {AttributeLocation::sample, "sample"}});
 
 // How a draw uses the samples of a multisampled target. Of other targets nothing of it counts.
 struct Multisampling {
@@ -57,8 +63,5 @@ struct Multisampling {
 // How many invocations of the shader a pixel that is wholly covered has at least: 1 to `samples`
 // (GL 4.6 core, 14.3.1.1).
 int least_invocations(const Multisampling& multisampling, int samples);
-
-const char* name_of(AttributeLocation);
-bool parse_name(const std::string& name, AttributeLocation& value);
 
 }  // namespace edgecase

@@ -6,85 +6,8 @@
 #include <cstddef>
 
 #include "model/clipped_line.h"
-#include "model/name_table.h"
 
 namespace edgecase {
-namespace {
-
-constexpr Named<Primitive> kPrimitives[] = {{Primitive::points, "points"},
-                                            {Primitive::lines, "lines"},
-                                            {Primitive::line_strip, "line_strip"},
-                                            {Primitive::line_loop, "line_loop"},
-                                            {Primitive::triangles, "triangles"},
-                                            {Primitive::triangle_strip, "triangle_strip"},
-                                            {Primitive::triangle_fan, "triangle_fan"}};
-constexpr Named<PrimitiveKind> kKinds[] = {{PrimitiveKind::point, "point"},
-                                           {PrimitiveKind::line, "line"},
-                                           {PrimitiveKind::triangle, "triangle"}};
-constexpr Named<Interpolation> kInterpolations[] = {
-    {Interpolation::flat, "flat"},
-    {Interpolation::smooth, "smooth"},
-    {Interpolation::noperspective, "noperspective"}};
-constexpr Named<ProvokingVertex> kProvoking[] = {{ProvokingVertex::first, "first"},
-                                                 {ProvokingVertex::last, "last"}};
-constexpr Named<Surface> kSurfaces[] = {{Surface::fbo, "fbo"}, {Surface::window, "window"}};
-constexpr Named<ColorFormat> kColorFormats[] = {{ColorFormat::rgba8, "rgba8"}};
-constexpr Named<DepthFormat> kDepthFormats[] = {{DepthFormat::none, "none"},
-                                                {DepthFormat::depth16, "depth16"},
-                                                {DepthFormat::depth24, "depth24"},
-                                                {DepthFormat::depth32f, "depth32f"}};
-constexpr Named<StencilFormat> kStencilFormats[] = {{StencilFormat::none, "none"},
-                                                    {StencilFormat::stencil8, "stencil8"}};
-
-}  // namespace
-
-const char* name_of(Primitive value) {
-  return find_name(kPrimitives, value);
-}
-const char* name_of(PrimitiveKind value) {
-  return find_name(kKinds, value);
-}
-const char* name_of(Interpolation value) {
-  return find_name(kInterpolations, value);
-}
-const char* name_of(ProvokingVertex value) {
-  return find_name(kProvoking, value);
-}
-const char* name_of(Surface value) {
-  return find_name(kSurfaces, value);
-}
-const char* name_of(ColorFormat value) {
-  return find_name(kColorFormats, value);
-}
-const char* name_of(DepthFormat value) {
-  return find_name(kDepthFormats, value);
-}
-const char* name_of(StencilFormat value) {
-  return find_name(kStencilFormats, value);
-}
-
-bool parse_name(const std::string& name, Primitive& value) {
-  return find_value(kPrimitives, name, value);
-}
-bool parse_name(const std::string& name, Interpolation& value) {
-  return find_value(kInterpolations, name, value);
-}
-bool parse_name(const std::string& name, ProvokingVertex& value) {
-  return find_value(kProvoking, name, value);
-}
-bool parse_name(const std::string& name, Surface& value) {
-  return find_value(kSurfaces, name, value);
-}
-bool parse_name(const std::string& name, ColorFormat& value) {
-  return find_value(kColorFormats, name, value);
-}
-bool parse_name(const std::string& name, DepthFormat& value) {
-  return find_value(kDepthFormats, name, value);
-}
-bool parse_name(const std::string& name, StencilFormat& value) {
-  return find_value(kStencilFormats, name, value);
-}
-
 bool has_fragment_operations(const Scene& scene) {
   const Target& target = scene.target;
   return target.stencil != StencilFormat::none || target.clear_depth != 1 ||

@@ -16,6 +16,7 @@
 #include "exact/homogeneous.h"
 #include "exact/pixel.h"
 #include "model/fragment_operations.h"
+#include "model/names.h"
 #include "model/sampling.h"
 #include "model/supersampling.h"
 #include "model/texture.h"
@@ -32,17 +33,61 @@ enum class Primitive {
   triangle_strip,
   triangle_fan,
 };
+template <>
+inline constexpr auto kNames<Primitive> =
+    std::to_array<Named<Primitive>>({{Primitive::points, "points"},
+                                     {Primitive::lines, "lines"},
+                                     {Primitive::line_strip, "line_strip"},
+                                     {Primitive::line_loop, "line_loop"},
+                                     {Primitive::triangles, "triangles"},
+                                     {Primitive::triangle_strip, "triangle_strip"},
+                                     {Primitive::triangle_fan, "triangle_fan"}});
+
 // What a primitive is, once assembled.
 enum class PrimitiveKind { point, line, triangle };
+template <>
+inline constexpr auto kNames<PrimitiveKind> =
+    std::to_array<Named<PrimitiveKind>>({{PrimitiveKind::point, "point"},
+                                         {PrimitiveKind::line, "line"},
+                                         {PrimitiveKind::triangle, "triangle"}});
+
 enum class Interpolation { flat, smooth, noperspective };
+template <>
+inline constexpr auto kNames<Interpolation> =
+    std::to_array<Named<Interpolation>>({{Interpolation::flat, "flat"},
+                                         {Interpolation::smooth, "smooth"},
+                                         {Interpolation::noperspective, "noperspective"}});
+
 enum class ProvokingVertex { first, last };
+template <>
+inline constexpr auto kNames<ProvokingVertex> = std::to_array<Named<ProvokingVertex>>(
+    {{ProvokingVertex::first, "first"}, {ProvokingVertex::last, "last"}});
+
 // Where pixels land: a framebuffer object, or the window system's framebuffer.
 enum class Surface { fbo, window };
+template <>
+inline constexpr auto kNames<Surface> =
+    std::to_array<Named<Surface>>({{Surface::fbo, "fbo"}, {Surface::window, "window"}});
+
 enum class ColorFormat { rgba8 };
+template <>
+inline constexpr auto kNames<ColorFormat> = std::to_array<Named<ColorFormat>>({{ColorFormat::rgba8,
+                                                                                "rgba8"}});
+
 // Of the depth buffer; the unsigned formats hold multiples of 1/(2^bits - 1).
 enum class DepthFormat { none, depth16, depth24, depth32f };
+template <>
+inline constexpr auto kNames<DepthFormat> =
+    std::to_array<Named<DepthFormat>>({{DepthFormat::none, "none"},
+                                       {DepthFormat::depth16, "depth16"},
+                                       {DepthFormat::depth24, "depth24"},
+                                       {DepthFormat::depth32f, "depth32f"}});
+
 // Of the stencil buffer: unsigned integers of 8 bits.
 enum class StencilFormat { none, stencil8 };
+template <>
+inline constexpr auto kNames<StencilFormat> = std::to_array<Named<StencilFormat>>(
+    {{StencilFormat::none, "none"}, {StencilFormat::stencil8, "stencil8"}});
 
 // Red, green, blue, alpha; linear; every component a float32 value. A target's clear colour lies in
 // 0 to 1. A vertex's may be any finite number: it is what is interpolated, and only the conversion
@@ -68,6 +113,8 @@ struct Vertex {
   // Where set, this is what both sides are given, and the exact position is its quotient. Where
   // not, the exact position is `position`, and its clip coordinates are float32 numbers.
   std::optional<ClipPosition> clip = std::nullopt;
+
+  friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
 // Window depths of the near and of the far plane, both 0 to 1, in either order (GL 4.6
@@ -84,15 +131,19 @@ struct Viewport {
   int y = 0;
   int width = 0;
   int height = 0;
+
+  friend bool operator==(const Viewport&, const Viewport&) = default;
 };
 constexpr PixelBounds pixels_in(const Viewport& viewport) {
   return {viewport.x, viewport.y, viewport.x + viewport.width - 1,
           viewport.y + viewport.height - 1};
 }
 
+constexpr int kMaxTargetSize = 4096;  // pixels along a side
+
 struct Target {
-  int width = 0;    // 1 to 4096 pixels
-  int height = 0;   // 1 to 4096 pixels
+  int width = 0;    // 1 to kMaxTargetSize pixels
+  int height = 0;   // 1 to kMaxTargetSize pixels
   int samples = 1;  // 1: not multisampled; to kMaxSamples
   // Where the case puts a pixel's samples, `samples` of them; empty: wherever the renderer has
   // them.
@@ -104,6 +155,8 @@ struct Target {
   Color clear{0, 0, 0, 1};
   float clear_depth = 1;  // 0 to 1
   std::uint8_t clear_stencil = 0;
+
+  friend bool operator==(const Target&, const Target&) = default;
 };
 
 struct Draw {
@@ -121,6 +174,8 @@ struct Draw {
   // Without a depth or a stencil buffer the tests on it pass.
   FragmentOperations operations;
   std::vector<Vertex> vertices;  // as many as is_vertex_count allows
+
+  friend bool operator==(const Draw&, const Draw&) = default;
 };
 
 // What a draw's fragments interpolate of a vertex: its colour, or for a texture s, t, 0 and 1.
@@ -179,25 +234,6 @@ constexpr int vertices_of(PrimitiveKind kind) {
 
 // Does this number of vertices make whole primitives, and at least one?
 bool is_vertex_count(Primitive primitive, std::size_t count);
-
-// The names that case files, JSON and reports use.
-const char* name_of(Primitive);
-const char* name_of(PrimitiveKind);
-const char* name_of(Interpolation);
-const char* name_of(ProvokingVertex);
-const char* name_of(Surface);
-const char* name_of(ColorFormat);
-const char* name_of(DepthFormat);
-const char* name_of(StencilFormat);
-
-// The inverse: false when `name` names none, `value` then untouched.
-bool parse_name(const std::string& name, Primitive& value);
-bool parse_name(const std::string& name, Interpolation& value);
-bool parse_name(const std::string& name, ProvokingVertex& value);
-bool parse_name(const std::string& name, Surface& value);
-bool parse_name(const std::string& name, ColorFormat& value);
-bool parse_name(const std::string& name, DepthFormat& value);
-bool parse_name(const std::string& name, StencilFormat& value);
 
 // One assembled primitive of a scene, with the index that fragments carry: primitives are numbered
 // from 0 in drawing order over all draws.

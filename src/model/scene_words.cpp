@@ -126,36 +126,9 @@ std::string draw_words(const Draw& draw) {
   return (connected ? connected_words(draw) : separate_words(draw)) + state_words(draw);
 }
 
-bool same_rectangle(const Viewport& a, const Viewport& b) {
-  return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
-}
-
-bool same_target(const Target& a, const Target& b) {
-  return a.width == b.width && a.height == b.height && a.samples == b.samples &&
-         a.sample_positions == b.sample_positions && a.color == b.color && a.depth == b.depth &&
-         a.stencil == b.stencil && a.surface == b.surface && a.clear == b.clear &&
-         a.clear_depth == b.clear_depth && a.clear_stencil == b.clear_stencil;
-}
-
-bool same_vertex(const Vertex& a, const Vertex& b) {
-  return a.position == b.position && a.z == b.z && a.color == b.color && a.w == b.w &&
-         a.clip == b.clip && a.texture_coordinates == b.texture_coordinates;
-}
-
 bool same_texture(const std::shared_ptr<const Texture>& a,
                   const std::shared_ptr<const Texture>& b) {
   return a == b || *a == *b;
-}
-
-bool same_draw(const Draw& a, const Draw& b) {
-  if (a.scissor.has_value() != b.scissor.has_value()) return false;
-  if (a.scissor && !same_rectangle(*a.scissor, *b.scissor)) return false;
-  return a.primitive == b.primitive && a.interpolation == b.interpolation &&
-         a.provoking_vertex == b.provoking_vertex && a.line_width == b.line_width &&
-         a.point_size == b.point_size && a.multisampling == b.multisampling &&
-         a.texture == b.texture && a.front_face == b.front_face && a.cull == b.cull &&
-         a.polygon_offset == b.polygon_offset && a.operations == b.operations &&
-         std::ranges::equal(a.vertices, b.vertices, same_vertex);
 }
 
 }  // namespace
@@ -182,11 +155,9 @@ std::string scene_words(const Scene& scene) {
 }
 
 bool same_scene(const Scene& a, const Scene& b) {
-  return same_target(a.target, b.target) && same_rectangle(a.viewport, b.viewport) &&
-         a.depth_range == b.depth_range && a.details == b.details &&
-         a.supersampling == b.supersampling &&
-         std::ranges::equal(a.textures, b.textures, same_texture) &&
-         std::ranges::equal(a.draws, b.draws, same_draw);
+  return a.target == b.target && a.viewport == b.viewport && a.depth_range == b.depth_range &&
+         a.details == b.details && a.supersampling == b.supersampling && a.draws == b.draws &&
+         std::ranges::equal(a.textures, b.textures, same_texture);
 }
 
 }  // namespace edgecase

@@ -10,17 +10,39 @@
 #include <string>
 #include <vector>
 
+#include "model/names.h"
+
 namespace edgecase {
 
 // What a level of a texture holds per texel. srgb8: red, green and blue are coded by the sRGB
 // curve, alpha is linear.
 enum class TextureFormat { rgba8, srgb8, rgba32f };
+template <>
+inline constexpr auto kNames<TextureFormat> =
+    std::to_array<Named<TextureFormat>>({{TextureFormat::rgba8, "rgba8"},
+                                         {TextureFormat::srgb8, "srgb8"},
+                                         {TextureFormat::rgba32f, "rgba32f"}});
+
 // What stands where coordinates leave the image (GL 4.6 core, 8.14.2).
 enum class Wrap { repeat, mirrored_repeat, clamp_to_edge, clamp_to_border };
+template <>
+inline constexpr auto kNames<Wrap> =
+    std::to_array<Named<Wrap>>({{Wrap::repeat, "repeat"},
+                                {Wrap::mirrored_repeat, "mirrored-repeat"},
+                                {Wrap::clamp_to_edge, "clamp-to-edge"},
+                                {Wrap::clamp_to_border, "clamp-to-border"}});
+
 // How texels make a colour within a level.
 enum class Filter { nearest, linear };
+template <>
+inline constexpr auto kNames<Filter> = std::to_array<Named<Filter>>({{Filter::nearest, "nearest"},
+                                                                     {Filter::linear, "linear"}});
+
 // How levels make one: the base level alone, the nearest, or a mean of the two nearest.
 enum class MipFilter { none, nearest, linear };
+template <>
+inline constexpr auto kNames<MipFilter> = std::to_array<Named<MipFilter>>(
+    {{MipFilter::none, "none"}, {MipFilter::nearest, "nearest"}, {MipFilter::linear, "linear"}});
 
 // One image of a mip chain.
 struct TextureLevel {
@@ -76,6 +98,12 @@ struct Sampler {
 
 // How the shader asks: texture(), texture() with a bias, textureLod(), textureGrad().
 enum class LookupKind { implicit, bias, lod, gradients };
+template <>
+inline constexpr auto kNames<LookupKind> =
+    std::to_array<Named<LookupKind>>({{LookupKind::implicit, "implicit"},
+                                      {LookupKind::bias, "bias"},
+                                      {LookupKind::lod, "lod"},
+                                      {LookupKind::gradients, "gradients"}});
 
 struct Lookup {
   LookupKind kind = LookupKind::implicit;
@@ -99,19 +127,5 @@ struct TextureUse {
 int level_size(int size, int level);
 // How many levels a whole chain has: floor(log2(larger side)) + 1.
 int level_count(int width, int height);
-
-// The names that case files, JSON and reports use.
-const char* name_of(TextureFormat);
-const char* name_of(Wrap);
-const char* name_of(Filter);
-const char* name_of(MipFilter);
-const char* name_of(LookupKind);
-
-// The inverse: false when `name` names none, `value` then untouched.
-bool parse_name(const std::string& name, TextureFormat& value);
-bool parse_name(const std::string& name, Wrap& value);
-bool parse_name(const std::string& name, Filter& value);
-bool parse_name(const std::string& name, MipFilter& value);
-bool parse_name(const std::string& name, LookupKind& value);
 
 }  // namespace edgecase

@@ -9,7 +9,7 @@
 #include <array>
 #include <set>
 
-#include "casefile/blend_presets.h"
+#include "casefile/blending.h"
 #include "casefile/text.h"
 #include "generate/grid_joints.h"
 #include "generate/grid_lines.h"

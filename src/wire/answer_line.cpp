@@ -9,10 +9,10 @@
 
 #include "wire/coverage_runs.h"
 #include "wire/fragment_values.h"
+#include "wire/json_values.h"
 #include "wire/reading.h"
 #include "wire/rendering_json.h"
-#include "wire/sample_values.h"
-#include "wire/texture_values.h"
+#include "wire/texture_levels.h"
 
 namespace edgecase {
 

@@ -43,6 +43,10 @@ json parse_text(std::string_view line) {
 }
 
 void require_object(const json& value, const Path& path, std::initializer_list<const char*> known) {
+  require_object(value, path, std::span(known.begin(), known.size()));
+}
+
+void require_object(const json& value, const Path& path, std::span<const char* const> known) {
   if (!value.is_object()) refuse_type(value, path, "an object");
   for (const auto& [key, ignored] : value.items()) {
     const auto is_key = [&key = key](const char* name) { return key == name; };

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -43,6 +44,8 @@ class Path {
 nlohmann::json parse_text(std::string_view line);
 
 // Refuses what is no object, and keys other than `known`.
+void require_object(const nlohmann::json& value, const Path& path,
+                    std::span<const char* const> known);
 void require_object(const nlohmann::json& value, const Path& path,
                     std::initializer_list<const char*> known);
 

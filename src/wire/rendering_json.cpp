@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "wire/sample_values.h"
-#include "wire/texture_values.h"
+#include "wire/json_values.h"
+#include "wire/texture_levels.h"
 
 namespace edgecase {
 

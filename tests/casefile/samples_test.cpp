@@ -206,8 +206,8 @@ TEST(Samples, AreWrittenAsAPersonWould) {
         "multisample": false,
         "attribute_location": "sample",
         "min_sample_shading": 0.5,
-        "sample_mask": 0,
-        "alpha_to_coverage": true
+        "alpha_to_coverage": true,
+        "sample_mask": 0
       }
     }
   ]

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// The ways of blending that a case file calls by name; their constant colour is 0.
+// "blend" of a draw's state: a preset by its name, one term for all components, or a term for red,
+// green and blue and one for alpha (GL 4.6 core, 17.3.6).
 #pragma once
 
 #include <array>
 
+#include "casefile/fields.h"
+#include "casefile/json_layout.h"
 #include "model/fragment_operations.h"
 
 namespace edgecase {
 
+// A way of blending that a case file calls by name; its constant colour is 0.
 struct BlendPreset {
   const char* name;
   BlendTerm color;
@@ -36,5 +40,11 @@ constexpr std::array<BlendPreset, 4> kBlendPresets{{
 inline bool takes_factors(BlendEquation equation) {
   return equation != BlendEquation::min && equation != BlendEquation::max;
 }
+
+// What is faulty stays as Blending has it, and adds a finding.
+Blending read_blending(const Place& place, Findings& findings);
+
+// The inverse: the shortest form that says it.
+JsonPiece blend_piece(const Blending& blending);
 
 }  // namespace edgecase

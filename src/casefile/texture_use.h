@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads how a draw looks up its texture: "texture", "sampler" and "lookup" of a state.
+// How a draw looks up its texture: "texture", "sampler" and "lookup" of a state, and "uv" of its
+// vertices.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "casefile/fields.h"
+#include "casefile/json_layout.h"
 #include "casefile/texture_reader.h"
 #include "model/texture.h"
 
 namespace edgecase {
 
-constexpr float kMaxLod = 1000;          // largest magnitude of a level of detail
-constexpr int kMostLevel = 1000;         // largest base_level and max_level
 constexpr float kMaxGradient = 1048576;  // largest magnitude of a given gradient, per pixel
 
 // What a state says; `use` is none without a texture, and where its number is wrong.
@@ -25,5 +27,12 @@ struct TextureState {
 // `textures` are the case's; none: their list is faulty, so that no number can be judged.
 TextureState read_texture_state(const ObjectReader& state,
                                 const std::optional<TextureList>& textures, Findings& findings);
+
+// The inverse: "texture", and "sampler" and "lookup" where they are not the defaults. `dimensions`
+// are the texture's.
+std::vector<JsonPiece> texture_use_pieces(const TextureUse& use, int dimensions);
+
+// "uv".
+JsonPiece uv_piece(const std::array<float, 2>& coordinates, int dimensions);
 
 }  // namespace edgecase

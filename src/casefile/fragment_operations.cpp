@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/fragment_operations_reader.h"
+#include "casefile/fragment_operations.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
-#include "casefile/blending_reader.h"
-#include "casefile/numbers.h"
+#include "casefile/blending.h"
+#include "casefile/plain_fields.h"
 #include "casefile/text.h"
 
 namespace edgecase {
@@ -23,45 +23,15 @@ constexpr const char* kDepthRange = "depth_range";
 constexpr const char* kDepth = "depth";
 constexpr const char* kBlend = "blend";
 constexpr const char* kColorMask = "color_mask";
-constexpr const char* kFrontFace = "front_face";
-constexpr const char* kCull = "cull";
 constexpr const char* kPolygonOffset = "polygon_offset";
 
-const Keys kDepthKeys{{}, {"test", "write"}, {}};
-const Keys kFaceKeys{
-    {}, {"test", "reference", "read_mask", "write_mask", "fail", "depth_fail", "pass"}, {}};
 const Keys kTwoFaceKeys{{}, {"front", "back"}, {}};
-const Keys kOffsetKeys{{}, {"factor", "units", "clamp"}, {}};
-
-const std::vector<std::string> kFunctions{"never",   "less",     "equal",  "lequal",
-                                          "greater", "notequal", "gequal", "always"};
-const Names kStencilOperations{
-    {"keep", "zero", "replace", "incr", "incr_wrap", "decr", "decr_wrap", "invert"}, {}};
-
-constexpr Float32Range kDepths{0, 1};
-// Of factor and units: 2^24 units are the whole depth of 24 bits. And an offset of more than 1
-// leaves it wherever it starts.
-constexpr Float32Range kOffsets{-16777216, 16777216};
-constexpr Float32Range kOffsetClamps{-1, 1};
-
-void read_float_into(const ObjectReader& object, const char* name, Float32Range range,
-                     Findings& findings, float& value) {
-  if (const auto place = object.find(name))
-    value = read_float32(*place, name, range, Float32Kind::exact, findings).value_or(value);
-}
-
-void read_byte_into(const ObjectReader& object, const char* name, Findings& findings,
-                    std::uint8_t& value) {
-  if (const auto place = object.find(name))
-    value = static_cast<std::uint8_t>(
-        read_integer(*place, name, {0, 255}, findings).value_or(int{value}));
-}
 
 void read_stencil_format(const ObjectReader& object, TargetFields& fields, Findings& findings) {
   const auto place = object.find(kStencil);
   if (!place) return;
-  fields.stencil_known = read_enum(*place, "a stencil format", {{"none", "stencil8"}, {}}, findings,
-                                   fields.target.stencil);
+  fields.stencil_known =
+      read_plain(*place, "a stencil format", {}, findings, fields.target.stencil);
   if (fields.target.stencil != StencilFormat::none && fields.target.depth == DepthFormat::depth16)
     findings.add(*place, "OpenGL has no format of \"depth16\" and \"stencil8\" together",
                  "write \"depth\": \"depth24\" or \"depth32f\", or remove one of the two");
@@ -91,63 +61,41 @@ void refuse_beside_passes(const ObjectReader& object, const char* key, Findings&
 }
 
 void read_depth_range(const Place& place, DepthRange& range, Findings& findings) {
-  const auto ends = read_float32s<2>(place, kDepthRange, kDepths, Float32Kind::exact, findings);
+  const auto ends = read_float32s<2>(place, kDepthRange, {0, 1}, Float32Kind::exact, findings);
   if (ends) range = {(*ends)[0], (*ends)[1]};
 }
 
 // A function's name, "off", or {"test", "write"}.
 DepthTest read_depth_test(const Place& place, Findings& findings) {
+  if (place.node->kind == JsonKind::object)
+    return read_plain_object<DepthTest>(place, "a depth test", findings);
   DepthTest test;
-  if (place.node->kind != JsonKind::object) {
-    Names names{kFunctions, {}};
-    names.allowed.push_back("off");
-    const auto name = read_choice(place, "a depth test", names, findings);
-    if (name == "off") test.write = false;
-    if (name && name != "off") parse_name(*name, test.function);
-    return test;
-  }
-  const ObjectReader object(place, "a depth test", kDepthKeys, findings);
-  if (const auto function = object.find("test"))
-    read_enum(*function, "a depth test", {kFunctions, {}}, findings, test.function);
-  const auto write = object.find("write");
-  if (write && expect_kind(*write, JsonKind::boolean, "write", findings))
-    test.write = write->node->truth;
+  Names names{names_of<CompareFunction>(), {}};
+  names.allowed.push_back("off");
+  const auto name = read_choice(place, "a depth test", names, findings);
+  if (name == "off") test.write = false;
+  if (name && name != "off") parse_name(*name, test.function);
   return test;
-}
-
-StencilFace read_members(const ObjectReader& object, Findings& findings) {
-  StencilFace face;
-  if (const auto function = object.find("test"))
-    read_enum(*function, "a stencil test", {kFunctions, {}}, findings, face.function);
-  read_byte_into(object, "reference", findings, face.reference);
-  read_byte_into(object, "read_mask", findings, face.read_mask);
-  read_byte_into(object, "write_mask", findings, face.write_mask);
-  const std::array<std::pair<const char*, StencilOperation*>, 3> operations{
-      {{"fail", &face.fail}, {"depth_fail", &face.depth_fail}, {"pass", &face.pass}}};
-  for (const auto& [name, operation] : operations)
-    if (const auto place = object.find(name))
-      read_enum(*place, name, kStencilOperations, findings, *operation);
-  return face;
-}
-
-StencilFace read_face(const Place& place, Findings& findings) {
-  return read_members(ObjectReader(place, "a face of a stencil test", kFaceKeys, findings),
-                      findings);
 }
 
 // The keys of a face, for both, or {"front", "back"}.
 StencilTest read_stencil_test(const Place& place, Findings& findings) {
+  constexpr const char* kFace = "a face of a stencil test";
   StencilTest test;
   const JsonNode& node = *place.node;
   const bool two = node.kind == JsonKind::object &&
                    (node.find("front") != nullptr || node.find("back") != nullptr);
-  const ObjectReader object(place, "a stencil test", two ? kTwoFaceKeys : kFaceKeys, findings);
+  const ObjectReader object(place, "a stencil test",
+                            two ? kTwoFaceKeys : plain_object_keys<StencilFace>(), findings);
   if (!two) {
-    test.front = test.back = read_members(object, findings);
+    read_fields(object, findings, test.front);
+    test.back = test.front;
     return test;
   }
-  if (const auto front = object.find("front")) test.front = read_face(*front, findings);
-  if (const auto back = object.find("back")) test.back = read_face(*back, findings);
+  if (const auto front = object.find("front"))
+    test.front = read_plain_object<StencilFace>(*front, kFace, findings);
+  if (const auto back = object.find("back"))
+    test.back = read_plain_object<StencilFace>(*back, kFace, findings);
   return test;
 }
 
@@ -165,22 +113,6 @@ std::array<bool, 4> read_color_mask(const Place& place, Findings& findings) {
     findings.add(place, fmt::format("{} is no colour mask", quote(*text)),
                  "write the letters of \"rgba\" that are written, in this order");
   return mask;
-}
-
-PolygonOffset read_polygon_offset(const Place& place, Findings& findings) {
-  PolygonOffset offset;
-  const ObjectReader object(place, "a polygon offset", kOffsetKeys, findings);
-  read_float_into(object, "factor", kOffsets, findings, offset.factor);
-  read_float_into(object, "units", kOffsets, findings, offset.units);
-  read_float_into(object, "clamp", kOffsetClamps, findings, offset.clamp);
-  return offset;
-}
-
-void read_facing(const ObjectReader& state, Draw& draw, Findings& findings) {
-  if (const auto face = state.find(kFrontFace))
-    read_enum(*face, "the front face", {{"ccw", "cw"}, {}}, findings, draw.front_face);
-  if (const auto cull = state.find(kCull))
-    read_enum(*cull, kCull, {{"none", "front", "back", "front_and_back"}, {}}, findings, draw.cull);
 }
 
 // A test on a buffer that the target does not have passes, whatever it asks.
@@ -204,17 +136,39 @@ void refuse_without_buffer(const ObjectReader& state, const TargetFields& target
            "write \"stencil\": \"stencil8\" into the target, or remove the key");
 }
 
+JsonPiece depth_piece(const DepthTest& test) {
+  if (test.write) return json_string(name_of(test.function));
+  if (test.function == CompareFunction::always) return json_string("off");
+  return json_object(
+      {named("test", json_string(name_of(test.function))), named("write", json_scalar("false"))});
+}
+
+JsonPiece stencil_piece(const StencilTest& test) {
+  if (test.front == test.back) return plain_object_piece(test.front);
+  Pieces members;
+  const StencilFace standard;
+  if (test.front != standard) members.push_back(named("front", plain_object_piece(test.front)));
+  if (test.back != standard) members.push_back(named("back", plain_object_piece(test.back)));
+  return json_object(std::move(members));
+}
+
+JsonPiece color_mask_piece(const std::array<bool, 4>& mask) {
+  constexpr std::array<char, 4> kLetters{'r', 'g', 'b', 'a'};
+  std::string text;
+  for (std::size_t i = 0; i < mask.size(); ++i)
+    if (mask[i]) text += kLetters[i];
+  return json_string(text);
+}
+
 }  // namespace
 
 std::vector<std::string> target_operation_keys() {
-  return {kStencil, kClearDepth, kClearStencil, kDepthRange};
+  return {kStencil, kDepthRange};
 }
 
 void read_target_operations(const ObjectReader& object, TargetFields& fields, Findings& findings) {
   Target& target = fields.target;
   read_stencil_format(object, fields, findings);
-  read_float_into(object, kClearDepth, kDepths, findings, target.clear_depth);
-  read_byte_into(object, kClearStencil, findings, target.clear_stencil);
   if (const auto range = object.find(kDepthRange))
     read_depth_range(*range, fields.depth_range, findings);
   refuse_clear_values_of_nothing(object, fields, findings);
@@ -224,7 +178,7 @@ void read_target_operations(const ObjectReader& object, TargetFields& fields, Fi
 }
 
 std::vector<std::string> fragment_operation_keys() {
-  return {kDepth, kStencil, kBlend, kColorMask, kFrontFace, kCull, kPolygonOffset};
+  return {kDepth, kStencil, kBlend, kColorMask, kPolygonOffset};
 }
 
 void read_fragment_operations(const ObjectReader& state, const TargetFields& target, Draw& draw,
@@ -236,9 +190,8 @@ void read_fragment_operations(const ObjectReader& state, const TargetFields& tar
   if (const auto blend = state.find(kBlend)) operations.blending = read_blending(*blend, findings);
   if (const auto mask = state.find(kColorMask))
     operations.color_mask = read_color_mask(*mask, findings);
-  read_facing(state, draw, findings);
   if (const auto offset = state.find(kPolygonOffset))
-    draw.polygon_offset = read_polygon_offset(*offset, findings);
+    draw.polygon_offset = read_plain_object<PolygonOffset>(*offset, "a polygon offset", findings);
   refuse_without_buffer(state, target, draw, findings);
   if (!target.supersample_place) return;
   const FragmentOperations standard;
@@ -247,6 +200,21 @@ void read_fragment_operations(const ObjectReader& state, const TargetFields& tar
   if (operations.blending) refuse_beside_passes(state, kBlend, findings);
   if (operations.color_mask != standard.color_mask)
     refuse_beside_passes(state, kColorMask, findings);
+}
+
+std::vector<JsonPiece> fragment_operation_pieces(const Draw& draw) {
+  const FragmentOperations standard;
+  const FragmentOperations& operations = draw.operations;
+  Pieces members;
+  if (draw.polygon_offset)
+    members.push_back(named(kPolygonOffset, plain_object_piece(*draw.polygon_offset)));
+  if (operations.stencil) members.push_back(named(kStencil, stencil_piece(*operations.stencil)));
+  if (operations.depth != standard.depth)
+    members.push_back(named(kDepth, depth_piece(operations.depth)));
+  if (operations.blending) members.push_back(named(kBlend, blend_piece(*operations.blending)));
+  if (operations.color_mask != standard.color_mask)
+    members.push_back(named(kColorMask, color_mask_piece(operations.color_mask)));
+  return members;
 }
 
 }  // namespace edgecase

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Textures, what draws look up in them, and texture coordinates on their way in a request.
-#include "wire/texture_values.h"
+#include "wire/texture_levels.h"
 
 #include <gmock/gmock.h>
 
@@ -271,13 +271,15 @@ TEST(TextureValues, WrongTextureUsesAreRefused) {
   EXPECT_THAT(refusal("\"max_lod\":1000.0", "\"max_lod\":\"inf\""),
               HasSubstr("/max_lod must be a number"));
   EXPECT_THAT(refusal("\"min_lod\":-1000.0", "\"min_lod\":1000.5"),
-              HasSubstr("/scene/draws/0/texture has a min_lod of 1000.5, which is more than its "
-                        "max_lod of 1000"));
+              HasSubstr("/min_lod is 1000.5, but it must be a float32 value of -1000 to 1000"));
+  EXPECT_THAT(refusal("\"min_lod\":-1000.0,\"max_lod\":1000.0", "\"min_lod\":2.5,\"max_lod\":2.0"),
+              HasSubstr("/scene/draws/0/texture has a min_lod of 2.5, which is more than its "
+                        "max_lod of 2"));
   EXPECT_THAT(refusal("\"base_level\":0", "\"base_level\":3"),
               HasSubstr("/texture/base_level is 3, but the texture's last level is 2"));
   EXPECT_THAT(refusal("\"base_level\":0", "\"base_level\":-1"), HasSubstr("base_level is -1"));
   EXPECT_THAT(refusal("\"base_level\":0,\"max_level\":1000", "\"base_level\":2,\"max_level\":1"),
-              HasSubstr("/texture/max_level is 1, but it must be 2 to"));
+              HasSubstr("/texture has a base_level of 2, which is more than its max_level of 1"));
   EXPECT_THAT(refusal("\"border\":[0.0,", "\"border\":["),
               HasSubstr("/texture/border must have 4 elements"));
   EXPECT_THAT(refusal("\"border\":[0.0,", "\"border\":[0.1,"),

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/blending_reader.h"
+#include "casefile/blending.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 
-#include "casefile/blend_presets.h"
-#include "casefile/numbers.h"
+#include "casefile/plain_fields.h"
 #include "casefile/text.h"
 
 namespace edgecase {
@@ -19,13 +18,6 @@ constexpr const char* kTerm = "a term of a blending";
 const Keys kTermKeys{{}, {"equation", "source", "destination"}, {}};
 const Keys kOneTermKeys{{}, {"equation", "source", "destination", "constant"}, {}};
 const Keys kTwoTermKeys{{"color", "alpha"}, {"constant"}, {}};
-
-const Names kEquationNames{{"add", "subtract", "reverse_subtract", "min", "max"}, {}};
-const Names kFactorNames{{"zero", "one", "src_color", "one_minus_src_color", "dst_color",
-                          "one_minus_dst_color", "src_alpha", "one_minus_src_alpha", "dst_alpha",
-                          "one_minus_dst_alpha", "constant_color", "one_minus_constant_color",
-                          "constant_alpha", "one_minus_constant_alpha", "src_alpha_saturate"},
-                         {}};
 
 Blending read_preset(const Place& place, Findings& findings) {
   Names names;
@@ -48,7 +40,7 @@ void read_factor(const Place& term, const ObjectReader& object, const char* name
           fmt::format("{} takes no factors, and {} is one", quote(name_of(equation)), quote(name)),
           "remove it");
   } else if (place) {
-    read_enum(*place, "a factor", kFactorNames, findings, factor);
+    read_plain(*place, "a factor", {}, findings, factor);
   } else {
     findings.add(term, fmt::format("a term of a blending lacks {}", quote(name)),
                  fmt::format("add \"{}\": \"one\", or another factor", name));
@@ -59,7 +51,7 @@ BlendTerm read_members(const Place& place, const ObjectReader& object, Findings&
   BlendTerm term;
   if (!object.valid()) return term;
   if (const auto equation = object.find("equation"))
-    if (!read_enum(*equation, "an equation", kEquationNames, findings, term.equation)) return term;
+    if (!read_plain(*equation, "an equation", {}, findings, term.equation)) return term;
   read_factor(place, object, "source", term.equation, findings, term.source);
   read_factor(place, object, "destination", term.equation, findings, term.destination);
   return term;
@@ -67,6 +59,16 @@ BlendTerm read_members(const Place& place, const ObjectReader& object, Findings&
 
 BlendTerm read_term(const Place& place, Findings& findings) {
   return read_members(place, ObjectReader(place, kTerm, kTermKeys, findings), findings);
+}
+
+Pieces term_pieces(const BlendTerm& term) {
+  Pieces members;
+  if (term.equation != BlendEquation::add)
+    members.push_back(named("equation", plain_piece(term.equation)));
+  if (!takes_factors(term.equation)) return members;
+  members.push_back(named("source", plain_piece(term.source)));
+  members.push_back(named("destination", plain_piece(term.destination)));
+  return members;
 }
 
 }  // namespace
@@ -91,6 +93,22 @@ Blending read_blending(const Place& place, Findings& findings) {
     blending.constant =
         read_color(*constant, "a constant colour", {0, 1}, findings).value_or(blending.constant);
   return blending;
+}
+
+JsonPiece blend_piece(const Blending& blending) {
+  const Blending standard;
+  const bool constant = blending.constant != standard.constant;
+  for (const BlendPreset& preset : kBlendPresets)
+    if (!constant && blending.color == preset.color && blending.alpha == preset.alpha)
+      return json_string(preset.name);
+  Pieces members;
+  if (blending.color == blending.alpha)
+    members = term_pieces(blending.color);
+  else
+    members = {named("color", json_object(term_pieces(blending.color))),
+               named("alpha", json_object(term_pieces(blending.alpha)))};
+  if (constant) members.push_back(named("constant", color_piece(blending.constant)));
+  return json_object(std::move(members));
 }
 
 }  // namespace edgecase

@@ -1,44 +1,36 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/sampler_reader.h"
+#include "casefile/texture_use.h"
 
 #include <fmt/format.h>
 
 #include <array>
 
 #include "casefile/float_numeral.h"
-#include "casefile/numbers.h"
+#include "casefile/plain_fields.h"
 #include "casefile/text.h"
 
 namespace edgecase {
 namespace {
 
-const Keys kSamplerKeys{{},
-                        {"wrap", "magnify", "minify", "mipmap", "lod_bias", "min_lod", "max_lod",
-                         "base_level", "max_level", "border", "max_anisotropy"},
-                        {}};
 const Keys kLookupKeys{{}, {"lod", "bias", "gradients"}, {}};
-const Names kWrapNames{{"repeat", "mirrored-repeat", "clamp-to-edge", "clamp-to-border"}, {}};
-const Names kFilterNames{{"nearest", "linear"}, {}};
-const Names kMipFilterNames{{"none", "nearest", "linear"}, {}};
 constexpr Float32Range kLodRange{-kMaxLod, kMaxLod};
 constexpr Float32Range kBiasRange{-kMaxLodBias, kMaxLodBias};
 constexpr Float32Range kGradientRange{-kMaxGradient, kMaxGradient};
 
-void read_float_into(const ObjectReader& object, const char* name, Float32Range range,
-                     Findings& findings, float& value) {
-  if (const auto place = object.find(name))
-    value = read_float32(*place, name, range, Float32Kind::exact, findings).value_or(value);
-}
-
-void read_level_into(const ObjectReader& object, const char* name, Findings& findings, int& value) {
-  if (const auto place = object.find(name))
-    value = read_integer(*place, name, {0, kMostLevel}, findings).value_or(value);
+const Keys& sampler_keys() {
+  static const Keys keys = [] {
+    Keys all{{}, plain_keys<Sampler>(), {}};
+    all.optional.insert(all.optional.begin(), "wrap");
+    all.optional.push_back("border");
+    return all;
+  }();
+  return keys;
 }
 
 // A name for both directions, or [s, t]; `dimensions` 0: not known.
 void read_wrap(const Place& place, int dimensions, Findings& findings, std::array<Wrap, 2>& wrap) {
   if (place.node->kind != JsonKind::array) {
-    read_enum(place, "wrap", kWrapNames, findings, wrap[0]);
+    read_plain(place, "wrap", {}, findings, wrap[0]);
     wrap[1] = wrap[0];
     return;
   }
@@ -51,8 +43,7 @@ void read_wrap(const Place& place, int dimensions, Findings& findings, std::arra
                  "write one name, or [s, t]");
     return;
   }
-  for (std::size_t i = 0; i < 2; ++i)
-    read_enum(place.child(i), "wrap", kWrapNames, findings, wrap[i]);
+  for (std::size_t i = 0; i < 2; ++i) read_plain(place.child(i), "wrap", {}, findings, wrap[i]);
 }
 
 void read_border(const Place& place, const Texture* texture, Findings& findings,
@@ -95,23 +86,12 @@ void check_levels(const Place& place, const Sampler& sampler, const Texture& tex
 Sampler read_sampler(const Place& place, const Texture* texture, Findings& findings) {
   const std::size_t before = findings.size();
   Sampler sampler;
-  const ObjectReader object(place, "a sampler", kSamplerKeys, findings);
+  const ObjectReader object(place, "a sampler", sampler_keys(), findings);
   if (const auto wrap = object.find("wrap"))
     read_wrap(*wrap, texture != nullptr ? texture->dimensions : 0, findings, sampler.wrap);
-  if (const auto filter = object.find("magnify"))
-    read_enum(*filter, "magnify", kFilterNames, findings, sampler.magnify);
-  if (const auto filter = object.find("minify"))
-    read_enum(*filter, "minify", kFilterNames, findings, sampler.minify);
-  if (const auto filter = object.find("mipmap"))
-    read_enum(*filter, "mipmap", kMipFilterNames, findings, sampler.mipmap);
-  read_float_into(object, "lod_bias", kBiasRange, findings, sampler.lod_bias);
-  read_float_into(object, "min_lod", kLodRange, findings, sampler.min_lod);
-  read_float_into(object, "max_lod", kLodRange, findings, sampler.max_lod);
-  read_level_into(object, "base_level", findings, sampler.base_level);
-  read_level_into(object, "max_level", findings, sampler.max_level);
+  read_fields(object, findings, sampler);
   if (const auto border = object.find("border"))
     read_border(*border, texture, findings, sampler.border);
-  read_float_into(object, "max_anisotropy", {1, kMaxAnisotropy}, findings, sampler.max_anisotropy);
   if (findings.size() != before) return sampler;
   check_ranges(place, sampler, findings);
   if (texture != nullptr) check_levels(place, sampler, *texture, findings);
@@ -178,6 +158,29 @@ std::optional<std::size_t> read_number(const Place& place,
   return std::nullopt;
 }
 
+JsonPiece wrap_piece(const std::array<Wrap, 2>& wrap, int dimensions) {
+  if (dimensions == 1 || wrap[0] == wrap[1]) return plain_piece(wrap[0]);
+  return json_array({plain_piece(wrap[0]), plain_piece(wrap[1])});
+}
+
+JsonPiece sampler_piece(const Sampler& sampler, int dimensions) {
+  const Sampler standard;
+  Pieces members;
+  if (sampler.wrap != standard.wrap)
+    members.push_back(named("wrap", wrap_piece(sampler.wrap, dimensions)));
+  add_fields(sampler, members);
+  if (sampler.border != standard.border)
+    members.push_back(named("border", color_piece(sampler.border)));
+  return json_object(std::move(members));
+}
+
+JsonPiece lookup_piece(const Lookup& lookup, int dimensions) {
+  if (lookup.kind != LookupKind::gradients)
+    return json_object({named(name_of(lookup.kind), exact_piece(lookup.value))});
+  return json_object({named("gradients", json_array({uv_piece(lookup.dx, dimensions),
+                                                     uv_piece(lookup.dy, dimensions)}))});
+}
+
 }  // namespace
 
 TextureState read_texture_state(const ObjectReader& state,
@@ -204,6 +207,19 @@ TextureState read_texture_state(const ObjectReader& state,
   if (lookup) use.lookup = read_lookup(*lookup, result.dimensions, findings);
   if (index) result.use = use;
   return result;
+}
+
+std::vector<JsonPiece> texture_use_pieces(const TextureUse& use, int dimensions) {
+  Pieces members{named("texture", integer_piece(static_cast<int>(use.texture)))};
+  JsonPiece sampler = sampler_piece(use.sampler, dimensions);
+  if (!sampler.children.empty()) members.push_back(named("sampler", std::move(sampler)));
+  if (use.lookup.kind != LookupKind::implicit)
+    members.push_back(named("lookup", lookup_piece(use.lookup, dimensions)));
+  return members;
+}
+
+JsonPiece uv_piece(const std::array<float, 2>& coordinates, int dimensions) {
+  return exact_list({coordinates.data(), dimensions == 1 ? 1U : 2U});
 }
 
 }  // namespace edgecase

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "wire/scene_values.h"
+#include "wire/vertex_json.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 namespace edgecase::wire {
 
@@ -14,34 +13,11 @@ using nlohmann::json;
 
 namespace {
 
-template <std::size_t N>
-void write_numbers(Output out, const std::array<float, N>& numbers) {
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    *out++ = i == 0 ? '[' : ',';
-    write_number(out, static_cast<double>(numbers[i]));
-  }
-  *out++ = ']';
-}
-
 constexpr const char* kTextureCoordinates = "texture_coordinates";
-constexpr double kLargest = static_cast<double>(std::numeric_limits<float>::max());
-constexpr double kSmallest = static_cast<double>(std::numeric_limits<float>::denorm_min());
+constexpr Limits kPositive{static_cast<double>(std::numeric_limits<float>::denorm_min())};
 
 float read_w(const json& value, const Path& path) {
-  return read_float32(value, path, {kSmallest, kLargest, "a float32 value of more than 0"});
-}
-
-Color read_vertex_color(const json& value, const Path& path) {
-  require_array(value, path, 4);
-  Color color{};
-  for (std::size_t i = 0; i < 4; ++i) color[i] = read_any_float32(value[i], {path, i});
-  return color;
-}
-
-void read_texture_coordinates(const json& value, const Path& path, Vertex& vertex) {
-  require_array(value, path, 2);
-  for (std::size_t i = 0; i < 2; ++i)
-    vertex.texture_coordinates[i] = read_any_float32(value[i], {path, i});
+  return read_float32(value, path, kPositive, "a float32 value of more than 0");
 }
 
 // Is `numerator * w / divisor` a float32 number? Rounding errors of both products are seen: a fused
@@ -68,7 +44,7 @@ ClipPosition read_clip(const json& value, const Path& path) {
   require_array(value, path, 4);
   ClipPosition clip;
   float* const parts[] = {&clip.x, &clip.y, &clip.z, &clip.w};
-  for (std::size_t i = 0; i < 4; ++i) *parts[i] = read_any_float32(value[i], {path, i});
+  for (std::size_t i = 0; i < 4; ++i) *parts[i] = read_float32(value[i], {path, i});
   const double unit = unit_of(clip);
   if (std::ranges::all_of(parts, [](const float* part) { return *part == 0; }))
     throw Refusal(path.text() + " is 0 in all four");
@@ -104,24 +80,6 @@ void check_position(const Vertex& vertex, const Path& path, const Viewport& view
 
 }  // namespace
 
-void write_number(Output out, double value) {
-  std::array<char, 32> text;
-  const char* end = fmt::format_to_n(text.data(), text.size(), "{}", value).out;
-  const std::string_view digits(text.data(), static_cast<std::size_t>(end - text.data()));
-  const bool whole = digits.find_first_of(".e") == digits.npos;
-  fmt::format_to(out, "{}{}", digits, whole ? ".0" : "");
-}
-
-void write_color(Output out, const Color& color) {
-  write_numbers(out, color);
-}
-
-bool write_not_finite(Output out, double value) {
-  if (std::isfinite(value)) return false;
-  fmt::format_to(out, "\"{}\"", std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf");
-  return true;
-}
-
 void write_vertex(Output out, const Vertex& vertex, bool is_textured) {
   fmt::format_to(out, R"({{"position":[)");
   write_number(out, vertex.position.x.to_double());
@@ -139,43 +97,12 @@ void write_vertex(Output out, const Vertex& vertex, bool is_textured) {
     write_number(out, static_cast<double>(vertex.w));
   }
   fmt::format_to(out, R"(,"color":)");
-  write_color(out, vertex.color);
+  write_numbers(out, vertex.color);
   if (is_textured) {
     fmt::format_to(out, R"(,"texture_coordinates":)");
     write_numbers(out, vertex.texture_coordinates);
   }
   *out++ = '}';
-}
-
-float read_float32(const json& value, const Path& path, const FloatRange& range) {
-  const double number = read_finite(value, path);
-  if (!(number >= range.low && number <= range.high) ||
-      static_cast<double>(static_cast<float>(number)) != number)
-    throw Refusal(
-        fmt::format("{} is {}, but it must be {}", path.text(), value.dump(), range.wanted));
-  return static_cast<float>(number);
-}
-
-float read_any_float32(const json& value, const Path& path) {
-  return read_float32(value, path, {-kLargest, kLargest, "a float32 value"});
-}
-
-Fixed read_fixed(const json& value, const Path& path) {
-  const double number = read_finite(value, path);
-  const double raw = number * static_cast<double>(Fixed::kOne);
-  if (!(number >= -Fixed::kMaxCoordinate && number <= Fixed::kMaxCoordinate) ||
-      raw != static_cast<double>(static_cast<std::int64_t>(raw)))
-    throw Refusal(fmt::format("{} is {}, but it must be a multiple of 2^-16 of -8192 to 8192",
-                              path.text(), value.dump()));
-  return Fixed::from_raw(static_cast<std::int64_t>(raw));
-}
-
-Color read_clear_color(const json& value, const Path& path) {
-  require_array(value, path, 4);
-  Color color{};
-  for (std::size_t i = 0; i < 4; ++i)
-    color[i] = read_float32(value[i], {path, i}, {0, 1, "a float32 value of 0 to 1"});
-  return color;
 }
 
 Vertex read_vertex(const json& value, const Path& path, const Viewport& viewport,
@@ -188,7 +115,7 @@ Vertex read_vertex(const json& value, const Path& path, const Viewport& viewport
   vertex.position.x = read_fixed(position[0], {at, std::size_t{0}});
   vertex.position.y = read_fixed(position[1], {at, std::size_t{1}});
   vertex.z = read_fixed(position[2], {at, std::size_t{2}});
-  vertex.color = read_vertex_color(member(value, path, "color"), {path, "color"});
+  vertex.color = read_float32s<4>(member(value, path, "color"), {path, "color"});
   const json* clip = optional_member(value, "clip");
   const json* w = optional_member(value, "w");
   if (clip != nullptr && w != nullptr) throw Refusal(path.text() + " has both \"clip\" and \"w\"");
@@ -201,8 +128,8 @@ Vertex read_vertex(const json& value, const Path& path, const Viewport& viewport
     check_products(vertex, path, viewport);
   }
   if (is_textured)
-    read_texture_coordinates(member(value, path, kTextureCoordinates), {path, kTextureCoordinates},
-                             vertex);
+    vertex.texture_coordinates =
+        read_float32s<2>(member(value, path, kTextureCoordinates), {path, kTextureCoordinates});
   else if (value.contains(kTextureCoordinates))
     throw Refusal(path.text() + " has \"texture_coordinates\", but its draw has no texture");
   return vertex;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// Names: the words that case files, JSON and reports use for the values of an enumeration. They
+// stand in one table beside the enumeration, in the order in which people read them:
+//
+//   enum class Filter { nearest, linear };
+//   template <>
+//   inline constexpr auto kNames<Filter> =
+//       std::to_array<Named<Filter>>({{Filter::nearest, "nearest"}, {Filter::linear, "linear"}});
+//
+// A row may hold more than value and name, as a rule's alternatives do.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace edgecase {
+
+template <class Enum>
+struct Named {
+  Enum value;
+  const char* name;
+};
+
+// Of an enumeration without names, no table.
+template <class Enum>
+inline constexpr int kNames = 0;
+
+template <class Enum>
+concept HasNames = std::is_enum_v<Enum> && requires {
+  kNames<Enum>.begin()->name;
+};
+
+// "?" for a value that the table does not have.
+template <HasNames Enum>
+constexpr const char* name_of(Enum value) {
+  for (const auto& row : kNames<Enum>)
+    if (row.value == value) return row.name;
+  return "?";
+}
+
+// The inverse: false when `name` names none, `value` then untouched.
+template <HasNames Enum>
+constexpr bool parse_name(std::string_view name, Enum& value) {
+  for (const auto& row : kNames<Enum>) {
+    if (name != row.name) continue;
+    value = row.value;
+    return true;
+  }
+  return false;
+}
+
+// All names, in the table's order.
+template <HasNames Enum>
+std::vector<std::string> names_of() {
+  std::vector<std::string> names;
+  for (const auto& row : kNames<Enum>) names.emplace_back(row.name);
+  return names;
+}
+
+}  // namespace edgecase

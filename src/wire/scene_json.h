@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// A scene as JSON, field by field (model/scene_fields.h), for src/wire alone: request_line.h makes
+// lines of it. What the lists do not say stands here: forms that are no objects, and what one part
+// of a scene asks of another.
+#pragma once
+
+#include <string_view>
+
+#include "model/scene.h"
+#include "wire/json_values.h"
+
+namespace edgecase::wire {
+
+void write_scene(fmt::memory_buffer& text, const Scene& scene);
+
+// Throws a Refusal for a scene that model/scene.h does not allow.
+Scene read_scene(const nlohmann::json& value, const Path& path);
+
+// The key of the passes of a supersampled scene, which stand in its target.
+inline constexpr const char* kSupersampling = "supersampling";
+
+// Does a lookup of this kind have the field? All have "kind".
+constexpr bool takes(LookupKind kind, std::string_view key) {
+  if (key == "value") return kind == LookupKind::bias || kind == LookupKind::lod;
+  return key == "kind" || kind == LookupKind::gradients;
+}
+
+}  // namespace edgecase::wire
