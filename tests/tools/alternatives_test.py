@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Policies, and whether the suite tells alternatives apart: --policy, separation, draw."""
+import collections
+import json
+import math
 import re
 import unittest
 
@@ -13,11 +16,11 @@ ALL_DIFFER = f"{SUITE}/lines/algorithms/all-differ.json"
 
 class Policies(CommandTest):
     def test_there_are_those_of_the_design(self):
-        self.assertEqual(POLICIES, ["cs184", "direct3d-11", "mit-6837", "scotty3d",
-                                    "vulkan-strict"])
+        self.assertEqual(POLICIES, ["cs184", "direct3d-11", "mit-6837", "mit-6837-code", "scotty3d",
+                                    "scotty3d-code", "vulkan-strict"])
 
     def test_exact_under_each_agrees_with_itself(self):
-        # A fifth each, and all of this share of the suite together.
+        # A part each, and all of this share of the suite together.
         for part, policy in enumerate(POLICIES, 1):
             with self.subTest(policy=policy):
                 results = self.results(*PROBES, "--policy", policy, "--against", "exact",
@@ -26,7 +29,8 @@ class Policies(CommandTest):
                 self.assertEqual(set(verdicts(results).values()), {"agree"})
 
     def test_each_draws_its_own_picture(self):
-        folders = [f"{SUITE}/{name}" for name in ("lines", "points", "triangles")]
+        folders = [f"{SUITE}/{name}" for name in ("lines", "points", "textures/mipmaps",
+                                                  "triangles")]
         pictures = {self.command("render", *folders, "--policy", policy, "--json", "-").stdout
                     for policy in ["opengl", *POLICIES]}
         self.assertEqual(len(pictures), 1 + len(POLICIES))
@@ -67,6 +71,84 @@ class Policies(CommandTest):
         for policy in ["opengl", *POLICIES]:
             self.assertIn(policy, told)
         self.assertIn('did you mean "direct3d-11"?', told)
+
+
+class Courses(CommandTest):
+    """What courses say, in drawings small enough to be made by hand."""
+
+    def fragments(self, policy, **changes):
+        case = self.write("drawn.json", triangle_case(**changes))
+        out = self.command("render", case, "--policy", f"{SUITE}/policies/{policy}.json", "--json",
+                           "-").stdout
+        return json.loads(out)["fragments"]
+
+    def test_edges_of_triangles(self):
+        """A square whose outline and diagonal run through centres."""
+        for policy, drawing in (("mit-6837", ["00000", "01100", "01010", "00110", "00000"]),
+                                ("mit-6837-code", ["11112", "11121", "11211", "12111", "21111"]),
+                                ("cs184", ["11112", "11121", "11211", "12111", "21111"]),
+                                ("scotty3d", ["11110", "11110", "11110", "11110", "00000"]),
+                                ("scotty3d-code", ["11110", "11110", "11110", "11110", "00000"])):
+            times = collections.Counter((f["x"], f["y"]) for f in self.fragments(policy, draws=[
+                {"primitive": "triangles", "vertices": [[1.5, 1.5], [5.5, 1.5], [5.5, 5.5],
+                                                        [1.5, 1.5], [5.5, 5.5], [1.5, 5.5]]}]))
+            with self.subTest(policy=policy):
+                self.assertEqual(["".join(str(times[x, y]) for x in range(1, 6))
+                                  for y in range(5, 0, -1)], drawing)
+                self.assertEqual(sum(times.values()), sum(map(int, "".join(drawing))))
+
+    def reds(self, policy, row, level):
+        """The lowest row of a generated level, of an image of two equal rows."""
+        across = len(row) >> level or 1
+        fragments = self.fragments(
+            policy, target={"width": across, "height": 1},
+            textures=[{"mipmaps": "generated",
+                       "texels": [[[red / 255, 0, 0] for red in row]] * 2}],
+            draws=[{"primitive": "triangles",
+                    "vertices": [{"at": [0, 0], "uv": [0, 0]}, {"at": [0, 2], "uv": [0, 2]},
+                                 {"at": [2 * across, 0], "uv": [2, 0]}],
+                    "state": {"interpolation": "smooth", "texture": 0, "lookup": {"lod": level},
+                              "sampler": {"minify": "nearest", "mipmap": "nearest"}}}])
+        return [round(255 * f["color"][0]) for f in sorted(fragments, key=lambda f: f["x"])]
+
+    def test_levels_of_chains(self):
+        """log2(min(8, 2)) + 1 = 2 levels, or log2(max(8, 2)) + 1 = 4."""
+        row = [0, 8, 16, 24, 32, 40, 48, 56]
+        for policy in ("scotty3d", "scotty3d-code"):
+            self.assertEqual(self.reds(policy, row, 1), [4, 20, 36, 52])
+        self.assertEqual(self.reds("scotty3d", row, 3), [36])
+        self.assertEqual(self.reds("scotty3d", row, 2), [20, 52])
+        self.assertEqual(self.reds("scotty3d-code", row, 3), [28])
+        self.assertEqual(self.reds("scotty3d-code", row, 2), [12, 44])
+
+    def test_texels_of_generated_levels(self):
+        """Five texels onto two: centres at 5/4 and 15/4, or boxes that leave out the last one."""
+        self.assertEqual(self.reds("scotty3d", [0, 4, 8, 16, 64], 1), [3, 28])
+        self.assertEqual(self.reds("scotty3d-code", [0, 4, 8, 16, 64], 1), [2, 12])
+
+    def test_differences_that_make_levels_of_detail(self):
+        """In perspective, along x or y: u = 2 x/(64 - 3 x), 64 texels across; v is 1/2."""
+        def u(pixel):
+            return 2 * (pixel + 0.5) / (64 - 3 * (pixel + 0.5))
+        for policy, first in (("scotty3d", lambda x: x), ("scotty3d-code", lambda x: x - x % 2)):
+            for along, across in ("xy", "yx"):
+                far, near = [16, 0, 0, 4], [0, 16]
+                if along == "y":
+                    far, near = [0, 16, 0, 4], [16, 0]
+                fragments = self.fragments(
+                    policy, target={"width": 16, "height": 16},
+                    textures=[{"size": [64, 1], "noise": {"seed": 1}, "mipmaps": "box"}],
+                    draws=[{"primitive": "triangles",
+                            "vertices": [{"at": [0, 0], "uv": [0, 0.5]},
+                                         {"at": far, "uv": [2, 0.5]},
+                                         {"at": near, "uv": [0, 0.5]}],
+                            "state": {"interpolation": "smooth", "texture": 0}}])
+                levels = {f[along]: f["level_of_detail"][1] for f in fragments if f[across] == 0}
+                with self.subTest(policy=policy, along=along):
+                    self.assertGreaterEqual(len(levels), 15)
+                    for x, level in levels.items():
+                        texels = 64 * (u(first(x) + 1) - u(first(x)))
+                        self.assertAlmostEqual(level, math.log2(texels), places=6)
 
 
 class Alternatives(CommandTest):

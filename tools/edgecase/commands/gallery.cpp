@@ -31,7 +31,8 @@ std::vector<fs::path> galleries_in(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (entry.path().extension() == ".json") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+  // By name, so that one stands before those that it begins.
+  std::ranges::sort(files, {}, [](const fs::path& file) { return file.stem(); });
   return files;
 }
 
