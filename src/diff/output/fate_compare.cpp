@@ -7,6 +7,7 @@
 #include "diff/output/fate_aggregates.h"
 #include "diff/output/fate_causes.h"
 #include "diff/output/fate_question.h"
+#include "rules/values/depth_buffer.h"
 
 namespace edgecase {
 namespace {
