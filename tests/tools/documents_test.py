@@ -48,6 +48,9 @@ NOT_RUN = {
     "man edgecase": "needs what is installed; tests/package asks man for the page",
     "tools/ci/slurm": "needs root and Slurm; ci_test runs both",
     "EDGECASE_OUT=$PWD/finds sbatch": "needs a cluster for eight hours; ci_test runs the script",
+    "git clone https://github.com/KhronosGroup/VK-GL-CTS": "fetches and builds Khronos's tests",
+    "cd cts/modules/gles3": "needs Khronos's tests",
+    "LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=softpipe piglit": "needs Piglit, and minutes",
     "build/release/bin/edgecase profile --against osmesa:softpipe":
         "takes minutes; profile_test asks for fewer scenes",
     "build/release/bin/edgecase fuzz --against osmesa:llvmpipe --policy profile --rules grid-lines":
