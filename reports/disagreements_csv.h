@@ -14,7 +14,7 @@
 //   primitive    index in drawing order; -1: the pixel as a whole
 //   kind         missing, extra, duplicate or value
 //   rule         id
-//   legal        true where the specification allows it, otherwise false
+//   legality     legal, contested or illegal
 //   ruling       number of the ruling by which that was decided; 0: none
 //   cause        the alternatives that reproduce it; empty: none found
 //   situation    where on the primitive it lies, in words; may be empty

@@ -111,6 +111,24 @@ TEST(PolicyJudgedByOpenGl, DoesNotExcuseWhatIsForbidden) {
   }
 }
 
+// What is made of a line's values is contested where they are: gl_FragCoord.z and .w, derivatives.
+TEST(PolicyJudgedByOpenGl, ContestsAllThatComesOfAMajorAxis) {
+  Scene scene = scene_named("line smooth");
+  scene.details.coordinates = scene.details.derivatives = true;
+  scene.draws[0].vertices[0].w = 4;
+  const Result result =
+      judged(scene, {}, rasterize(scene, policy_with("attribute.smooth", "major-axis")));
+  EXPECT_EQ(result.verdict, Verdict::contested) << describe(result);
+  std::map<std::string, int> of_each;
+  for (const Disagreement& d : result.disagreements) {
+    ++of_each[d.explanation.substr(0, d.explanation.find(' '))];
+    EXPECT_EQ(d.ruling, 46) << describe(result);
+    EXPECT_EQ(d.cause, "attribute.smooth=major-axis") << describe(result);
+  }
+  for (const char* value : {"gl_FragCoord.z", "gl_FragCoord.w", "dFdx", "dFdyFine", "dFdxCoarse"})
+    EXPECT_GT(of_each[value], 0) << value;
+}
+
 TEST(PolicyJudgedByItself, AgreesWithWhoFollowsIt) {
   for (const Forbidden& one : forbidden()) {
     Policy policy = policy_with(one.rule, one.alternative);

@@ -6,7 +6,7 @@ import xml.etree.ElementTree
 
 from support import NOTHING_SELECTED, ROOT, SUITE, USAGE, CommandTest, only_result, triangle_case
 
-FINDINGS = (ROOT / "reports/pages/findings-mesa-22.3.6.md").read_text(encoding="utf-8")
+FINDINGS = (ROOT / "reports/pages/pictures-mesa-22.3.6.md").read_text(encoding="utf-8")
 FINDING = re.compile(r"^### (?P<fault>.+)\n\n.*?Rulings? (?P<rulings>[\d, ]+) (?P<does>\w+) it: "
                      r"\[[^\]]+\]\(\.\./\.\./(?P<case>cases/[^)]+)\)[^\n]*\n\n"
                      r"!\[exact and (?P<renderer>[^\]]+)\]\(\.\./images/(?P<picture>[^)]+)\)$",

@@ -260,6 +260,7 @@ class DerivativeComparison {
     Disagreement d = disagreement(told);
     if (!is_flat(told))
       d.cause = cause_of_derivatives(context_, *told.fragment, *told.detail, kinds_);
+    if (is_by_major_axis(d.cause)) d.ruling = kRulingOnLineValues;
     d.explanation += "is no difference of neighbours that the specification permits";
     if (!d.cause.empty()) d.explanation += fmt::format(", but one under {}", d.cause);
     result.disagreements.push_back(std::move(d));

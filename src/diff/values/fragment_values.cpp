@@ -36,10 +36,6 @@ std::string name_of_component(const std::string& attribute, std::size_t componen
   return attribute;
 }
 
-// The ruling on values of a line that go by its major axis, or are those of another fragment of a
-// wide line's column.
-constexpr int kRulingOnLineValues = 46;
-
 Disagreement beyond_disagreement(std::span<const ValueComponent> components,
                                  const ValueComponent& beyond, const Fragment& fragment,
                                  Point place, const char* rule, const std::string& attribute) {
@@ -91,7 +87,7 @@ Disagreement* compare_components(std::span<const ValueComponent> components,
 // Where a value is evaluated is a rule of its own.
 void blame(Disagreement& d, const std::string& cause) {
   d.cause = cause;
-  if (cause == "attribute.smooth=major-axis") d.ruling = kRulingOnLineValues;
+  if (is_by_major_axis(cause)) d.ruling = kRulingOnLineValues;
   if (cause.starts_with("attribute.location="))
     std::tie(d.rule, d.ruling) = std::pair("attribute.location", 29);
   if (cause.starts_with("attribute.centroid="))
@@ -277,7 +273,8 @@ void compare_coordinates(const ValueContext& context, const Rendering& rendered,
         compare_components({&depth, 1}, f, judge.depth_place(), kRule,
                            followed.explains(context, told) ? elsewhere : depths, result);
     if (d != nullptr) blame_depth(context, told, *d);
-    compare_components({&inverse, 1}, f, judge.depth_place(), kRule, inverses, result);
+    d = compare_components({&inverse, 1}, f, judge.depth_place(), kRule, inverses, result);
+    if (d != nullptr) blame(*d, cause_of_inverse_w(context, f, w));
   }
   depths.flush(result);
   elsewhere.flush(result);

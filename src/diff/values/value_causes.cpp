@@ -121,6 +121,15 @@ std::string cause_of_depth(const ValueContext& context, const Fragment& fragment
   return cause_of_offset(context, fragment);
 }
 
+std::string cause_of_inverse_w(const ValueContext& context, const Fragment& fragment,
+                               double inverse_w) {
+  const Point place = context.depth_place_of(fragment, context.choices.values.locations);
+  return first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
+    return rounded_to_float(interpolate_inexact(attributes.inverse_w, place))
+        .contains(to_float(inverse_w));
+  });
+}
+
 std::string cause_of_derivatives(const ValueContext& context, const Fragment& fragment,
                                  const FragmentDetail& detail,
                                  const std::array<Derivative, 2>& along) {

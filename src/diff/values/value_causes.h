@@ -11,11 +11,20 @@
 
 namespace edgecase {
 
+// The ruling on values of a line that go by its major axis, or are those of another fragment of a
+// wide line's column.
+inline constexpr int kRulingOnLineValues = 46;
+inline bool is_by_major_axis(const std::string& cause) {
+  return cause == "attribute.smooth=major-axis";
+}
+
 // "attribute.perspective=never" and the like: the first alternative in catalogue order under which
 // every component is what comes of inexact operations; of colours, where none is, the first two of
 // how and where they are interpolated. Empty when none is.
 std::string cause_of_color(const ValueContext& context, const Fragment& fragment);
 std::string cause_of_depth(const ValueContext& context, const Fragment& fragment);
+std::string cause_of_inverse_w(const ValueContext& context, const Fragment& fragment,
+                               double inverse_w);
 
 // The same of derivatives of the colour along x and y, both by one method, whichever.
 std::string cause_of_derivatives(const ValueContext& context, const Fragment& fragment,
