@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diff/values/value_judge.h"
 #include "raster/texture_level.h"
 #include "rules/textures/directed.h"
 #include "rules/textures/precision.h"
@@ -243,8 +244,12 @@ TexturePoint TextureLookups::point_of(const Fragment& fragment,
     return {near(detail->texture_coordinates[0], error),
             near(detail->texture_coordinates[1], error)};
   const MovedVertices vertices(attributes.color[0], context_.values_of(fragment).reach);
-  const PermittedPlace place(vertices, pixel_centre(fragment.x, fragment.y));
-  return {place.value(attributes.color[0]), place.value(attributes.color[1])};
+  const Point centre = pixel_centre(fragment.x, fragment.y);
+  const PermittedPlace place(vertices, centre);
+  const Fixed column = height_of_column(context_.primitive_of(fragment), context_.scene.target);
+  const Fixed half = Fixed::from_raw(column.raw() / 2);
+  return {permitted_across(attributes.color[0], vertices, place, centre, half),
+          permitted_across(attributes.color[1], vertices, place, centre, half)};
 }
 
 // lambda of the draw's own lookup, clamped.

@@ -19,6 +19,7 @@
 
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
+#include "diff/values/value_judge.h"
 #include "rules/all_rules.h"
 #include "rules/values/derivative.h"
 
@@ -79,12 +80,31 @@ class PermittedColors {
       if (!rounded_to_float(range).contains(to_float(rendered))) return false;
     }
     return true;
+      if (height_of_column(context_.primitive_of(*told.fragment), context_.scene.target) != Fixed())
+        range = hull(range, differences_across(*told.fragment, c));
   }
 
  private:
   const ValueContext& context_;
   std::map<int, PermittedDerivatives> primitives_;  // by the primitive's number
 };
+  // Each of a wide line's fragments may have what another row of its column has (ruling 13): the
+  // difference of any two values that it may have there and at the eight pixels around.
+  Interval differences_across(const Fragment& fragment, std::size_t component) const {
+    const ScenePrimitive& line = context_.primitive_of(fragment);
+    const Fixed half = Fixed::from_raw(height_of_column(line, context_.scene.target).raw() / 2);
+    const PrimitiveValues& values = context_.values_of(fragment);
+    const Interpolant& lawful = values.lawful.color[component];
+    Interval all = interpolate_exact(lawful, pixel_centre(fragment.x, fragment.y));
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const Point at = pixel_centre(fragment.x + dx, fragment.y + dy);
+        const PermittedPlace place(values.moved(), at);
+        all = hull(all, permitted_across(lawful, values.moved(), place, at, half));
+      }
+    return all - all;
+  }
+
 
 // dFdx and dFdy of one form: a policy chooses one method for both.
 class DerivativeComparison {

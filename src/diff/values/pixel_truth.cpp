@@ -4,6 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "diff/values/value_judge.h"
+#include "rules/values/inexact_shares.h"
+
 namespace edgecase {
 
 PixelTruth truth_of_clear(const Scene& scene) {
@@ -33,15 +36,20 @@ PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragme
   std::vector<PermittedPlace> corners;
   for (const Point corner : context.permitted_places(fragment))
     corners.emplace_back(values.moved(), corner);
-  const PermittedPlace anywhere(values.moved(), place);
+  const ScenePrimitive& primitive = context.primitive_of(fragment);
+  const Point centre = pixel_centre(fragment.x, fragment.y);
+  const PermittedPlace at_centre(values.moved(), centre);
+  const Fixed column = height_of_column(primitive, context.scene.target);
   for (std::size_t c = 0; c < 4; ++c) {
     const Interpolant& lawful = values.lawful.color[c];
-    const Interval permitted = corners.empty()
-                                   ? anywhere.value(lawful)
-                                   : permitted_within(lawful, values.lawful.inverse_w, corners);
+    Interval permitted = corners.empty()
+                             ? at_centre.value(lawful)
+                             : permitted_within(lawful, values.lawful.inverse_w, corners);
+    if (column != Fixed())
+      permitted = hull(permitted, permitted_across(lawful, values.moved(), at_centre, centre,
+                                                   Fixed::from_raw(column.raw() / 2)));
     truth.exact[c] = middle(interpolate_exact(values.chosen.color[c], place));
-    truth.permitted[c] =
-        with_means(hull(permitted, truth.exact[c]), context.primitive_of(fragment), values, c);
+    truth.permitted[c] = with_means(hull(permitted, truth.exact[c]), primitive, values, c);
   }
   return truth;
 }

@@ -76,7 +76,11 @@ std::optional<Invocation> ValueContext::invocation_of(const Fragment& fragment) 
 
 Point ValueContext::place_of(const Fragment& fragment, const LocationChoice& choice) const {
   const auto invocation = invocation_of(fragment);
-  if (!invocation) return pixel_centre(fragment.x, fragment.y);
+  if (!invocation) {
+    const ScenePrimitive& primitive = primitive_of(fragment);
+    return attribute_place(primitive, scene.target, choices.of(primitive.kind),
+                           {fragment.x, fragment.y});
+  }
   const AttributeLocation qualifier = primitive_of(fragment).state->multisampling.location;
   return place_in({fragment.x, fragment.y},
                   attribute_location(qualifier, *invocation, positions_, choice));

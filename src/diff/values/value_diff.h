@@ -71,7 +71,8 @@ class ValueContext {
   const SamplePositions& sample_positions() const { return positions_; }
 
   // Where in the window exact evaluates what a fragment carries: its attributes, its depth, and
-  // gl_FragCoord.xy itself. The pixel's centre, unless the draw is multisampled.
+  // gl_FragCoord.xy itself. The pixel's centre, unless the draw is multisampled; attributes of wide
+  // lines elsewhere (attribute_place).
   Point place_of(const Fragment& fragment, const LocationChoice& choice) const;
   Point depth_place_of(const Fragment& fragment, const LocationChoice& choice) const;
   Point coordinates_of(const Fragment& fragment) const;
