@@ -15,6 +15,7 @@
 #include "diff/samples/pass_compare.h"
 #include "diff/upside_down.h"
 #include "diff/values/equal_values.h"
+#include "diff/moved_answer.h"
 #include "raster/facing.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
@@ -83,6 +84,7 @@ Result not_run(Failure failure) {
   return result;
 }
 
+  if (breaks_a_ruling(result) && is_covered_moved(exact, rendered)) note_moved(result);
 Figure scene_figure(const Scene& scene) {
   Figure figure;
   // A vertex that several primitives share is marked once.
