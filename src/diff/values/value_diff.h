@@ -20,6 +20,7 @@
 #include "model/scene.h"
 #include "raster/attributes.h"
 #include "rules/choices.h"
+#include "rules/textures/level_of_detail.h"
 #include "rules/values/permitted_place.h"
 
 namespace edgecase {
@@ -57,6 +58,9 @@ class ValueContext {
   // What the unit of polygon offsets may be of a fixed-point buffer, where the renderer's depths
   // tell more than permitted_fixed_unit(); before values of primitives are asked for.
   void follow_fixed_unit(Interval unit) { fixed_unit_ = unit; }
+  // What the renderer says that bounds its levels of detail.
+  void follow_limits(const LookupLimits& limits) { lookup_limits_ = limits; }
+  const LookupLimits& lookup_limits() const { return lookup_limits_; }
 
   const Scene& scene;
   std::span<const ScenePrimitive> primitives;
@@ -91,6 +95,7 @@ class ValueContext {
   int bits_;
   ShadingRate rate_;
   Interval fixed_unit_;
+  LookupLimits lookup_limits_;
   SamplePositions positions_;
   // Worked out for a primitive when it is first asked for; some kilobytes each.
   mutable std::vector<std::unique_ptr<PrimitiveValues>> values_;
