@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "diff/values/value_diff.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "diff/values/vertex_latitude.h"
@@ -183,10 +185,11 @@ Interval depth_permitted_at(const PrimitiveValues& values, Point place) {
                        PermittedPlace(values.moved(), place).value(values.permitted_depth));
 }
 
-Interval holding(Interval permitted, double exact) {
+void expect_holding(Interval permitted, double exact) {
   const double number = to_float(exact);
-  assert(std::isnan(number) || permitted.contains(number));
-  return std::isnan(number) ? permitted : hull(permitted, number);
+  if (!std::isnan(number) && !permitted.contains(number))
+    throw std::logic_error(fmt::format("what is permitted, {} to {}, leaves out what is exact, {}",
+                                       permitted.low, permitted.high, number));
 }
 
 bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample) {

@@ -151,9 +151,10 @@ Interval with_means_of_depth(Interval permitted, const ScenePrimitive& primitive
                              const PrimitiveValues& values);
 inline constexpr int kRulingOnPolygonDepth = 44;
 
-// `permitted`, of a value that exact computes as the specification has it: it holds what is exact,
-// rounded to float32. One that did not would accuse exact itself.
-Interval holding(Interval permitted, double exact);
+// Throws std::logic_error where `permitted`, of a value that exact computes as the specification
+// has it, leaves out what is exact, rounded to float32: it would accuse exact itself. A number that
+// is none is never left out.
+void expect_holding(Interval permitted, double exact);
 
 // Does the fragment cover the sample? Without multisampling it covers all.
 bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample);
