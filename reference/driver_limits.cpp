@@ -126,6 +126,7 @@ DriverLimits stated_limits(const GladGLContext& gl) {
   gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, limits.viewport.data());
   gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limits.size);
   gl.GetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, limits.line_widths.data());
+  gl.GetFloatv(GL_MAX_TEXTURE_LOD_BIAS, &limits.texture_lod_bias);
   if (is_es(gl)) {
     state_es_limits(gl, limits);
     return limits;

@@ -25,6 +25,7 @@ struct DriverLimits {
   // How far supported ones lie apart; 0: the API does not say, and all are supported.
   float sampled_line_width_step = 0;
   float point_size_step = 0;
+  float texture_lod_bias = 2;                 // the least that OpenGL allows
   float anisotropy = 1;                       // 1: there is no anisotropic filtering
   std::array<bool, 2> provoking{true, true};  // by ProvokingVertex: setting it has its effect
   std::vector<int> sample_counts;             // of multisampled targets; empty: there are none

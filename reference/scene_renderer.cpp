@@ -150,11 +150,13 @@ void SceneRenderer::describe(const GlContext& context) {
   info_.subpixel_bits = integer(GL_SUBPIXEL_BITS);
   limits_ = stated_limits(gl_);
   info_.traits = {{"context", context.description()},
+                  {"api", limits_.es ? "OpenGL ES" : "OpenGL"},
                   {"glsl", text(GL_SHADING_LANGUAGE_VERSION)},
                   {"max_samples", std::to_string(integer(GL_MAX_SAMPLES))},
                   {"max_viewport", fmt::format("{}x{}", limits_.viewport[0], limits_.viewport[1])},
                   {"line_widths", text_of_range(limits_.line_widths)},
                   {"point_sizes", text_of_range(limits_.point_sizes)},
+                  {"max_texture_lod_bias", fmt::format("{:g}", limits_.texture_lod_bias)},
                   {"capture", "none"}};
   if (limits_.point_size_step > 0)
     info_.traits["point_size_steps"] = text_of_steps(limits_.point_sizes, limits_.point_size_step);

@@ -2,8 +2,12 @@
 #include "diff/compare.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <map>
 #include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -11,6 +15,7 @@
 #include "diff/coverage/explanation.h"
 #include "diff/coverage/legality.h"
 #include "diff/drawing_compare.h"
+#include "diff/moved_answer.h"
 #include "diff/pixel_blocks.h"
 #include "diff/samples/pass_compare.h"
 #include "diff/upside_down.h"
@@ -55,10 +60,22 @@ void read_upside_down(const Drawing& drawing, Result& result) {
     note_upside_down(result);
 }
 
+// What a renderer claims by its traits "max_texture_lod_bias" and "api". What is missing, or no
+// limit that OpenGL allows, tells nothing.
+LookupLimits lookup_limits(const std::map<std::string, std::string>& traits) {
+  LookupLimits limits;
+  if (const auto bias = traits.find("max_texture_lod_bias"); bias != traits.end())
+    limits.bias = std::max(limits.bias, std::strtod(bias->second.c_str(), nullptr));
+  if (!std::isfinite(limits.bias)) limits.bias = kLeastBiasLimit;
+  const auto api = traits.find("api");
+  limits.is_es = api != traits.end() && api->second == "OpenGL ES";
+  return limits;
+}
+
 }  // namespace
 
 RendererFacts facts_of(const RendererInfo& info, const Policy* profile) {
-  return {info.subpixel_bits, profile, supported_sizes(info.traits)};
+  return {info.subpixel_bits, profile, supported_sizes(info.traits), lookup_limits(info.traits)};
 }
 
 Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
@@ -67,6 +84,7 @@ Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
   std::string none_refuted(alternative_names().size(), '0');
   Result result = compare_whole(drawing, std::move(none_refuted));
   read_upside_down(drawing, result);
+  if (breaks_a_ruling(result) && is_covered_moved(exact, rendered)) note_moved(result);
   std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
   // A run keeps its results until all are there.

@@ -12,6 +12,7 @@
 #include "model/rendering.h"
 #include "model/result.h"
 #include "model/scene.h"
+#include "rules/textures/level_of_detail.h"
 
 namespace edgecase {
 
@@ -20,6 +21,7 @@ struct RendererFacts {
   int reported_subpixel_bits = 4;
   const Policy* profile = nullptr;  // what it is measured to follow; null: not known
   SupportedSizes sizes = {};        // of points and of multisampled lines
+  LookupLimits lookups = {};        // of levels of detail
 };
 
 // What a renderer says of itself. `profile` must outlive it.

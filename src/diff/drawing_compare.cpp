@@ -73,6 +73,7 @@ Result compare_drawing(const Drawing& drawing, std::string refuted, Compared com
     ValueContext values(scene, primitives, choices, bits, policy.latitude,
                         rendered.sample_positions);
     if (rendered.samples > 1) values.follow(followed_rate(values, rendered));
+    values.follow_limits(facts.lookups);
     values.follow_fixed_unit(followed_fixed_unit(values, rendered));
     compare_values(values, exact, rendered, profile ? &*profile : nullptr, result);
   }

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "casefile/case_writer.h"
 #include "model/scene_words.h"
@@ -103,11 +105,29 @@ Json to_json(const SurfaceProfile& surface) {
   return json;
 }
 
+// A policy has one alternative of a rule. What a renderer does otherwise where the rule is asked in
+// another way: " Of texture.nearest-level:lod it follows even-at-ties."; empty: nothing.
+std::string other_ways_of(const SurfaceProfile& surface) {
+  std::string text;
+  for (const Trait& trait : surface.traits) {
+    const std::size_t colon = trait.id.find(':');
+    if (colon == std::string::npos || trait.rate.of == 0) continue;
+    const std::string rule = trait.id.substr(0, colon);
+    const auto main = std::ranges::find(surface.traits, rule, &Trait::id);
+    if (main != surface.traits.end() && main->alternative != trait.alternative &&
+        !trait.is_undecided())
+      text += fmt::format(" Of {} it follows {}.", trait.id, trait.alternative);
+  }
+  return text;
+}
+
 // "fbo: triangle.snap 100 %, line.snap 98.20 %; window: …"
 std::string why_of(const Profile& profile) {
   std::vector<std::string> surfaces;
+  std::string other_ways;
   for (const SurfaceProfile& surface : profile.surfaces) {
     if (!surface.unavailable.empty()) continue;
+    if (other_ways.empty()) other_ways = other_ways_of(surface);
     std::vector<std::string> rates;
     for (const Trait& trait : surface.traits)
       if (trait.id.ends_with(".snap") || trait.id == "line.width")
@@ -117,8 +137,8 @@ std::string why_of(const Profile& profile) {
   }
   return fmt::format(
       "Measured by edgecase profile with {} random scenes of each primitive type on each surface, "
-      "seed {}. Scenes that agree with it wholly: {}.",
-      profile.scenes_per_kind, profile.seed, fmt::join(surfaces, "; "));
+      "seed {}. Scenes that agree with it wholly: {}.{}",
+      profile.scenes_per_kind, profile.seed, fmt::join(surfaces, "; "), other_ways);
 }
 
 Json to_json(const Policy& policy, const std::string& why) {

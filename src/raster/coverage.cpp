@@ -206,6 +206,24 @@ Pixels viewed_pixels(const ScenePrimitive& primitive, const Target& target, Cove
   return pixels;
 }
 
+// Does the choice make a wide line of copies of its fragments?
+bool has_columns(const ScenePrimitive& primitive, const Target& target,
+                 const CoverageChoice& choice) {
+  const Draw& draw = *primitive.state;
+  return primitive.kind == PrimitiveKind::line && !primitive.is_clipped &&
+         !is_multisampled(draw, target) && rounded_width(draw.line_width) > 1 &&
+         choice.line.wide == WideLine::replicate;
+}
+
+// Of a line, as the choice draws it.
+bool is_x_major(const ScenePrimitive& line, const Target& target, const CoverageChoice& choice) {
+  HomogeneousSegment ends{line.positions[0], line.positions[1]};
+  if (choice.rows == RowOrder::top_down)
+    ends = {turned_over(ends.a, target.height), turned_over(ends.b, target.height)};
+  if (choice.snap.is_none() && has_clip_positions(line)) return ends.x_major();
+  return Segment{choice.snap(ends.a), choice.snap(ends.b)}.x_major();
+}
+
 }  // namespace
 
 PixelBounds drawable_bounds(const Draw& draw, const Target& target) {
@@ -227,6 +245,29 @@ std::vector<PixelPosition> covered_pixels_within(const PixelBounds& part,
   if (is_culled(primitive, target, choice)) return {};
   return viewed_pixels(primitive, target, choice,
                        {common_part(part, drawable_bounds(*primitive.state, target))});
+}
+
+Point attribute_place(const ScenePrimitive& primitive, const Target& target,
+                      const CoverageChoice& choice, PixelPosition pixel) {
+  const Point centre = pixel_centre(pixel.x, pixel.y);
+  if (!has_columns(primitive, target, choice)) return centre;
+  const bool x_major = is_x_major(primitive, target, choice);
+  const auto above = [&](int pixels) {
+    return x_major ? PixelPosition{pixel.x, pixel.y + pixels}
+                   : PixelPosition{pixel.x + pixels, pixel.y};
+  };
+  // The column goes on beyond the border of the target or of its scissor rectangle.
+  const int others = rounded_width(primitive.state->line_width) - 1;
+  const PixelPosition low = above(-others), high = above(others);
+  const Pixels near = viewed_pixels(primitive, target, choice, {{low.x, low.y, high.x, high.y}});
+  const auto is_drawn = [&](int pixels) {
+    return std::find(near.begin(), near.end(), above(pixels)) != near.end();
+  };
+  if (!is_drawn(0)) return centre;
+  int below = 0;
+  while (below < others && is_drawn(-below - 1)) ++below;
+  const Fixed to_middle = Fixed::from_raw((others - 2 * below) * Fixed::kOne / 2);
+  return x_major ? Point{centre.x, centre.y + to_middle} : Point{centre.x + to_middle, centre.y};
 }
 
 SamplePositions positions_of(const Target& target, const CoverageChoice& choice,

@@ -82,9 +82,10 @@ class MultisampledPrimitive {
 
   void draw_single_sampled(PixelPosition pixel, std::uint32_t coverage) {
     const Point centre = pixel_centre(pixel.x, pixel.y);
-    const Fragment fragment = shaded(pixel, coverage, {centre, centre, centre});
-    const bool first_alone =
-        choices_.of(primitive_.kind).multisample_switch == MultisampleSwitch::depth_of_first;
+    const CoverageChoice& choice = choices_.of(primitive_.kind);
+    const Point place = attribute_place(primitive_, target_, choice, pixel);
+    const Fragment fragment = shaded(pixel, coverage, {place, centre, centre});
+    const bool first_alone = choice.multisample_switch == MultisampleSwitch::depth_of_first;
     for (int sample = 0; sample < rendering_.samples; ++sample)
       write(fragment, sample, centre_of_pixel(), sample == 0 || !first_alone);
   }

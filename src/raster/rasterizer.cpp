@@ -56,6 +56,16 @@ void make_room(std::size_t count, std::vector<Item>& items) {
   if (needed > items.capacity()) items.reserve(std::max(needed, 2 * items.size()));
 }
 
+// One fragment: of a textured draw the colour is what was looked up.
+Fragment shaded(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
+                const Target& target, const CoverageChoice& choice, PixelPosition pixel,
+                const ExactLookup* lookup) {
+  const Point centre = pixel_centre(pixel.x, pixel.y);
+  const Point place = attribute_place(primitive, target, choice, pixel);
+  if (lookup != nullptr || place == centre) return shade(primitive, attributes, pixel, lookup);
+  return shade(primitive, attributes, pixel, {place, centre, centre});
+}
+
 // All fragments of a primitive that differ in nothing but where they are.
 void draw_alike(Rendering& rendering, const FragmentStage& stage, const ScenePrimitive& primitive,
                 const Fragment& fragment, bool front_facing,
@@ -99,9 +109,9 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
     const ExactLookup* const shown = textured ? &lookup : nullptr;
     for (PixelPosition pixel : pixels) {
       if (textured) lookup = textured->look_up(pixel);
-      Fragment fragment = details.derivatives && !textured
+      Fragment fragment = details.derivatives && !textured && primitive.kind != PrimitiveKind::line
                               ? shade(primitive, attributes, pixel, colors)
-                              : shade(primitive, attributes, pixel, shown);
+                              : shaded(primitive, attributes, target, choice, pixel, shown);
       if (details.any()) {
         if (!one_detail || pixel == pixels.front())
           rendering.details.push_back(shade_details(attributes, colors,

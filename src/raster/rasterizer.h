@@ -37,6 +37,15 @@ std::vector<PixelPosition> covered_pixels_within(const PixelBounds& part,
                                                  const Target& target,
                                                  const CoverageChoice& choice);
 
+// Where in the window a fragment of `pixel` takes its attributes where no sample has its own: in
+// the pixel's centre, but of a wide line whose fragments are copies of one in the middle of its
+// column (row, if y-major). There the line has what the line moved by -(w - 1)/2 has at the
+// column's lowest fragment, which is the preferred method of GL 4.6 core, 14.5.2.2. gl_FragCoord,
+// depth and derivatives are those of the pixel's own centre. So is all of a pixel that the choice
+// does not draw.
+Point attribute_place(const ScenePrimitive& primitive, const Target& target,
+                      const CoverageChoice& choice, PixelPosition pixel);
+
 // Where the samples of a target's pixels lie under a choice of rules: those that a renderer
 // reports, or, where `reported` is empty, those of the case, or the standard ones; moved as the
 // choice moves them. The centre alone where the target is not multisampled.

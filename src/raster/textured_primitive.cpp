@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "raster/rasterizer.h"
 #include "raster/texture_axis.h"
 #include "raster/texture_level.h"
 #include "raster/texture_stage.h"
@@ -80,6 +81,8 @@ class TexturedPrimitive::Lookups {
   }
   const DecodedLevel& base() const { return image(use_.sampler.base_level); }
 
+  ScenePrimitive primitive_;
+  const CoverageChoice& coverage_;
   const TextureChoice& choice_;
   const ValueChoice& values_;
   const Target& target_;
@@ -95,7 +98,9 @@ class TexturedPrimitive::Lookups {
 
 TexturedPrimitive::Lookups::Lookups(const TextureStage& stage, const ScenePrimitive& primitive,
                                     const PrimitiveAttributes& attributes)
-    : choice_(stage.choices().textures),
+    : primitive_(primitive),
+      coverage_(stage.choices().of(primitive.kind)),
+      choice_(stage.choices().textures),
       values_(stage.choices().values),
       target_(stage.scene().target),
       use_(*primitive.state->texture),
@@ -181,7 +186,7 @@ Interval TexturedPrimitive::Lookups::biased(Interval lambda_base, const Lookup& 
 }
 
 Level TexturedPrimitive::Lookups::finished(Level level) const {
-  const LevelRules rules{choice_.crossover, choice_.nearest_level, choice_.level_weight, false, 0};
+  const LevelRules rules{choice_.crossover, choice_.nearest_level, choice_.level_weight, false};
   level.lambda = clamped(level.lambda_prime, use_.sampler);
   level.accessed = accessed_level(level.lambda, use_.sampler, last_, rules);
   const std::vector<LevelPick> picks = pick_levels(level.lambda, use_.sampler, last_, rules);
@@ -252,7 +257,7 @@ QueriedLevel TexturedPrimitive::Lookups::queried(PixelPosition pixel) {
 }
 
 ExactLookup TexturedPrimitive::Lookups::look_up(PixelPosition pixel) {
-  const Point sample = pixel_centre(pixel.x, pixel.y);
+  const Point sample = attribute_place(primitive_, target_, coverage_, pixel);
   const Level& level = level_at(pixel);
   ExactLookup result;
   result.coordinates = {axes_[0].value(sample), axes_[1].value(sample)};

@@ -3,6 +3,12 @@
 // Ramps of levels of detail along a strip, and the band that is permitted.
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+#include <utility>
+
+#include "diff/compare.h"
+#include "diff/judge.h"
 #include "diff/textures/level_ramp.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/texture_judging.h"
@@ -55,6 +61,33 @@ TEST(LevelRamp, TheBandIsThatOfTheLeastAndTheMost) {
 }
 
 // A renderer that says less exactly where vertices are may look up what a finer one may.
+
+// What a renderer says of itself bounds its levels: its limit of biases, and its API.
+TEST(LevelLimits, AreTheRenderersOwn) {
+  const auto facts = [](std::map<std::string, std::string> traits) {
+    return facts_of(RendererInfo{.subpixel_bits = 8, .traits = std::move(traits)}, nullptr);
+  };
+  EXPECT_EQ(facts({}).lookups, LookupLimits{});
+  EXPECT_EQ(facts({{"max_texture_lod_bias", "15"}}).lookups, (LookupLimits{15, false}));
+  for (const char* nothing : {"1", "-3", "inf", "many", ""})
+    EXPECT_EQ(facts({{"max_texture_lod_bias", nothing}}).lookups, LookupLimits{}) << nothing;
+  EXPECT_EQ(facts({{"api", "OpenGL ES"}}).lookups, (LookupLimits{2, true}));
+  EXPECT_EQ(facts({{"api", "OpenGL"}}).lookups, LookupLimits{});
+  // The sampler's bias is 10: it may be clamped at 5 where nothing is told.
+  const Scene& scene = textures_named("far bias");
+  const Rendering clamped = changed_textures(scene, [](Fragment& f, FragmentDetail& detail) {
+    f.has_color = false;
+    level_moved(-5)(f, detail);
+  });
+  const auto verdict = [&](const RendererFacts& known) {
+    Result result = compare(scene, {}, rasterize(scene, {}), clamped, known);
+    Result* const alone[] = {&result};
+    judge(alone, Latitude::opengl);
+    return result.verdict;
+  };
+  EXPECT_LE(verdict(facts({})), Verdict::permitted);
+  EXPECT_EQ(verdict(facts({{"max_texture_lod_bias", "16"}})), Verdict::violation);
+}
 
 }  // namespace
 }  // namespace edgecase

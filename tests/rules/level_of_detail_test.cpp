@@ -114,6 +114,21 @@ TEST(ScaleFactors, PermittedIsFromTheLargestPartialToTheLargerBound) {
   EXPECT_GT(by_root, 0);
 }
 
+// OpenGL ES has the second bound alone, which need not hold m_u + m_v.
+TEST(ScaleFactors, PermittedOfOpenGlEsIsWithinTheSecondBound) {
+  int smaller = 0;
+  for_each_footprint([&](const Halves& h) {
+    const Interval both = permitted_scale_factor(footprint_of(h));
+    const Interval es = permitted_scale_factor(footprint_of(h), {kLeastBiasLimit, true});
+    const int larger = std::max(std::abs(h[0]) + std::abs(h[1]), std::abs(h[2]) + std::abs(h[3]));
+    ASSERT_EQ(es.low, both.low);
+    ASSERT_GE(es.high * es.high, larger * larger / 2.0);
+    ASSERT_LE(es.high, std::sqrt(2.0) * larger / 2 * (1 + 1e-15));
+    if (es.high < both.high) ++smaller;
+  });
+  EXPECT_GT(smaller, 0);
+}
+
 // The ellipse's major axis, the larger singular value of the derivatives, is what the scale factor
 // should ideally be.
 TEST(ScaleFactors, PermittedHoldsTheMajorAxis) {

@@ -90,6 +90,20 @@ TEST(Bias, BeyondTheLimitEachTermMayBeClampedOrNot) {
       }
 }
 
+// Up to the limit that a renderer tells nothing is clamped.
+TEST(Bias, TheRenderersOwnLimitTakesThePlaceOfTheLeast) {
+  const auto permitted = [](float sampler, float shader, double limit) {
+    return with_permitted_bias(1.25, biased(sampler), lookup_of(LookupKind::bias, shader),
+                               {limit, false});
+  };
+  EXPECT_EQ(permitted(3, 0, 4).low, 4.25);
+  EXPECT_EQ(permitted(3, 0, 4).high, 4.25);
+  EXPECT_EQ(permitted(3, 2, 4).low, 5.25);
+  EXPECT_EQ(permitted(3, 2, 4).high, 6.25);
+  EXPECT_EQ(permitted(-7, 1, 4).low, -4.75);
+  EXPECT_EQ(permitted(-7, 1, 4).high, -1.75);
+}
+
 TEST(Bias, AlternativesDiffer) {
   const Lookup none;
   const Lookup gradients = lookup_of(LookupKind::gradients, 0);

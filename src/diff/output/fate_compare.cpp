@@ -129,10 +129,20 @@ class FateComparison {
               const FateChoice& choice, Result& result) const {
     for (std::size_t i = 0; i < questions.size(); ++i) {
       Disagreement d = disagreement(questions[i], causes[i], choice);
+      contest(questions[i], d);
       d.policy_agrees = &questions == &excused_;
       if (d.policy_agrees) d.explanation += ". The policy has it as the renderer does";
       result.disagreements.push_back(std::move(d));
     }
+  }
+
+  // A fault with a name is no matter of precision.
+  static void contest(const FateQuestion& question, Disagreement& d) {
+    if (!d.cause.empty() && !d.cause.starts_with("blend.rounding=")) return;
+    const int ruling = contested_ruling(question);
+    if (ruling == 0) return;
+    d.ruling = ruling;
+    d.rule = ruling == kRulingOnDepthCodes ? "framebuffer.depth" : "blend.rounding";
   }
 
   static Disagreement disagreement(const FateQuestion& question, const std::string& cause,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "rules/values/depth_buffer.h"
+
 namespace edgecase {
 
 FateState FateQuestion::exact(const FateChoice& choice) const {
@@ -134,6 +136,46 @@ std::string broken_rule(const FateQuestion& question) {
   if (agrees_without(&FatePlanes::depth)) return "framebuffer.depth";
   if (agrees_without(&FatePlanes::stencil)) return "stencil.test";
   return first_stage(stages, question);
+}
+
+namespace {
+
+constexpr int kRulingOnBlendedCodes = 61;
+
+// Components that some blended fragment may have written.
+std::array<bool, 4> blended_components(std::span<const Arrival> arrivals) {
+  std::array<bool, 4> blended{};
+  for (const Arrival& arrival : arrivals)
+    for (std::size_t c = 0; c < blended.size(); ++c)
+      if (arrival.operations->blending && arrival.operations->color_mask[c]) blended[c] = true;
+  return blended;
+}
+
+// The same state, its blended components free by some codes to both sides.
+FateState loosened(FateState state, const std::array<bool, 4>& blended) {
+  constexpr int kCodes = 5;
+  for (std::size_t c = 0; c < blended.size(); ++c) {
+    if (!blended[c]) continue;
+    Unorm8Range& range = state.permitted_color[c];
+    range.low = static_cast<std::uint8_t>(std::max(0, range.low - kCodes));
+    range.high = static_cast<std::uint8_t>(std::min(255, range.high + kCodes));
+  }
+  return state;
+}
+
+}  // namespace
+
+int contested_ruling(const FateQuestion& question) {
+  const DepthFormat format = question.target().depth;
+  const auto blended = blended_components(question.arrivals({}));
+  for (const FateState& state : question.states({}, kAllPermitted)) {
+    if (agrees(loosened(state, blended), question.stored, format)) return kRulingOnBlendedCodes;
+    if (question.stored.depth &&
+        agrees(state, question.stored, format, {true, false, true, true}) &&
+        is_within_one_code(*question.stored.depth, state.permitted_depth, format))
+      return kRulingOnDepthCodes;
+  }
+  return 0;
 }
 
 }  // namespace edgecase

@@ -66,6 +66,10 @@ FateReason reason_for(const FateQuestion& question);
 // The rule that is broken where nothing accounts for a sample and no alternative is known to.
 std::string broken_rule(const FateQuestion& question);
 
+// The contested ruling that a sample breaks where it would agree but for a depth that is one code
+// off, or colours that blending led up to five codes too far; 0: it breaks another.
+int contested_ruling(const FateQuestion& question);
+
 // Sentences with numbers: what met there, what should be stored, what is.
 std::string explain_fate(const FateQuestion& question, const FateChoice& chosen);
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* kRule = "sample.shading-rate";
 constexpr int kRuling = 34;
+constexpr int kRulingOnPartlyCovered = 60;
 
 // The fragments of one primitive in one pixel.
 struct Invocations {
@@ -92,6 +93,13 @@ class InvocationComparison {
     return (whole * one.samples() + samples - 1) / samples;
   }
 
+  // Where samples share invocations as they like: the others, that are not covered, have one each.
+  int least_of_any_sharing(const Invocations& one) const {
+    const int samples = context_.scene.target.samples;
+    const int whole = least_invocations(use_of(one), samples);
+    return std::max(1, whole - (samples - one.samples()));
+  }
+
   bool yields(ShadingRate rate) const {
     return std::ranges::all_of(
         all_, [&](const Invocations& one) { return expected(one, rate) == one.count; });
@@ -102,7 +110,9 @@ class InvocationComparison {
   }
 
   void report(const Invocations& one, int exact, Result& result) const {
-    Disagreement d = value_disagreement(one.pixel, one.primitive, kRule, kRuling);
+    const bool may_share = one.count >= least_of_any_sharing(one);
+    Disagreement d = value_disagreement(one.pixel, one.primitive, kRule,
+                                        may_share ? kRulingOnPartlyCovered : kRuling);
     d.exact = {static_cast<double>(exact)};
     d.rendered = {static_cast<double>(one.count)};
     d.cause = cause();

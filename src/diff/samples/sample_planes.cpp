@@ -149,7 +149,7 @@ SampleCounts written_samples(const ValueContext& context, const Fragment& fragme
   const int samples = context.scene.target.samples;
   if (!is_thinned(context, fragment)) return {samples, samples};
   const Interval alpha = fragment.has_color ? Interval(fragment.color[3]) : Interval::everything();
-  return alpha_permitted(alpha, samples);
+  return alpha_permitted(with_fade(context, fragment, alpha), samples);
 }
 
 }  // namespace edgecase

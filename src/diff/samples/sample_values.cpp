@@ -17,6 +17,7 @@
 
 #include "diff/samples/sample_planes.h"
 #include "diff/samples/switched_off.h"
+#include "diff/values/pixel_truth.h"
 #include "diff/values/single_cause.h"
 #include "diff/values/value_diff.h"
 #include "rules/samples/alpha_to_coverage.h"
@@ -215,12 +216,12 @@ class HitComparison {
     int kept = 0;
   };
 
-  // Whether all fragments of a pixel are thinned, cover all samples and have one alpha.
+  // Whether all fragments of a pixel are thinned, cover all samples and have one alpha for good.
   bool have_one_alpha(std::span<const Fragment> fragments) const {
     const std::uint32_t all = mask_of_all(rendered_.samples);
     return !fragments.empty() && std::ranges::all_of(fragments, [&](const Fragment& f) {
       return is_thinned(context_, f) && f.has_color && (f.coverage & all) == all &&
-             f.color[3] == fragments.front().color[3];
+             f.color[3] == fragments.front().color[3] && !may_fade(context_, f);
     });
   }
 

@@ -12,8 +12,9 @@ std::vector<Result::LevelPoint> level_ramp(const Scene& scene, const Policy& pol
                                            const Rendering& rendered, const RendererFacts& facts) {
   const RuleChoices choices = resolve(policy, scene.target.surface);
   const std::vector<ScenePrimitive> primitives = primitives_of(scene);
-  const ValueContext context(scene, primitives, choices,
-                             latitude_bits(facts.reported_subpixel_bits), policy.latitude);
+  ValueContext context(scene, primitives, choices, latitude_bits(facts.reported_subpixel_bits),
+                       policy.latitude);
+  context.follow_limits(facts.lookups);
   const Rendering not_drawn;  // a row is soon looked up
   TextureLookups lookups(context, not_drawn, rendered);
   std::vector<Result::LevelPoint> ramp;

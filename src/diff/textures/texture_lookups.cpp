@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diff/values/value_judge.h"
 #include "raster/texture_level.h"
 #include "rules/textures/directed.h"
 #include "rules/textures/precision.h"
@@ -106,6 +107,10 @@ Footprint TextureLookups::footprint_of(const Fragment& fragment, const Gradients
                    level_size(level.height, base), texture.dimensions);
 }
 
+Interval TextureLookups::permitted_scale(const Footprint& footprint) const {
+  return permitted_scale_factor(footprint, context_.lookup_limits());
+}
+
 TextureLookups::Gradients TextureLookups::gradients_of(const Fragment& fragment,
                                                        DerivativeMethod method) {
   auto& known_gradients = fragments_[&fragment].gradients;
@@ -203,10 +208,11 @@ Interval TextureLookups::permitted_lambda(const Fragment& fragment, Reach reach)
   const Sampler& sampler = use_of(fragment).sampler;
   if (sampler.max_anisotropy > 1) return Interval::everything();  // ruling 23
   const Interval scale =
-      permitted_scale_factor(footprint_of(fragment, permitted_gradients(fragment, reach)));
+      permitted_scale(footprint_of(fragment, permitted_gradients(fragment, reach)));
   Interval base = logarithm_of(scale, Log2Method::exact);
   if (scale.low <= 0) base.high = std::max(base.high, kLogarithmOfZero);  // ruling 20
-  return within(with_permitted_bias(base, sampler, {}), precision_within(reach).level);
+  return within(with_permitted_bias(base, sampler, {}, context_.lookup_limits()),
+                precision_within(reach).level);
 }
 
 Boxes TextureLookups::permitted_levels(const Fragment& fragment, Reach reach) {
@@ -243,8 +249,12 @@ TexturePoint TextureLookups::point_of(const Fragment& fragment,
     return {near(detail->texture_coordinates[0], error),
             near(detail->texture_coordinates[1], error)};
   const MovedVertices vertices(attributes.color[0], context_.values_of(fragment).reach);
-  const PermittedPlace place(vertices, pixel_centre(fragment.x, fragment.y));
-  return {place.value(attributes.color[0]), place.value(attributes.color[1])};
+  const Point centre = pixel_centre(fragment.x, fragment.y);
+  const PermittedPlace place(vertices, centre);
+  const Fixed column = height_of_column(context_.primitive_of(fragment), context_.scene.target);
+  const Fixed half = Fixed::from_raw(column.raw() / 2);
+  return {permitted_across(attributes.color[0], vertices, place, centre, half),
+          permitted_across(attributes.color[1], vertices, place, centre, half)};
 }
 
 // lambda of the draw's own lookup, clamped.
@@ -265,19 +275,19 @@ Interval TextureLookups::permitted_lookup_lambda(const Fragment& fragment, Reach
   const double error = precision_within(reach).level;
   if (tells_level(fragment)) return clamped(within(*told_lambda(fragment), error), use.sampler);
   if (kind == LookupKind::lod)
-    return clamped(
-        within(with_permitted_bias(static_cast<double>(use.lookup.value), use.sampler, use.lookup),
-               error),
-        use.sampler);
+    return clamped(within(with_permitted_bias(static_cast<double>(use.lookup.value), use.sampler,
+                                              use.lookup, context_.lookup_limits()),
+                          error),
+                   use.sampler);
   Interval scale;
   if (kind == LookupKind::gradients)
-    scale = permitted_scale_factor(footprint_of(fragment, asked_gradients(fragment)));
+    scale = permitted_scale(footprint_of(fragment, asked_gradients(fragment)));
   else if (shows_level(kinship_of(fragment, false)))
-    scale = permitted_scale_factor(footprint_of(fragment, permitted_gradients(fragment, reach)));
-  return clamped(
-      within(with_permitted_bias(logarithm_of(scale, Log2Method::exact), use.sampler, use.lookup),
-             error),
-      use.sampler);
+    scale = permitted_scale(footprint_of(fragment, permitted_gradients(fragment, reach)));
+  return clamped(within(with_permitted_bias(logarithm_of(scale, Log2Method::exact), use.sampler,
+                                            use.lookup, context_.lookup_limits()),
+                        error),
+                 use.sampler);
 }
 
 // The largest finite number that a lookup may take a mean of.

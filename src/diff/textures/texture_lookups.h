@@ -83,6 +83,7 @@ class TextureLookups {
   Gradients asked_gradients(const Fragment& fragment) const;
   Gradients lookup_gradients(const Fragment& fragment, DerivativeMethod method);
   Footprint footprint_of(const Fragment& fragment, const Gradients& gradients) const;
+  Interval permitted_scale(const Footprint& footprint) const;
   TexturePoint point_of(const Fragment& fragment, const PrimitiveAttributes& attributes,
                         double error) const;
   Interval lookup_lambda(const Fragment& fragment, Interval scale_factor,

@@ -176,6 +176,12 @@ class DepthComparison {
     report(pixel, sample, truth_of(context_, writers.front(), sample), stored, format_, result);
   }
 
+  bool is_one_code_off(const Miss& miss) const {
+    if (miss.writer == nullptr) return false;
+    const Interval depth = permitted_truth(context_, miss.writer, miss.sample);
+    return is_within_one_code(miss.stored, depth_permitted(depth, format_), format_);
+  }
+
   // Each gets the cause that accounts for most of them.
   void blame(Result& result) const {
     std::map<std::string, int> counts;
@@ -187,6 +193,7 @@ class DepthComparison {
       for (const std::string& cause : causes[i])
         if (d.cause.empty() || counts[cause] > counts[d.cause]) d.cause = cause;
       if (d.cause.starts_with("sample.depth=")) d.rule = "sample.depth";
+      if (d.cause.empty() && is_one_code_off(misses_[i])) d.ruling = kRulingOnDepthCodes;
     }
   }
 

@@ -19,6 +19,7 @@
 
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
+#include "diff/values/value_judge.h"
 #include "rules/all_rules.h"
 #include "rules/values/derivative.h"
 
@@ -26,6 +27,7 @@ namespace edgecase {
 namespace {
 
 constexpr int kRuling = 16;
+constexpr int kRulingOnAreas = 49;
 
 // A fragment's derivative along one axis.
 struct Told {
@@ -61,7 +63,8 @@ class PermittedColors {
  public:
   explicit PermittedColors(const ValueContext& context) : context_(context) {}
 
-  bool contain(const Told& told) {
+  // `area`: whatever area of up to 4x4 pixels shares a derivative (ruling 49).
+  bool contain(const Told& told, bool area = false) {
     const PrimitiveValues& values = context_.values_of(*told.fragment);
     const auto at =
         primitives_.try_emplace(told.fragment->primitive, values.lawful.color, values.reach).first;
@@ -69,19 +72,39 @@ class PermittedColors {
     for (std::size_t c = 0; c < 4; ++c) {
       const double rendered = rendered_of(told)[c];
       if (!std::isfinite(rendered)) return false;
-      Interval range = at->second.at(pixel, told.derivative, c);
+      Interval range = area ? at->second.in_area(pixel, told.derivative, c)
+                            : at->second.at(pixel, told.derivative, c);
       if (values.is_polygon) {
         // The difference of any two means.
         const Interval means = with_means(values.lawful.color[c].values[0],
                                           context_.primitive_of(*told.fragment), values, c);
         range = hull(range, means - means);
       }
+      if (height_of_column(context_.primitive_of(*told.fragment), context_.scene.target) != Fixed())
+        range = hull(range, differences_across(*told.fragment, c));
       if (!rounded_to_float(range).contains(to_float(rendered))) return false;
     }
     return true;
   }
 
  private:
+  // Each of a wide line's fragments may have what another row of its column has (ruling 13): the
+  // difference of any two values that it may have there and at the eight pixels around.
+  Interval differences_across(const Fragment& fragment, std::size_t component) const {
+    const ScenePrimitive& line = context_.primitive_of(fragment);
+    const Fixed half = Fixed::from_raw(height_of_column(line, context_.scene.target).raw() / 2);
+    const PrimitiveValues& values = context_.values_of(fragment);
+    const Interpolant& lawful = values.lawful.color[component];
+    Interval all = interpolate_exact(lawful, pixel_centre(fragment.x, fragment.y));
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const Point at = pixel_centre(fragment.x + dx, fragment.y + dy);
+        const PermittedPlace place(values.moved(), at);
+        all = hull(all, permitted_across(lawful, values.moved(), place, at, half));
+      }
+    return all - all;
+  }
+
   const ValueContext& context_;
   std::map<int, PermittedDerivatives> primitives_;  // by the primitive's number
 };
@@ -142,6 +165,12 @@ class DerivativeComparison {
     if (is_flat(told)) return rendered_of(told) == std::array<double, 4>{};
     return yields_derivative(colors_of(told), place_of(told, way.rows), told.derivative, way.method,
                              rendered_of(told));
+  }
+
+  // The fine forms take immediate neighbours; of the others an area is spoken of.
+  bool is_of_larger_area(const Told& told) const {
+    return form_of(told.derivative) != form_of(Derivative::x_fine) && !is_flat(told) &&
+           permitted_.contain(told, true);
   }
 
   bool is_permitted(const Told& told) const {
@@ -261,6 +290,7 @@ class DerivativeComparison {
     if (!is_flat(told))
       d.cause = cause_of_derivatives(context_, *told.fragment, *told.detail, kinds_);
     if (is_by_major_axis(d.cause)) d.ruling = kRulingOnLineValues;
+    if (d.cause.empty() && is_of_larger_area(told)) d.ruling = kRulingOnAreas;
     d.explanation += "is no difference of neighbours that the specification permits";
     if (!d.cause.empty()) d.explanation += fmt::format(", but one under {}", d.cause);
     result.disagreements.push_back(std::move(d));

@@ -21,4 +21,11 @@ PixelTruth truth_of_clear(const Scene& scene);
 // The colour that the renderer told, or where it told none, all that it may have had.
 PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragment);
 
+// May a fragment's alpha be changed after the shader? That of a multisampled point smaller than the
+// fade threshold, which is 1, may be multiplied by the square of the size (GL 4.6 core, 14.4,
+// equation 14.2, and 17.2).
+bool may_fade(const ValueContext& context, const Fragment& fragment);
+// An alpha, with what it may become so.
+Interval with_fade(const ValueContext& context, const Fragment& fragment, Interval alpha);
+
 }  // namespace edgecase

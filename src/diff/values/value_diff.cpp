@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "diff/values/value_diff.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "diff/values/vertex_latitude.h"
@@ -76,7 +78,11 @@ std::optional<Invocation> ValueContext::invocation_of(const Fragment& fragment) 
 
 Point ValueContext::place_of(const Fragment& fragment, const LocationChoice& choice) const {
   const auto invocation = invocation_of(fragment);
-  if (!invocation) return pixel_centre(fragment.x, fragment.y);
+  if (!invocation) {
+    const ScenePrimitive& primitive = primitive_of(fragment);
+    return attribute_place(primitive, scene.target, choices.of(primitive.kind),
+                           {fragment.x, fragment.y});
+  }
   const AttributeLocation qualifier = primitive_of(fragment).state->multisampling.location;
   return place_in({fragment.x, fragment.y},
                   attribute_location(qualifier, *invocation, positions_, choice));
@@ -179,10 +185,11 @@ Interval depth_permitted_at(const PrimitiveValues& values, Point place) {
                        PermittedPlace(values.moved(), place).value(values.permitted_depth));
 }
 
-Interval holding(Interval permitted, double exact) {
+void expect_holding(Interval permitted, double exact) {
   const double number = to_float(exact);
-  assert(std::isnan(number) || permitted.contains(number));
-  return std::isnan(number) ? permitted : hull(permitted, number);
+  if (!std::isnan(number) && !permitted.contains(number))
+    throw std::logic_error(fmt::format("what is permitted, {} to {}, leaves out what is exact, {}",
+                                       permitted.low, permitted.high, number));
 }
 
 bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample) {

@@ -20,6 +20,7 @@
 #include "model/scene.h"
 #include "raster/attributes.h"
 #include "rules/choices.h"
+#include "rules/textures/level_of_detail.h"
 #include "rules/values/permitted_place.h"
 
 namespace edgecase {
@@ -57,6 +58,9 @@ class ValueContext {
   // What the unit of polygon offsets may be of a fixed-point buffer, where the renderer's depths
   // tell more than permitted_fixed_unit(); before values of primitives are asked for.
   void follow_fixed_unit(Interval unit) { fixed_unit_ = unit; }
+  // What the renderer says that bounds its levels of detail.
+  void follow_limits(const LookupLimits& limits) { lookup_limits_ = limits; }
+  const LookupLimits& lookup_limits() const { return lookup_limits_; }
 
   const Scene& scene;
   std::span<const ScenePrimitive> primitives;
@@ -71,7 +75,8 @@ class ValueContext {
   const SamplePositions& sample_positions() const { return positions_; }
 
   // Where in the window exact evaluates what a fragment carries: its attributes, its depth, and
-  // gl_FragCoord.xy itself. The pixel's centre, unless the draw is multisampled.
+  // gl_FragCoord.xy itself. The pixel's centre, unless the draw is multisampled; attributes of wide
+  // lines elsewhere (attribute_place).
   Point place_of(const Fragment& fragment, const LocationChoice& choice) const;
   Point depth_place_of(const Fragment& fragment, const LocationChoice& choice) const;
   Point coordinates_of(const Fragment& fragment) const;
@@ -90,6 +95,7 @@ class ValueContext {
   int bits_;
   ShadingRate rate_;
   Interval fixed_unit_;
+  LookupLimits lookup_limits_;
   SamplePositions positions_;
   // Worked out for a primitive when it is first asked for; some kilobytes each.
   mutable std::vector<std::unique_ptr<PrimitiveValues>> values_;
@@ -145,9 +151,10 @@ Interval with_means_of_depth(Interval permitted, const ScenePrimitive& primitive
                              const PrimitiveValues& values);
 inline constexpr int kRulingOnPolygonDepth = 44;
 
-// `permitted`, of a value that exact computes as the specification has it: it holds what is exact,
-// rounded to float32. One that did not would accuse exact itself.
-Interval holding(Interval permitted, double exact);
+// Throws std::logic_error where `permitted`, of a value that exact computes as the specification
+// has it, leaves out what is exact, rounded to float32: it would accuse exact itself. A number that
+// is none is never left out.
+void expect_holding(Interval permitted, double exact);
 
 // Does the fragment cover the sample? Without multisampling it covers all.
 bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample);

@@ -34,10 +34,15 @@ struct ValueComponent {
   }
 };
 
-// What is permitted at a sample of a line as wide as `width`, rounded: each fragment of a column
-// may have the value of its own centre, or that of the adjusted line at the column's lowest
-// fragment, which is the line's own in the middle of the column: at most (width - 1)/2 away (ruling
-// 13).
+// From the first to the last fragment of a line's column, pixels; 0 of what has no columns.
+inline Fixed height_of_column(const ScenePrimitive& primitive, const Target& target) {
+  if (primitive.kind != PrimitiveKind::line || is_multisampled(*primitive.state, target)) return {};
+  return Fixed::from_integer(rounded_width(primitive.state->line_width) - 1);
+}
+
+// What is permitted at the centre of a pixel of a wide line: each fragment of a column may have the
+// value of its own centre, or that of the adjusted line at the column's lowest fragment, which is
+// the line's own in the middle of the column: at most (width - 1)/2 away (ruling 13).
 // `across`: how far, pixels.
 inline Interval permitted_across(const Interpolant& interpolant, const MovedVertices& vertices,
                                  const PermittedPlace& place, Point sample, Fixed across) {
@@ -76,12 +81,14 @@ class ValueJudge {
         place_(pixel_centre(fragment.x, fragment.y)),
         depth_place_(place_),
         pixel_{fragment.x, fragment.y},
+        column_(height_of_column(primitive_, context.scene.target)),
         depth_is_zero_(fragment_depth_is_zero(primitive_.state->multisampling,
                                               context.choices.values.locations)),
         lawful_(!values_.differ && has_lawful_places(context.choices.values.locations)),
         forgiving_(context.latitude == Latitude::none) {
+    if (context.scene.target.samples > 1 || column_ != Fixed())
+      place_ = context.place_of(fragment, context.choices.values.locations);
     if (context.scene.target.samples == 1) return;
-    place_ = context.place_of(fragment, context.choices.values.locations);
     depth_place_ = context.depth_place_of(fragment, context.choices.values.locations);
     for (const Point corner : context.permitted_places(fragment))
       corners_.emplace_back(values_.moved(), corner);
@@ -107,10 +114,10 @@ class ValueJudge {
     result.permitted = told(question, permitted(question));
     // Of an offset depth the renderer's unit need not be exact's (ruling 38).
     const bool has_own_unit = question.is_depth && values_.lawful.clamps_depth;
-    if (lawful_ && !has_own_unit) result.permitted = holding(result.permitted, result.exact);
+    if (lawful_ && !has_own_unit) expect_holding(result.permitted, result.exact);
     result.may_be_of_column =
-        !result.is_permitted() && question.corners.empty() &&
-        told(question, permitted_in_column(question)).contains(to_float(rendered));
+        !result.is_permitted() && column_ != Fixed() &&
+        told(question, permitted_in_column(question.lawful, column_)).contains(to_float(rendered));
     return result;
   }
 
@@ -164,20 +171,17 @@ class ValueJudge {
   // Of what has a value for the whole pixel or column, of all places where that may be taken.
   Interval permitted(const JudgedValue& question) const {
     const auto& [chosen, lawful, place, corners, is_depth] = question;
-    if (!corners.empty()) return permitted_within(lawful, values_.lawful.inverse_w, corners);
-    return permitted_across(lawful, values_.moved(), permitted_at(place), place,
-                            Fixed::from_raw(across() / 2));
+    if (corners.empty() && column_ == Fixed()) return permitted_at(place).value(lawful);
+    const Interval across = permitted_in_column(lawful, Fixed::from_raw(column_.raw() / 2));
+    if (corners.empty()) return across;
+    const Interval within = permitted_within(lawful, values_.lawful.inverse_w, corners);
+    return column_ == Fixed() ? within : hull(within, across);
   }
 
-  // What any fragment of a wide line's column may have.
-  Interval permitted_in_column(const JudgedValue& question) const {
-    return permitted_across(question.lawful, values_.moved(), permitted_at(question.place),
-                            question.place, Fixed::from_raw(across()));
-  }
-
-  // From the first to the last fragment of a line's column, raw.
-  std::int64_t across() const {
-    return (rounded_width(primitive_.state->line_width) - 1) * Fixed::kOne;
+  // What a wide line has so far from the pixel's centre along its minor axis, and nearer.
+  Interval permitted_in_column(const Interpolant& lawful, Fixed across) const {
+    const Point centre = pixel_centre(pixel_.x, pixel_.y);
+    return permitted_across(lawful, values_.moved(), permitted_at(centre), centre, across);
   }
 
   // What the components of a colour share is worked out once.
@@ -198,6 +202,7 @@ class ValueJudge {
   Point place_;        // of the colour
   Point depth_place_;  // of gl_FragCoord.z and gl_FragCoord.w
   PixelPosition pixel_;
+  Fixed column_;  // height, of a wide line's
   bool depth_is_zero_;
   bool lawful_;  // exact evaluates as the specification has it
   // Of the regions where the colour, and gl_FragCoord, may be taken.

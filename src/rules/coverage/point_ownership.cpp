@@ -78,7 +78,8 @@ Rule point_ownership_rule() {
         "to it. A pixel centre on the boundary, for some position of the vertex less than one step "
         "of 2^-b away (b as in ruling 4), may be covered or not. A size that the renderer's "
         "GL_POINT_SIZE_GRANULARITY does not hold may become any that is off by half of that, and a "
-        "multisampled point that is smaller than 1 may be as large as 1 (14.4)."}}};
+        "multisampled point that is smaller than 1 may be as large as 1 (14.4). A size beyond the "
+        "range that the renderer tells is not asked for, so that none is clamped."}}};
 }
 
 bool point_covers(const SizedPoint& point, Point sample, const TieRule& ties) {

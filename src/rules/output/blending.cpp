@@ -284,7 +284,10 @@ Rule blend_rounding_rule() {
             "not, be rounded to either neighbouring multiple of 1/255, and the result, clamped to "
             "0 to 1, is stored as either neighbour. The products by 0 and by 1 and the stored "
             "colour's own value have no error. Components that are masked keep what is stored, to "
-            "the bit."}}};
+            "the bit."},
+           {61,
+            "A blended component is none of the five integers beyond those of ruling 37. A named "
+            "fault stays one, however small."}}};
 }
 
 Rule color_mask_rule() {

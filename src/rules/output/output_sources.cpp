@@ -16,6 +16,19 @@ void add_output_sources(std::map<int, RulingSource>& of) {
                 "5 x + 2 when blending",
             .es = "15.1.5.1: same"};
 
+  of[61] = {.clause = "17.3.6.1",
+            .quotation =
+                "performed with a precision and dynamic range no lower than that used to "
+                "represent destination components",
+            .basis = Basis::contested,
+            .contest =
+                "the letter states a precision and no bound for what a whole equation makes of it; "
+                "the Khronos tests let results of 8 bits be 5 codes off",
+            .khronos =
+                "dEQP-GLES3.functional.fragment_ops.blend.* (es3fBlendTests.cpp): 2.5 codes of the "
+                "target + 3, i.e. 5 codes of 8 bits",
+            .es = "15.1.5.1: same"};
+
   of[38] = {.clause = "14.6.5 (Depth Offset)",
             .quotation =
                 "The minimum resolvable difference r is an implementation-dependent parameter "

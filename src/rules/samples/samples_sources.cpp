@@ -118,6 +118,20 @@ void add_samples_sources(std::map<int, RulingSource>& of) {
           "13.4.1: same, \"If the value of SAMPLE_BUFFERS is zero or SAMPLE_SHADING is "
           "disabled\""};
 
+  of[60] = {
+      .clause = "14.3.1.1 (Sample Shading)",
+      .quotation =
+          "unique sets of fragment shader inputs for each fragment ... These are "
+          "associated with the samples in an implementation-dependent manner",
+      .basis = Basis::contested,
+      .contest =
+          "the samples that share an invocation are the implementation's, and no sentence "
+          "makes shares equal: all that is covered of a pixel may share one",
+      .khronos =
+          "dEQP-GLES31.functional.sample_shading.min_sample_shading.*: shades are counted over "
+          "whole pixels, those at the triangles' edge are skipped",
+      .es = "13.4.1: same"};
+
   of[35] = {.clause =
                 "14.3.1 (Multisampling); 15.2.2 (Shader Inputs); 17.3.10 (Additional Multisample "
                 "Fragment Operations)",

@@ -51,11 +51,15 @@ Rule shading_rate_rule() {
       "as-needed",
       alternatives_in(kRates),
       {{34,
-        "A pixel of n samples of which a primitive covers k has at least min(k, max(ceil(s n), 1)) "
-        "invocations under GL_SAMPLE_SHADING with share s, and k where an input is qualified "
-        "sample; k at most. Their coverage masks share no bit, and together hold what is "
-        "covered. "
-        "Fewer invocations than asked for are a violation, more are not."}}};
+        "A pixel of n samples has at least m = max(ceil(s n), 1) invocations under "
+        "GL_SAMPLE_SHADING with share s, and n where an input is qualified sample. One of which a "
+        "primitive covers k samples alone has at least k/n of these, rounded up, and k at most. "
+        "Their coverage masks share no bit, and together hold what is covered. Fewer invocations "
+        "than asked for are a violation, more are not."},
+       {60,
+        "Samples share invocations evenly: a pixel that is covered in part has no fewer "
+        "invocations than ruling 34 asks for, even where max(1, m - (n - k)) are enough if the "
+        "samples that are not covered have one each."}}};
 }
 
 }  // namespace edgecase

@@ -158,13 +158,14 @@ Interval scale_factor(const Footprint& footprint, ScaleFactor method) {
   return {scale_factor_of<Down>(range.low, method), scale_factor_of<Up>(range.high, method)};
 }
 
-Interval permitted_scale_factor(const Footprint& footprint) {
+Interval permitted_scale_factor(const Footprint& footprint, const LookupLimits& limits) {
   constexpr double kRootOfTwo = 0x1.6a09e667f3bcdp0;  // rounded up
   const Partials high = range_of(footprint).high;
   const double larger_sum = std::max(Up::sum(high.ux, high.vx), Up::sum(high.uy, high.vy));
+  const double of_ellipse = Up::product(kRootOfTwo, larger_sum);
+  const double of_partials = scale_factor(footprint, ScaleFactor::sum_of_partials).high;
   return {scale_factor(footprint, ScaleFactor::largest_partial).low,
-          std::max(scale_factor(footprint, ScaleFactor::sum_of_partials).high,
-                   Up::product(kRootOfTwo, larger_sum))};
+          limits.is_es ? of_ellipse : std::max(of_partials, of_ellipse)};
 }
 
 Interval with_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup,
@@ -178,11 +179,12 @@ Interval with_bias(Interval lambda_base, const Sampler& sampler, const Lookup& l
   return choice == BiasChoice::half_a_level_more ? exact_sum(lambda_prime, 0.5) : lambda_prime;
 }
 
-Interval with_permitted_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup) {
+Interval with_permitted_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup,
+                             const LookupLimits& limits) {
   const Interval of_sampler =
-      clamped_or_not(sampler_bias(sampler, lookup, BiasChoice::as_set), kLeastBiasLimit);
-  const Interval of_shader = clamped_or_not(shader_bias(lookup), kLeastBiasLimit);
-  const Interval bias = clamped_or_not(known(exact_sum(of_sampler, of_shader)), kLeastBiasLimit);
+      clamped_or_not(sampler_bias(sampler, lookup, BiasChoice::as_set), limits.bias);
+  const Interval of_shader = clamped_or_not(shader_bias(lookup), limits.bias);
+  const Interval bias = clamped_or_not(known(exact_sum(of_sampler, of_shader)), limits.bias);
   return clamped_or_not(known(exact_sum(known(lambda_base), bias)), kLeastLevelLimit);
 }
 
@@ -213,9 +215,11 @@ Rule scale_factor_rule() {
        "larger absolute derivative of u along x and y and m_v that of v, and the root of 2 times "
        "the larger of |du/dx| + |dv/dx| and |du/dy| + |dv/dy|, which holds the major axis of the "
        "footprint's ellipse. Derivatives are those that ruling 16 permits for dFdx and dFdy, in "
-       "texels of the base level. OpenGL ES has the second bound alone; we hold it to either. That "
-       "the function is one and the same for all fragments, and grows with each partial, is not "
-       "judged of single fragments."}};
+       "texels of the base level. OpenGL ES has the second bound alone, and a renderer that says "
+       "that it is one is held to it. A line's factor is its derivative along the line (8.12), "
+       "which these bounds hold; exact takes that of polygons (8.11). That the function is one and "
+       "the same for all fragments, and grows with each partial, is not judged of single "
+       "fragments."}};
   return rule;
 }
 
@@ -241,10 +245,10 @@ Rule lod_bias_rule() {
   rule.alternatives = alternatives_in(kBiasChoices);
   rule.rulings = {
       {26,
-       "Bias: where the sampler's, the lookup's or the sum of both is beyond 2, the least "
-       "GL_MAX_TEXTURE_LOD_BIAS, each of them may be clamped at any limit from 2 on, or not at "
-       "all, "
-       "and so may a level of detail beyond 14, the last level of the least GL_MAX_TEXTURE_SIZE: "
+       "Bias: where the sampler's, the lookup's or the sum of both is beyond the "
+       "GL_MAX_TEXTURE_LOD_BIAS that the renderer tells, or 2, the least, where it tells none, "
+       "each of them may be clamped at any limit from there on, or not at all, and so may a level "
+       "of detail beyond 14, the last level of the least GL_MAX_TEXTURE_SIZE: "
        "8.14.1 says that implementations clamp intermediate and final terms differently and that "
        "results then differ. Elsewhere the sum is as it is. OpenGL does not say to how many bits a "
        "sampler keeps its bias: it may be off as the level of detail may (ruling 20)."}};

@@ -61,6 +61,13 @@ constexpr double kLeastBiasLimit = 2;
 // The last level of the least GL_MAX_TEXTURE_SIZE, 16384: no level of detail is clamped below it.
 constexpr double kLeastLevelLimit = 14;
 
+// What a renderer says of itself that bounds its levels of detail.
+struct LookupLimits {
+  double bias = kLeastBiasLimit;  // its GL_MAX_TEXTURE_LOD_BIAS; that, or more
+  bool is_es = false;             // OpenGL ES, of which one bound of the scale factor is missing
+  friend bool operator==(const LookupLimits&, const LookupLimits&) = default;
+};
+
 enum class BiasChoice {
   as_set,
   sampler_nearest_8,  // the sampler's bias rounded to 1/256, half away from 0
@@ -90,8 +97,9 @@ IntervalPair lengths(const Footprint& footprint);
 
 // Texels per pixel, 0 or more: what a method yields of the footprint.
 Interval scale_factor(const Footprint& footprint, ScaleFactor method);
-// What any f may yield: from max(m_u, m_v) to the larger of the two upper bounds.
-Interval permitted_scale_factor(const Footprint& footprint);
+// What any f may yield: from max(m_u, m_v) to the larger of the two upper bounds; of OpenGL ES to
+// the second.
+Interval permitted_scale_factor(const Footprint& footprint, const LookupLimits& limits = {});
 
 // lambda': with the sampler's bias, and with the lookup's where that is of kind `bias`; their sum
 // is clamped to kMaxLodBias. The sampler's also moves a lod that the shader gives, which stands in
@@ -99,10 +107,11 @@ Interval permitted_scale_factor(const Footprint& footprint);
 Interval with_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup,
                    BiasChoice choice);
 // The same as the specification permits it. Where the sampler's bias, the lookup's or their sum is
-// beyond kLeastBiasLimit, either way, each may be clamped at any limit from there on, or not, and
-// so may a result beyond kLeastLevelLimit: "Different implementations have chosen to perform
+// beyond the renderer's limit, either way, each may be clamped at any limit from there on, or not,
+// and so may a result beyond kLeastLevelLimit: "Different implementations have chosen to perform
 // clamping on intermediate and final terms … differently" (8.14.1).
-Interval with_permitted_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup);
+Interval with_permitted_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup,
+                             const LookupLimits& limits = {});
 // lambda: clamped to min_lod and max_lod.
 Interval clamped(Interval lambda_prime, const Sampler& sampler);
 

@@ -75,6 +75,14 @@ Interval depth_permitted(Interval depth, DepthFormat format) {
   return {below(steps_of(low, largest)) / largest, above(steps_of(high, largest)) / largest};
 }
 
+bool is_within_one_code(double stored, Interval permitted, DepthFormat format) {
+  if (bits_of(format) == 0 || !is_depth_of(stored, format)) return false;
+  const double largest = largest_of(format);
+  const double code = std::nearbyint(stored * largest);
+  return code >= std::nearbyint(permitted.low * largest) - 1 &&
+         code <= std::nearbyint(permitted.high * largest) + 1;
+}
+
 Rule depth_buffer_rule() {
   return {
       "framebuffer.depth",
@@ -90,7 +98,10 @@ Rule depth_buffer_rule() {
         "that ruling 9 permits. Of 32 float bits: that depth. Depths are clamped to 0 to 1 "
         "first, also where the buffer is of floats (14.6.5, 15.2.3); a float32 depth beyond 0 "
         "to 1 to which no polygon offset was added may be kept. A pixel without fragments holds "
-        "the clear value."}}};
+        "the clear value."},
+       {59,
+        "A stored depth of 16 or 24 bits is none of the integers that lie one beyond those of "
+        "ruling 18."}}};
 }
 
 }  // namespace edgecase

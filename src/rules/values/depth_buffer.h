@@ -29,5 +29,8 @@ bool is_depth_of(double stored, DepthFormat format);
 // buffer may keep a depth beyond 0 to 1 that no polygon offset has led there: 14.6.5 speaks of
 // clamping where it speaks of the offset.
 Interval depth_permitted(Interval depth, DepthFormat format);
+// Is a stored value of an unsigned format among these, or one integer beyond them (ruling 59)?
+bool is_within_one_code(double stored, Interval permitted, DepthFormat format);
+inline constexpr int kRulingOnDepthCodes = 59;
 
 }  // namespace edgecase

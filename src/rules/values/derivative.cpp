@@ -195,6 +195,16 @@ Interval PermittedDerivatives::at(PixelPosition pixel, Derivative derivative,
   return result;
 }
 
+// The nine pixels around pixels that lie two apart hold all 4x4 areas with the pixel in them.
+Interval PermittedDerivatives::in_area(PixelPosition pixel, Derivative derivative,
+                                       std::size_t component) {
+  Interval result = at(pixel, derivative, component);
+  for (int dy = -2; dy <= 2; dy += 2)
+    for (int dx = -2; dx <= 2; dx += 2)
+      result = hull(result, at({pixel.x + dx, pixel.y + dy}, derivative, component));
+  return result;
+}
+
 Rule derivative_rule() {
   Rule rule =
       rule_of("derivative.plain", "dFdx and dFdy are differences of neighbouring fragments' values",
@@ -207,7 +217,10 @@ Rule derivative_rule() {
        "neighbour on either side along the axis, for the coarse forms and for dFdx and dFdy the "
        "difference of any two neighbours along the axis among the nine pixels around the fragment, "
        "and for all the derivative itself; each value as ruling 9 permits it, and the subtraction "
-       "inexact as any operation. Where quads begin is open."}};
+       "inexact as any operation. Where quads begin is open."},
+      {49,
+       "dFdx, dFdy and the coarse forms come of neighbours among those nine pixels, and of none "
+       "farther off in an area of 4x4 pixels that has the fragment in it."}};
   return rule;
 }
 

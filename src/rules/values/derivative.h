@@ -104,6 +104,9 @@ class PermittedDerivatives {
       : PermittedDerivatives(std::span(&component, 1), reach) {}
 
   Interval at(PixelPosition pixel, Derivative derivative, std::size_t component = 0);
+  // What the plain and coarse forms may yield besides, if the area that shares a derivative may be
+  // of up to 4x4 pixels (ruling 49).
+  Interval in_area(PixelPosition pixel, Derivative derivative, std::size_t component = 0);
 
  private:
   struct AtPixel {

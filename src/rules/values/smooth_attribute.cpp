@@ -78,9 +78,11 @@ Rule smooth_attribute_rule() {
       {13,
        "Attributes across a wide line: preferred are those of the adjusted line at the column's "
        "lowest fragment, for all fragments of the column, which is what the line has in the middle "
-       "of the column; each fragment may have that of its own centre instead (14.5.2.2). Exact "
-       "takes their own; permitted is what lies between both, in whichever row of its column a "
-       "fragment may be: at most (w - 1)/2 away along the minor axis."},
+       "of the column, and exact takes these; each fragment may have those of its own centre "
+       "instead (14.5.2.2). Permitted is what lies between both, in whichever row of its column a "
+       "fragment may be: at most (w - 1)/2 away along the minor axis. gl_FragCoord and depth are "
+       "interpolated as usual, and given the same leave; derivatives are differences of any values "
+       "that fragments may have."},
       {46,
        "Values along a line go by the sample's projection onto it (equation 14.5), and not by its "
        "coordinate on the major axis alone; those of a wide line are none that only another "
