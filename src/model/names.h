@@ -12,6 +12,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -51,6 +53,19 @@ constexpr bool parse_name(std::string_view name, Enum& value) {
     return true;
   }
   return false;
+}
+
+template <HasNames Enum>
+inline constexpr auto kValues = [] {
+  std::array<Enum, kNames<Enum>.size()> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = kNames<Enum>[i].value;
+  return values;
+}();
+
+// All values, in the table's order.
+template <HasNames Enum>
+constexpr std::span<const Enum> values_of() {
+  return kValues<Enum>;
 }
 
 // All names, in the table's order.

@@ -155,8 +155,8 @@ TEST(MipChainValues, WhatLiesBeyondTheLevelAboveIsContested) {
 TEST(MipChainValues, AllPairsOfFilterAndRoundingAreNamed) {
   const Scene& scene = textures_named("generated codes");
   int named = 0;
-  for (const MipmapFilter filter : all_mipmap_filters())
-    for (const MipmapRounding rounding : all_mipmap_roundings()) {
+  for (const MipmapFilter filter : values_of<MipmapFilter>())
+    for (const MipmapRounding rounding : values_of<MipmapRounding>()) {
       const std::string of_filter = std::string("mipmap.filter=") + name_of(filter);
       const std::string of_rounding = std::string("mipmap.rounding=") + name_of(rounding);
       const Result result = judge_follower(scene, {of_filter, of_rounding});

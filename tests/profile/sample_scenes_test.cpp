@@ -89,7 +89,7 @@ TEST(SampleScenes, AlphasLieOnBothSidesOfEveryThreshold) {
     EXPECT_TRUE(std::is_sorted(alphas.begin(), alphas.end()));
     EXPECT_EQ(alphas.front(), 0);
     EXPECT_EQ(alphas.back(), 1);
-    for (const AlphaToCoverage choice : all_alpha_to_coverages()) {
+    for (const AlphaToCoverage choice : values_of<AlphaToCoverage>()) {
       std::set<std::uint32_t> masks;
       for (const float alpha : alphas)
         masks.insert(alpha_mask(static_cast<double>(alpha), samples, choice));

@@ -61,7 +61,8 @@ TEST(ResidualTable, IsExactForTheFormulaThatIsFollowed) {
   ASSERT_EQ(table.rows().size(), 2 * all_ramp_kinds().size());
   for (const LevelResiduals& row : table.rows()) {
     EXPECT_EQ(row.derivatives, "quad-coarse-top-right");
-    EXPECT_EQ(row.formulas.size(), all_scale_factors().size() * all_log2_methods().size());
+    EXPECT_EQ(row.formulas.size(),
+              values_of<ScaleFactor>().size() * values_of<Log2Method>().size());
     EXPECT_EQ(row.found().scale_factor, ScaleFactor::largest_partial);
     EXPECT_GT(row.found().fragments, 1000u);
     EXPECT_LT(row.found().largest, 1e-9) << name_of(row.kind);

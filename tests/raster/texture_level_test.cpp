@@ -32,7 +32,7 @@ TEST(TextureLevel, SquaresAreThoseOfEveryScaleFactor) {
   };
   for (int i = 0; i < 3'000; ++i) {
     const RationalFootprint f = footprint_of({partial(), partial()}, {partial(), partial()});
-    for (const ScaleFactor method : all_scale_factors()) {
+    for (const ScaleFactor method : values_of<ScaleFactor>()) {
       const Interval root = scale_factor(intervals_of(f), method);
       const Rational squared = squared_scale_factor(f, method);
       ASSERT_LE(rational_of(root.low) * rational_of(root.low), squared) << name_of(method);

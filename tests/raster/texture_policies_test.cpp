@@ -19,13 +19,13 @@ std::vector<TextureChoice> all_choices() {
   };
   vary(&TextureChoice::texel_grid,
        std::array{TexelGrid::floor_8, TexelGrid::nearest_8, TexelGrid::linear_even_8});
-  vary(&TextureChoice::scale_factor, all_scale_factors());
-  vary(&TextureChoice::log2, all_log2_methods());
+  vary(&TextureChoice::scale_factor, values_of<ScaleFactor>());
+  vary(&TextureChoice::log2, values_of<Log2Method>());
   vary(&TextureChoice::derivatives, all_derivative_methods());
   vary(&TextureChoice::bias, std::array{BiasChoice::half_a_level_more});
   vary(&TextureChoice::crossover, std::array{Crossover::by_filters});
-  vary(&TextureChoice::nearest_level, all_nearest_levels());
-  vary(&TextureChoice::level_weight, all_level_weights());
+  vary(&TextureChoice::nearest_level, values_of<NearestLevel>());
+  vary(&TextureChoice::level_weight, values_of<LevelWeight>());
   const std::size_t alone = choices.size();
   for (std::size_t i = 1; i < alone; ++i) {
     TextureChoice both = choices[i];

@@ -48,7 +48,7 @@ TEST(Accumulation, RoundsWhatSinglePrecisionCannotHold) {
 }
 
 TEST(Accumulation, NamesAreRead) {
-  for (const Accumulation choice : all_accumulations()) {
+  for (const Accumulation choice : values_of<Accumulation>()) {
     Accumulation read = Accumulation::sum;
     EXPECT_TRUE(parse_name(name_of(choice), read));
     EXPECT_EQ(read, choice);

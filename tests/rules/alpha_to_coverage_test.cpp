@@ -52,7 +52,7 @@ TEST(AlphaToCoverage, AQuarterOf3SamplesIsAThresholdOfSpread) {
 }
 
 TEST(AlphaToCoverage, EndsAndNumbersBeyond) {
-  for (AlphaToCoverage choice : all_alpha_to_coverages())
+  for (AlphaToCoverage choice : values_of<AlphaToCoverage>())
     for (int samples : {2, 4, 8, 16}) {
       const std::uint32_t all = (1u << samples) - 1;
       for (double alpha : {1.0, 2.0, static_cast<double>(kInfinity)})
@@ -64,7 +64,7 @@ TEST(AlphaToCoverage, EndsAndNumbersBeyond) {
 }
 
 TEST(AlphaToCoverage, MoreAlphaKeepsNoFewerSamplesAndTheFirstOnes) {
-  for (AlphaToCoverage choice : all_alpha_to_coverages())
+  for (AlphaToCoverage choice : values_of<AlphaToCoverage>())
     for (int samples = 1; samples <= 16; ++samples) {
       std::uint32_t last = alpha_mask(0, samples, choice);
       for (int step = 1; step <= 1024; ++step) {
@@ -146,7 +146,7 @@ TEST(AlphaToCoverage, ByTheAlphasOfOthers) {
 }
 
 TEST(AlphaToCoverage, NamesAreReadBack) {
-  for (AlphaToCoverage choice : all_alpha_to_coverages()) {
+  for (AlphaToCoverage choice : values_of<AlphaToCoverage>()) {
     AlphaToCoverage read = AlphaToCoverage::ignored;
     EXPECT_TRUE(parse_name(name_of(choice), read));
     EXPECT_EQ(read, choice);

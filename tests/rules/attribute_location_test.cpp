@@ -124,19 +124,19 @@ TEST(AttributeLocation, DepthOfAFragmentWithoutSample0) {
 }
 
 TEST(AttributeLocation, NamesAreReadBack) {
-  for (PlainLocation choice : all_plain_locations()) {
+  for (PlainLocation choice : values_of<PlainLocation>()) {
     PlainLocation read = PlainLocation::centre;
     EXPECT_TRUE(parse_name(name_of(choice), read));
     EXPECT_EQ(read, choice);
     EXPECT_FALSE(parse_name("corner", read));
   }
-  for (CentroidLocation choice : all_centroid_locations()) {
+  for (CentroidLocation choice : values_of<CentroidLocation>()) {
     CentroidLocation read = CentroidLocation::centre;
     EXPECT_TRUE(parse_name(name_of(choice), read));
     EXPECT_EQ(read, choice);
     EXPECT_FALSE(parse_name("corner", read));
   }
-  for (DepthLocation choice : all_depth_locations()) {
+  for (DepthLocation choice : values_of<DepthLocation>()) {
     DepthLocation read = DepthLocation::centre;
     EXPECT_TRUE(parse_name(name_of(choice), read));
     EXPECT_EQ(read, choice);

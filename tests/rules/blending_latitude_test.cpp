@@ -79,7 +79,7 @@ TEST_F(BlendingLatitude, HoldsWhatEveryOpenRoundingWrites) {
     const Numbers source = any_source();
     const Rgba8 destination = any_codes();
     const Rgba8Range range = permitted(blending, source, destination);
-    for (const BlendRounding rounding : all_blend_roundings()) {
+    for (const BlendRounding rounding : values_of<BlendRounding>()) {
       const Rgba8 written =
           written_color(blending_by(blending), source, destination, {.rounding = rounding});
       for (std::size_t k = 0; k < 4; ++k)

@@ -269,8 +269,8 @@ TEST(Blending, ShiftedProductsOfAllCodes) {
 }
 
 TEST(Blending, ChoicesHaveTheirNames) {
-  expect_names_lead_back<BlendMethod>(all_blend_methods(), blend_equation_rule());
-  expect_names_lead_back<BlendRounding>(all_blend_roundings(), blend_rounding_rule());
+  expect_names_lead_back<BlendMethod>(values_of<BlendMethod>(), blend_equation_rule());
+  expect_names_lead_back<BlendRounding>(values_of<BlendRounding>(), blend_rounding_rule());
   expect_names_lead_back<ColorMaskMethod>(
       std::array{ColorMaskMethod::as_set, ColorMaskMethod::ignored}, color_mask_rule());
 }

@@ -95,7 +95,7 @@ TEST(DepthTest, TiesFollowTheFunction) {
 
 TEST(DepthTest, WithoutABufferEverythingPasses) {
   for (const CompareFunction function : kFunctions)
-    for (const DepthTestMethod method : all_depth_test_methods())
+    for (const DepthTestMethod method : values_of<DepthTestMethod>())
       EXPECT_TRUE(passes(function, 0.5, 0.25, method, DepthFormat::none));
 }
 
@@ -167,7 +167,7 @@ TEST(DepthTest, AMaskKeepsDepthsUnlessItIsIgnored) {
 }
 
 TEST(DepthTest, ChoicesHaveTheirNames) {
-  expect_names_lead_back<DepthTestMethod>(all_depth_test_methods(), depth_test_rule());
+  expect_names_lead_back<DepthTestMethod>(values_of<DepthTestMethod>(), depth_test_rule());
   expect_names_lead_back<DepthMaskMethod>(
       std::array{DepthMaskMethod::as_set, DepthMaskMethod::ignored}, depth_mask_rule());
 }

@@ -80,7 +80,7 @@ Wide squared(double value) {
 
 TEST(ScaleFactors, AreTheNarrowestIntervalsAroundTheFormulas) {
   for_each_footprint([](const Halves& h) {
-    for (const ScaleFactor method : all_scale_factors()) {
+    for (const ScaleFactor method : values_of<ScaleFactor>()) {
       const Interval result = scale_factor(footprint_of(h), method);
       const int quarters = literal_square(h, method);
       const Wide expected = static_cast<Wide>(quarters) / 4;
@@ -159,7 +159,7 @@ int literal_bound(const Halves& h) {
 // The two conditions of 8.14.1, over the whole grid: an alternative is open where it keeps both,
 // illegal where it breaks one.
 TEST(ScaleFactors, AreOpenWhereTheyKeepTheConditions) {
-  for (const ScaleFactor method : all_scale_factors()) {
+  for (const ScaleFactor method : values_of<ScaleFactor>()) {
     bool within = true;
     bool monotonic = true;
     for_each_footprint([&](const Halves& h) {
@@ -179,10 +179,10 @@ TEST(ScaleFactors, AreOpenWhereTheyKeepTheConditions) {
 
 TEST(ScaleFactors, OneFootprintTellsAllApart) {
   std::set<double> results;
-  for (const ScaleFactor method : all_scale_factors())
+  for (const ScaleFactor method : values_of<ScaleFactor>())
     results.insert(scale_factor(footprint_of({5, 2, 1, 4}), method).low);
   // Here the vector along x is the longer one; where it is not, y-only is.
-  EXPECT_EQ(results.size(), all_scale_factors().size() - 1);
+  EXPECT_EQ(results.size(), values_of<ScaleFactor>().size() - 1);
   EXPECT_EQ(scale_factor(footprint_of({5, 2, 1, 4}), ScaleFactor::x_only).low,
             scale_factor(footprint_of({5, 2, 1, 4}), ScaleFactor::lengths).low);
   EXPECT_LT(scale_factor(footprint_of({1, 4, 5, 2}), ScaleFactor::x_only).high,
@@ -217,7 +217,7 @@ TEST(ScaleFactors, OfIntervalsHoldThoseOfTheirPoints) {
       const Footprint point = {{drawn_in(random, box.dx[0]), drawn_in(random, box.dx[1])},
                                {drawn_in(random, box.dy[0]), drawn_in(random, box.dy[1])},
                                box.dimensions};
-      for (const ScaleFactor method : all_scale_factors()) {
+      for (const ScaleFactor method : values_of<ScaleFactor>()) {
         const Interval result = scale_factor(point, method);
         ASSERT_TRUE(holds(scale_factor(box, method), result)) << name_of(method);
         if (!conforms(method)) continue;
@@ -233,7 +233,7 @@ TEST(ScaleFactors, OfIntervalsReachTheirEnds) {
   const Footprint box = {{Interval(-3, 1), Interval(2, 4)}, {Interval(-5, -1), Interval(0, 2)}, 2};
   const Footprint least = {{0, 2}, {1, 0}, 2};
   const Footprint most = {{3, 4}, {5, 2}, 2};
-  for (const ScaleFactor method : all_scale_factors()) {
+  for (const ScaleFactor method : values_of<ScaleFactor>()) {
     if (method == ScaleFactor::length_of_sum) continue;
     EXPECT_EQ(scale_factor(box, method).low, scale_factor(least, method).low) << name_of(method);
     EXPECT_EQ(scale_factor(box, method).high, scale_factor(most, method).high) << name_of(method);
@@ -257,7 +257,7 @@ TEST(ScaleFactors, InOneDimensionAreTheLargerPartial) {
 }
 
 TEST(ScaleFactors, AreDefinedForEverything) {
-  for (const ScaleFactor method : all_scale_factors()) {
+  for (const ScaleFactor method : values_of<ScaleFactor>()) {
     const Interval unknown = scale_factor({{kNone, kNone}, {kNone, kNone}, 2}, method);
     EXPECT_EQ(unknown.low, 0) << name_of(method);
     EXPECT_EQ(unknown.high, kInfinity) << name_of(method);
@@ -305,8 +305,8 @@ TEST(Footprints, OfPowersOfTwoHaveWholeLevels) {
 }
 
 TEST(LevelOfDetailRules, NamesLeadBack) {
-  expect_names_lead_back<ScaleFactor>(all_scale_factors(), scale_factor_rule());
-  expect_names_lead_back<BiasChoice>(all_bias_choices(), lod_bias_rule());
+  expect_names_lead_back<ScaleFactor>(values_of<ScaleFactor>(), scale_factor_rule());
+  expect_names_lead_back<BiasChoice>(values_of<BiasChoice>(), lod_bias_rule());
 }
 
 TEST(LevelOfDetailRules, DerivativesAreThoseOfPlainOnes) {

@@ -43,7 +43,7 @@ TEST(PickLevels, BesideATieIsOnItsSide) {
   Setting s;
   s.sampler.mipmap = MipFilter::nearest;
   s.last = 6;
-  for (const NearestLevel tie : all_nearest_levels())
+  for (const NearestLevel tie : values_of<NearestLevel>())
     for (int k = 0; k < 6; ++k) {
       s.rules.nearest = tie;
       EXPECT_EQ(picks_of(next_below(k + 0.5), s).at(0).level, k);
@@ -121,7 +121,7 @@ TEST(PickLevels, AnyTieFindsBothLevels) {
   s.sampler.mipmap = MipFilter::nearest;
   s.last = 4;
   s.rules.any_tie = true;
-  for (const NearestLevel tie : all_nearest_levels()) {
+  for (const NearestLevel tie : values_of<NearestLevel>()) {
     s.rules.nearest = tie;
     for (int k = 0; k <= 5; ++k) {
       std::set<int> levels;
@@ -209,7 +209,7 @@ TEST(LevelWeights, AreOffByWhatTheirNamesSay) {
 
 TEST(LevelWeights, AreToldApart) {
   std::set<std::tuple<double, double, double>> results;
-  for (const LevelWeight choice : all_level_weights()) {
+  for (const LevelWeight choice : values_of<LevelWeight>()) {
     Setting s;
     s.sampler.mipmap = MipFilter::linear;
     s.last = 4;
@@ -217,7 +217,7 @@ TEST(LevelWeights, AreToldApart) {
     const auto weight_at = [&](double lambda) { return picks_of(lambda, s).at(0).weight.low; };
     results.insert({weight_at(0.5), weight_at(0.73), weight_at(0.3)});
   }
-  EXPECT_EQ(results.size(), all_level_weights().size());
+  EXPECT_EQ(results.size(), values_of<LevelWeight>().size());
 }
 
 Texture texture_of(int width, int height, bool chain) {
@@ -253,9 +253,9 @@ TEST(LastLevel, OfOneLevelIsTheBaseUnlessMoreAreGenerated) {
 }
 
 TEST(LevelSelectionRules, NamesLeadBack) {
-  expect_names_lead_back<Crossover>(all_crossovers(), crossover_rule());
-  expect_names_lead_back<NearestLevel>(all_nearest_levels(), nearest_level_rule());
-  expect_names_lead_back<LevelWeight>(all_level_weights(), level_weight_rule());
+  expect_names_lead_back<Crossover>(values_of<Crossover>(), crossover_rule());
+  expect_names_lead_back<NearestLevel>(values_of<NearestLevel>(), nearest_level_rule());
+  expect_names_lead_back<LevelWeight>(values_of<LevelWeight>(), level_weight_rule());
 }
 
 }  // namespace

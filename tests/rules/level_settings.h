@@ -114,7 +114,7 @@ void for_each_setting(Visit visit) {
   for (const Filter magnify : {Filter::nearest, Filter::linear})
     for (const Filter minify : {Filter::nearest, Filter::linear})
       for (const MipFilter mipmap : {MipFilter::none, MipFilter::nearest, MipFilter::linear})
-        for (const Crossover crossover : all_crossovers())
+        for (const Crossover crossover : values_of<Crossover>())
           for (const auto& [base, last] : {std::pair{0, 6}, {0, 0}, {2, 5}}) {
             s.sampler.magnify = magnify;
             s.sampler.minify = minify;
@@ -124,8 +124,8 @@ void for_each_setting(Visit visit) {
             s.rules.crossover = crossover;
             const bool is_nearest = mipmap == MipFilter::nearest;
             const bool is_linear = mipmap == MipFilter::linear;
-            for (const NearestLevel tie : all_nearest_levels())
-              for (const LevelWeight choice : all_level_weights()) {
+            for (const NearestLevel tie : values_of<NearestLevel>())
+              for (const LevelWeight choice : values_of<LevelWeight>()) {
                 if (!is_nearest && tie != NearestLevel::down_at_ties) continue;
                 if (!is_linear && choice != LevelWeight::exact) continue;
                 s.rules.nearest = tie;

@@ -79,7 +79,7 @@ TEST(Log2, HoldsTheLiteralNumberAndLittleElse) {
   RandomNumbers random(1);
   for (int i = 0; i < 20'000; ++i) {
     const double value = std::exp2(random.real(-12, 12));
-    for (const Log2Method method : all_log2_methods()) {
+    for (const Log2Method method : values_of<Log2Method>()) {
       const Interval result = log2_of(value, method);
       const Wide expected = literal(value, method);
       ASSERT_LE(beyond(result, expected), kLiteralError) << value << " " << name_of(method);
@@ -103,7 +103,7 @@ TEST(Log2, HoldsTheLogarithmBesideOne) {
 }
 
 TEST(Log2, PowersOfTwoAreExact) {
-  for (const Log2Method method : all_log2_methods())
+  for (const Log2Method method : values_of<Log2Method>())
     for (int k = -200; k <= 200; ++k) {
       const Interval result = log2_of(std::ldexp(1, k), method);
       EXPECT_EQ(result.low, k) << name_of(method);
@@ -132,7 +132,7 @@ TEST(Log2, BoundsAreFourDoublesBesideTheLibrarys) {
 }
 
 TEST(Log2, GrowsWithItsArgument) {
-  for (const Log2Method method : all_log2_methods()) {
+  for (const Log2Method method : values_of<Log2Method>()) {
     Interval before = log2_of(0x1p-3, method);
     for (double value = 0x1p-3; value < 16; value += 0x1p-9) {
       const Interval now = log2_of(value, method);
@@ -144,7 +144,7 @@ TEST(Log2, GrowsWithItsArgument) {
 }
 
 TEST(Log2, OfAnIntervalIsThatOfItsEnds) {
-  for (const Log2Method method : all_log2_methods()) {
+  for (const Log2Method method : values_of<Log2Method>()) {
     const Interval result = log2_of({1.3, 5.7}, method);
     EXPECT_EQ(result.low, log2_of(1.3, method).low);
     EXPECT_EQ(result.high, log2_of(5.7, method).high);
@@ -152,7 +152,7 @@ TEST(Log2, OfAnIntervalIsThatOfItsEnds) {
 }
 
 TEST(Log2, IsDefinedForEverything) {
-  for (const Log2Method method : all_log2_methods()) {
+  for (const Log2Method method : values_of<Log2Method>()) {
     EXPECT_EQ(log2_of(0, method).low, -kInfinity);
     EXPECT_EQ(log2_of(0, method).high, -kInfinity);
     EXPECT_EQ(log2_of(-1, method).high, -kInfinity);
@@ -193,12 +193,13 @@ TEST(Log2, ErrorsAreWhatTheCatalogueSays) {
 
 TEST(Log2, OneNumberTellsEveryMethodApart) {
   std::set<double> results;
-  for (const Log2Method method : all_log2_methods()) results.insert(log2_of(1.301, method).low);
-  EXPECT_EQ(results.size(), all_log2_methods().size());
+  for (const Log2Method method : values_of<Log2Method>())
+    results.insert(log2_of(1.301, method).low);
+  EXPECT_EQ(results.size(), values_of<Log2Method>().size());
 }
 
 TEST(Log2, NamesLeadBack) {
-  for (const Log2Method method : all_log2_methods()) {
+  for (const Log2Method method : values_of<Log2Method>()) {
     Log2Method parsed{};
     EXPECT_TRUE(parse_name(name_of(method), parsed));
     EXPECT_EQ(parsed, method);
@@ -206,7 +207,7 @@ TEST(Log2, NamesLeadBack) {
   Log2Method untouched = Log2Method::mantissa_8;
   EXPECT_FALSE(parse_name("?", untouched));
   EXPECT_EQ(untouched, Log2Method::mantissa_8);
-  EXPECT_EQ(log2_rule().alternatives.size(), all_log2_methods().size());
+  EXPECT_EQ(log2_rule().alternatives.size(), values_of<Log2Method>().size());
   // One is farther off than any renderer may be, by rulings 20 and 50.
   for (const Alternative& alternative : log2_rule().alternatives)
     EXPECT_EQ(alternative.openness == Openness::illegal, alternative.name == "linear-mantissa")

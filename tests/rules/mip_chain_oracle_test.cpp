@@ -147,8 +147,8 @@ void for_sizes_and_methods(const Check& check) {
   constexpr std::array<int, 2> kSizes[] = {{1, 1}, {2, 2},  {3, 3},  {5, 4},
                                            {1, 7}, {13, 1}, {9, 11}, {16, 6}};
   for (const auto& [width, height] : kSizes)
-    for (const MipmapFilter filter : all_mipmap_filters())
-      for (const MipmapRounding rounding : all_mipmap_roundings())
+    for (const MipmapFilter filter : values_of<MipmapFilter>())
+      for (const MipmapRounding rounding : values_of<MipmapRounding>())
         check(width, height, MipmapMethod{filter, rounding, true});
 }
 

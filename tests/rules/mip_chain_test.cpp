@@ -100,7 +100,7 @@ TEST(Filters, OfEvenSizesAgree) {
     for (const int width : {1, 2, 4, 10, 16})
       for (const int height : {1, 2, 6, 8}) {
         const TextureLevel level = random_level(random, width, height, format);
-        for (const MipmapRounding rounding : all_mipmap_roundings()) {
+        for (const MipmapRounding rounding : values_of<MipmapRounding>()) {
           const MipmapMethod box{MipmapFilter::box, rounding, true};
           const MipmapMethod centre{MipmapFilter::bilinear_centre, rounding, true};
           EXPECT_EQ(reduced(level, format, box), reduced(level, format, centre));
@@ -213,7 +213,7 @@ TEST(MeanOfSrgb, IsThatOfLinearNumbers) {
   EXPECT_EQ(mean({0, 0, 255, 255}, kEven), 188);
   EXPECT_EQ(mean({0, 0, 255, 255}, kDown), 187);
   for (int code = 0; code < 256; ++code)
-    for (const MipmapRounding rounding : all_mipmap_roundings()) {
+    for (const MipmapRounding rounding : values_of<MipmapRounding>()) {
       const auto c = static_cast<float>(code);
       EXPECT_EQ(mean({c, c, c, c}, rounding), c);
     }
@@ -272,7 +272,7 @@ TEST(MeanOfSrgb, DecidesTiesOfTheStraightPieceExactly) {
 TEST(Reduced, StaysWithinTheCodesWhateverIsStored) {
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   const TextureLevel level{2, 1, {-9, 300, kNaN, 255, -8, 1e30F, kNaN, 999}};
-  for (const MipmapRounding rounding : all_mipmap_roundings())
+  for (const MipmapRounding rounding : values_of<MipmapRounding>())
     for (const TextureFormat format : {TextureFormat::rgba8, TextureFormat::srgb8}) {
       const MipmapMethod method{MipmapFilter::box, rounding, true};
       EXPECT_EQ(reduced(level, format, method).texels, (Reds{0, 255, 0, 255}));
@@ -305,8 +305,8 @@ TEST(MipChainNames, AreThoseOfTheCatalogue) {
   expect_names<MipmapFilter>(mipmap_filter_rule());
   expect_names<MipmapRounding>(mipmap_rounding_rule());
   EXPECT_EQ(mipmap_srgb_rule().alternatives[0].name, mipmap_srgb_rule().standard);
-  EXPECT_EQ(all_mipmap_filters().size(), mipmap_filter_rule().alternatives.size());
-  EXPECT_EQ(all_mipmap_roundings().size(), mipmap_rounding_rule().alternatives.size());
+  EXPECT_EQ(values_of<MipmapFilter>().size(), mipmap_filter_rule().alternatives.size());
+  EXPECT_EQ(values_of<MipmapRounding>().size(), mipmap_rounding_rule().alternatives.size());
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ TEST(MultisampledLine, LatitudeAcrossTheWholeRange) {
 }
 
 TEST(MultisampledLine, NamesAreReadBack) {
-  for (MultisampledLine line : all_multisampled_lines()) {
+  for (MultisampledLine line : values_of<MultisampledLine>()) {
     MultisampledLine read = MultisampledLine::rectangle;
     EXPECT_TRUE(parse_name(name_of(line), read));
     EXPECT_EQ(read, line);

@@ -74,7 +74,7 @@ TEST(PolygonFacing, AlternativesDiffer) {
 TEST(PolygonFacing, CullingDropsTheFacesOfItsName) {
   visit_triangles([&](const Positions& positions, int) {
     for (const FrontFace front : {FrontFace::ccw, FrontFace::cw})
-      for (const FacingMethod method : all_facing_methods()) {
+      for (const FacingMethod method : values_of<FacingMethod>()) {
         const bool is_front = faces_front(positions, front, method);
         const bool culls = method != FacingMethod::not_culled;
         const bool dropped[] = {false, culls && is_front, culls && !is_front, culls};
@@ -102,7 +102,7 @@ TEST(PolygonFacing, PointsAndLinesFaceTheFrontAndStay) {
   for (const PrimitiveKind kind : {PrimitiveKind::point, PrimitiveKind::line})
     for (const FrontFace front : {FrontFace::ccw, FrontFace::cw})
       for (const CullMode cull : kCullModes)
-        for (const FacingMethod method : all_facing_methods()) {
+        for (const FacingMethod method : values_of<FacingMethod>()) {
           const Drawn drawn(kind, front, cull);
           EXPECT_TRUE(is_front_facing(drawn.primitive, clockwise, method));
           EXPECT_FALSE(is_culled(drawn.primitive, clockwise, method));
@@ -110,7 +110,7 @@ TEST(PolygonFacing, PointsAndLinesFaceTheFrontAndStay) {
 }
 
 TEST(PolygonFacing, ChoicesHaveTheirNames) {
-  expect_names_lead_back<FacingMethod>(all_facing_methods(), polygon_facing_rule());
+  expect_names_lead_back<FacingMethod>(values_of<FacingMethod>(), polygon_facing_rule());
 }
 
 }  // namespace

@@ -320,9 +320,9 @@ TEST(PolygonOffset, NothingIsKnownOfTheSlopeOfASliver) {
 }
 
 TEST(PolygonOffset, ChoicesHaveTheirNames) {
-  expect_names_lead_back<OffsetSlope>(all_offset_slopes(), offset_slope_rule());
-  expect_names_lead_back<OffsetUnit>(all_offset_units(), offset_unit_rule());
-  expect_names_lead_back<OffsetExponent>(all_offset_exponents(), offset_exponent_rule());
+  expect_names_lead_back<OffsetSlope>(values_of<OffsetSlope>(), offset_slope_rule());
+  expect_names_lead_back<OffsetUnit>(values_of<OffsetUnit>(), offset_unit_rule());
+  expect_names_lead_back<OffsetExponent>(values_of<OffsetExponent>(), offset_exponent_rule());
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ int by(ResolveMethod method, const Samples& samples) {
 }
 
 TEST(Resolve, AConstantStaysItselfToTheBit) {
-  for (ResolveMethod method : all_resolve_methods())
+  for (ResolveMethod method : values_of<ResolveMethod>())
     for (int value = 0; value < 256; ++value)
       for (std::size_t count = 1; count <= 16; ++count)
         EXPECT_EQ(by(method, Samples(count, static_cast<std::uint8_t>(value))), value)
@@ -85,7 +85,7 @@ TEST(Resolve, EveryMethodStaysInRange) {
     EXPECT_FALSE(range.contains(range.low - 1));
     EXPECT_FALSE(range.contains(range.high + 1));
     strict += range.low < range.high ? 1 : 0;
-    for (ResolveMethod method : all_resolve_methods())
+    for (ResolveMethod method : values_of<ResolveMethod>())
       EXPECT_TRUE(range.contains(by(method, samples))) << name_of(method);
   }
   EXPECT_GT(strict, 5000);
@@ -115,7 +115,7 @@ TEST(Resolve, SinglePrecisionMovesTiesAlone) {
 }
 
 TEST(Resolve, NamesAreReadBack) {
-  for (ResolveMethod method : all_resolve_methods()) {
+  for (ResolveMethod method : values_of<ResolveMethod>()) {
     ResolveMethod read = ResolveMethod::nearest_even;
     EXPECT_TRUE(parse_name(name_of(method), read));
     EXPECT_EQ(read, method);

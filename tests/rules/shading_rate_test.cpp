@@ -31,7 +31,7 @@ TEST(ShadingRate, OncePerSampleWhereMoreThanOneIsAskedFor) {
 TEST(ShadingRate, NeverPerSampleWithoutMultisampling) {
   Multisampling use;
   use.location = AttributeLocation::sample;
-  for (ShadingRate rate : all_shading_rates()) {
+  for (ShadingRate rate : values_of<ShadingRate>()) {
     EXPECT_FALSE(runs_per_sample(use, 1, rate));
     use.enabled = false;
     EXPECT_FALSE(runs_per_sample(use, 4, rate));
@@ -65,7 +65,7 @@ TEST(ShadingRate, NamesAreReadBack) {
   expect_names({MultisampleSwitch::honoured, MultisampleSwitch::depth_of_first,
                 MultisampleSwitch::ignored, MultisampleSwitch::ignored_but_for_lines,
                 MultisampleSwitch::ignored_but_whole_lines});
-  EXPECT_EQ(all_multisample_switches().size(), 5u);
+  EXPECT_EQ(values_of<MultisampleSwitch>().size(), 5u);
 }
 
 }  // namespace

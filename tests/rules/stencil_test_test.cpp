@@ -110,7 +110,7 @@ TEST(StencilTest, FacesHaveTheirOwnStates) {
   StencilTest test;
   test.front.reference = 1;
   test.back.reference = 2;
-  for (const StencilMethod method : all_stencil_methods()) {
+  for (const StencilMethod method : values_of<StencilMethod>()) {
     const bool one_sided = method == StencilMethod::one_sided;
     EXPECT_EQ(&face_of(test, true, method), &test.front);
     EXPECT_EQ(&face_of(test, false, method), one_sided ? &test.front : &test.back);
@@ -166,7 +166,7 @@ TEST(StencilTest, WrappingAndSaturatingTakeOneForTheOther) {
 }
 
 TEST(StencilTest, ChoicesHaveTheirNames) {
-  expect_names_lead_back<StencilMethod>(all_stencil_methods(), stencil_test_rule());
+  expect_names_lead_back<StencilMethod>(values_of<StencilMethod>(), stencil_test_rule());
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ TEST(PointsOnAGrid, YieldWhatALiteralFilterYields) {
     const Texel border = decode_border(at.border, at.format);
     for (int i = 0; i < 12; ++i) {
       TexelLookup lookup{at.wrap, at.border};
-      lookup.grid = all_texel_grids()[static_cast<std::size_t>(1 + i % 3)];
+      lookup.grid = values_of<TexelGrid>()[static_cast<std::size_t>(1 + i % 3)];
       const bool is_free = lookup.grid == TexelGrid::linear_even_8 &&
                            (at.filter == Filter::nearest || at.format != TextureFormat::rgba8);
       const auto s = static_cast<float>(inputs.real(-3, 4));
@@ -169,7 +169,7 @@ TEST(Intervals, HoldWhatTheirPointsYield) {
   for (int round = 0; round < 4000; ++round) {
     const Situation at = situation(inputs);
     TexelLookup lookup{at.wrap, at.border};
-    lookup.grid = all_texel_grids()[static_cast<std::size_t>(inputs.whole(0, 3))];
+    lookup.grid = values_of<TexelGrid>()[static_cast<std::size_t>(inputs.whole(0, 3))];
     lookup.choice = inputs.whole(0, 1) == 0 ? WrapChoice::as_set : WrapChoice::mirrored_as_repeat;
     const TexelLookup exact_lookup = lookup;
     if (inputs.whole(0, 1) == 0) lookup.slack = std::ldexp(1, inputs.whole(-12, 3));

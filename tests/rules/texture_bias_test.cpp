@@ -120,7 +120,7 @@ TEST(Bias, AlternativesDiffer) {
   EXPECT_EQ(lambda_prime(-2.5F / 256, none, rounded), 1.25 - 3.0 / 256);
   EXPECT_EQ(lambda_prime(0, lookup_of(LookupKind::bias, 0.3F), rounded),
             lambda_prime(0, lookup_of(LookupKind::bias, 0.3F), BiasChoice::as_set));
-  EXPECT_EQ(all_bias_choices().size(), lod_bias_rule().alternatives.size());
+  EXPECT_EQ(values_of<BiasChoice>().size(), lod_bias_rule().alternatives.size());
 }
 
 TEST(Bias, RoundsOutwards) {
@@ -140,7 +140,7 @@ TEST(Bias, RoundsOutwards) {
 
 TEST(Bias, IsDefinedForEverything) {
   const auto none = static_cast<float>(kNone);
-  for (const BiasChoice choice : all_bias_choices()) {
+  for (const BiasChoice choice : values_of<BiasChoice>()) {
     EXPECT_TRUE(is_everything(with_bias(kNone, biased(1), {}, choice)));
     EXPECT_EQ(with_bias(-kInfinity, biased(1), {}, choice).high, -kInfinity);
     EXPECT_EQ(with_bias(kInfinity, biased(1), {}, choice).low, kInfinity);

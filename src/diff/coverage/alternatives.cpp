@@ -90,7 +90,7 @@ RuleAlternatives triangle_algorithms_beside(TriangleAlgorithm chosen) {
 
 RuleAlternatives facings_beside(FacingMethod chosen) {
   RuleAlternatives result;
-  for (FacingMethod facing : all_facing_methods())
+  for (FacingMethod facing : values_of<FacingMethod>())
     if (facing != chosen)
       result.push_back({fmt::format("polygon.facing={}", name_of(facing)),
                         [facing](CoverageChoice& choice) { choice.facing = facing; }});
@@ -99,7 +99,7 @@ RuleAlternatives facings_beside(FacingMethod chosen) {
 
 RuleAlternatives clip_methods_beside(ClipMethod chosen) {
   RuleAlternatives result;
-  for (ClipMethod clip : all_clip_methods())
+  for (ClipMethod clip : values_of<ClipMethod>())
     if (clip != chosen)
       result.push_back({fmt::format("{}={}", kClipVolume, name_of(clip)),
                         [clip](CoverageChoice& choice) { choice.clip = clip; }});
@@ -117,7 +117,7 @@ RuleAlternatives placements_beside(int samples, const SamplePlacement& chosen) {
 
 RuleAlternatives multisampled_lines_beside(MultisampledLine chosen) {
   RuleAlternatives result;
-  for (MultisampledLine line : all_multisampled_lines())
+  for (MultisampledLine line : values_of<MultisampledLine>())
     if (line != chosen)
       result.push_back({fmt::format("{}={}", kMultisampledLine, name_of(line)),
                         [line](CoverageChoice& choice) { choice.multisampled_line = line; }});
@@ -126,7 +126,7 @@ RuleAlternatives multisampled_lines_beside(MultisampledLine chosen) {
 
 RuleAlternatives switches_beside(MultisampleSwitch chosen) {
   RuleAlternatives result;
-  for (MultisampleSwitch choice : all_multisample_switches())
+  for (MultisampleSwitch choice : values_of<MultisampleSwitch>())
     if (choice != chosen)
       result.push_back({fmt::format("sample.enable={}", name_of(choice)),
                         [choice](CoverageChoice& c) { c.multisample_switch = choice; }});

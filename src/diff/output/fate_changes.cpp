@@ -55,15 +55,15 @@ bool masks_depths(const Scene& scene) {
 
 void add_tests(const Scene& scene, Catalogue& catalogue) {
   if (has_depth_test(scene))
-    catalogue.add("depth.test", all_depth_test_methods(),
+    catalogue.add("depth.test", values_of<DepthTestMethod>(),
                   [](FateChoice& c) -> DepthTestMethod& { return c.output.depth; });
   if (masks_depths(scene))
     catalogue.add("depth.mask", std::array{DepthMaskMethod::as_set, DepthMaskMethod::ignored},
                   [](FateChoice& c) -> DepthMaskMethod& { return c.output.depth_mask; });
   if (!has_stencil_test(scene)) return;
-  catalogue.add("stencil.test", all_stencil_methods(),
+  catalogue.add("stencil.test", values_of<StencilMethod>(),
                 [](FateChoice& c) -> StencilMethod& { return c.output.stencil; });
-  catalogue.add("polygon.facing", all_facing_methods(),
+  catalogue.add("polygon.facing", values_of<FacingMethod>(),
                 [](FateChoice& c) -> FacingMethod& { return c.facing; });
 }
 
@@ -76,22 +76,22 @@ void add_blending(const Scene& scene, Catalogue& catalogue) {
                   [](FateChoice& c) -> ColorMaskMethod& { return c.output.blend.mask; });
   if (!any_draw(scene, [](const Draw& draw) { return draw.operations.blending.has_value(); }))
     return;
-  catalogue.add("blend.equation", all_blend_methods(),
+  catalogue.add("blend.equation", values_of<BlendMethod>(),
                 [](FateChoice& c) -> BlendMethod& { return c.output.blend.method; });
-  catalogue.add("blend.rounding", all_blend_roundings(),
+  catalogue.add("blend.rounding", values_of<BlendRounding>(),
                 [](FateChoice& c) -> BlendRounding& { return c.output.blend.rounding; });
 }
 
 void add_samples(const Scene& scene, Catalogue& catalogue) {
   if (scene.target.samples == 1) return;
   if (any_draw(scene, [](const Draw& draw) { return draw.multisampling.alpha_to_coverage; }))
-    catalogue.add("sample.alpha-to-coverage", all_alpha_to_coverages(),
+    catalogue.add("sample.alpha-to-coverage", values_of<AlphaToCoverage>(),
                   [](FateChoice& c) -> AlphaToCoverage& { return c.alpha; });
   if (any_draw(scene, [](const Draw& draw) { return !draw.multisampling.enabled; }))
-    catalogue.add("sample.enable", all_multisample_switches(),
+    catalogue.add("sample.enable", values_of<MultisampleSwitch>(),
                   [](FateChoice& c) -> MultisampleSwitch& { return c.without; });
   if (scene.target.depth != DepthFormat::none)
-    catalogue.add("sample.depth", all_depth_locations(),
+    catalogue.add("sample.depth", values_of<DepthLocation>(),
                   [](FateChoice& c) -> DepthLocation& { return c.locations.depth; });
 }
 

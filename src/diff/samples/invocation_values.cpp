@@ -52,7 +52,7 @@ class InvocationComparison {
   // The rate that yields all of them, the chosen one before others, and it where none does.
   ShadingRate followed() const {
     if (yields(chosen_)) return chosen_;
-    const auto rates = all_shading_rates();
+    const auto rates = values_of<ShadingRate>();
     const auto found = std::ranges::find_if(rates, [&](ShadingRate rate) { return yields(rate); });
     return found != rates.end() ? *found : chosen_;
   }
@@ -105,7 +105,7 @@ class InvocationComparison {
         all_, [&](const Invocations& one) { return expected(one, rate) == one.count; });
   }
   std::string cause() const {
-    return cause_among(all_shading_rates(), chosen_, kRule,
+    return cause_among(values_of<ShadingRate>(), chosen_, kRule,
                        [&](ShadingRate rate) { return yields(rate); });
   }
 

@@ -120,7 +120,8 @@ class AccumulationComparison {
   // "rule=alternative" of the first that yields the whole image; empty: none does, or the chosen
   // one.
   std::string find_cause() const {
-    std::vector<Accumulation> left(all_accumulations().begin(), all_accumulations().end());
+    std::vector<Accumulation> left(values_of<Accumulation>().begin(),
+                                   values_of<Accumulation>().end());
     std::size_t i = 0;
     for_each_shown(scene_, rendered_.passes, [&](std::span<const double> shown) {
       std::erase_if(left, [&](Accumulation choice) { return !is_as(i, shown, choice); });

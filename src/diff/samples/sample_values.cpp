@@ -99,7 +99,7 @@ class ResolveComparison {
   std::string cause() const {
     const auto among = [&](const std::vector<std::uint8_t>& low,
                            const std::vector<std::uint8_t>& high) {
-      return cause_among(all_resolve_methods(), chosen_, kRule,
+      return cause_among(values_of<ResolveMethod>(), chosen_, kRule,
                          [&](ResolveMethod method) { return yields(method, low, high); });
     };
     std::string found = among(samples_.nearest, samples_.nearest);
@@ -325,12 +325,13 @@ class HitComparison {
   }
 
   std::string cause() const {
-    return cause_among(all_alpha_to_coverages(), chosen_, kAlphaRule, [&](AlphaToCoverage choice) {
-      return for_each_sample(
-          [&](PixelPosition pixel, std::span<const Fragment> fragments, int sample) {
-            return writes(fragments, sample, choice) == hits_at(pixel, sample);
-          });
-    });
+    return cause_among(
+        values_of<AlphaToCoverage>(), chosen_, kAlphaRule, [&](AlphaToCoverage choice) {
+          return for_each_sample(
+              [&](PixelPosition pixel, std::span<const Fragment> fragments, int sample) {
+                return writes(fragments, sample, choice) == hits_at(pixel, sample);
+              });
+        });
   }
 
   void compare(PixelPosition pixel, std::span<const Fragment> fragments, int sample,

@@ -37,7 +37,7 @@ std::vector<MultisampleSwitch> switches_beside(const ValueContext& context,
                            [&](const Fragment& f) { return is_switched_off(context, f); }))
     return {};
   std::vector<MultisampleSwitch> switches;
-  for (const MultisampleSwitch choice : all_multisample_switches())
+  for (const MultisampleSwitch choice : values_of<MultisampleSwitch>())
     if (choice != context.choices.triangles.multisample_switch) switches.push_back(choice);
   return switches;
 }

@@ -69,8 +69,8 @@ std::vector<std::string> changes_of(const MipmapMethod& method, const MipmapMeth
 std::optional<std::string> way_of(const Chain& chain, TextureFormat format,
                                   const MipmapMethod& chosen) {
   std::optional<std::vector<std::string>> fewest;
-  for (const MipmapFilter filter : all_mipmap_filters())
-    for (const MipmapRounding rounding : all_mipmap_roundings())
+  for (const MipmapFilter filter : values_of<MipmapFilter>())
+    for (const MipmapRounding rounding : values_of<MipmapRounding>())
       for (const bool linear_srgb : {true, false}) {
         const MipmapMethod method{filter, rounding, linear_srgb};
         std::vector<std::string> parts = changes_of(method, chosen);

@@ -24,14 +24,14 @@ using Changes = std::vector<TextureChange>;
 // Calls `visit` with each rule of a lookup: its name, its alternatives, and what holds the choice.
 template <class Visit>
 void for_each_rule(const Visit& visit) {
-  visit("texture.scale-factor", all_scale_factors(), &TextureChoice::scale_factor);
-  visit("texture.log2", all_log2_methods(), &TextureChoice::log2);
+  visit("texture.scale-factor", values_of<ScaleFactor>(), &TextureChoice::scale_factor);
+  visit("texture.log2", values_of<Log2Method>(), &TextureChoice::log2);
   visit("texture.derivatives", all_derivative_methods(), &TextureChoice::derivatives);
-  visit("texture.nearest-level", all_nearest_levels(), &TextureChoice::nearest_level);
-  visit("texture.level-weight", all_level_weights(), &TextureChoice::level_weight);
-  visit("texture.crossover", all_crossovers(), &TextureChoice::crossover);
-  visit("texture.texel-grid", all_texel_grids(), &TextureChoice::texel_grid);
-  visit("texture.lod-bias", all_bias_choices(), &TextureChoice::bias);
+  visit("texture.nearest-level", values_of<NearestLevel>(), &TextureChoice::nearest_level);
+  visit("texture.level-weight", values_of<LevelWeight>(), &TextureChoice::level_weight);
+  visit("texture.crossover", values_of<Crossover>(), &TextureChoice::crossover);
+  visit("texture.texel-grid", values_of<TexelGrid>(), &TextureChoice::texel_grid);
+  visit("texture.lod-bias", values_of<BiasChoice>(), &TextureChoice::bias);
   visit("texture.wrap", std::array{WrapChoice::as_set, WrapChoice::mirrored_as_repeat},
         &TextureChoice::wrap);
   visit("texture.anisotropy",

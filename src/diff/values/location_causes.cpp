@@ -35,14 +35,14 @@ bool yields(const ValueContext& context, const Fragment& fragment, const Locatio
 
 std::vector<LocationChange> locations_beside(const LocationChoice& chosen) {
   std::vector<LocationChange> changes;
-  for (const PlainLocation plain : all_plain_locations()) {
+  for (const PlainLocation plain : values_of<PlainLocation>()) {
     if (plain == chosen.plain) continue;
     LocationChoice choice = chosen;
     choice.plain = plain;
     changes.push_back(
         {fmt::format("attribute.location={}", name_of(plain)), "attribute.location", 29, choice});
   }
-  for (const CentroidLocation centroid : all_centroid_locations()) {
+  for (const CentroidLocation centroid : values_of<CentroidLocation>()) {
     if (centroid == chosen.centroid) continue;
     LocationChoice choice = chosen;
     choice.centroid = centroid;
@@ -54,7 +54,7 @@ std::vector<LocationChange> locations_beside(const LocationChoice& chosen) {
 
 std::vector<LocationChange> depth_locations_beside(const LocationChoice& chosen) {
   std::vector<LocationChange> changes;
-  for (const DepthLocation depth : all_depth_locations()) {
+  for (const DepthLocation depth : values_of<DepthLocation>()) {
     if (depth == chosen.depth) continue;
     LocationChoice choice = chosen;
     choice.depth = depth;

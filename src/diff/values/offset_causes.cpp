@@ -31,15 +31,16 @@ void add_beside(const OffsetChange& base, const char* rule, std::span<const Choi
 void add_units_beside(const OffsetChange& base, DepthFormat format,
                       std::vector<OffsetChange>& changes) {
   if (format == DepthFormat::depth32f)
-    add_beside(base, "offset.exponent", all_offset_exponents(), &OffsetChoice::exponent, changes);
+    add_beside(base, "offset.exponent", values_of<OffsetExponent>(), &OffsetChoice::exponent,
+               changes);
   else
-    add_beside(base, "offset.unit", all_offset_units(), &OffsetChoice::unit, changes);
+    add_beside(base, "offset.unit", values_of<OffsetUnit>(), &OffsetChoice::unit, changes);
 }
 
 // Every alternative beside what is chosen, and then every slope with every unit.
 std::vector<OffsetChange> offsets_beside(const OffsetChoice& chosen, DepthFormat format) {
   std::vector<OffsetChange> slopes;
-  add_beside({"", chosen}, "offset.slope", all_offset_slopes(), &OffsetChoice::slope, slopes);
+  add_beside({"", chosen}, "offset.slope", values_of<OffsetSlope>(), &OffsetChoice::slope, slopes);
   std::vector<OffsetChange> changes = slopes;
   add_units_beside({"", chosen}, format, changes);
   for (const OffsetChange& slope : slopes) add_units_beside(slope, format, changes);

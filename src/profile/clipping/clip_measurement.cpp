@@ -106,7 +106,7 @@ ClipFindings measure_clipping(Renderer& renderer, const ClipMeasureQuestion& que
       if (!seen.failure.empty()) continue;
       const auto primitives = primitives_of(seen.scene);
       std::vector<bool> yields;
-      for (const ClipMethod method : all_clip_methods()) {
+      for (const ClipMethod method : values_of<ClipMethod>()) {
         CoverageChoice choice = question.triangles;
         choice.clip = method;
         yields.push_back(is_drawn_by(choice, primitives[0], seen));

@@ -103,7 +103,7 @@ Trait infer_blend_method(std::span<const DrawnScene> told) {
   for (const DrawnScene& drawn : told)
     for (const BlendedCell& cell : blended_cells(drawn)) {
       std::vector<bool> yields;
-      for (const BlendMethod method : all_blend_methods())
+      for (const BlendMethod method : values_of<BlendMethod>())
         yields.push_back(is_permitted(cell, method));
       tally.add(yields);
     }
@@ -115,7 +115,7 @@ Trait infer_blend_rounding(std::span<const DrawnScene> told, BlendMethod method)
   for (const DrawnScene& drawn : told)
     for (const BlendedCell& cell : blended_cells(drawn)) {
       std::vector<Rgba8> written;
-      for (const BlendRounding rounding : all_blend_roundings())
+      for (const BlendRounding rounding : values_of<BlendRounding>())
         written.push_back(written_color(*cell.operations, cell.source, cell.destination,
                                         {method, rounding, ColorMaskMethod::as_set}));
       for (std::size_t i = 0; i < 4; ++i) {

@@ -159,7 +159,7 @@ Trait infer_resolve(std::span<const DrawnScene> told) {
       for (std::size_t s = 0; s < values.size(); ++s)
         values[s] = rendering.sample_pixels[s * plane + i];
       std::vector<bool> yields;
-      for (const ResolveMethod method : all_resolve_methods())
+      for (const ResolveMethod method : values_of<ResolveMethod>())
         yields.push_back(resolved(values, method) == rendering.pixels[i]);
       tally.add(yields);
     }

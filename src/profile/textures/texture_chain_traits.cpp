@@ -24,17 +24,17 @@ struct Parts {
   std::size_t srgb = 0;
 
   MipmapMethod method() const {
-    return {all_mipmap_filters()[filter], all_mipmap_roundings()[rounding], kSrgb[srgb]};
+    return {values_of<MipmapFilter>()[filter], values_of<MipmapRounding>()[rounding], kSrgb[srgb]};
   }
   std::size_t index() const {
-    return (filter * all_mipmap_roundings().size() + rounding) * kSrgb.size() + srgb;
+    return (filter * values_of<MipmapRounding>().size() + rounding) * kSrgb.size() + srgb;
   }
 };
 
 std::vector<Parts> all_parts() {
   std::vector<Parts> result;
-  for (std::size_t f = 0; f < all_mipmap_filters().size(); ++f)
-    for (std::size_t r = 0; r < all_mipmap_roundings().size(); ++r)
+  for (std::size_t f = 0; f < values_of<MipmapFilter>().size(); ++f)
+    for (std::size_t r = 0; r < values_of<MipmapRounding>().size(); ++r)
       for (std::size_t s = 0; s < kSrgb.size(); ++s) result.push_back({f, r, s});
   return result;
 }
@@ -113,10 +113,10 @@ std::vector<Trait> infer_mip_chains(std::span<const ToldChain> chains) {
     const std::string suffix =
         format == TextureFormat::rgba8 ? "" : fmt::format(":{}", name_of(format));
     traits.push_back(trait_of<&Parts::filter>("mipmap.filter" + suffix,
-                                              names_of(all_mipmap_filters()), best, all));
+                                              names_of(values_of<MipmapFilter>()), best, all));
     if (format != TextureFormat::rgba32f)
-      traits.push_back(trait_of<&Parts::rounding>("mipmap.rounding" + suffix,
-                                                  names_of(all_mipmap_roundings()), best, all));
+      traits.push_back(trait_of<&Parts::rounding>(
+          "mipmap.rounding" + suffix, names_of(values_of<MipmapRounding>()), best, all));
     if (format == TextureFormat::srgb8)
       traits.push_back(trait_of<&Parts::srgb>("mipmap.srgb", {"linear", "codes"}, best, all));
   }

@@ -19,13 +19,15 @@ struct Combination {
   std::size_t derivatives = 0;
 
   std::size_t index() const {
-    return (derivatives * all_scale_factors().size() + scale_factor) * all_log2_methods().size() +
+    return (derivatives * values_of<ScaleFactor>().size() + scale_factor) *
+               values_of<Log2Method>().size() +
            log2;
   }
 };
 
 std::size_t combination_count() {
-  return all_derivative_methods().size() * all_scale_factors().size() * all_log2_methods().size();
+  return all_derivative_methods().size() * values_of<ScaleFactor>().size() *
+         values_of<Log2Method>().size();
 }
 
 // Rounding of float32 in scale factors and logarithms.
@@ -49,11 +51,11 @@ Yields yields_of(const RampLevels& ramp, const ToldLookup& lookup, LevelSource s
   Yields yields(combination_count());
   for (std::size_t d = 0; d < all_derivative_methods().size(); ++d) {
     const Footprint footprint = ramp.rounded_footprint(lookup, all_derivative_methods()[d]);
-    for (std::size_t s = 0; s < all_scale_factors().size(); ++s) {
-      const Interval scale = scale_factor(footprint, all_scale_factors()[s]);
-      for (std::size_t l = 0; l < all_log2_methods().size(); ++l)
+    for (std::size_t s = 0; s < values_of<ScaleFactor>().size(); ++s) {
+      const Interval scale = scale_factor(footprint, values_of<ScaleFactor>()[s]);
+      for (std::size_t l = 0; l < values_of<Log2Method>().size(); ++l)
         yields[Combination{s, l, d}.index()] =
-            yields_level(ramp, scale, all_log2_methods()[l], told, source);
+            yields_level(ramp, scale, values_of<Log2Method>()[l], told, source);
     }
   }
   return yields;
@@ -82,8 +84,8 @@ Combination best_of(const std::vector<Yields>& all) {
       std::find(methods.begin(), methods.end(), TextureChoice{}.derivatives) - methods.begin());
   Combination best{0, 0, standard};
   for (std::size_t d = 0; d < methods.size(); ++d)
-    for (std::size_t s = 0; s < all_scale_factors().size(); ++s)
-      for (std::size_t l = 0; l < all_log2_methods().size(); ++l)
+    for (std::size_t s = 0; s < values_of<ScaleFactor>().size(); ++s)
+      for (std::size_t l = 0; l < values_of<Log2Method>().size(); ++l)
         if (const Combination other{s, l, d}; counts[other.index()] > counts[best.index()])
           best = other;
   return best;
@@ -114,11 +116,12 @@ std::vector<Trait> infer_level_of_detail(std::span<const ToldScene> ramps,
                                          const RuleChoices& found) {
   const std::vector<Yields> all = all_yields(ramps, found);
   const Combination best = best_of(all);
-  return {trait_of("texture.scale-factor", all_scale_factors(), &Combination::scale_factor, best,
-                   best.scale_factor, all),
-          trait_of("texture.log2", all_log2_methods(), &Combination::log2, best, best.log2, all),
-          trait_of("texture.derivatives", all_derivative_methods(), &Combination::derivatives, best,
-                   best.derivatives, all)};
+  return {
+      trait_of("texture.scale-factor", values_of<ScaleFactor>(), &Combination::scale_factor, best,
+               best.scale_factor, all),
+      trait_of("texture.log2", values_of<Log2Method>(), &Combination::log2, best, best.log2, all),
+      trait_of("texture.derivatives", all_derivative_methods(), &Combination::derivatives, best,
+               best.derivatives, all)};
 }
 
 }  // namespace edgecase

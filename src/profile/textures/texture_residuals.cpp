@@ -9,8 +9,8 @@ namespace {
 
 std::vector<FormulaResidual> formulas_of(const TextureChoice& found) {
   std::vector<FormulaResidual> formulas;
-  for (const ScaleFactor scale : all_scale_factors())
-    for (const Log2Method log2 : all_log2_methods()) {
+  for (const ScaleFactor scale : values_of<ScaleFactor>())
+    for (const Log2Method log2 : values_of<Log2Method>()) {
       FormulaResidual formula;
       formula.scale_factor = scale;
       formula.log2 = log2;

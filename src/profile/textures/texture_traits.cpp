@@ -37,22 +37,22 @@ Candidates candidates_of(TextureRule rule, const TextureChoice& found) {
   Candidates candidates;
   switch (rule) {
     case TextureRule::level_weight:
-      add_candidates(all_level_weights(), &TextureChoice::level_weight, found, candidates);
+      add_candidates(values_of<LevelWeight>(), &TextureChoice::level_weight, found, candidates);
       break;
     case TextureRule::texel_grid:
-      add_candidates(all_texel_grids(), &TextureChoice::texel_grid, found, candidates);
+      add_candidates(values_of<TexelGrid>(), &TextureChoice::texel_grid, found, candidates);
       break;
     case TextureRule::wrap:
       add_candidates(std::span<const WrapChoice>(kWraps), &TextureChoice::wrap, found, candidates);
       break;
     case TextureRule::nearest_level:
-      add_candidates(all_nearest_levels(), &TextureChoice::nearest_level, found, candidates);
+      add_candidates(values_of<NearestLevel>(), &TextureChoice::nearest_level, found, candidates);
       break;
     case TextureRule::crossover:
-      add_candidates(all_crossovers(), &TextureChoice::crossover, found, candidates);
+      add_candidates(values_of<Crossover>(), &TextureChoice::crossover, found, candidates);
       break;
     case TextureRule::bias:
-      add_candidates(all_bias_choices(), &TextureChoice::bias, found, candidates);
+      add_candidates(values_of<BiasChoice>(), &TextureChoice::bias, found, candidates);
       break;
     case TextureRule::anisotropy:
       add_candidates(std::span<const Anisotropy>(kAnisotropies), &TextureChoice::anisotropy, found,

@@ -4,24 +4,10 @@
 #include <algorithm>
 
 #include "exact/rational.h"
-#include "rules/alternative_table.h"
 #include "rules/coverage/homogeneous_triangle.h"
 
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<ClipMethod> kMethods[] = {
-    {ClipMethod::homogeneous, "homogeneous", Openness::open,
-     "nothing is cut; each sample is compared with the volume"},
-    {ClipMethod::polygon, "polygon", Openness::open,
-     "cut at all six planes; new vertices are snapped as others are"},
-    {ClipMethod::guard_band, "guard-band", Openness::open,
-     "the same at near and far, and at the sides only where a vertex lies beyond 8192 pixels"},
-    {ClipMethod::discarded, "discarded", Openness::illegal,
-     "a triangle that is partly outside the volume is dropped"},
-    {ClipMethod::depth_ignored, "depth-ignored", Openness::illegal,
-     "parts nearer than near or farther than far are drawn too"}};
-constexpr auto kAllMethods = values_in(kMethods);
 
 bool all_in_front(const UnclippedTriangle& triangle) {
   return std::ranges::all_of(triangle.positions, [](const HomogeneousPoint& p) { return p.w > 0; });
@@ -55,18 +41,6 @@ HomogeneousPoint sample_of(PixelPosition pixel, Point within) {
 }
 
 }  // namespace
-
-std::span<const ClipMethod> all_clip_methods() {
-  return kAllMethods;
-}
-
-const char* name_of(ClipMethod choice) {
-  return name_in(kMethods, choice);
-}
-
-bool parse_name(std::string_view name, ClipMethod& choice) {
-  return find_in(kMethods, name, choice);
-}
 
 bool clipped_triangle_covers(const UnclippedTriangle& triangle, const HomogeneousPoint& sample,
                              const TieRule& ties, bool depth) {
@@ -105,7 +79,7 @@ Rule clip_volume_rule() {
       "new vertices are rounded and may be moved as others are; points outside the sides of the "
       "view volume may be drawn or not (ruling 42)",
       "homogeneous",
-      alternatives_in(kMethods),
+      alternatives_of<ClipMethod>(),
       {{42,
         "A clipped triangle is a polygon: that part of the triangle for which -w <= z <= w, seen "
         "through the viewport. Each of its vertices may be moved by less than the step of ruling 4 "

@@ -19,6 +19,7 @@
 #include "exact/homogeneous.h"
 #include "exact/pixel.h"
 #include "model/scene.h"
+#include "rules/alternative_table.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/rule.h"
 
@@ -33,9 +34,18 @@ enum class ClipMethod {
   discarded,      // what reaches out of the volume is dropped whole
   depth_ignored,  // near and far do not cut, but w = 0 does
 };
-std::span<const ClipMethod> all_clip_methods();
-const char* name_of(ClipMethod choice);
-bool parse_name(std::string_view name, ClipMethod& choice);
+template <>
+inline constexpr auto kNames<ClipMethod> = std::to_array<TabledAlternative<ClipMethod>>(
+    {{ClipMethod::homogeneous, "homogeneous", Openness::open,
+      "nothing is cut; each sample is compared with the volume"},
+     {ClipMethod::polygon, "polygon", Openness::open,
+      "cut at all six planes; new vertices are snapped as others are"},
+     {ClipMethod::guard_band, "guard-band", Openness::open,
+      "the same at near and far, and at the sides only where a vertex lies beyond 8192 pixels"},
+     {ClipMethod::discarded, "discarded", Openness::illegal,
+      "a triangle that is partly outside the volume is dropped"},
+     {ClipMethod::depth_ignored, "depth-ignored", Openness::illegal,
+      "parts nearer than near or farther than far are drawn too"}});
 
 // A triangle some vertices of which lie outside the volume: positions with a w of either sign, and
 // z over the same w.

@@ -1,38 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "rules/coverage/polygon_facing.h"
 
-#include "rules/alternative_table.h"
-
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<FacingMethod> kMethods[] = {
-    {FacingMethod::as_set, "as-set", Openness::mandated,
-     "a polygon faces the front if its winding in the window is the one that the draw sets"},
-    {FacingMethod::reversed, "reversed", Openness::illegal,
-     "y is taken to run downward, which exchanges front and back"},
-    {FacingMethod::always_ccw, "always-ccw", Openness::illegal,
-     "counter-clockwise polygons face the front, whatever the draw sets"},
-    {FacingMethod::not_culled, "not-culled", Openness::illegal, "no polygon is dropped"}};
-constexpr auto kAllMethods = values_in(kMethods);
 
 int sign_of_area(const std::array<HomogeneousPoint, 3>& positions) {
   return sign(cross(positions[0], positions[1], positions[2]));
 }
 
 }  // namespace
-
-std::span<const FacingMethod> all_facing_methods() {
-  return kAllMethods;
-}
-
-const char* name_of(FacingMethod choice) {
-  return name_in(kMethods, choice);
-}
-
-bool parse_name(std::string_view name, FacingMethod& choice) {
-  return find_in(kMethods, name, choice);
-}
 
 bool is_counter_clockwise(const std::array<HomogeneousPoint, 3>& positions) {
   return sign_of_area(positions) > 0;
@@ -70,7 +46,7 @@ Rule polygon_facing_rule() {
           "14.6.1 (basic polygon rasterization)",
           "that of the vertices' positions (ruling 40)",
           "as-set",
-          alternatives_in(kMethods),
+          alternatives_of<FacingMethod>(),
           {{40,
             "Facing: by the sign of the area that the vertices have in the window, y up, in the "
             "order of assembly (14.6.1); a polygon of no area faces the back. Where some moves of "

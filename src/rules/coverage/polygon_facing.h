@@ -15,6 +15,7 @@
 
 #include "exact/homogeneous.h"
 #include "model/scene.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -27,9 +28,15 @@ enum class FacingMethod {
   always_ccw,  // the draw's front face is not heeded
   not_culled,  // nothing is dropped
 };
-std::span<const FacingMethod> all_facing_methods();
-const char* name_of(FacingMethod choice);
-bool parse_name(std::string_view name, FacingMethod& choice);
+template <>
+inline constexpr auto kNames<FacingMethod> = std::to_array<TabledAlternative<FacingMethod>>(
+    {{FacingMethod::as_set, "as-set", Openness::mandated,
+      "a polygon faces the front if its winding in the window is the one that the draw sets"},
+     {FacingMethod::reversed, "reversed", Openness::illegal,
+      "y is taken to run downward, which exchanges front and back"},
+     {FacingMethod::always_ccw, "always-ccw", Openness::illegal,
+      "counter-clockwise polygons face the front, whatever the draw sets"},
+     {FacingMethod::not_culled, "not-culled", Openness::illegal, "no polygon is dropped"}});
 
 // Is the area by the vertices' order in the window, y up, positive? Of no area: no.
 bool is_counter_clockwise(const std::array<HomogeneousPoint, 3>& positions);

@@ -7,44 +7,11 @@
 #include <utility>
 
 #include "model/rendering.h"
-#include "rules/alternative_table.h"
 #include "rules/output/blend_formula.h"
 #include "rules/output/exact_blend.h"
 
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<BlendMethod> kMethods[] = {
-    {BlendMethod::as_set, "as-set", Openness::mandated,
-     "the draw's equations and factors; those of colour apply to red, green and blue"},
-    {BlendMethod::ignored, "ignored", Openness::illegal, "the source replaces the destination"},
-    {BlendMethod::color_for_alpha, "color-for-alpha", Openness::illegal,
-     "alpha is blended by the equation and the factors of colour"},
-    {BlendMethod::swapped, "swapped", Openness::illegal,
-     "the factors of source and destination are exchanged"},
-    {BlendMethod::over_as_premultiplied, "over-as-premultiplied", Openness::illegal,
-     "over of a straight colour omits the product by its alpha, as if the colour were "
-     "premultiplied"},
-    {BlendMethod::over_as_straight, "over-as-straight", Openness::illegal,
-     "over of a premultiplied colour multiplies it by its alpha once more"}};
-constexpr auto kAllMethods = values_in(kMethods);
-
-constexpr TabledAlternative<BlendRounding> kRoundings[] = {
-    {BlendRounding::once, "once", Openness::open,
-     "the exact result is rounded to the nearest value, a tie to the even one"},
-    {BlendRounding::source_first, "source-first", Openness::open,
-     "source colour and constant are rounded to 8 bits first, then the result"},
-    {BlendRounding::every_product, "every-product", Openness::open,
-     "source colour, constant, factors and both products are rounded to 8 bits"},
-    {BlendRounding::shifted, "shifted-products", Openness::open,
-     "the same, but a product p of two codes becomes (p + p/256 + 128)/256 without remainders, in "
-     "place of p/255; it is off by little more than half a code at most"}};
-constexpr auto kAllRoundings = values_in(kRoundings);
-
-constexpr TabledAlternative<ColorMaskMethod> kMasks[] = {
-    {ColorMaskMethod::as_set, "as-set", Openness::mandated,
-     "components that the draw masks keep the stored value"},
-    {ColorMaskMethod::ignored, "ignored", Openness::illegal, "all components are written"}};
 
 constexpr int kLargest = 255;
 
@@ -168,38 +135,6 @@ std::uint8_t blended_code(const Blending& blending, const std::array<double, 4>&
 
 }  // namespace
 
-std::span<const BlendMethod> all_blend_methods() {
-  return kAllMethods;
-}
-
-std::span<const BlendRounding> all_blend_roundings() {
-  return kAllRoundings;
-}
-
-const char* name_of(BlendMethod choice) {
-  return name_in(kMethods, choice);
-}
-
-const char* name_of(BlendRounding choice) {
-  return name_in(kRoundings, choice);
-}
-
-const char* name_of(ColorMaskMethod choice) {
-  return name_in(kMasks, choice);
-}
-
-bool parse_name(std::string_view name, BlendMethod& choice) {
-  return find_in(kMethods, name, choice);
-}
-
-bool parse_name(std::string_view name, BlendRounding& choice) {
-  return find_in(kRoundings, name, choice);
-}
-
-bool parse_name(std::string_view name, ColorMaskMethod& choice) {
-  return find_in(kMasks, name, choice);
-}
-
 Blending blending_by(Blending blending, BlendMethod method) {
   switch (method) {
     case BlendMethod::as_set:
@@ -265,7 +200,7 @@ Rule blend_equation_rule() {
           "17.3.6 (blending), tables 17.1 and 17.2",
           "none but rounding (blend.rounding)",
           "as-set",
-          alternatives_in(kMethods),
+          alternatives_of<BlendMethod>(),
           {}};
 }
 
@@ -275,7 +210,7 @@ Rule blend_rounding_rule() {
           "17.3.6.1 (blend equation), with 2.3.5.2 (conversion to normalized fixed-point)",
           "the precision of 8 bits for each intermediate number (ruling 37)",
           "once",
-          alternatives_in(kRoundings),
+          alternatives_of<BlendRounding>(),
           {{37,
             "Blending on an 8-bit target: what is blended is the colour that the renderer tells of "
             "the fragment and what it has stored before, clamped to 0 to 1. It is computed with a "
@@ -296,7 +231,7 @@ Rule color_mask_rule() {
           "17.4.2 (fine control of buffer updates)",
           "none",
           "as-set",
-          alternatives_in(kMasks),
+          alternatives_of<ColorMaskMethod>(),
           {}};
 }
 

@@ -14,6 +14,7 @@
 
 #include "exact/interval.h"
 #include "model/fragment_operations.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 #include "rules/values/framebuffer.h"
 
@@ -33,9 +34,20 @@ enum class BlendMethod {
   over_as_premultiplied,
   over_as_straight,
 };
-std::span<const BlendMethod> all_blend_methods();
-const char* name_of(BlendMethod choice);
-bool parse_name(std::string_view name, BlendMethod& choice);
+template <>
+inline constexpr auto kNames<BlendMethod> = std::to_array<TabledAlternative<BlendMethod>>(
+    {{BlendMethod::as_set, "as-set", Openness::mandated,
+      "the draw's equations and factors; those of colour apply to red, green and blue"},
+     {BlendMethod::ignored, "ignored", Openness::illegal, "the source replaces the destination"},
+     {BlendMethod::color_for_alpha, "color-for-alpha", Openness::illegal,
+      "alpha is blended by the equation and the factors of colour"},
+     {BlendMethod::swapped, "swapped", Openness::illegal,
+      "the factors of source and destination are exchanged"},
+     {BlendMethod::over_as_premultiplied, "over-as-premultiplied", Openness::illegal,
+      "over of a straight colour omits the product by its alpha, as if the colour were "
+      "premultiplied"},
+     {BlendMethod::over_as_straight, "over-as-straight", Openness::illegal,
+      "over of a premultiplied colour multiplies it by its alpha once more"}});
 
 // The terms that a draw's have become under a method; `ignored`, which blends nothing, leaves them.
 Blending blending_by(Blending blending, BlendMethod method);
@@ -47,13 +59,24 @@ enum class BlendRounding {
   every_product,  // these, and both products
   shifted,        // the same; a product p of two codes is (p + p/256 + 128)/256, whole parts alone
 };
-std::span<const BlendRounding> all_blend_roundings();
-const char* name_of(BlendRounding choice);
-bool parse_name(std::string_view name, BlendRounding& choice);
+template <>
+inline constexpr auto kNames<BlendRounding> = std::to_array<TabledAlternative<BlendRounding>>(
+    {{BlendRounding::once, "once", Openness::open,
+      "the exact result is rounded to the nearest value, a tie to the even one"},
+     {BlendRounding::source_first, "source-first", Openness::open,
+      "source colour and constant are rounded to 8 bits first, then the result"},
+     {BlendRounding::every_product, "every-product", Openness::open,
+      "source colour, constant, factors and both products are rounded to 8 bits"},
+     {BlendRounding::shifted, "shifted-products", Openness::open,
+      "the same, but a product p of two codes becomes (p + p/256 + 128)/256 without remainders, in "
+      "place of p/255; it is off by little more than half a code at most"}});
 
 enum class ColorMaskMethod { as_set, ignored };
-const char* name_of(ColorMaskMethod choice);
-bool parse_name(std::string_view name, ColorMaskMethod& choice);
+template <>
+inline constexpr auto kNames<ColorMaskMethod> = std::to_array<TabledAlternative<ColorMaskMethod>>(
+    {{ColorMaskMethod::as_set, "as-set", Openness::mandated,
+      "components that the draw masks keep the stored value"},
+     {ColorMaskMethod::ignored, "ignored", Openness::illegal, "all components are written"}});
 
 struct BlendChoice {
   BlendMethod method = BlendMethod::as_set;

@@ -3,30 +3,10 @@
 
 #include <algorithm>
 
-#include "rules/alternative_table.h"
 #include "rules/values/depth_buffer.h"
 
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<DepthTestMethod> kMethods[] = {
-    {DepthTestMethod::as_set, "as-set", Openness::mandated,
-     "the fragment's depth, as the buffer would store it, is compared with the stored one"},
-    {DepthTestMethod::unconverted, "unconverted", Openness::illegal,
-     "the fragment's depth is compared before it is converted; the equal test may fail against a "
-     "stored value of the same depth"},
-    {DepthTestMethod::ties_pass, "ties-pass", Openness::illegal,
-     "less and greater let equal depths pass"},
-    {DepthTestMethod::ties_fail, "ties-fail", Openness::illegal,
-     "lequal and gequal do not let equal depths pass"},
-    {DepthTestMethod::ignored, "ignored", Openness::illegal, "every fragment passes"}};
-constexpr auto kAllMethods = values_in(kMethods);
-
-constexpr TabledAlternative<DepthMaskMethod> kMasks[] = {
-    {DepthMaskMethod::as_set, "as-set", Openness::mandated,
-     "draws that mask depths leave the stored depth as it is"},
-    {DepthMaskMethod::ignored, "ignored", Openness::illegal,
-     "the depth of every fragment that passes is stored"}};
 
 CompareFunction function_by(CompareFunction function, DepthTestMethod method) {
   const bool ties_pass = method == DepthTestMethod::ties_pass;
@@ -57,26 +37,6 @@ TestOutcomes outcomes_of(CompareFunction function, Comparisons may_be) {
 }
 
 }  // namespace
-
-std::span<const DepthTestMethod> all_depth_test_methods() {
-  return kAllMethods;
-}
-
-const char* name_of(DepthTestMethod choice) {
-  return name_in(kMethods, choice);
-}
-
-bool parse_name(std::string_view name, DepthTestMethod& choice) {
-  return find_in(kMethods, name, choice);
-}
-
-const char* name_of(DepthMaskMethod choice) {
-  return name_in(kMasks, choice);
-}
-
-bool parse_name(std::string_view name, DepthMaskMethod& choice) {
-  return find_in(kMasks, name, choice);
-}
 
 bool passes_depth_test(const DepthTest& test, double depth, double stored, DepthFormat format,
                        DepthTestMethod method) {
@@ -113,7 +73,7 @@ Rule depth_test_rule() {
       "none in the comparison; either outcome where the latitude of the depths leaves it open "
       "(ruling 39)",
       "as-set",
-      alternatives_in(kMethods),
+      alternatives_of<DepthTestMethod>(),
       {{39,
         "Depth tests: a fragment's depth is converted to the buffer's format and then compared "
         "with the stored value (13.8.1; 17.3.4). We hold the depths that the renderer itself tells "
@@ -138,7 +98,7 @@ Rule depth_mask_rule() {
           "17.4.2 (fine control of buffer updates)",
           "none",
           "as-set",
-          alternatives_in(kMasks),
+          alternatives_of<DepthMaskMethod>(),
           {}};
 }
 

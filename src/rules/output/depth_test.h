@@ -13,6 +13,7 @@
 
 #include "exact/interval.h"
 #include "model/scene.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -27,14 +28,27 @@ enum class DepthTestMethod {
   ties_fail,    // lequal and gequal do not
   ignored,      // every fragment passes
 };
-std::span<const DepthTestMethod> all_depth_test_methods();
-const char* name_of(DepthTestMethod choice);
-bool parse_name(std::string_view name, DepthTestMethod& choice);
+template <>
+inline constexpr auto kNames<DepthTestMethod> = std::to_array<TabledAlternative<DepthTestMethod>>(
+    {{DepthTestMethod::as_set, "as-set", Openness::mandated,
+      "the fragment's depth, as the buffer would store it, is compared with the stored one"},
+     {DepthTestMethod::unconverted, "unconverted", Openness::illegal,
+      "the fragment's depth is compared before it is converted; the equal test may fail against a "
+      "stored value of the same depth"},
+     {DepthTestMethod::ties_pass, "ties-pass", Openness::illegal,
+      "less and greater let equal depths pass"},
+     {DepthTestMethod::ties_fail, "ties-fail", Openness::illegal,
+      "lequal and gequal do not let equal depths pass"},
+     {DepthTestMethod::ignored, "ignored", Openness::illegal, "every fragment passes"}});
 
 // Whether a draw that masks depths stores any.
 enum class DepthMaskMethod { as_set, ignored };
-const char* name_of(DepthMaskMethod choice);
-bool parse_name(std::string_view name, DepthMaskMethod& choice);
+template <>
+inline constexpr auto kNames<DepthMaskMethod> = std::to_array<TabledAlternative<DepthMaskMethod>>(
+    {{DepthMaskMethod::as_set, "as-set", Openness::mandated,
+      "draws that mask depths leave the stored depth as it is"},
+     {DepthMaskMethod::ignored, "ignored", Openness::illegal,
+      "the depth of every fragment that passes is stored"}});
 
 // Is the depth of a fragment that passes stored?
 inline bool stores_depth(const DepthTest& test, DepthMaskMethod method) {

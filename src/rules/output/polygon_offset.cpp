@@ -5,39 +5,10 @@
 #include <array>
 #include <cmath>
 
-#include "rules/alternative_table.h"
 #include "rules/values/depth_buffer.h"
 
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<OffsetSlope> kSlopes[] = {
-    {OffsetSlope::length, "length", Openness::open,
-     "the length of the gradient, sqrt((dz/dx)^2 + (dz/dy)^2)"},
-    {OffsetSlope::largest_partial, "largest-partial", Openness::open,
-     "the larger one of |dz/dx| and |dz/dy|"},
-    {OffsetSlope::ignored, "ignored", Openness::illegal, "0: the factor does nothing"}};
-constexpr auto kAllSlopes = values_in(kSlopes);
-
-constexpr TabledAlternative<OffsetUnit> kUnits[] = {
-    {OffsetUnit::step, "step", Openness::open,
-     "1/(2^n - 1), the difference of neighbouring values of n bits"},
-    {OffsetUnit::power, "power", Openness::open, "2^-n"},
-    {OffsetUnit::two_steps, "two-steps", Openness::open, "2/(2^n - 1)"},
-    {OffsetUnit::four_steps, "four-steps", Openness::open, "4/(2^n - 1)"},
-    {OffsetUnit::of_24_bits, "of-24-bits", Openness::illegal,
-     "2^-24 whatever n is, a difference that a buffer of 16 bits does not keep"},
-    {OffsetUnit::ignored, "ignored", Openness::illegal, "0: the units do nothing"}};
-constexpr auto kAllUnits = values_in(kUnits);
-
-constexpr TabledAlternative<OffsetExponent> kExponents[] = {
-    {OffsetExponent::largest_depth, "largest-depth", Openness::mandated,
-     "2^(e - 23), with e the exponent of the largest depth among the vertices"},
-    {OffsetExponent::doubled, "doubled", Openness::illegal, "2^(e - 22)"},
-    {OffsetExponent::one, "one", Openness::illegal, "2^-23, whatever the depths are"},
-    {OffsetExponent::as_fixed, "as-fixed", Openness::illegal,
-     "the unit of a fixed-point buffer of 24 bits"}};
-constexpr auto kAllExponents = values_in(kExponents);
 
 // The floating-point clause: relative error that one operation may have.
 constexpr double kOperationError = 1e-5;
@@ -195,42 +166,6 @@ Gradient exact_gradient(const Interpolant& depth) {
 
 }  // namespace
 
-std::span<const OffsetSlope> all_offset_slopes() {
-  return kAllSlopes;
-}
-
-std::span<const OffsetUnit> all_offset_units() {
-  return kAllUnits;
-}
-
-std::span<const OffsetExponent> all_offset_exponents() {
-  return kAllExponents;
-}
-
-const char* name_of(OffsetSlope choice) {
-  return name_in(kSlopes, choice);
-}
-
-const char* name_of(OffsetUnit choice) {
-  return name_in(kUnits, choice);
-}
-
-const char* name_of(OffsetExponent choice) {
-  return name_in(kExponents, choice);
-}
-
-bool parse_name(std::string_view name, OffsetSlope& choice) {
-  return find_in(kSlopes, name, choice);
-}
-
-bool parse_name(std::string_view name, OffsetUnit& choice) {
-  return find_in(kUnits, name, choice);
-}
-
-bool parse_name(std::string_view name, OffsetExponent& choice) {
-  return find_in(kExponents, name, choice);
-}
-
 Interval offset_exact(const PolygonOffset& offset, const Interpolant& depth, DepthFormat format,
                       const OffsetChoice& choice) {
   const auto& v = depth.positions;
@@ -269,7 +204,7 @@ Rule offset_slope_rule() {
           "14.6.5 (depth offset)",
           "the length of the gradient, or its larger component instead (ruling 38)",
           "length",
-          alternatives_in(kSlopes),
+          alternatives_of<OffsetSlope>(),
           {}};
 }
 
@@ -280,7 +215,7 @@ Rule offset_unit_rule() {
           "14.6.5 (depth offset)",
           "any constant of at least 2^-n, a difference that a buffer of n bits keeps (ruling 38)",
           "step",
-          alternatives_in(kUnits),
+          alternatives_of<OffsetUnit>(),
           {{38,
             "Polygon offset: permitted is clamp(factor m + units r) with any m from the larger "
             "partial derivative of depth to the length of the gradient (14.6.5). Of a fixed-point "
@@ -305,7 +240,7 @@ Rule offset_exponent_rule() {
       "14.6.5 (depth offset)",
       "none beyond that of the vertices' depths (ruling 38)",
       "largest-depth",
-      alternatives_in(kExponents),
+      alternatives_of<OffsetExponent>(),
       {}};
 }
 

@@ -15,6 +15,7 @@
 
 #include "exact/interval.h"
 #include "model/scene.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 #include "rules/values/interpolation.h"
 
@@ -25,9 +26,13 @@ Rule offset_unit_rule();      // offset.unit: fixed-point buffers
 Rule offset_exponent_rule();  // offset.exponent: floating-point buffers
 
 enum class OffsetSlope { length, largest_partial, ignored };
-std::span<const OffsetSlope> all_offset_slopes();
-const char* name_of(OffsetSlope choice);
-bool parse_name(std::string_view name, OffsetSlope& choice);
+template <>
+inline constexpr auto kNames<OffsetSlope> = std::to_array<TabledAlternative<OffsetSlope>>(
+    {{OffsetSlope::length, "length", Openness::open,
+      "the length of the gradient, sqrt((dz/dx)^2 + (dz/dy)^2)"},
+     {OffsetSlope::largest_partial, "largest-partial", Openness::open,
+      "the larger one of |dz/dx| and |dz/dy|"},
+     {OffsetSlope::ignored, "ignored", Openness::illegal, "0: the factor does nothing"}});
 
 // r of n bits.
 enum class OffsetUnit {
@@ -38,9 +43,16 @@ enum class OffsetUnit {
   of_24_bits,  // 2^-24 whatever n is
   ignored,
 };
-std::span<const OffsetUnit> all_offset_units();
-const char* name_of(OffsetUnit choice);
-bool parse_name(std::string_view name, OffsetUnit& choice);
+template <>
+inline constexpr auto kNames<OffsetUnit> = std::to_array<TabledAlternative<OffsetUnit>>(
+    {{OffsetUnit::step, "step", Openness::open,
+      "1/(2^n - 1), the difference of neighbouring values of n bits"},
+     {OffsetUnit::power, "power", Openness::open, "2^-n"},
+     {OffsetUnit::two_steps, "two-steps", Openness::open, "2/(2^n - 1)"},
+     {OffsetUnit::four_steps, "four-steps", Openness::open, "4/(2^n - 1)"},
+     {OffsetUnit::of_24_bits, "of-24-bits", Openness::illegal,
+      "2^-24 whatever n is, a difference that a buffer of 16 bits does not keep"},
+     {OffsetUnit::ignored, "ignored", Openness::illegal, "0: the units do nothing"}});
 
 enum class OffsetExponent {
   largest_depth,  // of the largest depth among the vertices
@@ -48,9 +60,14 @@ enum class OffsetExponent {
   one,            // of 1: r is 2^-23
   as_fixed,       // r as a fixed-point buffer of 24 bits has it
 };
-std::span<const OffsetExponent> all_offset_exponents();
-const char* name_of(OffsetExponent choice);
-bool parse_name(std::string_view name, OffsetExponent& choice);
+template <>
+inline constexpr auto kNames<OffsetExponent> = std::to_array<TabledAlternative<OffsetExponent>>(
+    {{OffsetExponent::largest_depth, "largest-depth", Openness::mandated,
+      "2^(e - 23), with e the exponent of the largest depth among the vertices"},
+     {OffsetExponent::doubled, "doubled", Openness::illegal, "2^(e - 22)"},
+     {OffsetExponent::one, "one", Openness::illegal, "2^-23, whatever the depths are"},
+     {OffsetExponent::as_fixed, "as-fixed", Openness::illegal,
+      "the unit of a fixed-point buffer of 24 bits"}});
 
 struct OffsetChoice {
   OffsetSlope slope = OffsetSlope::length;

@@ -1,27 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rules/output/stencil_test.h"
 
-#include "rules/alternative_table.h"
-
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<StencilMethod> kMethods[] = {
-    {StencilMethod::as_set, "as-set", Openness::mandated,
-     "the masked reference is compared with the masked stored value; the outcome's operation is "
-     "carried out under the write mask"},
-    {StencilMethod::ignored, "ignored", Openness::illegal,
-     "there is no test, and stored values stay"},
-    {StencilMethod::one_sided, "one-sided", Openness::illegal,
-     "back-facing polygons are treated as front-facing ones"},
-    {StencilMethod::unmasked, "unmasked", Openness::illegal, "the comparison uses no mask"},
-    {StencilMethod::stored_first, "stored-first", Openness::illegal,
-     "the stored value is compared with the reference, which exchanges less and greater"},
-    {StencilMethod::wrapping, "wrapping", Openness::illegal,
-     "incr and decr wrap, as incr_wrap and decr_wrap do"},
-    {StencilMethod::saturating, "saturating", Openness::illegal,
-     "incr_wrap and decr_wrap stop at 255 and 0, as incr and decr do"}};
-constexpr auto kAllMethods = values_in(kMethods);
 
 StencilOperation operation_by(StencilOperation operation, StencilMethod method) {
   const bool wraps = method == StencilMethod::wrapping;
@@ -58,18 +39,6 @@ int result_of(StencilOperation operation, int reference, int stored) {
 
 }  // namespace
 
-std::span<const StencilMethod> all_stencil_methods() {
-  return kAllMethods;
-}
-
-const char* name_of(StencilMethod choice) {
-  return name_in(kMethods, choice);
-}
-
-bool parse_name(std::string_view name, StencilMethod& choice) {
-  return find_in(kMethods, name, choice);
-}
-
 const StencilFace& face_of(const StencilTest& test, bool front_facing, StencilMethod method) {
   return front_facing || method == StencilMethod::one_sided ? test.front : test.back;
 }
@@ -97,7 +66,7 @@ Rule stencil_test_rule() {
       "17.3.3 (stencil test), with 17.4.2 (fine control of buffer updates)",
       "none",
       "as-set",
-      alternatives_in(kMethods),
+      alternatives_of<StencilMethod>(),
       {{41,
         "Stencil tests, equations, factors and masks are as set: of them nothing is open, and of "
         "stencil values no bit. Replayed over the renderer's own fragments they must yield what "

@@ -17,6 +17,7 @@
 #include <string_view>
 
 #include "model/fragment_operations.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -32,9 +33,22 @@ enum class StencilMethod {
   wrapping,      // incr and decr wrap
   saturating,    // incr_wrap and decr_wrap do not
 };
-std::span<const StencilMethod> all_stencil_methods();
-const char* name_of(StencilMethod choice);
-bool parse_name(std::string_view name, StencilMethod& choice);
+template <>
+inline constexpr auto kNames<StencilMethod> = std::to_array<TabledAlternative<StencilMethod>>(
+    {{StencilMethod::as_set, "as-set", Openness::mandated,
+      "the masked reference is compared with the masked stored value; the outcome's operation is "
+      "carried out under the write mask"},
+     {StencilMethod::ignored, "ignored", Openness::illegal,
+      "there is no test, and stored values stay"},
+     {StencilMethod::one_sided, "one-sided", Openness::illegal,
+      "back-facing polygons are treated as front-facing ones"},
+     {StencilMethod::unmasked, "unmasked", Openness::illegal, "the comparison uses no mask"},
+     {StencilMethod::stored_first, "stored-first", Openness::illegal,
+      "the stored value is compared with the reference, which exchanges less and greater"},
+     {StencilMethod::wrapping, "wrapping", Openness::illegal,
+      "incr and decr wrap, as incr_wrap and decr_wrap do"},
+     {StencilMethod::saturating, "saturating", Openness::illegal,
+      "incr_wrap and decr_wrap stop at 255 and 0, as incr and decr do"}});
 
 // What the test does to fragments of one facing; points and lines are front-facing.
 const StencilFace& face_of(const StencilTest& test, bool front_facing, StencilMethod method);

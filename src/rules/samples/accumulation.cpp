@@ -10,23 +10,9 @@
 
 #include "exact/rational.h"
 #include "model/rendering.h"
-#include "rules/alternative_table.h"
 
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<Accumulation> kAccumulations[] = {
-    {Accumulation::exact_mean, "exact-mean", Openness::open, "the weighted mean, rounded once"},
-    {Accumulation::float32_sum, "float32-sum", Openness::open,
-     "colours times weights, added in single precision in the passes' order, over the sum of "
-     "weights"},
-    {Accumulation::clamped, "clamped", Openness::illegal,
-     "each pass's colour is clamped to 0 to 1 before it is added"},
-    {Accumulation::bytes, "bytes", Openness::illegal,
-     "each pass's colour is converted to 8 bits before it is added"},
-    {Accumulation::unweighted, "unweighted", Openness::illegal, "every pass counts the same"},
-    {Accumulation::sum, "sum", Openness::illegal, "the sum is not divided"}};
-constexpr auto kAllAccumulations = values_in(kAccumulations);
 
 // What is added, times what, and what the sum is divided by.
 struct Terms {
@@ -115,18 +101,6 @@ double in_single_precision(std::span<const double> shown, const Supersampling& p
 
 }  // namespace
 
-std::span<const Accumulation> all_accumulations() {
-  return kAllAccumulations;
-}
-
-const char* name_of(Accumulation choice) {
-  return name_in(kAccumulations, choice);
-}
-
-bool parse_name(std::string_view name, Accumulation& choice) {
-  return find_in(kAccumulations, name, choice);
-}
-
 double accumulated(std::span<const double> shown, const Supersampling& passes,
                    Accumulation choice) {
   if (choice == Accumulation::float32_sum) return in_single_precision(shown, passes);
@@ -174,7 +148,7 @@ Rule accumulation_rule() {
           "src/model/supersampling.h",
           "the rounding of single precision (ruling 36); the exact mean is preferred",
           "exact-mean",
-          alternatives_in(kAccumulations),
+          alternatives_of<Accumulation>(),
           {{36,
             "The accumulated image of a supersampled scene, before conversion to 8 bits: the mean "
             "of what the renderer's own passes show at a pixel, each times its weight, as far as "

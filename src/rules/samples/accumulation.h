@@ -12,6 +12,7 @@
 
 #include "exact/interval.h"
 #include "model/supersampling.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -26,9 +27,18 @@ enum class Accumulation {
   unweighted,   // the mean as if all weights were 1
   sum,          // not divided
 };
-std::span<const Accumulation> all_accumulations();
-const char* name_of(Accumulation choice);
-bool parse_name(std::string_view name, Accumulation& choice);
+template <>
+inline constexpr auto kNames<Accumulation> = std::to_array<TabledAlternative<Accumulation>>(
+    {{Accumulation::exact_mean, "exact-mean", Openness::open, "the weighted mean, rounded once"},
+     {Accumulation::float32_sum, "float32-sum", Openness::open,
+      "colours times weights, added in single precision in the passes' order, over the sum of "
+      "weights"},
+     {Accumulation::clamped, "clamped", Openness::illegal,
+      "each pass's colour is clamped to 0 to 1 before it is added"},
+     {Accumulation::bytes, "bytes", Openness::illegal,
+      "each pass's colour is converted to 8 bits before it is added"},
+     {Accumulation::unweighted, "unweighted", Openness::illegal, "every pass counts the same"},
+     {Accumulation::sum, "sum", Openness::illegal, "the sum is not divided"}});
 
 // One component of a pixel; `shown` has a value for each pass. Where one of them is not finite,
 // what IEEE 754 makes of their sum.

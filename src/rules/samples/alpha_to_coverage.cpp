@@ -5,25 +5,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "rules/alternative_table.h"
 #include "rules/samples/sample_mask.h"
 
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<AlphaToCoverage> kChoices[] = {
-    {AlphaToCoverage::proportional, "proportional", Openness::open,
-     "the first samples of n; their number is alpha n rounded to nearest, a tie to the larger "
-     "number"},
-    {AlphaToCoverage::above_quotient, "above-quotient", Openness::open,
-     "sample s of n where alpha is above s/n"},
-    {AlphaToCoverage::above_quotient_of_others, "above-quotient-of-others", Openness::illegal,
-     "sample s of n where alpha is above s/n; if the shader runs for each sample, the alphas of "
-     "all other samples of the pixel must be, and its own need not"},
-    {AlphaToCoverage::spread, "spread", Openness::open,
-     "sample s of n where alpha is at least (s + 1)/(n + 1)"},
-    {AlphaToCoverage::ignored, "ignored", Openness::illegal, "all samples, whatever alpha is"}};
-constexpr auto kAllChoices = values_in(kChoices);
 
 // Products of an alpha of single precision with these numbers are exact in double precision.
 bool keeps(double alpha, int sample, int samples, AlphaToCoverage choice) {
@@ -42,18 +27,6 @@ bool keeps(double alpha, int sample, int samples, AlphaToCoverage choice) {
 }
 
 }  // namespace
-
-std::span<const AlphaToCoverage> all_alpha_to_coverages() {
-  return kAllChoices;
-}
-
-const char* name_of(AlphaToCoverage choice) {
-  return name_in(kChoices, choice);
-}
-
-bool parse_name(std::string_view name, AlphaToCoverage& choice) {
-  return find_in(kChoices, name, choice);
-}
 
 std::uint32_t alpha_mask(double alpha, int samples, AlphaToCoverage choice) {
   std::uint32_t mask = 0;
@@ -100,7 +73,7 @@ Rule alpha_to_coverage_rule() {
       "which samples, which may differ from pixel to pixel; none for alpha 0, all for 1 (rulings "
       "33 and 52)",
       "proportional",
-      alternatives_in(kChoices),
+      alternatives_of<AlphaToCoverage>(),
       {{33,
         "Alpha to coverage: a fragment whose alpha, clamped to 0 to 1, is 0 writes no sample, one "
         "whose alpha is 1 writes all that it covers, and of others any part of them. Fragments of "

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "exact/interval.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -28,9 +29,19 @@ enum class AlphaToCoverage {
   spread,                    // at least (s + 1) / (n + 1)
   ignored,                   // whatever it is
 };
-std::span<const AlphaToCoverage> all_alpha_to_coverages();
-const char* name_of(AlphaToCoverage choice);
-bool parse_name(std::string_view name, AlphaToCoverage& choice);
+template <>
+inline constexpr auto kNames<AlphaToCoverage> = std::to_array<TabledAlternative<AlphaToCoverage>>(
+    {{AlphaToCoverage::proportional, "proportional", Openness::open,
+      "the first samples of n; their number is alpha n rounded to nearest, a tie to the larger "
+      "number"},
+     {AlphaToCoverage::above_quotient, "above-quotient", Openness::open,
+      "sample s of n where alpha is above s/n"},
+     {AlphaToCoverage::above_quotient_of_others, "above-quotient-of-others", Openness::illegal,
+      "sample s of n where alpha is above s/n; if the shader runs for each sample, the alphas of "
+      "all other samples of the pixel must be, and its own need not"},
+     {AlphaToCoverage::spread, "spread", Openness::open,
+      "sample s of n where alpha is at least (s + 1)/(n + 1)"},
+     {AlphaToCoverage::ignored, "ignored", Openness::illegal, "all samples, whatever alpha is"}});
 
 // The mask of an alpha: bit s for sample s. NaN keeps nothing.
 std::uint32_t alpha_mask(double alpha, int samples, AlphaToCoverage choice);

@@ -3,43 +3,10 @@
 
 #include <bit>
 
-#include "rules/alternative_table.h"
 #include "rules/samples/sample_mask.h"
 
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<PlainLocation> kPlain[] = {
-    {PlainLocation::centre, "centre", Openness::open, "the pixel's centre"},
-    {PlainLocation::first_covered, "first-covered", Openness::open,
-     "the covered sample of lowest index"},
-    {PlainLocation::half_pixel_off, "half-pixel-off", Openness::illegal,
-     "for points and lines, half a pixel to the right of and above the proper place: at the "
-     "pixel's corner or beyond it"}};
-constexpr auto kAllPlain = values_in(kPlain);
-
-constexpr TabledAlternative<CentroidLocation> kCentroids[] = {
-    {CentroidLocation::centre_or_first, "centre-or-first", Openness::open,
-     "the centre where all samples are covered, else the covered sample of lowest index"},
-    {CentroidLocation::first_covered, "first-covered", Openness::open,
-     "the covered sample of lowest index"},
-    {CentroidLocation::mean_covered, "mean-covered", Openness::open,
-     "the mean of the covered samples"},
-    {CentroidLocation::centre, "centre", Openness::illegal,
-     "the pixel's centre, even where the primitive does not cover it"}};
-constexpr auto kAllCentroids = values_in(kCentroids);
-
-constexpr TabledAlternative<DepthLocation> kDepths[] = {
-    {DepthLocation::at_sample, "at-sample", Openness::mandated, "at the sample"},
-    {DepthLocation::centre, "centre", Openness::illegal, "at the pixel's centre, for all samples"},
-    {DepthLocation::mirrored_x, "mirrored-x", Openness::illegal,
-     "at the sample, with the pixel's left and right exchanged; gl_FragCoord.z likewise at sample "
-     "0"},
-    {DepthLocation::mirrored_x_or_zero, "mirrored-x-or-zero", Openness::illegal,
-     "the same, but gl_FragCoord.z is 0 where the sample mask lacks sample 0"},
-    {DepthLocation::half_pixel_off, "half-pixel-off", Openness::illegal,
-     "for points and lines, half a pixel to the right of and above the sample or gl_FragCoord"}};
-constexpr auto kAllDepths = values_in(kDepths);
 
 Point first_covered(const Invocation& invocation, const SamplePositions& positions) {
   return positions[static_cast<std::size_t>(std::countr_zero(invocation.coverage))];
@@ -87,42 +54,6 @@ Point centroid_location(const Invocation& invocation, const SamplePositions& pos
 }
 
 }  // namespace
-
-std::span<const PlainLocation> all_plain_locations() {
-  return kAllPlain;
-}
-
-const char* name_of(PlainLocation choice) {
-  return name_in(kPlain, choice);
-}
-
-bool parse_name(std::string_view name, PlainLocation& choice) {
-  return find_in(kPlain, name, choice);
-}
-
-std::span<const CentroidLocation> all_centroid_locations() {
-  return kAllCentroids;
-}
-
-const char* name_of(CentroidLocation choice) {
-  return name_in(kCentroids, choice);
-}
-
-bool parse_name(std::string_view name, CentroidLocation& choice) {
-  return find_in(kCentroids, name, choice);
-}
-
-std::span<const DepthLocation> all_depth_locations() {
-  return kAllDepths;
-}
-
-const char* name_of(DepthLocation choice) {
-  return name_in(kDepths, choice);
-}
-
-bool parse_name(std::string_view name, DepthLocation& choice) {
-  return find_in(kDepths, name, choice);
-}
 
 Point attribute_location(AttributeLocation qualifier, const Invocation& invocation,
                          const SamplePositions& positions, const LocationChoice& choice) {
@@ -188,7 +119,7 @@ Rule attribute_location_rule() {
       "14.3.1 (multisampling) and 14.3.1.1 (sample shading)",
       "anywhere in the pixel, unless the shader qualifies the attribute or runs for each sample",
       "centre",
-      alternatives_in(kPlain),
+      alternatives_of<PlainLocation>(),
       {{29,
         "Multisampled targets: an attribute without a qualifier may be evaluated anywhere in the "
         "fragment's pixel, boundary included, each one at a place of its own, and so may "
@@ -206,7 +137,7 @@ Rule centroid_rule() {
           "14.3.1 (multisampling); GLSL 4.60, 4.5 (interpolation qualifiers)",
           "any place that lies both in the pixel and in the primitive",
           "centre-or-first",
-          alternatives_in(kCentroids),
+          alternatives_of<CentroidLocation>(),
           {{30,
             "Attributes qualified centroid may be evaluated anywhere in what the pixel and the "
             "primitive (of a point its square, of a line its rectangle) have in common, boundaries "
@@ -221,7 +152,7 @@ Rule sample_depth_rule() {
           "14.3.1 (multisampling)",
           "none beyond that of values (ruling 29)",
           "at-sample",
-          alternatives_in(kDepths),
+          alternatives_of<DepthLocation>(),
           {}};
 }
 

@@ -17,6 +17,7 @@
 
 #include "model/sampling.h"
 #include "model/scene.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -31,9 +32,14 @@ enum class PlainLocation {
   first_covered,   // the covered sample of lowest index
   half_pixel_off,  // of points and lines half a pixel right of and above where it should be
 };
-std::span<const PlainLocation> all_plain_locations();
-const char* name_of(PlainLocation choice);
-bool parse_name(std::string_view name, PlainLocation& choice);
+template <>
+inline constexpr auto kNames<PlainLocation> = std::to_array<TabledAlternative<PlainLocation>>(
+    {{PlainLocation::centre, "centre", Openness::open, "the pixel's centre"},
+     {PlainLocation::first_covered, "first-covered", Openness::open,
+      "the covered sample of lowest index"},
+     {PlainLocation::half_pixel_off, "half-pixel-off", Openness::illegal,
+      "for points and lines, half a pixel to the right of and above the proper place: at the "
+      "pixel's corner or beyond it"}});
 
 // Of what is qualified `centroid`, where the shader runs once for the pixel.
 enum class CentroidLocation {
@@ -42,9 +48,16 @@ enum class CentroidLocation {
   mean_covered,  // the mean of the covered samples, to the nearest 2^-16
   centre,        // whatever is covered
 };
-std::span<const CentroidLocation> all_centroid_locations();
-const char* name_of(CentroidLocation choice);
-bool parse_name(std::string_view name, CentroidLocation& choice);
+template <>
+inline constexpr auto kNames<CentroidLocation> = std::to_array<TabledAlternative<CentroidLocation>>(
+    {{CentroidLocation::centre_or_first, "centre-or-first", Openness::open,
+      "the centre where all samples are covered, else the covered sample of lowest index"},
+     {CentroidLocation::first_covered, "first-covered", Openness::open,
+      "the covered sample of lowest index"},
+     {CentroidLocation::mean_covered, "mean-covered", Openness::open,
+      "the mean of the covered samples"},
+     {CentroidLocation::centre, "centre", Openness::illegal,
+      "the pixel's centre, even where the primitive does not cover it"}});
 
 // Of the depth that a sample is given.
 enum class DepthLocation {
@@ -54,9 +67,17 @@ enum class DepthLocation {
   mirrored_x_or_zero,  // the same, but gl_FragCoord.z 0 where the sample mask lacks sample 0
   half_pixel_off,      // of points and lines half a pixel right of and above the sample
 };
-std::span<const DepthLocation> all_depth_locations();
-const char* name_of(DepthLocation choice);
-bool parse_name(std::string_view name, DepthLocation& choice);
+template <>
+inline constexpr auto kNames<DepthLocation> = std::to_array<TabledAlternative<DepthLocation>>(
+    {{DepthLocation::at_sample, "at-sample", Openness::mandated, "at the sample"},
+     {DepthLocation::centre, "centre", Openness::illegal, "at the pixel's centre, for all samples"},
+     {DepthLocation::mirrored_x, "mirrored-x", Openness::illegal,
+      "at the sample, with the pixel's left and right exchanged; gl_FragCoord.z likewise at sample "
+      "0"},
+     {DepthLocation::mirrored_x_or_zero, "mirrored-x-or-zero", Openness::illegal,
+      "the same, but gl_FragCoord.z is 0 where the sample mask lacks sample 0"},
+     {DepthLocation::half_pixel_off, "half-pixel-off", Openness::illegal,
+      "for points and lines, half a pixel to the right of and above the sample or gl_FragCoord"}});
 
 struct LocationChoice {
   PlainLocation plain = PlainLocation::centre;

@@ -8,29 +8,10 @@
 
 #include "exact/rational.h"
 #include "model/sampling.h"
-#include "rules/alternative_table.h"
 #include "rules/coverage/line_areas.h"
 
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<MultisampledLine> kLines[] = {
-    {MultisampledLine::rectangle, "rectangle", Openness::open,
-     "the samples in a rectangle as long as the segment and as wide as the line"},
-    {MultisampledLine::snapped_offset, "snapped-offset", Openness::open,
-     "the samples in that rectangle, with the segment's ends and the offset from them to the "
-     "corners each rounded to 1/256 pixel"},
-    {MultisampledLine::snapped_offset_across_borders, "snapped-offset-across-borders",
-     Openness::illegal,
-     "the same, but a line draws nothing unless a left and a lower border of pixels of the target "
-     "run through its rectangle's extent"},
-    {MultisampledLine::snapped_corners, "snapped-corners", Openness::open,
-     "the samples in that rectangle, with its corners rounded to 1/16 pixel"},
-    {MultisampledLine::parallelogram, "parallelogram", Openness::illegal,
-     "the samples in a parallelogram whose ends run along the minor axis"},
-    {MultisampledLine::single_sampled, "single-sampled", Openness::illegal,
-     "all samples of the pixels that are drawn without multisampling"}};
-constexpr auto kAllLines = values_in(kLines);
 
 // ---------------------------------------------------------------------------------------- exactly
 
@@ -166,18 +147,6 @@ const TieRule& ties_named(const char* name) {
 
 }  // namespace
 
-std::span<const MultisampledLine> all_multisampled_lines() {
-  return kAllLines;
-}
-
-const char* name_of(MultisampledLine choice) {
-  return name_in(kLines, choice);
-}
-
-bool parse_name(std::string_view name, MultisampledLine& choice) {
-  return find_in(kLines, name, choice);
-}
-
 bool multisampled_line_covers(const HomogeneousSegment& segment, Fixed width, Point sample,
                               const TieRule& ties) {
   const Direction d = direction(segment);
@@ -227,7 +196,7 @@ Rule multisampled_line_rule() {
       "a sample exactly on the boundary may count or not; the ends, or the corners of the "
       "rectangle, may be moved to the sub-pixel grid",
       "rectangle",
-      alternatives_in(kLines),
+      alternatives_of<MultisampledLine>(),
       {{28,
         "Multisampled lines: each end may be moved by less than one step of 2^-b in x and in y (b "
         "as "

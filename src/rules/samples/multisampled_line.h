@@ -14,6 +14,7 @@
 
 #include "exact/homogeneous.h"
 #include "exact/pixel.h"
+#include "rules/alternative_table.h"
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/coverage/segment.h"
 #include "rules/coverage/tie_rule.h"
@@ -32,10 +33,23 @@ enum class MultisampledLine {
   parallelogram,   // its ends run along the minor axis
   single_sampled,  // as without multisampling, with all samples of each pixel
 };
-std::span<const MultisampledLine> all_multisampled_lines();
-const char* name_of(MultisampledLine choice);
-// False when there is none of that name.
-bool parse_name(std::string_view name, MultisampledLine& choice);
+template <>
+inline constexpr auto kNames<MultisampledLine> = std::to_array<TabledAlternative<MultisampledLine>>(
+    {{MultisampledLine::rectangle, "rectangle", Openness::open,
+      "the samples in a rectangle as long as the segment and as wide as the line"},
+     {MultisampledLine::snapped_offset, "snapped-offset", Openness::open,
+      "the samples in that rectangle, with the segment's ends and the offset from them to the "
+      "corners each rounded to 1/256 pixel"},
+     {MultisampledLine::snapped_offset_across_borders, "snapped-offset-across-borders",
+      Openness::illegal,
+      "the same, but a line draws nothing unless a left and a lower border of pixels of the target "
+      "run through its rectangle's extent"},
+     {MultisampledLine::snapped_corners, "snapped-corners", Openness::open,
+      "the samples in that rectangle, with its corners rounded to 1/16 pixel"},
+     {MultisampledLine::parallelogram, "parallelogram", Openness::illegal,
+      "the samples in a parallelogram whose ends run along the minor axis"},
+     {MultisampledLine::single_sampled, "single-sampled", Openness::illegal,
+      "all samples of the pixels that are drawn without multisampling"}});
 
 // Does the rectangle of a line of some width (pixels, more than 0, at most 64) hold the sample (in
 // the window)? A segment without length has none.

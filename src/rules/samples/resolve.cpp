@@ -5,25 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "rules/alternative_table.h"
-
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<ResolveMethod> kMethods[] = {
-    {ResolveMethod::nearest_even, "nearest-even", Openness::open,
-     "the mean of the samples, rounded to nearest, a tie to the even value"},
-    {ResolveMethod::half_up, "half-up", Openness::open,
-     "the mean, rounded to nearest, a tie to the larger value"},
-    {ResolveMethod::truncated, "truncated", Openness::open,
-     "the largest value that is not above the mean"},
-    {ResolveMethod::half_up_by_pairs, "half-up-by-pairs", Openness::open,
-     "the means of neighbouring samples, then the means of these in turn, each rounded half up"},
-    {ResolveMethod::float32_sum, "float32-sum", Openness::open,
-     "the mean of values/255 in single precision, summed in the samples' order, then rounded to "
-     "nearest: a tie goes either way"},
-    {ResolveMethod::first_sample, "first-sample", Openness::open, "sample 0 alone"}};
-constexpr auto kAllMethods = values_in(kMethods);
 
 int sum_of(std::span<const std::uint8_t> samples) {
   int sum = 0;
@@ -61,18 +44,6 @@ int in_single_precision(std::span<const std::uint8_t> samples) {
 
 }  // namespace
 
-std::span<const ResolveMethod> all_resolve_methods() {
-  return kAllMethods;
-}
-
-const char* name_of(ResolveMethod choice) {
-  return name_in(kMethods, choice);
-}
-
-bool parse_name(std::string_view name, ResolveMethod& choice) {
-  return find_in(kMethods, name, choice);
-}
-
 std::uint8_t resolved(std::span<const std::uint8_t> samples, ResolveMethod method) {
   const int count = static_cast<int>(samples.size());
   const int sum = sum_of(samples);
@@ -108,7 +79,7 @@ Rule resolve_rule() {
       "18.3.1 (blitting pixel rectangles)",
       "any way to make one value of the samples (ruling 31)",
       "nearest-even",
-      alternatives_in(kMethods),
+      alternatives_of<ResolveMethod>(),
       {{31,
         "The specification leaves it to the implementation how the colours of samples become one "
         "(18.3.1). Permitted is, of each component by itself, a value from the least to the "

@@ -11,6 +11,7 @@
 #include <span>
 #include <string_view>
 
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -25,9 +26,20 @@ enum class ResolveMethod {
   float32_sum,       // the sum of value/255 in single precision, in the order of the samples
   first_sample,
 };
-std::span<const ResolveMethod> all_resolve_methods();
-const char* name_of(ResolveMethod choice);
-bool parse_name(std::string_view name, ResolveMethod& choice);
+template <>
+inline constexpr auto kNames<ResolveMethod> = std::to_array<TabledAlternative<ResolveMethod>>(
+    {{ResolveMethod::nearest_even, "nearest-even", Openness::open,
+      "the mean of the samples, rounded to nearest, a tie to the even value"},
+     {ResolveMethod::half_up, "half-up", Openness::open,
+      "the mean, rounded to nearest, a tie to the larger value"},
+     {ResolveMethod::truncated, "truncated", Openness::open,
+      "the largest value that is not above the mean"},
+     {ResolveMethod::half_up_by_pairs, "half-up-by-pairs", Openness::open,
+      "the means of neighbouring samples, then the means of these in turn, each rounded half up"},
+     {ResolveMethod::float32_sum, "float32-sum", Openness::open,
+      "the mean of values/255 in single precision, summed in the samples' order, then rounded to "
+      "nearest: a tie goes either way"},
+     {ResolveMethod::first_sample, "first-sample", Openness::open, "sample 0 alone"}});
 
 // The resolved value; never empty, at most kMaxSamples samples.
 std::uint8_t resolved(std::span<const std::uint8_t> samples, ResolveMethod method);

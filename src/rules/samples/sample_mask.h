@@ -15,6 +15,7 @@
 
 #include "model/sampling.h"
 #include "model/scene.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -29,9 +30,21 @@ enum class MultisampleSwitch {
   ignored_but_for_lines,    // points and triangles ignore it
   ignored_but_whole_lines,  // so do they; lines honour it, but that their fragments have all bits
 };
-std::span<const MultisampleSwitch> all_multisample_switches();
-const char* name_of(MultisampleSwitch choice);
-bool parse_name(std::string_view name, MultisampleSwitch& choice);
+template <>
+inline constexpr auto kNames<MultisampleSwitch> = std::to_array<
+    TabledAlternative<MultisampleSwitch>>(
+    {{MultisampleSwitch::honoured, "honoured", Openness::mandated,
+      "without GL_MULTISAMPLE the pixel's centre decides for all samples"},
+     {MultisampleSwitch::depth_of_first, "depth-of-first", Openness::illegal,
+      "the pixel's centre decides for all samples, and only sample 0 gets a depth"},
+     {MultisampleSwitch::ignored, "ignored", Openness::illegal,
+      "each sample decides for itself, whether GL_MULTISAMPLE is enabled or not; the sample mask "
+      "applies only while it is enabled"},
+     {MultisampleSwitch::ignored_but_for_lines, "ignored-but-for-lines", Openness::illegal,
+      "honoured for lines, ignored for points and triangles"},
+     {MultisampleSwitch::ignored_but_whole_lines, "ignored-but-whole-lines", Openness::illegal,
+      "ignored for points and triangles; for lines the pixel's centre decides for all samples, and "
+      "the coverage has the bits of all samples"}});
 
 // What becomes of a draw without GL_MULTISAMPLE on a multisampled target.
 enum class Unsampled {
@@ -42,8 +55,11 @@ enum class Unsampled {
 Unsampled unsampled(PrimitiveKind kind, MultisampleSwitch choice);
 
 enum class SampleMask { applied, ignored };
-const char* name_of(SampleMask choice);
-bool parse_name(std::string_view name, SampleMask& choice);
+template <>
+inline constexpr auto kNames<SampleMask> = std::to_array<TabledAlternative<SampleMask>>(
+    {{SampleMask::applied, "applied", Openness::mandated,
+      "samples whose bit is clear are not covered"},
+     {SampleMask::ignored, "ignored", Openness::illegal, "the mask changes nothing"}});
 
 // Bit s for each of so many samples.
 constexpr std::uint32_t mask_of_all(int samples) {

@@ -7,30 +7,10 @@
 #include <span>
 #include <utility>
 
-#include "rules/alternative_table.h"
-
 namespace edgecase {
 namespace {
 
 using Kind = SamplePlacement::Kind;
-
-constexpr TabledAlternative<Kind> kKinds[] = {
-    {Kind::as_reported, "as-reported", Openness::mandated,
-     "where the renderer reports them; without a report, where the case puts them, else the "
-     "standard pattern"},
-    {Kind::standard, "standard", Openness::illegal,
-     "the pattern that D3D and Vulkan call standard, although other positions are reported"},
-    {Kind::ordered_grid, "ordered-grid", Openness::illegal,
-     "rows and columns at equal distances, for 4, 9 and 16 samples"},
-    {Kind::rotated_grid, "rotated-grid", Openness::illegal,
-     "the ordered grid of 4, 9 and 16 samples, turned so that no two share a row or a column; for "
-     "4 samples it is the standard pattern"},
-    {Kind::centre, "centre", Openness::illegal, "all samples at the pixel's centre"},
-    {Kind::mirrored_x, "mirrored-x", Openness::illegal, "left and right exchanged"},
-    {Kind::mirrored_y, "mirrored-y", Openness::illegal, "top and bottom exchanged"},
-    {Kind::turned, "turned", Openness::illegal, "turned by 180 degrees about the pixel's centre"},
-    {Kind::swapped, "swapped", Openness::illegal,
-     "two samples exchanged; a policy that names it exchanges samples 0 and 1"}};
 
 struct Sixteenths {
   int x;
@@ -131,7 +111,7 @@ SamplePositions placed(const SamplePlacement& placement, const SamplePositions& 
 std::vector<SamplePlacement> placements_of(int samples) {
   std::vector<SamplePlacement> placements;
   const bool has_grid = grid_side(static_cast<std::size_t>(samples)) != 0;
-  for (const Kind kind : values_in(kKinds)) {
+  for (const Kind kind : values_of<Kind>()) {
     const bool is_grid = kind == Kind::ordered_grid || kind == Kind::rotated_grid;
     if (kind == Kind::swapped || (is_grid && !has_grid)) continue;
     // The rotated grid of 4 is the standard pattern.
@@ -145,12 +125,12 @@ std::vector<SamplePlacement> placements_of(int samples) {
 }
 
 std::string name_of(const SamplePlacement& placement) {
-  return name_in(kKinds, placement.kind);
+  return name_of(placement.kind);
 }
 
 bool parse_name(std::string_view name, SamplePlacement& placement) {
   Kind kind = Kind::as_reported;
-  if (!find_in(kKinds, name, kind)) return false;
+  if (!parse_name(name, kind)) return false;
   placement = {kind, 0, kind == Kind::swapped ? 1 : 0};
   return true;
 }
@@ -162,7 +142,7 @@ Rule sample_positions_rule() {
       "14.3.1 (multisampling)",
       "any positions within the pixel that GL_SAMPLE_POSITION reports (ruling 27)",
       "as-reported",
-      alternatives_in(kKinds),
+      alternatives_of<Kind>(),
       {{27,
         "GL_SAMPLE_POSITION says where attributes qualified sample and depths of a sample are "
         "evaluated, in every pixel, and the index under which it says so is the bit of the "

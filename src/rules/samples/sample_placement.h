@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "model/sampling.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -40,6 +41,29 @@ struct SamplePlacement {
   int second = 0;
   friend bool operator==(const SamplePlacement&, const SamplePlacement&) = default;
 };
+template <>
+inline constexpr auto kNames<SamplePlacement::Kind> = std::to_array<
+    TabledAlternative<SamplePlacement::Kind>>(
+    {{SamplePlacement::Kind::as_reported, "as-reported", Openness::mandated,
+      "where the renderer reports them; without a report, where the case puts them, else the "
+      "standard pattern"},
+     {SamplePlacement::Kind::standard, "standard", Openness::illegal,
+      "the pattern that D3D and Vulkan call standard, although other positions are reported"},
+     {SamplePlacement::Kind::ordered_grid, "ordered-grid", Openness::illegal,
+      "rows and columns at equal distances, for 4, 9 and 16 samples"},
+     {SamplePlacement::Kind::rotated_grid, "rotated-grid", Openness::illegal,
+      "the ordered grid of 4, 9 and 16 samples, turned so that no two share a row or a column; for "
+      "4 samples it is the standard pattern"},
+     {SamplePlacement::Kind::centre, "centre", Openness::illegal,
+      "all samples at the pixel's centre"},
+     {SamplePlacement::Kind::mirrored_x, "mirrored-x", Openness::illegal,
+      "left and right exchanged"},
+     {SamplePlacement::Kind::mirrored_y, "mirrored-y", Openness::illegal,
+      "top and bottom exchanged"},
+     {SamplePlacement::Kind::turned, "turned", Openness::illegal,
+      "turned by 180 degrees about the pixel's centre"},
+     {SamplePlacement::Kind::swapped, "swapped", Openness::illegal,
+      "two samples exchanged; a policy that names it exchanges samples 0 and 1"}});
 
 // The standard pattern. Counts other than 1, 2, 4, 8 and 16 take the first samples of the next
 // larger pattern. samples: 1 to kMaxSamples.

@@ -1,34 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rules/samples/shading_rate.h"
 
-#include "rules/alternative_table.h"
-
 namespace edgecase {
-namespace {
-
-constexpr TabledAlternative<ShadingRate> kRates[] = {
-    {ShadingRate::as_needed, "as-needed", Openness::open,
-     "once for each pixel and primitive, or once for each covered sample if the draw asks for more "
-     "than one invocation"},
-    {ShadingRate::per_sample, "per-sample", Openness::open, "once for each covered sample"},
-    {ShadingRate::per_pixel, "per-pixel", Openness::illegal,
-     "once for each pixel and primitive, whatever is asked for"}};
-constexpr auto kAllRates = values_in(kRates);
-
-}  // namespace
-
-std::span<const ShadingRate> all_shading_rates() {
-  return kAllRates;
-}
-
-const char* name_of(ShadingRate choice) {
-  return name_in(kRates, choice);
-}
-
-bool parse_name(std::string_view name, ShadingRate& choice) {
-  return find_in(kRates, name, choice);
-}
-
 bool runs_per_sample(const Multisampling& use, int samples, ShadingRate choice) {
   if (!use.enabled || samples == 1) return false;
   switch (choice) {
@@ -49,7 +22,7 @@ Rule shading_rate_rule() {
       "14.3.1.1 (sample shading)",
       "more invocations than are asked for, and which samples share one (ruling 34)",
       "as-needed",
-      alternatives_in(kRates),
+      alternatives_of<ShadingRate>(),
       {{34,
         "A pixel of n samples has at least m = max(ceil(s n), 1) invocations under "
         "GL_SAMPLE_SHADING with share s, and n where an input is qualified sample. One of which a "

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "model/sampling.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -23,9 +24,15 @@ enum class ShadingRate {
   per_sample,  // once for each covered sample, always
   per_pixel,   // once for the pixel, whatever is asked for
 };
-std::span<const ShadingRate> all_shading_rates();
-const char* name_of(ShadingRate choice);
-bool parse_name(std::string_view name, ShadingRate& choice);
+template <>
+inline constexpr auto kNames<ShadingRate> = std::to_array<TabledAlternative<ShadingRate>>(
+    {{ShadingRate::as_needed, "as-needed", Openness::open,
+      "once for each pixel and primitive, or once for each covered sample if the draw asks for "
+      "more "
+      "than one invocation"},
+     {ShadingRate::per_sample, "per-sample", Openness::open, "once for each covered sample"},
+     {ShadingRate::per_pixel, "per-pixel", Openness::illegal,
+      "once for each pixel and primitive, whatever is asked for"}});
 
 // Does the shader run once for each covered sample? Never without multisampling.
 bool runs_per_sample(const Multisampling& use, int samples, ShadingRate choice);

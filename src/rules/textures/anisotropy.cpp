@@ -6,20 +6,10 @@
 #include <limits>
 
 #include "exact/elementary.h"
-#include "rules/alternative_table.h"
 #include "rules/textures/directed.h"
 
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<Anisotropy> kChoices[] = {
-    {Anisotropy::extension, "extension", Openness::open,
-     "up to max_anisotropy lookups of equal weight along the longer vector; the level is that of "
-     "its length divided by their number, as in the example of EXT_texture_filter_anisotropic"},
-    {Anisotropy::gaussian_5, "gaussian-5", Openness::open,
-     "five lookups with Gaussian weights along the longer vector; the level is that of the shorter "
-     "vector or of a fifth of the longer one"},
-    {Anisotropy::none, "none", Openness::open, "one lookup, whatever the sampler says"}};
 
 struct Axes {
   bool along_x;  // is the vector along x the longer one?
@@ -76,14 +66,6 @@ ProbeRow gaussian_probes(const Axes& axes) {
 
 }  // namespace
 
-const char* name_of(Anisotropy choice) {
-  return name_in(kChoices, choice);
-}
-
-bool parse_name(std::string_view name, Anisotropy& choice) {
-  return find_in(kChoices, name, choice);
-}
-
 ProbeRow probes(const Footprint& footprint, float max_anisotropy, Anisotropy choice,
                 ScaleFactor isotropic) {
   if (choice == Anisotropy::none || !(max_anisotropy > 1))
@@ -100,7 +82,7 @@ Rule anisotropy_rule() {
   rule.spec = "8.14.1, with EXT_texture_filter_anisotropic";
   rule.latitude = "the implementation chooses the method, on levels that it may use (ruling 23)";
   rule.standard = "extension";
-  rule.alternatives = alternatives_in(kChoices);
+  rule.alternatives = alternatives_of<Anisotropy>();
   rule.rulings = {
       {23,
        "Anisotropy: the maximum that a sampler sets is a wish, and the method an example: which "

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "exact/interval.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 #include "rules/textures/level_of_detail.h"
 
@@ -32,8 +33,16 @@ enum class Anisotropy {
   gaussian_5,
   none,  // as if max_anisotropy were 1
 };
-const char* name_of(Anisotropy choice);
-bool parse_name(std::string_view name, Anisotropy& choice);
+template <>
+inline constexpr auto kNames<Anisotropy> = std::to_array<TabledAlternative<Anisotropy>>(
+    {{Anisotropy::extension, "extension", Openness::open,
+      "up to max_anisotropy lookups of equal weight along the longer vector; the level is that of "
+      "its length divided by their number, as in the example of EXT_texture_filter_anisotropic"},
+     {Anisotropy::gaussian_5, "gaussian-5", Openness::open,
+      "five lookups with Gaussian weights along the longer vector; the level is that of the "
+      "shorter "
+      "vector or of a fifth of the longer one"},
+     {Anisotropy::none, "none", Openness::open, "one lookup, whatever the sampler says"}});
 
 // One lookup: how far along the longer vector from the footprint's centre, -1/2 to 1/2, and its
 // share of the colour.

@@ -4,41 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rules/alternative_table.h"
 #include "rules/textures/directed.h"
 #include "rules/values/derivative.h"
 
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<ScaleFactor> kScaleFactors[] = {
-    {ScaleFactor::lengths, "lengths", Openness::open,
-     "the length of the longer vector of the pixel's footprint in the texture"},
-    {ScaleFactor::largest_partial, "largest-partial", Openness::open,
-     "the largest of the partial derivatives, which is the least value that is allowed"},
-    {ScaleFactor::sum_of_partials, "sum-of-partials", Openness::open,
-     "the larger partial derivative of u plus the larger one of v"},
-    {ScaleFactor::length_of_sum, "length-of-sum", Openness::illegal,
-     "the length of the sum of the two vectors, which is 0 where they are opposite"},
-    {ScaleFactor::length_of_both, "length-of-both", Openness::open,
-     "the root of the sum of all squares, up to half a level more than the longer vector"},
-    {ScaleFactor::sum, "sum", Openness::illegal, "the sum of all four partial derivatives"},
-    {ScaleFactor::x_only, "x-only", Openness::illegal,
-     "the length of the vector along x, whatever happens along y"},
-    {ScaleFactor::y_only, "y-only", Openness::illegal, "the length of the vector along y"}};
-constexpr auto kAllScaleFactors = values_in(kScaleFactors);
-
-constexpr TabledAlternative<BiasChoice> kBiasChoices[] = {
-    {BiasChoice::as_set, "as-set", Openness::open, "the sampler's bias plus the shader's"},
-    {BiasChoice::sampler_nearest_8, "sampler-nearest-8", Openness::open,
-     "the sampler's bias rounded to a multiple of 1/256, half away from 0, plus the shader's"},
-    {BiasChoice::unclamped, "unclamped", Openness::open,
-     "the sum of both, even beyond GL_MAX_TEXTURE_LOD_BIAS"},
-    {BiasChoice::not_of_gradients, "not-of-gradients", Openness::illegal,
-     "lookups with gradients leave the sampler's bias out"},
-    {BiasChoice::half_a_level_more, "half-a-level-more", Openness::illegal,
-     "the sum of both plus half a level"}};
-constexpr auto kAllBiasChoices = values_in(kBiasChoices);
 
 // One end of the absolute values of all partials.
 struct Partials {
@@ -114,30 +84,6 @@ Interval shader_bias(const Lookup& lookup) {
 
 }  // namespace
 
-std::span<const ScaleFactor> all_scale_factors() {
-  return kAllScaleFactors;
-}
-
-const char* name_of(ScaleFactor method) {
-  return name_in(kScaleFactors, method);
-}
-
-bool parse_name(std::string_view name, ScaleFactor& method) {
-  return find_in(kScaleFactors, name, method);
-}
-
-std::span<const BiasChoice> all_bias_choices() {
-  return kAllBiasChoices;
-}
-
-const char* name_of(BiasChoice choice) {
-  return name_in(kBiasChoices, choice);
-}
-
-bool parse_name(std::string_view name, BiasChoice& choice) {
-  return find_in(kBiasChoices, name, choice);
-}
-
 Footprint footprint(const IntervalPair& dx, const IntervalPair& dy, int width, int height,
                     int dimensions) {
   const auto in_texels = [&](const IntervalPair& vector) {
@@ -207,7 +153,7 @@ Rule scale_factor_rule() {
       "any function from the largest partial derivative to either upper bound of the section "
       "(ruling 19)";
   rule.standard = "lengths";
-  rule.alternatives = alternatives_in(kScaleFactors);
+  rule.alternatives = alternatives_of<ScaleFactor>();
   rule.rulings = {
       {19,
        "Scale factor: permitted is any value from the largest absolute partial derivative to the "
@@ -242,7 +188,7 @@ Rule lod_bias_rule() {
       "the precision of the sampler's bias; which terms beyond GL_MAX_TEXTURE_LOD_BIAS, at least "
       "2, are clamped, and how (ruling 26); exact clamps the sum at 16";
   rule.standard = "as-set";
-  rule.alternatives = alternatives_in(kBiasChoices);
+  rule.alternatives = alternatives_of<BiasChoice>();
   rule.rulings = {
       {26,
        "Bias: where the sampler's, the lookup's or the sum of both is beyond the "

@@ -33,6 +33,7 @@
 
 #include "exact/interval.h"
 #include "model/texture.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 #include "rules/textures/log2_method.h"
 
@@ -52,9 +53,22 @@ enum class ScaleFactor {
   x_only,           // |dx|: fixture GLideN64 2203
   y_only,           // |dy|
 };
-std::span<const ScaleFactor> all_scale_factors();
-const char* name_of(ScaleFactor method);
-bool parse_name(std::string_view name, ScaleFactor& method);
+template <>
+inline constexpr auto kNames<ScaleFactor> = std::to_array<TabledAlternative<ScaleFactor>>(
+    {{ScaleFactor::lengths, "lengths", Openness::open,
+      "the length of the longer vector of the pixel's footprint in the texture"},
+     {ScaleFactor::largest_partial, "largest-partial", Openness::open,
+      "the largest of the partial derivatives, which is the least value that is allowed"},
+     {ScaleFactor::sum_of_partials, "sum-of-partials", Openness::open,
+      "the larger partial derivative of u plus the larger one of v"},
+     {ScaleFactor::length_of_sum, "length-of-sum", Openness::illegal,
+      "the length of the sum of the two vectors, which is 0 where they are opposite"},
+     {ScaleFactor::length_of_both, "length-of-both", Openness::open,
+      "the root of the sum of all squares, up to half a level more than the longer vector"},
+     {ScaleFactor::sum, "sum", Openness::illegal, "the sum of all four partial derivatives"},
+     {ScaleFactor::x_only, "x-only", Openness::illegal,
+      "the length of the vector along x, whatever happens along y"},
+     {ScaleFactor::y_only, "y-only", Openness::illegal, "the length of the vector along y"}});
 
 // The least GL_MAX_TEXTURE_LOD_BIAS that an implementation may have (table 23.54).
 constexpr double kLeastBiasLimit = 2;
@@ -75,9 +89,17 @@ enum class BiasChoice {
   not_of_gradients,   // the sampler's bias is left out of textureGrad()
   half_a_level_more,
 };
-std::span<const BiasChoice> all_bias_choices();
-const char* name_of(BiasChoice choice);
-bool parse_name(std::string_view name, BiasChoice& choice);
+template <>
+inline constexpr auto kNames<BiasChoice> = std::to_array<TabledAlternative<BiasChoice>>(
+    {{BiasChoice::as_set, "as-set", Openness::open, "the sampler's bias plus the shader's"},
+     {BiasChoice::sampler_nearest_8, "sampler-nearest-8", Openness::open,
+      "the sampler's bias rounded to a multiple of 1/256, half away from 0, plus the shader's"},
+     {BiasChoice::unclamped, "unclamped", Openness::open,
+      "the sum of both, even beyond GL_MAX_TEXTURE_LOD_BIAS"},
+     {BiasChoice::not_of_gradients, "not-of-gradients", Openness::illegal,
+      "lookups with gradients leave the sampler's bias out"},
+     {BiasChoice::half_a_level_more, "half-a-level-more", Openness::illegal,
+      "the sum of both plus half a level"}});
 
 // Of u and v, or of s and t.
 using IntervalPair = std::array<Interval, 2>;

@@ -5,44 +5,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "rules/alternative_table.h"
 #include "rules/textures/directed.h"
 
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<Crossover> kCrossovers[] = {
-    {Crossover::zero, "zero", Openness::mandated, "a level of detail of 0, whatever the filters"},
-    {Crossover::by_filters, "by-filters", Openness::illegal,
-     "1/2 for LINEAR magnification with NEAREST_MIPMAP_NEAREST or NEAREST_MIPMAP_LINEAR, else 0; "
-     "versions 1.0 to 3.0 asked for it, 3.1 to 4.4 allowed it"}};
-constexpr auto kAllCrossovers = values_in(kCrossovers);
-
-constexpr TabledAlternative<NearestLevel> kNearestLevels[] = {
-    {NearestLevel::down_at_ties, "down-at-ties", Openness::open,
-     "the larger image where two levels are equally near"},
-    {NearestLevel::up_at_ties, "up-at-ties", Openness::open,
-     "the smaller image where two levels are equally near"},
-    {NearestLevel::even_at_ties, "even-at-ties", Openness::open,
-     "the level with an even number, counted from the base, where two are equally near"}};
-constexpr auto kAllNearestLevels = values_in(kNearestLevels);
-
-constexpr TabledAlternative<LevelWeight> kLevelWeights[] = {
-    {LevelWeight::exact, "exact", Openness::open, "the fraction of the level of detail"},
-    {LevelWeight::floor_8, "floor-8", Openness::open, "the fraction cut to 8 bits"},
-    {LevelWeight::nearest_8, "nearest-8", Openness::open,
-     "the fraction rounded to 8 bits, half up"},
-    {LevelWeight::floor_4, "floor-4", Openness::open, "the fraction cut to 4 bits"},
-    {LevelWeight::nearest_4, "nearest-4", Openness::open,
-     "the fraction rounded to 4 bits, half up"},
-    {LevelWeight::floor_3, "floor-3", Openness::illegal, "the fraction cut to 3 bits"},
-    {LevelWeight::nearest_3, "nearest-3", Openness::illegal,
-     "the fraction rounded to 3 bits, half up"},
-    {LevelWeight::narrow, "narrow", Openness::illegal,
-     "0 for fractions up to 7/16, 1 from 9/16 on, linear between them"},
-    {LevelWeight::one_at_ties, "one-at-ties", Openness::illegal,
-     "1 for a fraction of 1/2, half a level too far; else the fraction"}};
-constexpr auto kAllLevelWeights = values_in(kLevelWeights);
 
 double crossover_of(const Sampler& sampler, Crossover crossover) {
   const bool sharper_minified = sampler.magnify == Filter::linear &&
@@ -169,42 +135,6 @@ std::vector<LevelPick> minified_picks(Interval lambda, const Sampler& sampler, i
 
 }  // namespace
 
-std::span<const Crossover> all_crossovers() {
-  return kAllCrossovers;
-}
-
-const char* name_of(Crossover crossover) {
-  return name_in(kCrossovers, crossover);
-}
-
-bool parse_name(std::string_view name, Crossover& crossover) {
-  return find_in(kCrossovers, name, crossover);
-}
-
-std::span<const NearestLevel> all_nearest_levels() {
-  return kAllNearestLevels;
-}
-
-const char* name_of(NearestLevel choice) {
-  return name_in(kNearestLevels, choice);
-}
-
-bool parse_name(std::string_view name, NearestLevel& choice) {
-  return find_in(kNearestLevels, name, choice);
-}
-
-std::span<const LevelWeight> all_level_weights() {
-  return kAllLevelWeights;
-}
-
-const char* name_of(LevelWeight choice) {
-  return name_in(kLevelWeights, choice);
-}
-
-bool parse_name(std::string_view name, LevelWeight& choice) {
-  return find_in(kLevelWeights, name, choice);
-}
-
 int last_level(const Sampler& sampler, const Texture& texture) {
   const bool single = texture.levels.size() <= 1 && !texture.generated;
   if (single || texture.levels.empty()) return sampler.base_level;
@@ -248,7 +178,7 @@ Rule crossover_rule() {
   rule.spec = "8.14, as corrected in 2018 (KhronosGroup/OpenGL-API, issue 34), and 8.15";
   rule.latitude = "none";
   rule.standard = "zero";
-  rule.alternatives = alternatives_in(kCrossovers);
+  rule.alternatives = alternatives_of<Crossover>();
   return rule;
 }
 
@@ -259,7 +189,7 @@ Rule nearest_level_rule() {
   rule.spec = "8.14.3, nearest mipmap selection";
   rule.latitude = "which of two equally near levels (ruling 21)";
   rule.standard = "down-at-ties";
-  rule.alternatives = alternatives_in(kNearestLevels);
+  rule.alternatives = alternatives_of<NearestLevel>();
   rule.rulings = {
       {21,
        "Ties of levels: where the level of detail lies halfway between two levels, or just at the "
@@ -276,7 +206,7 @@ Rule level_weight_rule() {
   rule.spec = "8.14.3, linear mipmap filters";
   rule.latitude = "the precision of the weight: 2^-6 (rulings 22 and 50)";
   rule.standard = "exact";
-  rule.alternatives = alternatives_in(kLevelWeights);
+  rule.alternatives = alternatives_of<LevelWeight>();
   rule.rulings = {
       {22,
        "Weight of the second level: OpenGL states no number of bits for it. Permitted is any "

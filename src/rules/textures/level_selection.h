@@ -24,6 +24,7 @@
 
 #include "exact/interval.h"
 #include "model/texture.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -36,9 +37,12 @@ enum class Crossover {
   zero,        // c = 0 whatever the filters
   by_filters,  // c = 1/2 for the filters above
 };
-std::span<const Crossover> all_crossovers();
-const char* name_of(Crossover crossover);
-bool parse_name(std::string_view name, Crossover& crossover);
+template <>
+inline constexpr auto kNames<Crossover> = std::to_array<TabledAlternative<Crossover>>(
+    {{Crossover::zero, "zero", Openness::mandated, "a level of detail of 0, whatever the filters"},
+     {Crossover::by_filters, "by-filters", Openness::illegal,
+      "1/2 for LINEAR magnification with NEAREST_MIPMAP_NEAREST or NEAREST_MIPMAP_LINEAR, else 0; "
+      "versions 1.0 to 3.0 asked for it, 3.1 to 4.4 allowed it"}});
 
 // Where lambda lies halfway between two levels.
 enum class NearestLevel {
@@ -46,9 +50,14 @@ enum class NearestLevel {
   up_at_ties,    // the smaller one, as round() may
   even_at_ties,  // the level whose number beyond the base is even
 };
-std::span<const NearestLevel> all_nearest_levels();
-const char* name_of(NearestLevel choice);
-bool parse_name(std::string_view name, NearestLevel& choice);
+template <>
+inline constexpr auto kNames<NearestLevel> = std::to_array<TabledAlternative<NearestLevel>>(
+    {{NearestLevel::down_at_ties, "down-at-ties", Openness::open,
+      "the larger image where two levels are equally near"},
+     {NearestLevel::up_at_ties, "up-at-ties", Openness::open,
+      "the smaller image where two levels are equally near"},
+     {NearestLevel::even_at_ties, "even-at-ties", Openness::open,
+      "the level with an even number, counted from the base, where two are equally near"}});
 
 // The fraction of lambda that weighs the second level.
 enum class LevelWeight {
@@ -62,9 +71,22 @@ enum class LevelWeight {
   narrow,       // 0 below 7/16, 1 above 9/16, linear between: fixture gpuweb 4818
   one_at_ties,  // 1 at a fraction of 1/2: half a level off there, exact elsewhere
 };
-std::span<const LevelWeight> all_level_weights();
-const char* name_of(LevelWeight choice);
-bool parse_name(std::string_view name, LevelWeight& choice);
+template <>
+inline constexpr auto kNames<LevelWeight> = std::to_array<TabledAlternative<LevelWeight>>(
+    {{LevelWeight::exact, "exact", Openness::open, "the fraction of the level of detail"},
+     {LevelWeight::floor_8, "floor-8", Openness::open, "the fraction cut to 8 bits"},
+     {LevelWeight::nearest_8, "nearest-8", Openness::open,
+      "the fraction rounded to 8 bits, half up"},
+     {LevelWeight::floor_4, "floor-4", Openness::open, "the fraction cut to 4 bits"},
+     {LevelWeight::nearest_4, "nearest-4", Openness::open,
+      "the fraction rounded to 4 bits, half up"},
+     {LevelWeight::floor_3, "floor-3", Openness::illegal, "the fraction cut to 3 bits"},
+     {LevelWeight::nearest_3, "nearest-3", Openness::illegal,
+      "the fraction rounded to 3 bits, half up"},
+     {LevelWeight::narrow, "narrow", Openness::illegal,
+      "0 for fractions up to 7/16, 1 from 9/16 on, linear between them"},
+     {LevelWeight::one_at_ties, "one-at-ties", Openness::illegal,
+      "1 for a fraction of 1/2, half a level too far; else the fraction"}});
 
 // A way to make a colour: one level under a filter, or two of them, the second by its weight.
 struct LevelPick {

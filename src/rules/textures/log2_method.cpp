@@ -6,25 +6,12 @@
 #include <limits>
 
 #include "exact/elementary.h"
-#include "rules/alternative_table.h"
 #include "rules/textures/directed.h"
 
 namespace edgecase {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-constexpr TabledAlternative<Log2Method> kMethods[] = {
-    {Log2Method::exact, "exact", Openness::open, "the logarithm itself"},
-    {Log2Method::linear_mantissa, "linear-mantissa", Openness::illegal,
-     "the exponent plus the mantissa minus 1: up to 0.0861 too small"},
-    {Log2Method::linear_mantissa_of_square, "linear-mantissa-of-square", Openness::open,
-     "half of linear-mantissa of the square: up to 0.0431 too small"},
-    {Log2Method::linear_mantissa_of_fourth_power, "linear-mantissa-of-fourth-power", Openness::open,
-     "a quarter of linear-mantissa of the fourth power: up to 0.0216 too small"},
-    {Log2Method::mantissa_8, "mantissa-8", Openness::open,
-     "the logarithm of the mantissa rounded to 8 bits: up to 0.0029 off"}};
-constexpr auto kValues = values_in(kMethods);
 
 // (1 + fraction) * 2^exponent, for finite numbers above 0; the fraction is 0 to 1 and a double.
 struct Parts {
@@ -83,18 +70,6 @@ Interval log2_of_point(double value, Log2Method method) {
 
 }  // namespace
 
-std::span<const Log2Method> all_log2_methods() {
-  return kValues;
-}
-
-const char* name_of(Log2Method method) {
-  return name_in(kMethods, method);
-}
-
-bool parse_name(std::string_view name, Log2Method& method) {
-  return find_in(kMethods, name, method);
-}
-
 Interval log2_of(Interval value, Log2Method method) {
   value = known(value);
   return {log2_of_point(value.low, method).low, log2_of_point(value.high, method).high};
@@ -107,7 +82,7 @@ Rule log2_rule() {
   rule.spec = "8.14.1, level of detail";
   rule.latitude = "the precision, which is not stated: 2^-6 of a level (rulings 20 and 50)";
   rule.standard = "exact";
-  rule.alternatives = alternatives_in(kMethods);
+  rule.alternatives = alternatives_of<Log2Method>();
   rule.rulings = {
       {20,
        "Logarithm: OpenGL states no precision for that of the scale factor. Permitted is a level "

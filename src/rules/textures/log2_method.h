@@ -24,6 +24,7 @@
 #include <string_view>
 
 #include "exact/interval.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -38,9 +39,17 @@ enum class Log2Method {
   linear_mantissa_of_fourth_power,
   mantissa_8,
 };
-std::span<const Log2Method> all_log2_methods();
-const char* name_of(Log2Method method);
-bool parse_name(std::string_view name, Log2Method& method);
+template <>
+inline constexpr auto kNames<Log2Method> = std::to_array<TabledAlternative<Log2Method>>(
+    {{Log2Method::exact, "exact", Openness::open, "the logarithm itself"},
+     {Log2Method::linear_mantissa, "linear-mantissa", Openness::illegal,
+      "the exponent plus the mantissa minus 1: up to 0.0861 too small"},
+     {Log2Method::linear_mantissa_of_square, "linear-mantissa-of-square", Openness::open,
+      "half of linear-mantissa of the square: up to 0.0431 too small"},
+     {Log2Method::linear_mantissa_of_fourth_power, "linear-mantissa-of-fourth-power",
+      Openness::open, "a quarter of linear-mantissa of the fourth power: up to 0.0216 too small"},
+     {Log2Method::mantissa_8, "mantissa-8", Openness::open,
+      "the logarithm of the mantissa rounded to 8 bits: up to 0.0029 off"}});
 
 // Bounds of what a method makes of the numbers of 0 or more in an interval; minus infinity of 0.
 // Powers of two are exact. Where a logarithm has to be taken, its bounds are wider than the C

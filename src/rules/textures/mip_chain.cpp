@@ -6,36 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "rules/alternative_table.h"
 #include "rules/textures/texel_mean.h"
 
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<LevelCount> kCounts[] = {
-    {LevelCount::larger_side, "larger-side", Openness::mandated,
-     "each level halves both sides, rounded down and at least 1, until both are 1"},
-    {LevelCount::smaller_side, "smaller-side", Openness::illegal,
-     "the chain ends where the smaller side is 1"}};
-
-constexpr TabledAlternative<MipmapFilter> kFilters[] = {
-    {MipmapFilter::box, "box", Openness::open,
-     "the mean of texels 2i and 2i + 1 along each axis; the last of an odd size is left out"},
-    {MipmapFilter::bilinear_centre, "bilinear-centre", Openness::open,
-     "a linear lookup at the smaller texel's centre; for even sizes it is the box"},
-    {MipmapFilter::nearest, "nearest", Openness::open, "texel 2i along each axis"}};
-constexpr auto kAllFilters = values_in(kFilters);
-
-constexpr TabledAlternative<MipmapRounding> kRoundings[] = {
-    {MipmapRounding::nearest_even, "nearest-even", Openness::open,
-     "to the nearest value, a tie to the even one"},
-    {MipmapRounding::half_up, "half-up", Openness::open,
-     "to the nearest value, a tie to the larger one"},
-    {MipmapRounding::down, "down", Openness::open, "to the largest value that is not above"},
-    {MipmapRounding::half_up_by_rows, "half-up-by-rows", Openness::open,
-     "for codes of 8 bits, each row's mean with weights in multiples of 1/256, then the mean of "
-     "both rows, a tie to the larger value; for others, nearest-even"}};
-constexpr auto kAllRoundings = values_in(kRoundings);
 
 // Neighbouring texels of the larger image along an axis, and their whole weights.
 struct Taps {
@@ -112,38 +86,6 @@ class Footing {
 
 }  // namespace
 
-const char* name_of(LevelCount choice) {
-  return name_in(kCounts, choice);
-}
-
-bool parse_name(std::string_view name, LevelCount& choice) {
-  return find_in(kCounts, name, choice);
-}
-
-std::span<const MipmapFilter> all_mipmap_filters() {
-  return kAllFilters;
-}
-
-const char* name_of(MipmapFilter choice) {
-  return name_in(kFilters, choice);
-}
-
-bool parse_name(std::string_view name, MipmapFilter& choice) {
-  return find_in(kFilters, name, choice);
-}
-
-std::span<const MipmapRounding> all_mipmap_roundings() {
-  return kAllRoundings;
-}
-
-const char* name_of(MipmapRounding choice) {
-  return name_in(kRoundings, choice);
-}
-
-bool parse_name(std::string_view name, MipmapRounding& choice) {
-  return find_in(kRoundings, name, choice);
-}
-
 int levels_of_chain(int width, int height, LevelCount choice) {
   if (choice == LevelCount::larger_side) return level_count(width, height);
   const int smaller = std::min(width, height);
@@ -176,7 +118,7 @@ Rule level_count_rule() {
           "8.14.3 (mipmapping)",
           "none (ruling 25)",
           "larger-side",
-          alternatives_in(kCounts),
+          alternatives_of<LevelCount>(),
           {}};
 }
 
@@ -187,7 +129,7 @@ Rule mipmap_filter_rule() {
       "8.14.4 (manual mipmap generation)",
       "any filter; a box filter is recommended (rulings 25 and 48)",
       "box",
-      alternatives_in(kFilters),
+      alternatives_of<MipmapFilter>(),
       {{25,
         "Generated mip chains: how many levels there are and how large each is can be wrong, and "
         "level 0, which is given and stays. OpenGL lets the filter be, and with it rounding and "
@@ -206,7 +148,7 @@ Rule mipmap_rounding_rule() {
           "8.14.4 (manual mipmap generation)",
           "any rounding (ruling 25)",
           "nearest-even",
-          alternatives_in(kRoundings),
+          alternatives_of<MipmapRounding>(),
           {}};
 }
 

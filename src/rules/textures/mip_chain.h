@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "model/texture.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -25,8 +26,12 @@ enum class LevelCount {
   larger_side,   // down to 1x1: OpenGL
   smaller_side,  // until the smaller side is 1: a course's
 };
-const char* name_of(LevelCount choice);
-bool parse_name(std::string_view name, LevelCount& choice);
+template <>
+inline constexpr auto kNames<LevelCount> = std::to_array<TabledAlternative<LevelCount>>(
+    {{LevelCount::larger_side, "larger-side", Openness::mandated,
+      "each level halves both sides, rounded down and at least 1, until both are 1"},
+     {LevelCount::smaller_side, "smaller-side", Openness::illegal,
+      "the chain ends where the smaller side is 1"}});
 
 enum class MipmapFilter {
   box,              // texels 2i and 2i + 1 along each axis, the last of an odd size left out
@@ -34,9 +39,13 @@ enum class MipmapFilter {
                     // sizes; of odd ones it lies between
   nearest,          // texel 2i
 };
-std::span<const MipmapFilter> all_mipmap_filters();
-const char* name_of(MipmapFilter choice);
-bool parse_name(std::string_view name, MipmapFilter& choice);
+template <>
+inline constexpr auto kNames<MipmapFilter> = std::to_array<TabledAlternative<MipmapFilter>>(
+    {{MipmapFilter::box, "box", Openness::open,
+      "the mean of texels 2i and 2i + 1 along each axis; the last of an odd size is left out"},
+     {MipmapFilter::bilinear_centre, "bilinear-centre", Openness::open,
+      "a linear lookup at the smaller texel's centre; for even sizes it is the box"},
+     {MipmapFilter::nearest, "nearest", Openness::open, "texel 2i along each axis"}});
 
 enum class MipmapRounding {
   nearest_even,
@@ -45,9 +54,16 @@ enum class MipmapRounding {
   half_up_by_rows,  // of codes: each row's mean by itself, then the mean of both, with weights of 8
                     // bits; sRGB texels in linear light, and floats, as nearest_even
 };
-std::span<const MipmapRounding> all_mipmap_roundings();
-const char* name_of(MipmapRounding choice);
-bool parse_name(std::string_view name, MipmapRounding& choice);
+template <>
+inline constexpr auto kNames<MipmapRounding> = std::to_array<TabledAlternative<MipmapRounding>>(
+    {{MipmapRounding::nearest_even, "nearest-even", Openness::open,
+      "to the nearest value, a tie to the even one"},
+     {MipmapRounding::half_up, "half-up", Openness::open,
+      "to the nearest value, a tie to the larger one"},
+     {MipmapRounding::down, "down", Openness::open, "to the largest value that is not above"},
+     {MipmapRounding::half_up_by_rows, "half-up-by-rows", Openness::open,
+      "for codes of 8 bits, each row's mean with weights in multiples of 1/256, then the mean of "
+      "both rows, a tie to the larger value; for others, nearest-even"}});
 
 int levels_of_chain(int width, int height, LevelCount choice);
 

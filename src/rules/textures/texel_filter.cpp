@@ -8,22 +8,10 @@
 #include <limits>
 #include <utility>
 
-#include "rules/alternative_table.h"
 #include "rules/textures/directed.h"
 
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<TexelGrid> kGrids[] = {
-    {TexelGrid::none, "none", Openness::open, "coordinates in texels are taken as they are"},
-    {TexelGrid::floor_8, "floor-8", Openness::open,
-     "they are moved to the largest multiple of 1/256 texel that is not above"},
-    {TexelGrid::nearest_8, "nearest-8", Openness::open,
-     "they are moved to the nearest multiple of 1/256 texel, a tie to the right or up"},
-    {TexelGrid::linear_even_8, "linear-even-8", Openness::open,
-     "for linear filters of rgba8 textures, they are moved to the nearest multiple of 1/256 texel, "
-     "a tie to the even one; otherwise they are taken as they are"}};
-constexpr auto kAllGrids = values_in(kGrids);
 
 // Does a coordinate that lies `rest` of a step above step `below` move up?
 bool moves_up(double below, double rest, TexelGrid grid) {
@@ -252,18 +240,6 @@ std::vector<Texel> boxes_of(const Image& image, const Cells& s, const Cells& t,
 
 }  // namespace
 
-std::span<const TexelGrid> all_texel_grids() {
-  return kAllGrids;
-}
-
-const char* name_of(TexelGrid grid) {
-  return name_in(kGrids, grid);
-}
-
-bool parse_name(std::string_view name, TexelGrid& grid) {
-  return find_in(kGrids, name, grid);
-}
-
 Interval on_grid(Interval coordinate, TexelGrid grid) {
   return {on_grid(coordinate.low, grid), on_grid(coordinate.high, grid)};
 }
@@ -323,7 +299,7 @@ Rule texel_grid_rule() {
           "8.14.2 (coordinate wrapping and texel selection)",
           "coordinates in texels may be rounded to some bits (ruling 24)",
           "none",
-          alternatives_in(kGrids),
+          alternatives_of<TexelGrid>(),
           {}};
 }
 

@@ -21,6 +21,7 @@
 
 #include "exact/interval.h"
 #include "model/texture.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 #include "rules/textures/texture_image.h"
 #include "rules/textures/wrap.h"
@@ -37,9 +38,17 @@ enum class TexelGrid {
   nearest_8,      // to the nearest, half up
   linear_even_8,  // to the nearest, half to even, under linear filters of rgba8 textures alone
 };
-std::span<const TexelGrid> all_texel_grids();
-const char* name_of(TexelGrid grid);
-bool parse_name(std::string_view name, TexelGrid& grid);
+template <>
+inline constexpr auto kNames<TexelGrid> = std::to_array<TabledAlternative<TexelGrid>>(
+    {{TexelGrid::none, "none", Openness::open, "coordinates in texels are taken as they are"},
+     {TexelGrid::floor_8, "floor-8", Openness::open,
+      "they are moved to the largest multiple of 1/256 texel that is not above"},
+     {TexelGrid::nearest_8, "nearest-8", Openness::open,
+      "they are moved to the nearest multiple of 1/256 texel, a tie to the right or up"},
+     {TexelGrid::linear_even_8, "linear-even-8", Openness::open,
+      "for linear filters of rgba8 textures, they are moved to the nearest multiple of 1/256 "
+      "texel, "
+      "a tie to the even one; otherwise they are taken as they are"}});
 
 // A coordinate in texels, put on the grid.
 Interval on_grid(Interval coordinate, TexelGrid grid);

@@ -3,15 +3,8 @@
 
 #include <algorithm>
 
-#include "rules/alternative_table.h"
-
 namespace edgecase {
 namespace {
-
-constexpr TabledAlternative<WrapChoice> kChoices[] = {
-    {WrapChoice::as_set, "as-set", Openness::mandated, "each axis wraps as its own mode says"},
-    {WrapChoice::mirrored_as_repeat, "mirrored-as-repeat", Openness::illegal,
-     "mirrored repetition repeats the image without mirroring it"}};
 
 // The rest of a division that rounds down: 0 to period - 1.
 int rest_of(std::int64_t texel, int period) {
@@ -26,14 +19,6 @@ int mirrored(std::int64_t texel, int size) {
 }
 
 }  // namespace
-
-const char* name_of(WrapChoice choice) {
-  return name_in(kChoices, choice);
-}
-
-bool parse_name(std::string_view name, WrapChoice& choice) {
-  return find_in(kChoices, name, choice);
-}
 
 Wrap effective(Wrap wrap, WrapChoice choice) {
   const bool replaced = choice == WrapChoice::mirrored_as_repeat && wrap == Wrap::mirrored_repeat;
@@ -61,7 +46,7 @@ Rule wrap_rule() {
           "8.14.2 (coordinate wrapping and texel selection)",
           "none",
           "as-set",
-          alternatives_in(kChoices),
+          alternatives_of<WrapChoice>(),
           {}};
 }
 

@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "model/texture.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -25,8 +26,11 @@ enum class WrapChoice {
   as_set,
   mirrored_as_repeat,  // known from renderers without mirrored repetition
 };
-const char* name_of(WrapChoice choice);
-bool parse_name(std::string_view name, WrapChoice& choice);
+template <>
+inline constexpr auto kNames<WrapChoice> = std::to_array<TabledAlternative<WrapChoice>>(
+    {{WrapChoice::as_set, "as-set", Openness::mandated, "each axis wraps as its own mode says"},
+     {WrapChoice::mirrored_as_repeat, "mirrored-as-repeat", Openness::illegal,
+      "mirrored repetition repeats the image without mirroring it"}});
 
 // The mode that takes effect where another is set.
 Wrap effective(Wrap wrap, WrapChoice choice);

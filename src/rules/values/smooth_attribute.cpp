@@ -1,35 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rules/values/smooth_attribute.h"
 
-#include "rules/alternative_table.h"
-
 namespace edgecase {
-
-namespace {
-
-constexpr TabledAlternative<PerspectiveChoice> kPerspectives[] = {
-    {PerspectiveChoice::as_set, "as-set", Openness::mandated,
-     "smooth attributes are divided by w, noperspective ones not"},
-    {PerspectiveChoice::always, "always", Openness::illegal, "all attributes are divided by w"},
-    {PerspectiveChoice::never, "never", Openness::illegal, "no attribute is divided by w"},
-    {PerspectiveChoice::w_of_centre, "w-of-centre", Openness::illegal,
-     "smooth attributes of multisampled targets, evaluated elsewhere in the pixel, are multiplied "
-     "by w at its centre"}};
-constexpr auto kAllPerspectives = values_in(kPerspectives);
-
-}  // namespace
-
-std::span<const PerspectiveChoice> all_perspective_choices() {
-  return kAllPerspectives;
-}
-
-const char* name_of(PerspectiveChoice choice) {
-  return name_in(kPerspectives, choice);
-}
-
-bool parse_name(std::string_view name, PerspectiveChoice& choice) {
-  return find_in(kPerspectives, name, choice);
-}
 
 bool parse_name(std::string_view name, AttributePositions& choice) {
   if (name == "unsnapped") return choice = AttributePositions::unsnapped, true;
@@ -97,7 +69,7 @@ Rule perspective_rule() {
   rule.spec = "14.5.1 and 14.6.1, equations for attributes and for noperspective";
   rule.latitude = "none; where all clip w of a primitive are equal there is no difference";
   rule.standard = "as-set";
-  rule.alternatives = alternatives_in(kPerspectives);
+  rule.alternatives = alternatives_of<PerspectiveChoice>();
   return rule;
 }
 

@@ -20,6 +20,7 @@
 #include <string_view>
 
 #include "model/scene.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -37,15 +38,22 @@ enum class PerspectiveChoice {
   never,
   w_of_centre,  // as set, but by w at the pixel's centre, wherever the attribute is evaluated
 };
-std::span<const PerspectiveChoice> all_perspective_choices();
-const char* name_of(PerspectiveChoice choice);
+template <>
+inline constexpr auto kNames<PerspectiveChoice> = std::to_array<
+    TabledAlternative<PerspectiveChoice>>(
+    {{PerspectiveChoice::as_set, "as-set", Openness::mandated,
+      "smooth attributes are divided by w, noperspective ones not"},
+     {PerspectiveChoice::always, "always", Openness::illegal, "all attributes are divided by w"},
+     {PerspectiveChoice::never, "never", Openness::illegal, "no attribute is divided by w"},
+     {PerspectiveChoice::w_of_centre, "w-of-centre", Openness::illegal,
+      "smooth attributes of multisampled targets, evaluated elsewhere in the pixel, are multiplied "
+      "by w at its centre"}});
 
 // From where are the weights of the vertices computed: where the vertices are, or where coverage
 // has snapped them to?
 enum class AttributePositions { unsnapped, snapped };
 
 // False when there is none of that name.
-bool parse_name(std::string_view name, PerspectiveChoice& choice);
 bool parse_name(std::string_view name, AttributePositions& choice);
 
 // Is a draw's colour divided by w under a choice? Flat ones are not interpolated at all.
