@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Tables and defaults that other code relies on, held against what their headers say.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <array>
 #include <cstdlib>
@@ -18,7 +18,16 @@
 #include "tests/rules/support.h"
 
 namespace edgecase {
+
+enum class ExampleSide { left, right, bottom };
+template <>
+inline constexpr auto kNames<ExampleSide> = std::to_array<TabledAlternative<ExampleSide>>(
+    {{ExampleSide::right, "right", Openness::mandated, "the right"},
+     {ExampleSide::left, "left", Openness::open, "the left"}});
+
 namespace {
+
+using ::testing::ElementsAre;
 
 // The sample's move that a word asks for: left edges own it when it moves right, and so on.
 std::pair<int, int> move_of(std::string_view word) {
@@ -28,12 +37,21 @@ std::pair<int, int> move_of(std::string_view word) {
   return {0, -1};
 }
 
-TEST(AlternativeTables, HaveTheirValuesInOrder) {
-  enum class Side { left, right, bottom };
-  const TabledAlternative<Side> table[] = {{Side::right, "right", Openness::mandated, ""},
-                                           {Side::left, "left", Openness::open, ""},
-                                           {Side::bottom, "bottom", Openness::open, ""}};
-  EXPECT_EQ(values_in(table), (std::array{Side::right, Side::left, Side::bottom}));
+TEST(AlternativeTables, SayNamesAndValuesInTheirOrder) {
+  EXPECT_THAT(values_of<ExampleSide>(), ElementsAre(ExampleSide::right, ExampleSide::left));
+  EXPECT_THAT(names_of<ExampleSide>(), ElementsAre("right", "left"));
+  EXPECT_STREQ(name_of(ExampleSide::left), "left");
+  EXPECT_STREQ(name_of(ExampleSide::bottom), "?");
+  ExampleSide side = ExampleSide::bottom;
+  EXPECT_FALSE(parse_name("bottom", side));
+  EXPECT_EQ(side, ExampleSide::bottom);
+  EXPECT_TRUE(parse_name("right", side));
+  EXPECT_EQ(side, ExampleSide::right);
+  const std::vector<Alternative> alternatives = alternatives_of<ExampleSide>();
+  ASSERT_EQ(alternatives.size(), 2U);
+  EXPECT_EQ(alternatives[1].name, "left");
+  EXPECT_EQ(alternatives[1].openness, Openness::open);
+  EXPECT_EQ(alternatives[1].meaning, "the left");
 }
 
 TEST(TieRules, MoveTheSampleAsTheirNamesSay) {
