@@ -108,7 +108,7 @@ std::vector<Texel> sample(const DecodedTexture& decoded, const Texture& texture,
                           const TextureSample& at, const SampleLatitude& latitude) {
   const bool is_nothing = std::isnan(at.lambda.low) && std::isnan(at.lambda.high);
   const LevelRules rules{choice.crossover, choice.nearest_level, choice.level_weight,
-                         latitude.any_tie};
+                         latitude.any_tie, latitude.weight};
   const TexelLookup lookup{sampler.wrap, sampler.border, choice.wrap, choice.texel_grid,
                            latitude.texel};
   const PickedColors colors(decoded, lookup, at.point, latitude.decoding);

@@ -36,6 +36,7 @@ enum class SrgbDecoding {
 // How much farther than the choice goes what is looked up may lie: nothing, for exact colours.
 struct SampleLatitude {
   double texel = 0;      // texels that a coordinate may be off
+  double weight = 0;     // by which the weight of the second level may be off
   bool any_tie = false;  // both levels at a tie
   SrgbDecoding decoding = SrgbDecoding::of_texels;
 };

@@ -186,7 +186,7 @@ Interval TexturedPrimitive::Lookups::biased(Interval lambda_base, const Lookup& 
 }
 
 Level TexturedPrimitive::Lookups::finished(Level level) const {
-  const LevelRules rules{choice_.crossover, choice_.nearest_level, choice_.level_weight, false};
+  const LevelRules rules{choice_.crossover, choice_.nearest_level, choice_.level_weight, false, 0};
   level.lambda = clamped(level.lambda_prime, use_.sampler);
   level.accessed = accessed_level(level.lambda, use_.sampler, last_, rules);
   const std::vector<LevelPick> picks = pick_levels(level.lambda, use_.sampler, last_, rules);

@@ -57,7 +57,7 @@ TEST(TextureSampler, ConstantsStayConstant) {
         const auto permitted = sample(decoded, texture, sampler, {},
                                       {{Interval(at.point.s.low, at.point.s.low + 0.3), at.point.t},
                                        Interval(lambda, lambda + 0.7)},
-                                      {0.25, true});
+                                      {0.25, 0.1, true});
         ASSERT_EQ(permitted.size(), 1U);
         ASSERT_TRUE(same_box(permitted[0], constant));
       }
@@ -269,12 +269,13 @@ TEST(TextureSampler, HalfKnownLevels) {
   EXPECT_EQ(levels(sampler, {kNaN, 1.25}, {}), (std::vector<double>{0, 1}));
   EXPECT_EQ(levels(sampler, {kNaN, kNaN}, {}), (std::vector<double>{0}));
   EXPECT_EQ(SampleLatitude{}.texel, 0);
+  EXPECT_EQ(SampleLatitude{}.weight, 0);
   // At 0 a latitude of ties takes both filters.
   const Texture two = single_of(2, 1, TextureFormat::rgba32f, distinct);
   Sampler filters = sampler_of(Filter::linear, MipFilter::none);
   filters.magnify = Filter::nearest;
   const auto boxes =
-      sample(decode(two, {}), two, filters, {}, {{0.5, 0.5}, {kNaN, kNaN}}, {0, true});
+      sample(decode(two, {}), two, filters, {}, {{0.5, 0.5}, {kNaN, kNaN}}, {0, 0, true});
   EXPECT_EQ(boxes.size(), 2U);
 }
 

@@ -66,7 +66,7 @@ TEST(AccessedLevel, OfAnIntervalHoldsThoseOfItsPoints) {
   });
 }
 
-TEST(AccessedLevel, KnowsTiesAndTheUnknown) {
+TEST(AccessedLevel, KnowsTiesSlackAndTheUnknown) {
   Setting s;
   s.sampler.mipmap = MipFilter::nearest;
   s.last = 4;
@@ -74,8 +74,9 @@ TEST(AccessedLevel, KnowsTiesAndTheUnknown) {
   EXPECT_EQ(accessed_level(1.5, s.sampler, s.last, s.rules).low, 1);
   EXPECT_EQ(accessed_level(1.5, s.sampler, s.last, s.rules).high, 2);
   s.sampler.mipmap = MipFilter::linear;
-  EXPECT_EQ(accessed_level(1.5, s.sampler, s.last, s.rules).low, 1.5);
-  EXPECT_EQ(accessed_level(1.5, s.sampler, s.last, s.rules).high, 1.5);
+  s.rules.slack = 0x1p-8;
+  EXPECT_EQ(accessed_level(1.5, s.sampler, s.last, s.rules).low, 1.5 - 0x1p-8);
+  EXPECT_EQ(accessed_level(1.5, s.sampler, s.last, s.rules).high, 1.5 + 0x1p-8);
   EXPECT_EQ(accessed_level(4, s.sampler, s.last, s.rules).high, 4);
   EXPECT_EQ(accessed_level(kNone, s.sampler, s.last, s.rules).low, 0);
   EXPECT_EQ(accessed_level(kNone, s.sampler, s.last, s.rules).high, 4);

@@ -151,14 +151,17 @@ TEST(PickLevels, AnyTieFindsBothSidesOfTheCrossover) {
   EXPECT_EQ(picks[1].weight.high, 0.5);
 }
 
-TEST(PickLevels, WeighWithinZeroToOne) {
+TEST(PickLevels, SlackWidensWeightsWithinZeroToOne) {
   Setting s;
   s.sampler.mipmap = MipFilter::linear;
   s.last = 4;
-  const auto weights = [&](Interval lambda) { return picks_of(lambda, s).at(0).weight; };
-  EXPECT_EQ(weights({1.5 - 0x1p-8, 1.5 + 0x1p-8}).low, 0.5 - 0x1p-8);
-  EXPECT_EQ(weights({1.5 - 0x1p-8, 1.5 + 0x1p-8}).high, 0.5 + 0x1p-8);
-  EXPECT_EQ(weights({2 - 0x1p-8, 2 + 0x1p-8}).high, 1);
+  s.rules.slack = 0x1p-8;
+  const auto weights = [&](double lambda) { return picks_of(lambda, s).at(0).weight; };
+  EXPECT_EQ(weights(1.5).low, 0.5 - 0x1p-8);
+  EXPECT_EQ(weights(1.5).high, 0.5 + 0x1p-8);
+  EXPECT_EQ(weights(1).low, 0);
+  EXPECT_EQ(weights(1).high, 0x1p-8);
+  EXPECT_EQ(weights(2 - 0x1p-9).high, 1);
   EXPECT_EQ(weights(5).high, 0);
 }
 

@@ -53,7 +53,7 @@ std::vector<Texel> TextureLookups::permitted_samples(const Fragment& fragment, R
   const TextureChoice lawful;
   const TextureSample at{point_of(fragment, context_.values_of(fragment).lawful, kLookupError),
                          permitted_lookup_lambda(fragment, reach)};
-  SampleLatitude latitude{precision_within(reach).texel, true, SrgbDecoding::of_texels};
+  SampleLatitude latitude{precision_within(reach).texel, 0, true, SrgbDecoding::of_texels};
   std::vector<Texel> colors =
       sample(exact_.decoded(use.texture), texture, use.sampler, lawful, at, latitude);
   if (texture.format != TextureFormat::srgb8) return colors;

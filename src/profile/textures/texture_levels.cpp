@@ -59,7 +59,7 @@ Interval RampLevels::tellable(Interval lambda_base, LevelSource source) const {
       with_bias(lambda_base, use.sampler, use.lookup, found_.textures.bias);
   if (source == LevelSource::query) return lambda_prime;
   const TextureChoice& choice = found_.textures;
-  const LevelRules rules{choice.crossover, choice.nearest_level, choice.level_weight, false};
+  const LevelRules rules{choice.crossover, choice.nearest_level, choice.level_weight, false, 0};
   return accessed_level(clamped(lambda_prime, use.sampler), use.sampler, static_cast<int>(last_),
                         rules);
 }

@@ -89,7 +89,8 @@ Interval weights_between(Interval lambda, double level, const LevelRules& rules)
   Interval weights = weights_of({lambda.low - level, high}, rules.weight);
   // The fraction itself comes as near to 1 as lambda comes to the next level.
   if (reaches_next) weights.high = next_above(weights.high);
-  return {std::max(weights.low, 0.0), std::min(weights.high, 1.0)};
+  return {std::max(Down::sum(weights.low, -rules.slack), 0.0),
+          std::min(Up::sum(weights.high, rules.slack), 1.0)};
 }
 
 std::vector<LevelPick> nearest_picks(Interval lambda, const Sampler& sampler, int last,

@@ -102,6 +102,8 @@ struct LevelRules {
   NearestLevel nearest = NearestLevel::down_at_ties;
   LevelWeight weight = LevelWeight::exact;
   bool any_tie = false;  // both levels at a tie, either side of the crossover at its value
+  // How much more or less than its fraction the weight may be; as texel_filter.h's slack.
+  double slack = 0;
 };
 
 // The last level that a sampler uses, q: an index into the texture's levels, or those that are
