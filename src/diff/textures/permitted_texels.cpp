@@ -53,7 +53,12 @@ std::vector<Texel> TextureLookups::permitted_samples(const Fragment& fragment, R
   const TextureChoice lawful;
   const TextureSample at{point_of(fragment, context_.values_of(fragment).lawful, kLookupError),
                          permitted_lookup_lambda(fragment, reach)};
-  SampleLatitude latitude{precision_within(reach).texel, 0, true, SrgbDecoding::of_texels};
+  // The weight has the error of lambda, which a clamp of lambda takes away from it (ruling 22).
+  const bool is_clamped = at.lambda.low <= static_cast<double>(use.sampler.min_lod) ||
+                          at.lambda.high >= static_cast<double>(use.sampler.max_lod);
+  const SamplerPrecision precision = precision_within(reach);
+  SampleLatitude latitude{precision.texel, is_clamped ? precision.level : 0, true,
+                          SrgbDecoding::of_texels};
   std::vector<Texel> colors =
       sample(exact_.decoded(use.texture), texture, use.sampler, lawful, at, latitude);
   if (texture.format != TextureFormat::srgb8) return colors;

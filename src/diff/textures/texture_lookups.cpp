@@ -31,12 +31,21 @@ double magnitude_of(const DecodedTexture& texture) {
   return largest;
 }
 
-// How many means of two a sampler takes at most of codes of 8 bits: along each axis, and between
-// levels.
-int means_of_codes(const Sampler& sampler, const Texture& texture) {
-  if (texture.format == TextureFormat::rgba32f) return 0;
+// How many means of two a sampler takes at most: along each axis, and between levels.
+int means_of(const Sampler& sampler, const Texture& texture) {
   const bool within = sampler.magnify == Filter::linear || sampler.minify == Filter::linear;
   return (within ? texture.dimensions : 0) + (sampler.mipmap == MipFilter::linear ? 1 : 0);
+}
+
+int means_of_codes(const Sampler& sampler, const Texture& texture) {
+  return texture.format == TextureFormat::rgba32f ? 0 : means_of(sampler, texture);
+}
+
+// How many operations in a row make a number: a mean is a difference, two products and a sum, and
+// so is a probe's part in an anisotropic filter.
+double operations_of(const Sampler& sampler, const Texture& texture) {
+  const double probes = sampler.max_anisotropy > 1 ? std::ceil(sampler.max_anisotropy) : 0;
+  return 1 + 3 * means_of(sampler, texture) + probes;
 }
 
 // May a point be anywhere? A coordinate that is no number says nothing.
@@ -308,7 +317,8 @@ Boxes TextureLookups::widened(const Fragment& fragment, const std::vector<Texel>
   const TextureUse& use = use_of(fragment);
   // Half a code for each mean.
   const double codes = rounding ? means_of_codes(use.sampler, texture_of(fragment)) * 0.5 / 255 : 0;
-  const double margin = largest_of(use) * kLookupError + codes;
+  const double operations = operations_of(use.sampler, texture_of(fragment));
+  const double margin = largest_of(use) * kLookupError * operations + codes;
   Boxes boxes;
   for (const Texel& color : colors) {
     boxes.emplace_back();

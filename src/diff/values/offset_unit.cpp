@@ -99,6 +99,8 @@ Interval followed_fixed_unit(const ValueContext& context, const Rendering& rende
     if (!f.has_depth || !std::isfinite(f.depth) || !has_offset(context, f) ||
         !has_units(*primitive.state))
       continue;
+    // Where a place is not told that may be anywhere in the pixel, the depth says nothing of r.
+    if (!context.permitted_coordinates(f).empty()) continue;
     auto& known = primitives[static_cast<std::size_t>(f.primitive)];
     if (!known) known.emplace(offset_primitive(context, primitive));
     const Point place = context.depth_place_of(f, context.choices.values.locations);

@@ -283,10 +283,11 @@ Rule texel_filter_rule() {
         "yield. A filter of a format of 8 bits may compute in 8 bits: each mean that it takes, "
         "along s, along t and between levels, may round to a code and be off by half of one. sRGB "
         "texels may be decoded before they are filtered, after that within each level, or after "
-        "all of it (8.24). Numbers may besides be off by 1 part in 10^5 of the texture's largest. "
-        "Where the renderer tells the level of detail, its colour must fit that level. A "
-        "coordinate that is infinite or not a number may yield any colour, and so may levels that "
-        "the renderer generated and does not tell."},
+        "all of it (8.24). Numbers may besides be off by 1 part in 10^5 of the texture's largest, "
+        "by 3 more for each of these means, whose operations err one by one (2.3.4.1), and by 1 "
+        "more for each lookup of an anisotropic filter. Where the renderer tells the level of "
+        "detail, its colour must fit that level. A coordinate that is infinite or not a number may "
+        "yield any colour, and so may levels that the renderer generated and does not tell."},
        {53,
         "sRGB: a red, green or blue that is off by 0.005 at most, and not by more than that from "
         "what ruling 24 permits, is contested: no precision is stated for the conversion of 8.24, "

@@ -59,10 +59,10 @@ SharesOverW divided_by_w(const Interpolant& f, const Shares& shares) {
 
 Interval inexact_mean(const Interpolant& f, const Shares& shares) {
   if (has_perspective(f)) return inexact_mean(f, divided_by_w(f, shares));
+  if (f.kind != PrimitiveKind::line) return weighted_sum(f, shares);
   const Inexact& op = kInexact;
-  if (f.kind == PrimitiveKind::line)
-    return op.add(f.values[0], op.multiply(shares[1], op.subtract(f.values[1], f.values[0])));
-  return weighted_sum(f, shares);
+  return hull(op.add(f.values[0], op.multiply(shares[1], op.subtract(f.values[1], f.values[0]))),
+              weighted_sum(f, shares));
 }
 
 Interval inexact_mean(const Interpolant& f, const SharesOverW& over_w) {

@@ -44,8 +44,8 @@ struct SharesOverW {
 };
 SharesOverW divided_by_w(const Interpolant& f, const Shares& shares);
 
-// The mean by these shares: along a line from the first vertex on, as the formula of 14.5.1 can be
-// read too, where nothing is divided by w.
+// The mean by these shares: along a line where nothing is divided by w, as equation 14.7 has it, or
+// from the first vertex on, as that can be read too.
 Interval inexact_mean(const Interpolant& f, const Shares& shares);
 // The same of an attribute that has perspective.
 Interval inexact_mean(const Interpolant& f, const SharesOverW& over_w);
