@@ -39,9 +39,10 @@ void add_coverage_sources(std::map<int, RulingSource>& of) {
       .quotation = "Fragment centers that lie inside of this polygon are produced by rasterization",
       .khronos =
           "dEQP-GLES3.functional.rasterization.primitives.triangles etc. "
-          "(verifyTriangleGroupRasterization, calculateTriangleCoverage): pixels whose "
-          "centre, within the sub-pixel precision that GL_SUBPIXEL_BITS reports, may lie "
-          "either way are free; all others strict, no tolerance",
+          "(verifyTriangleGroupRasterization, calculateTriangleCoverage): pixels whose centre "
+          "lies within five steps of GL_SUBPIXEL_BITS of an edge are free, for \"3 subpixel "
+          "fuzz\"; all others strict. That is room for what a verifier cannot know, and no "
+          "sentence of the text: two steps off stay a violation",
       .es = "13.7.1, table 21.40: same"};
 
   of[5] = {
@@ -58,21 +59,23 @@ void add_coverage_sources(std::map<int, RulingSource>& of) {
           "no doubled pixel at the inner edge, also where the quad fills the viewport",
       .es = "13.7.1 same; appendix B, corollary 8 too"};
 
-  of[6] = {.clause = "14.4.1 (Basic Point Rasterization)",
-           .quotation =
-               "If an unsupported width is requested, the nearest supported width is used "
-               "instead",
-           .khronos =
-               "dEQP-GLES3.functional.rasterization.primitives.points "
-               "(es3fRasterizationTests.cpp, tcuRasterizationVerifier.cpp "
-               "verifyMultisamplePointGroupRasterization): as two triangles per point, strict: "
-               "pixels within one sub-pixel step of the boundary are free, no other may differ. "
-               "Sizes are whole or the largest supported; none asks fractional sizes. "
-               "clipping.point: 1 pixel",
-           .es =
-               "13.5, 13.5.1: same square; sizes are clamped to ALIASED_POINT_SIZE_RANGE and no "
-               "granularity or \"nearest supported\" is mentioned: sizes within the range are "
-               "exact. Size comes from gl_PointSize only. No fade"};
+  of[6] = {
+      .clause = "14.4.1 (Basic Point Rasterization)",
+      .quotation =
+          "If an unsupported width is requested, the nearest supported width is used "
+          "instead",
+      .khronos =
+          "dEQP-GLES3.functional.rasterization.primitives.points "
+          "(es3fRasterizationTests.cpp, tcuRasterizationVerifier.cpp "
+          "verifyMultisamplePointGroupRasterization): as two triangles per point, so that "
+          "pixels within five sub-pixel steps of the boundary are free (ruling 4), no other may "
+          "differ; a square that is always 1/8 pixel off is no matter of precision. Sizes are "
+          "whole or the largest supported; none asks fractional sizes. "
+          "clipping.point: 1 pixel",
+      .es =
+          "13.5, 13.5.1: same square; sizes are clamped to ALIASED_POINT_SIZE_RANGE and no "
+          "granularity or \"nearest supported\" is mentioned: sizes within the range are "
+          "exact. Size comes from gl_PointSize only. No fade"};
 
   of[7] = {
       .clause = "14.4.1, 14.5.1, 14.6.1; 15.2 for what is not meant",
