@@ -60,12 +60,12 @@ TEST(LevelRamp, TheBandIsThatOfTheLeastAndTheMost) {
     }
 }
 
-// A renderer that says less exactly where vertices are may look up what a finer one may.
-
 // What a renderer says of itself bounds its levels: its limit of biases, and its API.
 TEST(LevelLimits, AreTheRenderersOwn) {
   const auto facts = [](std::map<std::string, std::string> traits) {
-    return facts_of(RendererInfo{.subpixel_bits = 8, .traits = std::move(traits)}, nullptr);
+    RendererInfo info;
+    info.traits = std::move(traits);
+    return facts_of(info, nullptr);
   };
   EXPECT_EQ(facts({}).lookups, LookupLimits{});
   EXPECT_EQ(facts({{"max_texture_lod_bias", "15"}}).lookups, (LookupLimits{15, false}));
