@@ -15,7 +15,6 @@
 #include "diff/coverage/explanation.h"
 #include "diff/coverage/legality.h"
 #include "diff/drawing_compare.h"
-#include "diff/moved_answer.h"
 #include "diff/pixel_blocks.h"
 #include "diff/samples/pass_compare.h"
 #include "diff/upside_down.h"
@@ -84,7 +83,6 @@ Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
   std::string none_refuted(alternative_names().size(), '0');
   Result result = compare_whole(drawing, std::move(none_refuted));
   read_upside_down(drawing, result);
-  if (breaks_a_ruling(result) && is_covered_moved(exact, rendered)) note_moved(result);
   std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
   // A run keeps its results until all are there.

@@ -17,7 +17,6 @@
 #include "diff/coverage/alternatives.h"
 #include "diff/coverage/cause.h"
 #include "diff/coverage/legality.h"
-#include "diff/moved_answer.h"
 #include "diff/pixel_verdicts.h"
 #include "diff/upside_down.h"
 #include "rules/all_rules.h"
@@ -64,19 +63,6 @@ void read_alternatives(std::span<Result* const> results, RunReading& reading) {
         reading.refuted.insert(alternative_names()[i]);
       }
   }
-}
-
-// RunReading::is_moved.
-bool are_moved(std::span<Result* const> results) {
-  std::ptrdiff_t moved = 0;
-  for (const Result* result : results) {
-    if (result->failure) continue;
-    if (is_noted_moved(*result))
-      ++moved;
-    else if (breaks_a_ruling(*result))
-      --moved;
-  }
-  return moved > 0;
 }
 
 // Of an alternative that a run does not know, nothing speaks for or against it.
@@ -239,7 +225,6 @@ RunReading read_run(std::span<Result* const> results) {
   RunReading reading;
   reading.line_snap = choose_line_reading(results);
   read_alternatives(results, reading);
-  reading.is_moved = are_moved(results);
   return reading;
 }
 
@@ -250,9 +235,8 @@ void judge(std::span<Result* const> results, Latitude latitude, const RunReading
     if (!result->failure)
       for (const Result::Evidence& evidence : result->evidence) {
         const bool legal = is_legal(*result, evidence, reading.line_snap);
-        const bool is_moved = !legal && reading.is_moved && is_noted_moved(*result);
-        judge_primitive(evidence, reading.line_snap,
-                        is_moved ? "" : choose_cause(evidence, legal, reading), *result);
+        judge_primitive(evidence, reading.line_snap, choose_cause(evidence, legal, reading),
+                        *result);
       }
     name_switch(counts, *result);
     if (is_noted_upside_down(*result) && count_of(counts, kWindowOrigin) > 0)

@@ -33,9 +33,6 @@ struct RunReading {
   // another, less the cases that refute it. One that is not there counts 0.
   std::map<std::string, std::ptrdiff_t> alternatives;
   std::set<std::string> refuted;  // those that some case refutes
-  // Do most answers that break a ruling lie one pixel off? Then nothing illegal in them has a cause
-  // (diff/moved_answer.h).
-  bool is_moved = false;
 };
 
 // The reading of all results of one renderer on one surface, which compare() made; those without a

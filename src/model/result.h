@@ -57,9 +57,7 @@ struct Result {
   // Which alternatives reproduce what the renderer drew of one primitive: smallest sets first,
   // each as a cause, "rule=alternative" or two joined by " + ".
   struct Evidence {
-    // -1: all of them, since the answer is upside down (diff/upside_down.h); -2: since it lies one
-    // pixel off (diff/moved_answer.h).
-    int primitive = 0;
+    int primitive = 0;  // -1: all of them, since the answer is upside down (diff/upside_down.h)
     std::vector<std::string> causes;
     std::vector<std::string>
         illegal_line_snaps;     // lines: snaps under which a ruling on lines fails

@@ -174,10 +174,11 @@ TEST(WidthsOfLines, ValuesAreThoseOfTheMiddleOfTheColumnOrTheirOwn) {
   const auto verdict_of = [&](double rows) {
     Rendering rendered = exact;
     rendered.pixels.clear();
-    for (Fragment& f : rendered.fragments) f.color[0] += rows / 25;
+    for (Fragment& f : rendered.fragments)
+      f.color[0] = (10 * (f.x - 2) + 5 * (f.y - 4)) / 125.0 + rows / 25;
     return compare_and_judge(scene, rendered).verdict;
   };
-  for (const double rows : {-1.99, -1.0, 1.0, 1.99})
+  for (const double rows : {-1.99, -1.0, 0.0, 1.0, 1.99})
     EXPECT_EQ(verdict_of(rows), Verdict::permitted) << rows;
   // Up to the whole height of the column the ruling is contested.
   for (const double rows : {-3.9, -2.2, 2.2, 3.9})

@@ -77,7 +77,7 @@ TEST(LevelLimits, AreTheRenderersOwn) {
   const Scene& scene = textures_named("far bias");
   const Rendering clamped = changed_textures(scene, [](Fragment& f, FragmentDetail& detail) {
     f.has_color = false;
-    level_moved(-5)(f, detail);
+    detail.level_of_detail[1] -= 5;
   });
   const auto verdict = [&](const RendererFacts& known) {
     Result result = compare(scene, {}, rasterize(scene, {}), clamped, known);

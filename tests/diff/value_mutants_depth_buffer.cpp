@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr auto kViolation = Verdict::violation;
+constexpr auto kContested = Verdict::contested;
 constexpr auto kPermitted = Verdict::permitted;
 
 const std::vector<std::string> kInteger = {"overdraw depth16", "overdraw depth24",
@@ -83,6 +84,12 @@ double one_step_further(const Scene& scene, const Written& written) {
 }
 double rounded_up_and_further(const Scene& scene, const Written& written) {
   return (std::ceil(written.last->depth * largest_of(scene)) + 1) / largest_of(scene);
+}
+double two_steps_further(const Scene& scene, const Written& written) {
+  return (std::floor(written.last->depth * largest_of(scene)) - 2) / largest_of(scene);
+}
+double rounded_up_and_twice_further(const Scene& scene, const Written& written) {
+  return (std::ceil(written.last->depth * largest_of(scene)) + 2) / largest_of(scene);
 }
 double clear_value(const Scene&, const Written&) {
   return 1;
@@ -200,6 +207,9 @@ std::vector<ValueMutant> depth_buffer_mutants() {
     return ValueMutant{
         name, std::move(scenes), std::move(mutate), kViolation, {"framebuffer.depth"}};
   };
+  const auto disputed = [](const char* name, ValueMutation mutate) {
+    return ValueMutant{name, kInteger, std::move(mutate), kContested, {"framebuffer.depth"}};
+  };
   return {
       {"stored depths truncated",
        kInteger,
@@ -207,8 +217,11 @@ std::vector<ValueMutant> depth_buffer_mutants() {
        kPermitted,
        {},
        {"depth buffer"}},
-      wrong("stored depths one step below both", kInteger, every_stored(one_step_further)),
-      wrong("one stored depth one step above both", kInteger, one_stored(rounded_up_and_further)),
+      disputed("stored depths one step below both", every_stored(one_step_further)),
+      disputed("one stored depth one step above both", one_stored(rounded_up_and_further)),
+      wrong("stored depths two steps below both", kInteger, every_stored(two_steps_further)),
+      wrong("one stored depth two steps above both", kInteger,
+            one_stored(rounded_up_and_twice_further)),
       wrong("one stored depth an ULP off", {"overdraw depth32f"}, one_stored(float_next)),
       wrong("one stored depth is the clear value", kDepths, one_stored(clear_value)),
       wrong("stored depths are the clear value", kDepths, every_stored(clear_value)),

@@ -20,7 +20,6 @@
 #include "raster/attributes.h"
 #include "raster/multisample.h"
 #include "raster/rasterizer.h"
-#include "rules/coverage/snap.h"
 
 namespace edgecase {
 namespace {
@@ -308,14 +307,14 @@ class CoverageComparison {
     }
   }
 
-  // Does a primitive break a ruling, a line by whatever snap it is read?
-  bool breaks_a_ruling(const ScenePrimitive& primitive) {
-    if (is_line(primitive))
-      return evidence_of(primitive)->illegal_line_snaps.size() == all_snaps().size();
-    return std::ranges::any_of(result_.disagreements, [&](const Disagreement& d) {
-      return d.primitive == primitive.index && d.kind != DisagreementKind::value && !is_legal(d) &&
-             !d.policy_agrees;
-    });
+  // Does what was drawn of a point, a triangle or a multisampled line break a ruling? Of other
+  // lines the run decides.
+  bool breaks_a_ruling(const ScenePrimitive& primitive) const {
+    return !is_line(primitive) &&
+           std::ranges::any_of(result_.disagreements, [&](const Disagreement& d) {
+             return d.primitive == primitive.index && d.kind != DisagreementKind::value &&
+                    !is_legal(d) && !d.policy_agrees;
+           });
   }
 
   // The other primitives of a primitive's draw, and those of other draws with which it breaks
