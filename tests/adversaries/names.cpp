@@ -137,7 +137,7 @@ constexpr Adversary kCrimes[] = {
     {"alpha 1 keeps all but one", {}},
     {"scale factors below the least", {}},
     {"scale factors beyond the most", {}},
-    {"levels five 64ths off", {.level_error = 5}},
+    {"levels five 64ths off", {.scale = ScaleFactor::sum_of_partials, .level_error = 5}},
     {"texels a 14th off", {.texel_error = 9}},
     {"biases clamped at 1", {}},
     {"mipmaps darker by two codes", {}},

@@ -33,19 +33,21 @@ Corner between(const Corner& a, const Corner& b, double part, bool smooth) {
 
 }  // namespace
 
-std::int64_t Shaper::snapped(double pixels, std::uint64_t luck) const {
+std::int64_t Shaper::snapped(double pixels, std::uint64_t luck, bool is_line) const {
   const double step = std::ldexp(1.0, 16 - freedoms_.bits), steps = pixels * kPixel / step;
   const double down = std::floor(steps);
   double to = down;
-  if (freedoms_.snap == Snap::nearest) to = std::floor(steps + 0.5);
+  // Ruling 1 asks of lines that all ends are moved in one way.
+  if (freedoms_.snap == Snap::nearest || (freedoms_.snap == Snap::either && is_line))
+    to = std::floor(steps + 0.5);
   if (freedoms_.snap == Snap::up) to = std::ceil(steps);
-  if (freedoms_.snap == Snap::either && (luck & 1) != 0) to = std::ceil(steps);
+  if (freedoms_.snap == Snap::either && !is_line && (luck & 1) != 0) to = std::ceil(steps);
   if (freedoms_.crime == "a step too far") to = down - 1;
   return static_cast<std::int64_t>(to * step);
 }
 
 // `given`: the vertex that the corner is, or none of one that clipping made.
-void Shaper::place(Corner& corner, const Vertex* given) const {
+void Shaper::place(Corner& corner, const Vertex* given, bool is_line) const {
   const auto& [x, y, z, w] = corner.clip;
   const Viewport& v = scene_.viewport;
   const double near = static_cast<double>(scene_.depth_range.near);
@@ -65,7 +67,8 @@ void Shaper::place(Corner& corner, const Vertex* given) const {
     corner.depth = Real((far - near) / 2) * (Real(z) / w) + Real((near + far) / 2);
   }
   const std::uint64_t luck = hash(hash_of(corner.x.value), hash_of(corner.y.value));
-  corner.place = {snapped(corner.x.value, luck), snapped(corner.y.value, luck >> 1)};
+  corner.place = {snapped(corner.x.value, luck, is_line),
+                  snapped(corner.y.value, luck >> 1, is_line)};
   if (!freedoms_.values_from_snapped) return;
   corner.x = static_cast<double>(corner.place.x) / kPixel;
   corner.y = static_cast<double>(corner.place.y) / kPixel;
@@ -129,6 +132,7 @@ Shape Shaper::shape_of(const ScenePrimitive& primitive) const {
                         .value;
   shape.bounds = {0, 0, scene_.target.width - 1, scene_.target.height - 1};
   if (draw.scissor) shape.bounds = common_part(shape.bounds, pixels_in(*draw.scissor));
+  const bool is_line = primitive.kind == PrimitiveKind::line;
   const bool is_area = primitive.kind == PrimitiveKind::triangle;
   if (is_area || freedoms_.cut_at_viewport)
     shape.bounds = common_part(shape.bounds, pixels_in(scene_.viewport));
@@ -147,12 +151,13 @@ Shape Shaper::shape_of(const ScenePrimitive& primitive) const {
       const Vertex* vertex = nullptr;
       for (std::size_t i = 0; i < given; ++i)
         if (corner.clip == corners[i].clip) vertex = primitive.vertices[i];
-      place(corner, vertex);
+      place(corner, vertex, is_line);
     }
     finish_polygon(shape, left);
     return shape;
   }
-  for (std::size_t i = 0; i < corners.size(); ++i) place(corners[i], primitive.vertices[i]);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    place(corners[i], primitive.vertices[i], is_line);
   finish_polygon(shape, corners);
   return shape;
 }

@@ -70,9 +70,9 @@ class Shaper {
 
  private:
   Corner corner_of(const Vertex& vertex, const Draw& draw) const;
-  void place(Corner& corner, const Vertex* given) const;
+  void place(Corner& corner, const Vertex* given, bool is_line) const;
   std::vector<Corner> cut(std::vector<Corner> polygon, bool smooth) const;
-  std::int64_t snapped(double pixels, std::uint64_t luck) const;
+  std::int64_t snapped(double pixels, std::uint64_t luck, bool is_line) const;
   bool owns(std::int64_t along_x, std::int64_t along_y) const;
   bool covers(const Piece& triangle, Place place, int index) const;
   bool point_covers(const Shape& shape, Place place) const;

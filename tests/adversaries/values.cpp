@@ -51,7 +51,7 @@ Values::Weights Values::weights(const Shape& shape, const Piece& piece, Place pl
     const Real t = ((p.x - c[0].x) * dx + (p.y - c[0].y) * dy) / (dx * dx + dy * dy);
     return {1.0 - t, t, 0.0};
   }
-  const Real whole = area(spot(c[0]), spot(c[1]), spot(c[2]));
+  const Real whole = area(spot(c[1]), spot(c[2]), spot(c[0]));
   return {area(spot(c[1]), spot(c[2]), p) / whole, area(spot(c[2]), spot(c[0]), p) / whole,
           area(spot(c[0]), spot(c[1]), p) / whole};
 }
