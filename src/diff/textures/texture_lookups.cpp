@@ -31,23 +31,6 @@ double magnitude_of(const DecodedTexture& texture) {
   return largest;
 }
 
-// How many means of two a sampler takes at most: along each axis, and between levels.
-int means_of(const Sampler& sampler, const Texture& texture) {
-  const bool within = sampler.magnify == Filter::linear || sampler.minify == Filter::linear;
-  return (within ? texture.dimensions : 0) + (sampler.mipmap == MipFilter::linear ? 1 : 0);
-}
-
-int means_of_codes(const Sampler& sampler, const Texture& texture) {
-  return texture.format == TextureFormat::rgba32f ? 0 : means_of(sampler, texture);
-}
-
-// How many operations in a row make a number: a mean is a difference, two products and a sum, and
-// so is a probe's part in an anisotropic filter.
-double operations_of(const Sampler& sampler, const Texture& texture) {
-  const double probes = sampler.max_anisotropy > 1 ? std::ceil(sampler.max_anisotropy) : 0;
-  return 1 + 3 * means_of(sampler, texture) + probes;
-}
-
 // May a point be anywhere? A coordinate that is no number says nothing.
 Interval near(double coordinate, double error) {
   return std::isfinite(coordinate) ? widened(coordinate, error) : Interval::everything();
@@ -260,8 +243,8 @@ TexturePoint TextureLookups::point_of(const Fragment& fragment,
   const MovedVertices vertices(attributes.color[0], context_.values_of(fragment).reach);
   const Point centre = pixel_centre(fragment.x, fragment.y);
   const PermittedPlace place(vertices, centre);
-  const Fixed column = height_of_column(context_.primitive_of(fragment), context_.scene.target);
-  const Fixed half = Fixed::from_raw(column.raw() / 2);
+  const Fixed half = Fixed::from_raw(
+      height_of_column(context_.primitive_of(fragment), context_.scene.target).raw() / 2);
   return {permitted_across(attributes.color[0], vertices, place, centre, half),
           permitted_across(attributes.color[1], vertices, place, centre, half)};
 }
@@ -283,20 +266,18 @@ Interval TextureLookups::permitted_lookup_lambda(const Fragment& fragment, Reach
   const LookupKind kind = use.lookup.kind;
   const double error = precision_within(reach).level;
   if (tells_level(fragment)) return clamped(within(*told_lambda(fragment), error), use.sampler);
-  if (kind == LookupKind::lod)
-    return clamped(within(with_permitted_bias(static_cast<double>(use.lookup.value), use.sampler,
-                                              use.lookup, context_.lookup_limits()),
-                          error),
+  const auto biased = [&](Interval base) {
+    const LookupLimits limits = context_.lookup_limits();
+    return clamped(within(with_permitted_bias(base, use.sampler, use.lookup, limits), error),
                    use.sampler);
+  };
+  if (kind == LookupKind::lod) return biased(static_cast<double>(use.lookup.value));
   Interval scale;
   if (kind == LookupKind::gradients)
     scale = permitted_scale(footprint_of(fragment, asked_gradients(fragment)));
   else if (shows_level(kinship_of(fragment, false)))
     scale = permitted_scale(footprint_of(fragment, permitted_gradients(fragment, reach)));
-  return clamped(within(with_permitted_bias(logarithm_of(scale, Log2Method::exact), use.sampler,
-                                            use.lookup, context_.lookup_limits()),
-                        error),
-                 use.sampler);
+  return biased(logarithm_of(scale, Log2Method::exact));
 }
 
 // The largest finite number that a lookup may take a mean of.
@@ -308,17 +289,21 @@ double TextureLookups::largest_of(const TextureUse& use) const {
 }
 
 bool TextureLookups::may_round(const Fragment& fragment) const {
-  return means_of_codes(use_of(fragment).sampler, texture_of(fragment)) > 0;
+  const Texture& texture = texture_of(fragment);
+  return texture.format != TextureFormat::rgba32f &&
+         means_of(use_of(fragment).sampler, texture) > 0;
 }
 
 // `of_srgb`: by which red, green and blue of an sRGB texture may be off beside.
 Boxes TextureLookups::widened(const Fragment& fragment, const std::vector<Texel>& colors,
                               bool rounding, double of_srgb) const {
   const TextureUse& use = use_of(fragment);
+  const Texture& texture = texture_of(fragment);
   // Half a code for each mean.
-  const double codes = rounding ? means_of_codes(use.sampler, texture_of(fragment)) * 0.5 / 255 : 0;
-  const double operations = operations_of(use.sampler, texture_of(fragment));
-  const double margin = largest_of(use) * kLookupError * operations + codes;
+  const double codes =
+      rounding && may_round(fragment) ? means_of(use.sampler, texture) * 0.5 / 255 : 0;
+  const double margin =
+      largest_of(use) * kLookupError * operations_of(use.sampler, texture) + codes;
   Boxes boxes;
   for (const Texel& color : colors) {
     boxes.emplace_back();
@@ -374,12 +359,11 @@ std::vector<Texel> TextureLookups::probed_colors(const Fragment& fragment,
 // Does the renderer tell that what it looked up is nowhere? No mean of texels is defined there.
 bool TextureLookups::has_unknown_coordinates(const Fragment& fragment) const {
   const FragmentDetail* detail = detail_of(fragment);
-  if (detail == nullptr || !detail->has_texture_coordinates) return false;
+  if (detail == nullptr || !detail->has_texture_coordinates ||
+      !has_linear_filter(use_of(fragment).sampler))
+    return false;
   const auto& [s, t] = detail->texture_coordinates;
-  const Sampler& sampler = use_of(fragment).sampler;
-  const bool is_linear = sampler.magnify == Filter::linear || sampler.minify == Filter::linear;
-  return is_linear &&
-         (!std::isfinite(s) || (texture_of(fragment).dimensions == 2 && !std::isfinite(t)));
+  return (!std::isfinite(s) || (texture_of(fragment).dimensions == 2 && !std::isfinite(t)));
 }
 
 bool TextureLookups::has_unknown_chain(const Fragment& fragment) const {

@@ -9,6 +9,10 @@
 // about quality.
 #pragma once
 
+#include <cmath>
+
+#include "model/texture.h"
+
 namespace edgecase {
 
 struct SamplerPrecision {
@@ -24,5 +28,23 @@ inline constexpr SamplerPrecision kContestedPrecision{0x1p-4, 0x1p-4};
 // The part of itself that the result of a floating-point operation may be off, about 1 part in 10^5
 // (GL 4.6 core, 2.3.4.1).
 inline constexpr double kLookupError = 1e-5;
+
+// Does a sampler take means of texels within a level?
+inline bool has_linear_filter(const Sampler& sampler) {
+  return sampler.magnify == Filter::linear || sampler.minify == Filter::linear;
+}
+
+// How many means of two it takes at most: along each axis, and between levels.
+inline int means_of(const Sampler& sampler, const Texture& texture) {
+  return (has_linear_filter(sampler) ? texture.dimensions : 0) +
+         (sampler.mipmap == MipFilter::linear ? 1 : 0);
+}
+
+// How many operations in a row make a number: a mean is a difference, two products and a sum, and
+// so is a probe's part in an anisotropic filter.
+inline double operations_of(const Sampler& sampler, const Texture& texture) {
+  const double probes = sampler.max_anisotropy > 1 ? std::ceil(sampler.max_anisotropy) : 0;
+  return 1 + 3 * means_of(sampler, texture) + probes;
+}
 
 }  // namespace edgecase
