@@ -52,8 +52,13 @@ Values::Weights Values::weights(const Shape& shape, const Piece& piece, Place pl
     return {1.0 - t, t, 0.0};
   }
   const Real whole = area(spot(c[1]), spot(c[2]), spot(c[0]));
-  return {area(spot(c[1]), spot(c[2]), p) / whole, area(spot(c[2]), spot(c[0]), p) / whole,
-          area(spot(c[0]), spot(c[1]), p) / whole};
+  const Real first = area(spot(c[1]), spot(c[2]), p) / whole;
+  const Real second = area(spot(c[2]), spot(c[0]), p) / whole;
+  // 14.6.1: the shares of a polygon with more than three edges "sum to one". A piece of it may be
+  // so thin that three areas would not.
+  const bool is_a_part = shape.pieces.size() > 1;
+  return {first, second,
+          is_a_part ? 1.0 - first - second : area(spot(c[0]), spot(c[1]), p) / whole};
 }
 
 Real Values::mean(const Shape& shape, const Piece& piece, Place place, const Weights& w,
