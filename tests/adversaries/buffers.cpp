@@ -118,7 +118,7 @@ Values4 Buffers::blended(const Blending& blending, Values4 source, const Values4
     double s = in_codes(source[i] * in_codes(factor(term.source, i, source, stored, constant)));
     const double d =
         in_codes(stored[i] * in_codes(factor(term.destination, i, source, stored, constant)));
-    if (freedoms_.crime == "blending in 6 bits") s = std::nearbyint(s * 63) / 63;
+    if (freedoms_.crime == "blending in 4 bits") s = std::nearbyint(s * 15) / 15;
     result[i] = term.equation == BlendEquation::add        ? s + d
                 : term.equation == BlendEquation::subtract ? s - d
                                                            : d - s;

@@ -143,7 +143,7 @@ constexpr Adversary kCrimes[] = {
     {"mipmaps darker by two codes", {}},
     {"codes one beyond", {}},
     {"a depth converted in two ways", {}},
-    {"blending in 6 bits", {}},
+    {"blending in 4 bits", {}},
     {"means off by 1 in 10^5", {}},
 };
 

@@ -50,7 +50,7 @@ CRIMES = {
     "mipmaps darker by two codes": ({"mipmap.filter"}, ["textures/mipmaps"], 4),
     "codes one beyond": ({"framebuffer.unorm8"}, ["colors"], 96),
     "a depth converted in two ways": ({"framebuffer.depth", "depth.test"}, ["output/depth"], 24),
-    "blending in 6 bits": ({"blend.equation"}, ["output/blending"], 96),
+    "blending in 4 bits": ({"blend.equation"}, ["output/blending"], 96),
     "means off by 1 in 10^5": ({"supersample.accumulation"}, ["samples/supersampling"], 48),
 }
 
