@@ -2,14 +2,11 @@
 #include "run/run.h"
 
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <numeric>
 #include <set>
-#include <stdexcept>
-#include <string>
 #include <thread>
 #include <tuple>
 #include <utility>
@@ -96,7 +93,6 @@ class Run {
     for (std::size_t i = 0; i < std::min(jobs, shares_.size()); ++i)
       threads.emplace_back([this] { work(); });
     for (std::thread& thread : threads) thread.join();
-    if (fault_) std::rethrow_exception(fault_);
     if (enough_) finish_begun_cases();
     return collect();
   }
@@ -117,21 +113,7 @@ class Run {
         render_cases(share.renderer, cases, renderer_of(share.renderer, own));
       } catch (const Stopped&) {
         return;
-      } catch (const std::logic_error&) {
-        const std::lock_guard lock(mutex_);
-        if (!fault_) fault_ = std::current_exception();
-        enough_ = true;
-        return;
       }
-    }
-  }
-
-  // A fault of ours is told with the case that shows it.
-  Result compared(std::size_t index, Outcome outcome, const RendererInfo& info) {
-    try {
-      return comparison_.compare_outcome(index, std::move(outcome), info);
-    } catch (const std::logic_error& error) {
-      throw std::logic_error(suite_.cases[index].id + ": " + error.what());
     }
   }
 
@@ -174,7 +156,8 @@ class Run {
         // A failure may come from being stopped itself.
         if (stopped() && std::holds_alternative<Failure>(outcome)) throw Stopped{};
         std::unique_ptr<Result>& result = results_[cases[i]][index];
-        result = std::make_unique<Result>(compared(cases[i], std::move(outcome), renderer.info()));
+        result = std::make_unique<Result>(
+            comparison_.compare_outcome(cases[i], std::move(outcome), renderer.info()));
         count_unexpected(cases[i], index, *result);
         if (--unanswered_[cases[i]] == 0) complete(cases[i]);
         report_progress();
@@ -295,7 +278,6 @@ class Run {
   std::atomic<bool> enough_ = false;  // cases are unexpected
   bool is_finishing_ = false;         // what was begun before that
   std::set<std::size_t> unexpected_;  // cases, where their number matters
-  std::exception_ptr fault_;          // of ours, in a thread
   std::mutex mutex_;
 };
 

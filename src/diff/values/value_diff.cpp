@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "diff/values/value_diff.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "diff/values/vertex_latitude.h"
@@ -185,11 +182,9 @@ Interval depth_permitted_at(const PrimitiveValues& values, Point place) {
                        PermittedPlace(values.moved(), place).value(values.permitted_depth));
 }
 
-void expect_holding(Interval permitted, double exact) {
+Interval holding(Interval permitted, double exact) {
   const double number = to_float(exact);
-  if (!std::isnan(number) && !permitted.contains(number))
-    throw std::logic_error(fmt::format("what is permitted, {} to {}, leaves out what is exact, {}",
-                                       permitted.low, permitted.high, number));
+  return std::isnan(number) ? permitted : hull(permitted, number);
 }
 
 bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample) {

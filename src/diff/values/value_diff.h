@@ -151,10 +151,10 @@ Interval with_means_of_depth(Interval permitted, const ScenePrimitive& primitive
                              const PrimitiveValues& values);
 inline constexpr int kRulingOnPolygonDepth = 44;
 
-// Throws std::logic_error where `permitted`, of a value that exact computes as the specification
-// has it, leaves out what is exact, rounded to float32: it would accuse exact itself. A number that
-// is none is never left out.
-void expect_holding(Interval permitted, double exact);
+// `permitted`, of a value that exact computes as the specification has it, widened by what is
+// exact, rounded to float32: what is exact is never accused. It is left out where a renderer tells
+// of a fragment that the primitive cannot have, whose place in the primitive is nowhere.
+Interval holding(Interval permitted, double exact);
 
 // Does the fragment cover the sample? Without multisampling it covers all.
 bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample);

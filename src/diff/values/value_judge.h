@@ -114,7 +114,7 @@ class ValueJudge {
     result.permitted = told(question, permitted(question));
     // Of an offset depth the renderer's unit need not be exact's (ruling 38).
     const bool has_own_unit = question.is_depth && values_.lawful.clamps_depth;
-    if (lawful_ && !has_own_unit) expect_holding(result.permitted, result.exact);
+    if (lawful_ && !has_own_unit) result.permitted = holding(result.permitted, result.exact);
     result.may_be_of_column =
         !result.is_permitted() && column_ != Fixed() &&
         told(question, permitted_in_column(question.lawful, column_)).contains(to_float(rendered));
