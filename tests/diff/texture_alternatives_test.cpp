@@ -57,7 +57,8 @@ bool is_exactly(const Result& result, const std::string& choice) {
   if (is_open_choice(choice) && !is_coarse(choice) && result.verdict != Verdict::convention)
     return false;
   const auto& all = result.disagreements;
-  if (std::ranges::all_of(all, is_contested) != (is_open_choice(choice) || is_coarse(choice)))
+  const auto is_no_fault = [](const Disagreement& d) { return is_legal(d) || is_contested(d); };
+  if (std::ranges::all_of(all, is_no_fault) != (is_open_choice(choice) || is_coarse(choice)))
     return false;
   for (const Disagreement& d : all)
     if (d.rule != rule || d.cause != choice) return false;
