@@ -75,17 +75,13 @@ const std::string& read_string(const nlohmann::json& value, const Path& path);
 
 [[noreturn]] void refuse_name(const std::string& name, const Path& path);
 
-// A name of an enumeration for which there is a parse_name; and the member `key` that is one.
+// A name of an enumeration for which there is a parse_name.
 template <class Enum>
 Enum read_name(const nlohmann::json& value, const Path& path) {
   const std::string& name = read_string(value, path);
   Enum result{};
   if (!parse_name(name, result)) refuse_name(name, path);
   return result;
-}
-template <class Enum>
-Enum read_name(const nlohmann::json& object, const Path& path, const char* key) {
-  return read_name<Enum>(member(object, path, key), {path, key});
 }
 
 // The first characters of `text`, printable, at most `limit`, with "..." where something was cut.

@@ -53,12 +53,6 @@ Scene operations_scene() {
   return scene;
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 std::string refusal_of(const std::string& scene) {
   const auto parsed = parse_request(request_line("a", scene));
   const auto* error = std::get_if<WireError>(&parsed);

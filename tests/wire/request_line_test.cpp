@@ -16,12 +16,6 @@ std::string message_of(const std::string& line) {
   return error == nullptr ? "" : error->message;
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 // A request with this scene and the digest that belongs to it.
 std::string request_of(const std::string& scene) {
   return request_line("a", scene);

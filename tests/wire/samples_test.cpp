@@ -43,12 +43,6 @@ Scene read_back(const Scene& scene) {
   return std::holds_alternative<Request>(parsed) ? std::get<Request>(parsed).scene : Scene{};
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 TEST(SampleRequests, AreReadBack) {
   Scene scene = two_samples();
   EXPECT_TRUE(same_scene(read_back(scene), scene));

@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes for the tests of src/wire.
+// Scenes for the tests of src/wire, and what changes their lines.
 #pragma once
+
+#include <gtest/gtest.h>
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "model/scene.h"
 
 namespace edgecase {
+
+// The text with `to` in place of the first `from`, which must be there.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
 
 // A 3x2 target with one triangle and one line: primitives 0 and 1.
 inline Scene small_scene() {

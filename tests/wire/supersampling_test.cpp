@@ -34,12 +34,6 @@ std::variant<Request, WireError> parse_scene(const std::string& scene) {
   return parse_request(request_line("a", scene));
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
 std::string refusal_of(const Scene& scene) {
   const auto parsed = parse_scene(scene_json(scene));
   const auto* error = std::get_if<WireError>(&parsed);

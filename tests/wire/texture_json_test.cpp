@@ -25,12 +25,6 @@ std::string message_of(const std::string& scene) {
   return error == nullptr ? "" : error->message;
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 void expect_carried(const Scene& scene) {
   const std::string text = scene_json(scene);
   const auto parsed = parse_request(request_line("a", text));

@@ -26,12 +26,6 @@ std::string message_of(const std::string& scene) {
   return error == nullptr ? "" : error->message;
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 // A scene whose text has been read back and is the same scene.
 void expect_carried(const Scene& scene) {
   const std::string text = scene_json(scene);
