@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "exact/elementary.h"
-#include "exact/wide.h"
+#include "exact/fixed.h"
 
 namespace edgecase {
 namespace {

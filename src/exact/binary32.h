@@ -13,7 +13,6 @@
 #include <cstdint>
 
 #include "exact/fixed.h"
-#include "exact/wide.h"
 
 namespace edgecase {
 

@@ -5,13 +5,20 @@
 // Every coordinate of a scene is one. A window coordinate lies in [-2^13, 2^13], so its raw integer
 // lies in [-2^29, 2^29]; a difference of two fits in 31 bits, a product of two differences in 61,
 // and the cross product that decides an edge in 62. All of it is plain int64 arithmetic without
-// rounding. What leaves int64 (the rotated diamond form, squared lengths) uses exact/wide.h.
+// rounding. What leaves int64 (the rotated diamond form, squared lengths) uses Int128.
 #pragma once
 
 #include <compare>
 #include <cstdint>
 
 namespace edgecase {
+
+// 128-bit integers, for the few exact decisions whose products leave 64 bits.
+__extension__ using Int128 = __int128;
+
+constexpr int sign(Int128 value) {
+  return (value > 0) - (value < 0);
+}
 
 class Fixed {
  public:

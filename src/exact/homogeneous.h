@@ -10,7 +10,6 @@
 #include <cstdint>
 
 #include "exact/fixed.h"
-#include "exact/wide.h"
 
 namespace edgecase {
 

@@ -15,9 +15,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "exact/fixed.h"
 #include "exact/interval.h"
-#include "exact/neighbour.h"
-#include "exact/wide.h"
 
 namespace edgecase {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "exact/wide.h"
+#include "exact/fixed.h"
 #include "tests/adversaries/shape.h"
 
 namespace edgecase::adversary {

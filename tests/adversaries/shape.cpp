@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/wide.h"
+#include "exact/fixed.h"
 
 namespace edgecase::adversary {
 namespace {

@@ -65,8 +65,8 @@ FLOATING = {
     "src/rules/coverage/point_ownership.cpp": {"explain_point": "figure"},
     "src/rules/coverage/triangle_fill.cpp": {"distance_inside": "people"},
 }
-FLOATING_FILES = {"src/exact/elementary.h", "src/exact/interval.h", "src/exact/neighbour.h",
-                  "src/exact/rational.h", "src/kernels/color_planes.h",
+FLOATING_FILES = {"src/exact/elementary.h", "src/exact/interval.h", "src/exact/rational.h",
+                  "src/kernels/color_planes.h",
                   "src/kernels/color_planes.cpp", "src/kernels/smooth_fill_kernel.cpp",
                   "src/kernels/textured_fill.h", "src/kernels/textured_fill_kernel.cpp",
                   "src/kernels/code_words-inl.h"}

@@ -10,8 +10,6 @@
 #include <cmath>
 #include <random>
 
-#include "exact/wide.h"
-
 namespace edgecase {
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The neighbours of a double are what the C library's nextafter finds.
-#include "exact/neighbour.h"
+#include "exact/interval.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 
 #include <array>
 
-#include "exact/wide.h"
+#include "exact/fixed.h"
 
 namespace edgecase::oracle {
 

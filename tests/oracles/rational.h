@@ -11,7 +11,6 @@
 #include <cstdlib>
 
 #include "exact/fixed.h"
-#include "exact/wide.h"
 
 namespace edgecase::oracle {
 

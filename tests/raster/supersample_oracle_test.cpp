@@ -6,7 +6,7 @@
 // scene with vertices moved by hand.
 #include <gtest/gtest.h>
 
-#include "exact/neighbour.h"
+#include "exact/interval.h"
 #include "exact/rational.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/random_scenes.h"

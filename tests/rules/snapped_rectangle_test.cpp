@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "exact/wide.h"
+#include "exact/fixed.h"
 #include "model/sampling.h"
 #include "rules/coverage/line_areas.h"
 #include "rules/coverage/snap.h"

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "exact/wide.h"
+#include "exact/fixed.h"
 
 namespace edgecase {
 namespace {

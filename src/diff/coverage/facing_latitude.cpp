@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diff/values/vertex_latitude.h"
-#include "exact/wide.h"
+#include "exact/fixed.h"
 #include "rules/coverage/homogeneous_triangle.h"
 
 namespace edgecase {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "exact/wide.h"
+#include "exact/fixed.h"
 #include "rules/coverage/clip_polygon.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/homogeneous_triangle.h"

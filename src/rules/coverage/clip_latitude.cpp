@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "exact/wide.h"
+#include "exact/fixed.h"
 #include "rules/coverage/clip_volume.h"
 #include "rules/coverage/triangle_fill.h"
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "exact/wide.h"
+#include "exact/fixed.h"
 #include "rules/coverage/diamond_exit.h"
 
 namespace edgecase {

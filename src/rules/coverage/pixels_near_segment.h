@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "exact/fixed.h"
 #include "exact/pixel.h"
-#include "exact/wide.h"
 #include "rules/coverage/segment.h"
 
 namespace edgecase {

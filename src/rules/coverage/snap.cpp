@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "exact/wide.h"
+#include "exact/fixed.h"
 
 namespace edgecase {
 namespace {

@@ -24,7 +24,7 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/wide.h"
+#include "exact/fixed.h"
 #include "rules/rule.h"
 
 namespace edgecase {

@@ -10,7 +10,6 @@
 
 #include "exact/fixed.h"
 #include "exact/pixel.h"
-#include "exact/wide.h"
 
 namespace edgecase {
 

@@ -17,7 +17,6 @@
 #include <limits>
 
 #include "exact/interval.h"
-#include "exact/neighbour.h"
 
 namespace edgecase {
 
