@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "model/distribute.h"
+#include "model/fragments.h"
 #include "reference/programs.h"
 #include "reference/read_back.h"
 

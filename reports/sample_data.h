@@ -10,7 +10,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "model/sample_image.h"
+#include "model/storage.h"
 
 namespace edgecase {
 

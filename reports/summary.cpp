@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "model/counted.h"
-#include "model/recorded.h"
+#include "model/renderer.h"
 #include "reports/cluster_summary.h"
 #include "reports/painter.h"
 #include "reports/text.h"

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/supersampling.h"
+#include "model/sampling.h"
 
 namespace edgecase {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "model/scene.h"
-#include "model/shared.h"
+#include "model/storage.h"
 
 namespace edgecase {
 
@@ -53,6 +53,14 @@ struct Diagnostic {
 };
 
 // "FILE:LINE: POINTER: message; remedy", the parts that exist.
-std::string to_string(const Diagnostic& diagnostic);
+inline std::string to_string(const Diagnostic& diagnostic) {
+  std::string text = diagnostic.file;
+  if (diagnostic.line > 0) text += ":" + std::to_string(diagnostic.line);
+  text += ": ";
+  if (!diagnostic.pointer.empty()) text += diagnostic.pointer + ": ";
+  text += diagnostic.message;
+  if (!diagnostic.remedy.empty()) text += "; " + diagnostic.remedy;
+  return text;
+}
 
 }  // namespace edgecase

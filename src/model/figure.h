@@ -20,7 +20,25 @@ enum class MarkRole {
   edge,            // the edge or segment on which the decision hangs
 };
 
-const char* name_of(MarkRole);
+inline const char* name_of(MarkRole role) {
+  switch (role) {
+    case MarkRole::primitive:
+      return "primitive";
+    case MarkRole::vertex:
+      return "vertex";
+    case MarkRole::snapped_vertex:
+      return "snapped-vertex";
+    case MarkRole::region:
+      return "region";
+    case MarkRole::owned:
+      return "owned";
+    case MarkRole::sample:
+      return "sample";
+    case MarkRole::edge:
+      return "edge";
+  }
+  return "?";
+}
 
 struct Mark {
   MarkRole role = MarkRole::primitive;

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "model/distribute.h"
+#include "model/fragments.h"
 
 namespace edgecase {
 

@@ -13,10 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "model/packed_words.h"
 #include "model/renderer.h"
-#include "model/sample_image.h"
-#include "model/shared.h"
+#include "model/storage.h"
 #include "model/verdict.h"
 
 namespace edgecase {

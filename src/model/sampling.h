@@ -4,6 +4,7 @@
 // 4.6 core, 14.3.1, 14.3.1.1 and 17.3).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -63,5 +64,61 @@ struct Multisampling {
 // How many invocations of the shader a pixel that is wholly covered has at least: 1 to `samples`
 // (GL 4.6 core, 14.3.1.1).
 int least_invocations(const Multisampling& multisampling, int samples);
+
+// Supersampling as courses teach it: a scene is shaded at several places of each pixel, and the
+// pixel is their weighted mean,
+//
+//   image(x, y) = sum_k w_k shade(x + dx_k - 1/2, y + dy_k - 1/2) / sum_k w_k
+//
+// where shade(x, y) is what a target of one sample shows at the pixel whose centre is at (x + 1/2,
+// y + 1/2). Each term is a pass: the scene drawn once, moved the other way, to a target of one
+// sample. Nothing of it is known to OpenGL, which draws the passes.
+struct Scene;
+struct Vertex;
+struct Viewport;
+
+// Passes of a scene at most: a grid of 32 x 32.
+constexpr std::size_t kMaxPasses = 1024;
+constexpr std::int64_t kMaxPassWeight = std::int64_t{1} << 20;
+
+struct ShadingPass {
+  // Where in the pixel is shaded: pixels from its lower left corner, y up, multiples of 2^-16.
+  // Kernels wider than a pixel reach beyond it: -1 to 2.
+  Point at;
+  // The weight's numerator; all weights of a scene are over their sum, which is exactly 1
+  // therefore.
+  std::int64_t weight = 1;  // more than 0, at most kMaxPassWeight
+
+  friend bool operator==(const ShadingPass&, const ShadingPass&) = default;
+};
+
+// Empty: a scene that is not supersampled.
+using Supersampling = std::vector<ShadingPass>;
+
+// The pixels, the texels of generated textures and the vertices of a scene, times its passes, at
+// most.
+constexpr std::uint64_t kMaxPassWork = std::uint64_t{1} << 22;
+std::uint64_t pass_work(const Scene& scene);
+
+// How far the scene is moved for a pass, in pixels: from where it is shaded to the pixel's centre.
+Point shift_of(const ShadingPass& pass);
+
+// A vertex moved by that in a viewport. Of clip coordinates, x and y become the numbers nearest to
+// x + 2 shift w / size that a ClipPosition can hold, ties to even; z and w stay. Not checked: does
+// it lie where is_in_range wants it?
+Vertex moved_vertex(const Vertex& vertex, Point shift, const Viewport& viewport);
+
+// Window coordinates of at most Fixed::kMaxCoordinate, and clip coordinates of at most w.
+bool is_in_range(const Vertex& vertex);
+
+// What is drawn in pass k: the scene with all its vertices moved, and nothing else; not
+// supersampled. Its rounded clip coordinates are the pass, for whoever draws it.
+Scene pass_of(const Scene& scene, std::size_t k);
+
+// "pass 3 of 9 (at 0.25, 0.75; weight 1)", of pass 2: people count from 1.
+std::string words_of_pass(const Supersampling& passes, std::size_t k);
+
+// All of them, in their order; none of a scene that is not supersampled.
+std::vector<Scene> passes_of(const Scene& scene);
 
 }  // namespace edgecase

@@ -6,8 +6,11 @@
 #include <cstddef>
 
 #include "model/clipped_line.h"
+#include "model/fragment_operations.h"
+#include "model/texture.h"
 
 namespace edgecase {
+
 bool has_fragment_operations(const Scene& scene) {
   const Target& target = scene.target;
   return target.stencil != StencilFormat::none || target.clear_depth != 1 ||
@@ -192,6 +195,38 @@ std::vector<ScenePrimitive> primitives_of(const Scene& scene) {
     }
   }
   return result;
+}
+
+bool holds(CompareFunction function, bool less, bool equal) {
+  switch (function) {
+    case CompareFunction::never:
+      return false;
+    case CompareFunction::less:
+      return less;
+    case CompareFunction::equal:
+      return equal;
+    case CompareFunction::lequal:
+      return less || equal;
+    case CompareFunction::greater:
+      return !less && !equal;
+    case CompareFunction::notequal:
+      return !equal;
+    case CompareFunction::gequal:
+      return !less;
+    case CompareFunction::always:
+      return true;
+  }
+  return true;
+}
+
+int level_size(int size, int level) {
+  return level < 31 ? std::max(1, size >> level) : 1;
+}
+
+int level_count(int width, int height) {
+  int count = 1;
+  for (int size = std::max(width, height); size > 1; size /= 2) ++count;
+  return count;
 }
 
 }  // namespace edgecase

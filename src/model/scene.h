@@ -18,7 +18,6 @@
 #include "model/fragment_operations.h"
 #include "model/names.h"
 #include "model/sampling.h"
-#include "model/supersampling.h"
 #include "model/texture.h"
 
 namespace edgecase {

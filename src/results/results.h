@@ -14,11 +14,10 @@
 
 #include "model/case.h"
 #include "model/figure.h"
-#include "model/packed_words.h"
 #include "model/policy.h"
 #include "model/renderer.h"
 #include "model/result.h"
-#include "model/shared.h"
+#include "model/storage.h"
 
 namespace edgecase {
 

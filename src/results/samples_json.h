@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "model/sample_image.h"
+#include "model/storage.h"
 #include "results/json_writer.h"
 
 namespace edgecase {

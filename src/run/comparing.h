@@ -10,10 +10,8 @@
 #include <vector>
 
 #include "diff/compare.h"
-#include "model/packed_words.h"
 #include "model/renderer.h"
-#include "model/sample_image.h"
-#include "model/shared.h"
+#include "model/storage.h"
 #include "run/run.h"
 
 namespace edgecase {

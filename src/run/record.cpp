@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "model/recorded.h"
+#include "model/renderer.h"
 #include "recording/recording.h"
 #include "recording/stored_outcome.h"
 #include "run/case_slices.h"

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "model/recorded.h"
+#include "model/renderer.h"
 #include "recording/recording.h"
 
 namespace edgecase {

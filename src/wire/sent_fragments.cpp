@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "model/equal_fragments.h"
+#include "model/fragments.h"
 #include "wire/answer_checks.h"
 #include "wire/binary_values.h"
 #include "wire/coverage_runs.h"

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "model/supersampling.h"
+#include "model/sampling.h"
 #include "tests/adversaries/buffers.h"
 #include "tests/adversaries/textures.h"
 

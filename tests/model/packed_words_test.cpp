@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/packed_words.h"
+#include "model/storage.h"
 
 #include <gtest/gtest.h>
 

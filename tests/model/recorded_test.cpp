@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/recorded.h"
+#include "model/renderer.h"
 
 #include <gtest/gtest.h>
 

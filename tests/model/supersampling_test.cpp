@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/supersampling.h"
+#include "model/sampling.h"
 
 #include <gmock/gmock.h>
 

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "model/counted.h"
-#include "model/recorded.h"
+#include "model/renderer.h"
 #include "run/merge.h"
 #include "run/renderer_names.h"
 #include "run/rerun.h"

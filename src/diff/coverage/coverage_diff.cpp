@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "model/equal_fragments.h"
+#include "model/fragments.h"
 
 namespace edgecase {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "model/equal_fragments.h"
+#include "model/fragments.h"
 
 namespace edgecase {
 namespace {

@@ -145,7 +145,7 @@ Rule accumulation_rule() {
   return {"supersample.accumulation",
           "A supersampled pixel is the weighted mean of its passes",
           "17.3.6 (blending); that a pixel is such a mean is our own definition, "
-          "src/model/supersampling.h",
+          "src/model/sampling.h",
           "the rounding of single precision (ruling 36); the exact mean is preferred",
           "exact-mean",
           alternatives_of<Accumulation>(),

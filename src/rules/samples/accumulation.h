@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Accumulation: one colour from the passes of a supersampled scene (model/supersampling.h).
+// Accumulation: one colour from the passes of a supersampled scene (model/sampling.h).
 //
 // The colour is the weighted mean of the passes. This is our definition, since the specification
 // has no passes. Renderers add in single precision, where sums of many terms are off in their last
@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "exact/interval.h"
-#include "model/supersampling.h"
+#include "model/sampling.h"
 #include "rules/alternative_table.h"
 #include "rules/rule.h"
 

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "model/recorded.h"
+#include "model/renderer.h"
 #include "reports/text.h"
 #include "results/decisions.h"
 #include "results/expectations.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/recorded.h"
+#include "model/renderer.h"
 #include "run/merge.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/output/delivery.h"

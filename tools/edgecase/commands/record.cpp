@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "model/recorded.h"
+#include "model/renderer.h"
 #include "reports/text.h"
 #include "run/record.h"
 #include "run/renderer_names.h"

@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "diff/coverage/cause.h"
-#include "model/recorded.h"
+#include "model/renderer.h"
 #include "reports/html.h"
 #include "rules/all_rules.h"
 #include "tools/edgecase/options.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/packed_words.h"
+#include "model/storage.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -54,6 +54,20 @@ void PackedWords::unpack(std::uint32_t* words) const {
   }
   for (std::size_t i = 0; i < kept_.size(); i += 2)
     words = std::fill_n(words, kept_[i], kept_[i + 1]);
+}
+
+SampleImage sample_image(const Rendering& rendering) {
+  SampleImage image;
+  if (rendering.samples <= 1) return image;
+  image.samples = rendering.samples;
+  image.positions = rendering.sample_positions;
+  image.pixels = rendering.sample_pixels;
+  image.hits = rendering.hits;
+  std::vector<std::uint32_t> coverage(rendering.pixel_index(0, rendering.height));
+  for (const Fragment& fragment : rendering.fragments)
+    coverage[rendering.pixel_index(fragment.x, fragment.y)] |= fragment.coverage;
+  image.coverage = coverage;
+  return image;
 }
 
 }  // namespace edgecase

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// Lists of fragments: what two have in common, to the bit, and how many are sorted.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "model/rendering.h"
+
+namespace edgecase {
+
+// What two fragments have in common, to the bit.
+
+// NaN equals itself here, and 0 is not -0.
+inline std::uint64_t bits_of(double value) {
+  return std::bit_cast<std::uint64_t>(value);
+}
+
+// Do they cover the same samples of one pixel, for one primitive?
+inline bool cover_alike(const Fragment& a, const Fragment& b) {
+  return a.x == b.x && a.y == b.y && a.primitive == b.primitive && a.coverage == b.coverage;
+}
+
+// Have they one depth and one colour?
+inline bool have_equal_values(const Fragment& a, const Fragment& b) {
+  return bits_of(a.depth) == bits_of(b.depth) &&
+         std::ranges::equal(a.color, b.color, {}, bits_of, bits_of);
+}
+
+// Sorting by a number that is small: in time linear in the items and in the numbers.
+
+// Sorts the items by index_of(item), which is below `count`; those of one index stay in order.
+template <class Item, class IndexOf>
+void distribute(std::vector<Item>& items, std::size_t count, IndexOf index_of) {
+  std::vector<std::size_t> first(count + 1);
+  for (const Item& item : items) ++first[index_of(item) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Item> sorted(items.size());
+  for (const Item& item : items) sorted[first[index_of(item)]++] = item;
+  items = std::move(sorted);
+}
+
+}  // namespace edgecase
