@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "generate/diamond_places.h"
-#include "generate/random_compounds.h"
+#include "generate/random_scenes.h"
 #include "generate/random_shapes.h"
 
 namespace edgecase {

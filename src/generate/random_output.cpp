@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "generate/random_output.h"
+#include "generate/random_scenes.h"
 
 #include <array>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "generate/random_scenes.h"
 #include "generate/random_shapes.h"
 
 namespace edgecase {

@@ -62,4 +62,48 @@ Scene random_multisampled_scene(std::uint64_t seed, MultisampledKind kind,
 // diamond-exit rule or, of multisampled targets, are rectangles. `samples`: where they lie.
 bool has_tie(const Scene& scene, const SamplePositions& samples = {});
 
+// Random scenes of primitives that share vertices, and of vertices round the steps of sub-pixel
+// grids: what a search looks at beside the single primitives above.
+//
+// Each is a function of its seed and index alone, on the same targets, with coordinates that reach
+// OpenGL unrounded. Most are built round a tie, many of them nudged off it.
+constexpr int kMostCompoundTarget = 64;  // pixels
+
+// Two to six segments that follow each other, each starting bit-identically where the one before
+// ends: a strip, a loop or separate lines in one draw. Half of them keep one major axis and
+// direction, the others turn at joints, some turn back. One in eight is wider than a pixel.
+Scene random_joint_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
+
+// Triangles that share vertices, in one draw: all round an inner vertex or part of the way, along a
+// strip, down to slivers, or with a vertex of two upon the edge of a third (a T-junction). As fan
+// or strip, or as separate triangles whose vertices come in any order.
+Scene random_fan_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
+
+// A point, a line or a triangle whose vertices lie at multiples of 2^-b pixel (b is 4 or 8, at
+// times 2 to 12), halfway between two, or 2^-16 beside either, so near to a tie that it is decided
+// by how vertices are snapped.
+Scene random_snap_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
+
+// Random scenes of triangles that meet fragment operations, by which a profile is held against the
+// renderer that it is of. Each is a function of its seed and
+// index alone, too.
+enum class OutputKind {
+  depth_tested,  // crossing one another, and of one depth
+  blended,       // any equation and factors
+  offset,        // each followed by itself with a polygon offset, depth-tested
+  stencilled,    // either facing, any function, operations and masks
+};
+constexpr int kOutputKinds = 4;
+const char* name_of(OutputKind kind);  // "depth-tested", …
+
+struct RandomOutputScenes {
+  std::uint64_t seed = 1;
+  OutputKind kind = OutputKind::depth_tested;
+  Surface surface = Surface::fbo;
+  DepthFormat depth = DepthFormat::depth24;  // of blended ones none is there
+};
+
+// Two to six flat triangles, a draw each, on a target of at most kMostMultisampledTarget pixels.
+Scene random_output_scene(const RandomOutputScenes& of, std::uint64_t index);
+
 }  // namespace edgecase

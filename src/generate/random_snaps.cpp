@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "generate/random_compounds.h"
+#include "generate/random_scenes.h"
 #include "generate/random_shapes.h"
 
 namespace edgecase {

@@ -11,10 +11,7 @@
 
 #include "casefile/blending.h"
 #include "casefile/text.h"
-#include "generate/grid_joints.h"
-#include "generate/grid_lines.h"
-#include "generate/random_compounds.h"
-#include "generate/random_output.h"
+#include "generate/grids.h"
 #include "generate/random_scenes.h"
 #include "profile/clipping/clip_measurement.h"
 #include "profile/textures/texture_scenes.h"

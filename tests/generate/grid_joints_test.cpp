@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Grid joints: each pair meets bit-identically, on the grid, and they differ.
-#include "generate/grid_joints.h"
+#include "generate/grids.h"
 
 #include <gtest/gtest.h>
 

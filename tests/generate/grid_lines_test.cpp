@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Grid lines: every line once up to whole pixels, held against all segments of small targets.
-#include "generate/grid_lines.h"
+#include "generate/grids.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 //
 // Joints, fans and vertices round sub-pixel steps: the same every time, exact on their way to
 // OpenGL, with ties enough, and of all the forms that they promise.
-#include "generate/random_compounds.h"
+#include "generate/random_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "generate/random_scenes.h"
 #include "generate/random_shapes.h"
 #include "rules/coverage/segment.h"
 #include "rules/coverage/shared_edge.h"

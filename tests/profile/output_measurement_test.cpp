@@ -14,7 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "generate/random_output.h"
+#include "generate/random_scenes.h"
 #include "profile/output/output_json.h"
 #include "profile/output/output_measurement.h"
 #include "profile/output/output_scenes.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "generate/random_output.h"
+#include "generate/random_scenes.h"
 #include "generate/scene_parts.h"
 #include "profile/output/code_rounding.h"
 #include "profile/output/output_scenes.h"

@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include "generate/random_compounds.h"
 #include "generate/random_scenes.h"
 #include "rules/coverage/snap.h"
 #include "rules/samples/sample_placement.h"

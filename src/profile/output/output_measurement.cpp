@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "generate/random_output.h"
+#include "generate/random_scenes.h"
 #include "profile/output/blend_traits.h"
 #include "profile/output/code_rounding.h"
 #include "profile/output/offset_traits.h"
