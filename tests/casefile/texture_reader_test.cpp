@@ -11,7 +11,6 @@
 #include "casefile/loader.h"
 #include "casefile/texture_patterns.h"
 #include "image/image_file.h"
-#include "image/png.h"
 
 namespace edgecase {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "image/png.h"
+#include "image/image_file.h"
 #include "run/renderer_names.h"
 #include "run/renderers.h"
 #include "run/run.h"

@@ -7,7 +7,7 @@
 #include <set>
 #include <string_view>
 
-#include "image/png.h"
+#include "image/image_file.h"
 #include "model/digest.h"
 #include "reports/triptych.h"
 #include "tools/edgecase/options.h"
