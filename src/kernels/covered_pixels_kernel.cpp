@@ -2,6 +2,7 @@
 #include "kernels/covered_pixels_kernel.h"
 
 #include "kernels/line_walk.h"
+#include "kernels/pixel_plane.h"
 #include "kernels/span_walk.h"
 
 namespace edgecase {
@@ -74,6 +75,13 @@ std::vector<PixelPosition> walked_line_pixels(const Segment& segment, const Pixe
               pixels.push_back({x, y});
             });
   return pixels;
+}
+
+void fill_lines(const FillTarget& target, std::span<const FlatLine> lines, const TieWeights& ties) {
+  const PixelPlane plane = target.planes[0];
+  for (const FlatLine& line : lines)
+    walk_line(line.a, line.b, ties, target.bounds,
+              [&](int x, int y) { plane.row(y)[x] = line.color; });
 }
 
 }  // namespace edgecase

@@ -2,7 +2,7 @@
 //
 // fill_textured_triangle: spans, and in each of them as many pixels at once as a vector has
 // doubles; texels by gathers of whole words.
-#include "kernels/textured_fill.h"
+#include "kernels/color_planes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/textured_fill_kernel.cpp"
@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include "kernels/code_words-inl.h"
-#include "kernels/color_planes.h"
 #include "kernels/span_walk.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -12,7 +12,7 @@
 #include <map>
 #include <optional>
 
-#include "kernels/textured_fill.h"
+#include "kernels/color_planes.h"
 #include "raster/texture_stage.h"
 
 namespace edgecase {

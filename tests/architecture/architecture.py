@@ -68,8 +68,7 @@ FLOATING = {
 FLOATING_FILES = {"src/exact/elementary.h", "src/exact/interval.h", "src/exact/rational.h",
                   "src/kernels/color_planes.h",
                   "src/kernels/color_planes.cpp", "src/kernels/smooth_fill_kernel.cpp",
-                  "src/kernels/textured_fill.h", "src/kernels/textured_fill_kernel.cpp",
-                  "src/kernels/code_words-inl.h"}
+                  "src/kernels/textured_fill_kernel.cpp", "src/kernels/code_words-inl.h"}
 
 INTEGER_FOLDERS = ("src/exact/", "src/rules/coverage/", "src/kernels/")
 
