@@ -1,13 +1,207 @@
 // SPDX-License-Identifier: MIT
 #include "recording/block.h"
 
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "recording/bytes.h"
-#include "recording/line_columns.h"
-#include "recording/number_coding.h"
 
 namespace edgecase::recording {
+
+namespace {
+
+constexpr char kMark = '#';
+constexpr std::size_t kPhases = 4;
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+// Up to here doubles are written as integers are.
+constexpr double kLargestInteger = 9007199254740992.0;
+
+// Where in a text of lines a scan stands, and which column a number at this place belongs to.
+// Columns are numbered as they are first asked for, so both directions number alike.
+class Place {
+ public:
+  Place() { end_line(); }
+
+  void key(std::string_view name) {
+    key_ = &columns_.try_emplace(std::string(name), kNew).first->second;
+  }
+  void open() {
+    outer_.push_back({key_, index_});
+    index_ = 0;
+  }
+  void close() {
+    if (outer_.empty()) throw std::runtime_error("a bracket closes nothing");
+    key_ = outer_.back().key;
+    index_ = outer_.back().index;
+    outer_.pop_back();
+  }
+  void comma() { ++index_; }
+  void end_line() {
+    outer_.clear();
+    index_ = 0;
+    key("");
+  }
+  std::size_t column() {
+    std::size_t& number = (*key_)[index_ % kPhases];
+    if (number == kNone) number = count_++;
+    return number;
+  }
+
+ private:
+  using Numbers = std::array<std::size_t, kPhases>;
+  static constexpr Numbers kNew = {kNone, kNone, kNone, kNone};
+  struct Outer {
+    Numbers* key;
+    std::size_t index;
+  };
+  std::map<std::string, Numbers> columns_;
+  Numbers* key_ = nullptr;
+  std::size_t index_ = 0;
+  std::vector<Outer> outer_;
+  std::size_t count_ = 0;
+};
+
+// The end of the string that begins at `begin`, behind its closing quote.
+std::size_t end_of_string(std::string_view text, std::size_t begin) {
+  for (std::size_t i = begin + 1; i < text.size(); ++i) {
+    if (text[i] == '\\')
+      ++i;
+    else if (text[i] == '"')
+      return i + 1;
+  }
+  throw std::runtime_error("a string does not end");
+}
+
+bool begins_number(char c) {
+  return c == '-' || (c >= '0' && c <= '9');
+}
+
+std::size_t end_of_number(std::string_view text, std::size_t begin) {
+  std::size_t end = begin + 1;
+  while (end < text.size() && (begins_number(text[end]) || text[end] == '.' || text[end] == 'e' ||
+                               text[end] == 'E' || text[end] == '+'))
+    ++end;
+  return end;
+}
+
+void write_number(std::string& out, double value) {
+  std::array<char, 24> digits;
+  if (std::abs(value) < kLargestInteger && value == std::trunc(value)) {
+    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(),
+                                            static_cast<std::int64_t>(value));
+    out.append(digits.data(), end);
+  } else {
+    fmt::format_to(std::back_inserter(out), "{}", value);
+  }
+}
+
+// The number that is written so; nothing where it would be written otherwise.
+std::optional<double> number_of(std::string_view token) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (error != std::errc() || end != token.data() + token.size()) return std::nullopt;
+  // The usual number, small and whole, needs no proof.
+  constexpr std::size_t kSurelyWhole = 15;
+  const bool is_plain = token.size() <= kSurelyWhole && token[0] != '-' &&
+                        (token[0] != '0' || token.size() == 1) &&
+                        token.find_first_not_of("0123456789") == token.npos;
+  if (is_plain) return value;
+  std::string written;
+  write_number(written, value);
+  return written == token ? std::optional(value) : std::nullopt;
+}
+
+// Goes through a text: copies it to `out`, but calls `number(place, begin)` for what `is_number`
+// says of its first character, which returns where the text goes on.
+template <class IsNumber, class Number>
+void scan(std::string_view text, Place& place, std::string& out, IsNumber is_number,
+          Number number) {
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (is_number(c)) {
+      i = number(i);
+      continue;
+    }
+    if (c == '"') {
+      const std::size_t end = end_of_string(text, i);
+      if (end < text.size() && text[end] == ':') place.key(text.substr(i + 1, end - i - 2));
+      out.append(text, i, end - i);
+      i = end;
+      continue;
+    }
+    if (c == '[' || c == '{')
+      place.open();
+    else if (c == ']' || c == '}')
+      place.close();
+    else if (c == ',')
+      place.comma();
+    else if (c == '\n')
+      place.end_line();
+    out += c;
+    ++i;
+  }
+}
+
+}  // namespace
+
+LineColumns take_apart(const std::vector<std::string>& lines) {
+  LineColumns parts;
+  Place place;
+  for (const std::string& line : lines) {
+    const std::string_view text = line;
+    scan(text, place, parts.text, begins_number, [&](std::size_t begin) {
+      const std::size_t end = end_of_number(text, begin);
+      const std::string_view token = text.substr(begin, end - begin);
+      const auto value = number_of(token);
+      if (!value) {
+        parts.text += token;
+        return end;
+      }
+      const std::size_t column = place.column();
+      if (column == parts.columns.size()) parts.columns.emplace_back();
+      parts.columns[column].push_back(*value);
+      parts.text += kMark;
+      return end;
+    });
+    place.end_line();
+    parts.text += '\n';
+  }
+  return parts;
+}
+
+std::vector<std::string> put_together(const LineColumns& parts) {
+  std::vector<std::string> lines;
+  std::vector<std::size_t> used(parts.columns.size());
+  Place place;
+  const std::string_view text = parts.text;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin);
+    if (end == text.npos) throw std::runtime_error("a line does not end");
+    std::string& line = lines.emplace_back();
+    scan(
+        text.substr(begin, end - begin), place, line, [](char c) { return c == kMark; },
+        [&](std::size_t at) {
+          const std::size_t column = place.column();
+          if (column >= used.size() || used[column] == parts.columns[column].size())
+            throw std::runtime_error("a number is missing");
+          write_number(line, parts.columns[column][used[column]++]);
+          return at + 1;
+        });
+    place.end_line();
+    begin = end + 1;
+  }
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i] != parts.columns[i].size()) throw std::runtime_error("a number is left over");
+  return lines;
+}
 
 std::string pack_block(const std::vector<std::string>& lines) {
   const LineColumns parts = take_apart(lines);

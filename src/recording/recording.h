@@ -47,7 +47,7 @@ struct RecordedBlock {
   std::string bytes;
 };
 
-// Packs stored lines (stored_outcome.h), as many as there are scenes.
+// Packs stored lines (below), as many as there are scenes.
 RecordedBlock make_block(std::vector<RecordedBlock::Scene> scenes,
                          const std::vector<std::string>& lines);
 
@@ -92,3 +92,17 @@ class Recording {
 };
 
 }  // namespace edgecase
+
+namespace edgecase::recording {
+
+// What a recording keeps of a case: a line as it comes from a renderer (reference/PROTOCOL.md), or
+// the reason why there is none. The scene's digest stands in the recording's index.
+
+// A line of JSON without a line break.
+std::string stored_line(const Outcome& outcome);
+
+// The inverse, as strict as answers are read; what is not an outcome of this scene is a Failure
+// that says so.
+Outcome outcome_of(const std::string& line, const Scene& scene);
+
+}  // namespace edgecase::recording

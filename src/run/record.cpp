@@ -10,7 +10,6 @@
 
 #include "model/renderer.h"
 #include "recording/recording.h"
-#include "recording/stored_outcome.h"
 #include "run/case_slices.h"
 #include "run/recording_renderer.h"
 #include "wire/request_line.h"

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "recording/stored_outcome.h"
+#include "recording/recording.h"
 #include "wire/request_line.h"
 
 namespace edgecase {

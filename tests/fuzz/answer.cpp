@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "casefile/loader.h"
-#include "recording/stored_outcome.h"
+#include "recording/recording.h"
 #include "tests/fuzz/target.h"
 #include "wire/answer_line.h"
 #include "wire/request_line.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recording/line_columns.h"
+#include "recording/block.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recording/number_coding.h"
+#include "recording/bytes.h"
 
 #include <gmock/gmock.h>
 
@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
-
-#include "recording/bytes.h"
 
 namespace edgecase::recording {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Every kind of rendering, as exact makes it of cases of the suite, through a block and back.
-#include "recording/stored_outcome.h"
+#include "recording/recording.h"
 
 #include <gmock/gmock.h>
 
