@@ -19,7 +19,7 @@
 #include "diff/samples/pass_compare.h"
 #include "diff/upside_down.h"
 #include "diff/values/equal_values.h"
-#include "raster/facing.h"
+#include "raster/primitives.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
 #include "rules/coverage/clip_explanation.h"

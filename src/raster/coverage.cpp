@@ -3,9 +3,8 @@
 // The exact rasterizer's coverage stage: the pixels and samples of one primitive.
 #include <algorithm>
 
-#include "raster/clipped_coverage.h"
-#include "raster/facing.h"
-#include "raster/fast_coverage.h"
+#include "raster/coverage_stages.h"
+#include "raster/primitives.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/coverage/homogeneous_point.h"

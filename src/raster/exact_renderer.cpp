@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "raster/exact_renderer.h"
 
+#include <optional>
 #include <utility>
 
 #include "raster/rasterizer.h"
@@ -18,6 +19,32 @@ ExactRenderer::ExactRenderer(Policy policy)
 
 void ExactRenderer::render(std::span<const Task> tasks, const OutcomeSink& sink) {
   for (std::size_t i = 0; i < tasks.size(); ++i) sink(i, rasterize(*tasks[i].scene, policy_));
+}
+
+ExactDrawing::ExactDrawing(std::span<const Scene> layers, const Policy& policy)
+    : layers_(layers), policy_(policy), framebuffer_(layers.front().target, policy) {
+  for (const Scene& layer : layers_) {
+    std::optional<FastScene> prepared = framebuffer_.prepared(layer);
+    if (!prepared) {
+      prepared_.clear();
+      return;
+    }
+    prepared_.push_back(std::move(*prepared));
+  }
+}
+
+void ExactDrawing::draw() {
+  if (prepared_.empty()) {
+    for (const Scene& layer : layers_) plain_pixels_ = rasterize(layer, policy_).pixels;
+    return;
+  }
+  framebuffer_.clear(layers_.front().target.clear);
+  for (const FastScene& layer : prepared_) framebuffer_.draw(layer);
+  framebuffer_.resolve();
+}
+
+std::vector<std::uint8_t> ExactDrawing::pixels() const {
+  return prepared_.empty() ? plain_pixels_ : framebuffer_.pixels();
 }
 
 }  // namespace edgecase

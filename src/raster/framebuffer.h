@@ -5,7 +5,7 @@
 // What it draws is to the bit what raster/rasterizer.h puts into Rendering::pixels; of fragments,
 // hits and samples it tells nothing. It is made once for a target and a policy, and draws any
 // number of scenes; what it cannot draw it says when the scene is made ready
-// (raster/exact_drawing.h then takes the plain path).
+// (raster/exact_renderer.h then takes the plain path).
 #pragma once
 
 #include <optional>

@@ -8,11 +8,9 @@
 #include <vector>
 
 #include "raster/attributes.h"
-#include "raster/centre_colors.h"
-#include "raster/facing.h"
 #include "raster/fragment_stage.h"
-#include "raster/multisample.h"
-#include "raster/supersample.h"
+#include "raster/primitives.h"
+#include "raster/samples.h"
 #include "raster/texture_stage.h"
 #include "rules/values/depth_buffer.h"
 

@@ -6,11 +6,11 @@
 //   primitives_of -> snap -> culling -> coverage (rules/coverage) -> attributes (rules/values)
 //     -> textures (rules/textures) -> fragment operations (rules/output) -> pixels
 //
-// Of coverage, kernels find what the predicates would, where they can (raster/fast_coverage.h). Who
-// wants pixels and no fragments goes by raster/framebuffer.h.
+// Of coverage, kernels find what the predicates would, where they can (raster/coverage_stages.h).
+// Who wants pixels and no fragments goes by raster/framebuffer.h.
 //
-// A multisampled target's path is in raster/multisample.h, a supersampled scene's in
-// raster/supersample.h.
+// A multisampled target's path is in raster/samples.h, a supersampled scene's in
+// raster/samples.h.
 #pragma once
 
 #include <vector>

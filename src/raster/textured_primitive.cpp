@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "raster/rasterizer.h"
-#include "raster/texture_axis.h"
 #include "raster/texture_level.h"
 #include "raster/texture_stage.h"
 #include "rules/values/coordinate_derivatives.h"

@@ -13,7 +13,7 @@
 #include "diff/compare.h"
 #include "diff/judge.h"
 #include "raster/rasterizer.h"
-#include "raster/supersample.h"
+#include "raster/samples.h"
 #include "tests/raster/random_scenes.h"
 
 namespace edgecase {

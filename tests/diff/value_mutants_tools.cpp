@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "raster/attributes.h"
-#include "raster/centre_colors.h"
 #include "rules/values/depth_buffer.h"
 #include "tests/diff/value_mutants.h"
 

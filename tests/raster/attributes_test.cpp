@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "raster/centre_colors.h"
 #include "raster/texture_stage.h"
 #include "raster/vertex_attributes.h"
 #include "tests/raster/random_scenes.h"

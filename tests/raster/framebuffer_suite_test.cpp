@@ -13,7 +13,7 @@
 #include "casefile/loader.h"
 #include "casefile/suite.h"
 #include "kernels/kernel_use.h"
-#include "raster/exact_drawing.h"
+#include "raster/exact_renderer.h"
 #include "raster/framebuffer.h"
 #include "raster/rasterizer.h"
 #include "tests/support/share.h"

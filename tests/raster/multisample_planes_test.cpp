@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "raster/multisample.h"
+#include "raster/samples.h"
 #include "tests/raster/multisampled_scenes.h"
 #include "tests/rules/support.h"
 

@@ -2,7 +2,7 @@
 //
 // Block walks of scenes: under every choice of rules they find what the rasterizer covers, or say
 // why there is no walk.
-#include "raster/primitive_blocks.h"
+#include "raster/primitives.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 //
 // Supersampled renderings: what passes are, and what they add up to, with every pattern and kernel
 // that a case file can name.
-#include "raster/supersample.h"
+#include "raster/samples.h"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Coordinates on and beside the borders that filters and grids ask for, against fractions.
-#include "raster/texture_axis.h"
+#include "raster/texture_level.h"
 
 #include <gtest/gtest.h>
 

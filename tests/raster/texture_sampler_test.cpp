@@ -2,7 +2,7 @@
 //
 // The sampler at its limits: constants stay what they are, any number has an answer, and wide
 // intervals yield all that narrow ones within them do.
-#include "raster/texture_sampler.h"
+#include "raster/texture_stage.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,6 @@
 #include <limits>
 
 #include "exact/rational.h"
-#include "raster/texture_stage.h"
 #include "tests/raster/texture_scenes.h"
 
 namespace edgecase {

@@ -18,8 +18,8 @@
 #include "diff/coverage/shared_edge_faults.h"
 #include "diff/coverage/situation.h"
 #include "raster/attributes.h"
-#include "raster/multisample.h"
 #include "raster/rasterizer.h"
+#include "raster/samples.h"
 
 namespace edgecase {
 namespace {

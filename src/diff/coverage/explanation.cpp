@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "exact/numeral.h"
-#include "raster/facing.h"
+#include "raster/primitives.h"
 #include "rules/all_rules.h"
 #include "rules/coverage/clip_explanation.h"
 #include "rules/coverage/diamond_exit.h"

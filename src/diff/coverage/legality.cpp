@@ -10,7 +10,7 @@
 
 #include "diff/coverage/facing_latitude.h"
 #include "diff/values/vertex_latitude.h"
-#include "raster/fast_coverage.h"
+#include "raster/coverage_stages.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
 #include "rules/coverage/homogeneous_triangle.h"

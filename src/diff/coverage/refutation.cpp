@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "diff/coverage/alternatives.h"
-#include "raster/facing.h"
-#include "raster/fast_coverage.h"
+#include "raster/coverage_stages.h"
+#include "raster/primitives.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/triangle_fill.h"

@@ -6,7 +6,7 @@
 #include "diff/samples/sample_planes.h"
 #include "diff/samples/switched_off.h"
 #include "diff/values/pixel_truth.h"
-#include "raster/facing.h"
+#include "raster/primitives.h"
 
 namespace edgecase {
 

@@ -15,7 +15,7 @@
 #include "diff/coverage/legality.h"
 #include "diff/values/pixel_truth.h"
 #include "diff/values/value_diff.h"
-#include "raster/supersample.h"
+#include "raster/samples.h"
 #include "rules/all_rules.h"
 #include "rules/choices.h"
 #include "rules/values/framebuffer.h"

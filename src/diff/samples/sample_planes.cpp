@@ -8,7 +8,7 @@
 
 #include "diff/output/fate_compare.h"
 #include "diff/values/pixel_truth.h"
-#include "raster/multisample.h"
+#include "raster/samples.h"
 #include "rules/values/framebuffer.h"
 
 namespace edgecase {

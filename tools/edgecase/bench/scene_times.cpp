@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "diff/pixel_blocks.h"
-#include "raster/exact_drawing.h"
+#include "raster/exact_renderer.h"
 #include "raster/rasterizer.h"
 #include "tools/edgecase/bench/rates.h"
 #include "tools/edgecase/bench/scenes.h"

@@ -9,7 +9,7 @@
 #include <charconv>
 #include <string_view>
 
-#include "raster/primitive_blocks.h"
+#include "raster/primitives.h"
 #include "rules/choices.h"
 #include "rules/coverage/explain.h"
 

@@ -9,12 +9,16 @@
 // It knows no textures: scenes that have both are not loaded.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
+#include "model/policy.h"
 #include "model/rendering.h"
 #include "model/scene.h"
 #include "raster/attributes.h"
 #include "rules/choices.h"
+#include "rules/samples/accumulation.h"
 
 namespace edgecase {
 
@@ -35,5 +39,29 @@ void draw_multisampled(Rendering& rendering, const Target& target, const ScenePr
 
 // Fills the pixels from their samples.
 void resolve_samples(Rendering& rendering, ResolveMethod method);
+
+// The exact rasterizer's supersampled path: each pass drawn by itself, then the weighted mean of
+// what they show.
+//
+//   pass_of -> rasterize -> the last fragment of each pixel -> exact mean -> nearest double
+//
+// Under another choice of supersample.accumulation the last two steps are that one's.
+
+// Draws one pass: a scene that is not supersampled.
+using DrawPass = Rendering (*)(const Scene& scene, const Policy& policy,
+                               const SamplePositions& reported);
+
+// The rendering of a supersampled scene under a policy: passes, accumulated image, pixels.
+Rendering draw_passes(const Scene& scene, const Policy& policy, DrawPass draw);
+
+// What passes show, whoever drew them: one for each of the scene's, fragments sorted, all with a
+// colour. Calls `visit` for each number of the accumulated image, in its order, with a value for
+// each pass.
+void for_each_shown(const Scene& scene, std::span<const Rendering> passes,
+                    const std::function<void(std::span<const double>)>& visit);
+
+// Rendering::accumulated of such passes.
+std::vector<double> accumulated_image(const Scene& scene, std::span<const Rendering> passes,
+                                      Accumulation choice = Accumulation::exact_mean);
 
 }  // namespace edgecase

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the kernels find a primitive's pixels in place of the predicates: the one place that knows
-// which choices of rules they hold.
+// The exact rasterizer's coverage stage by kernels, and where a vertex lies outside the clip
+// volume.
 #pragma once
 
 #include <span>
@@ -12,6 +12,9 @@
 #include "rules/choices.h"
 
 namespace edgecase {
+
+// Where the kernels find a primitive's pixels in place of the predicates: the one place that knows
+// which choices of rules they hold.
 
 // Do kernels know the choice's triangles, and its lines of width 1, and are they used?
 bool walks_triangles(const CoverageChoice& choice);
@@ -37,5 +40,18 @@ void sort_by_rows(std::vector<PixelPosition>& pixels);
 // Does the triangle cover just these pixels, which are sorted by row, column, none twice?
 bool covers_just(std::span<const PixelPosition> pixels, const Triangle& triangle,
                  const PixelBounds& bounds, const CoverageChoice& choice);
+
+// The exact rasterizer's coverage stage where a vertex lies outside the clip volume.
+
+// What is rasterized of a triangle, and through which viewport: as they are, or turned upside down.
+struct ClippedTriangle {
+  UnclippedTriangle triangle;
+  Viewport viewport;
+};
+
+// The pixels within `bounds` whose sample, at `within` of the pixel, is covered, each once, in no
+// particular order. Where the choice makes no vertices, none are snapped.
+std::vector<PixelPosition> clipped_pixels(const ClippedTriangle& clipped, const PixelBounds& bounds,
+                                          Point within, const CoverageChoice& choice);
 
 }  // namespace edgecase
