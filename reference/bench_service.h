@@ -4,7 +4,7 @@
 #pragma once
 
 #include "reference/scene_renderer.h"
-#include "wire/bench_message.h"
+#include "wire/message.h"
 
 namespace edgecase {
 

@@ -11,7 +11,7 @@
 // It speaks the protocol of reference/PROTOCOL.md: one scene per line on standard input, one answer
 // per line on standard output, until its input ends. With --messages it says the same in bytes
 // (wire/message.h), each message with its length before it: the program starts it so. With
-// --bench it times what it is asked to draw (wire/bench_message.h). Which driver draws is decided
+// --bench it times what it is asked to draw (wire/message.h). Which driver draws is decided
 // by environment variables that its parent sets; --expect-driver makes sure of it, see
 // driver_proof.h. A context that cannot be had, or another driver than the expected one, is a
 // sentence on standard error and exit status 3.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "wire/answer_checks.h"
+#include "wire/sent_fragments.h"
 
 #include <fmt/format.h>
 

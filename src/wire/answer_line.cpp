@@ -7,12 +7,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "wire/coverage_runs.h"
-#include "wire/fragment_values.h"
+#include "wire/fragments_json.h"
 #include "wire/json_values.h"
 #include "wire/reading.h"
 #include "wire/rendering_json.h"
-#include "wire/texture_levels.h"
 
 namespace edgecase {
 

@@ -14,7 +14,7 @@
 #include <variant>
 
 #include "model/renderer.h"
-#include "wire/wire_error.h"
+#include "wire/request_line.h"
 
 namespace edgecase {
 

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include "wire/json_values.h"
-#include "wire/texture_levels.h"
 
 namespace edgecase {
 

@@ -13,9 +13,13 @@
 #include <variant>
 
 #include "model/scene.h"
-#include "wire/wire_error.h"
 
 namespace edgecase {
+
+// Why a line is refused: one sentence that says what is wrong and where, no full stop at its end.
+struct WireError {
+  std::string message;
+};
 
 // Version of the protocol, the value of "edgecase" in every request.
 constexpr int kProtocolVersion = 1;

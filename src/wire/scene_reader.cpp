@@ -5,9 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "wire/json_values.h"
 #include "wire/scene_json.h"
-#include "wire/texture_levels.h"
-#include "wire/vertex_json.h"
 
 namespace edgecase::wire {
 

@@ -4,9 +4,8 @@
 // thousands of times by whoever measures a driver: it is formatted straight into the text.
 #include <string_view>
 
+#include "wire/json_values.h"
 #include "wire/scene_json.h"
-#include "wire/texture_levels.h"
-#include "wire/vertex_json.h"
 
 namespace edgecase::wire {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "wire/vertex_json.h"
+#include "wire/scene_json.h"
 
 #include <algorithm>
 #include <array>

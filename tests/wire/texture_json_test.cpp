@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Textures, what draws look up in them, and texture coordinates on their way in a request.
-#include "wire/texture_levels.h"
+#include "wire/json_values.h"
 
 #include <gmock/gmock.h>
 

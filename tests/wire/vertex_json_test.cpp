@@ -2,7 +2,7 @@
 //
 // Vertices with a w or clip coordinates, colours beyond 0 to 1, depth formats and details on their
 // way in a request.
-#include "wire/vertex_json.h"
+#include "wire/scene_json.h"
 
 #include <gmock/gmock.h>
 

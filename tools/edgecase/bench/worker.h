@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "run/child_process.h"
-#include "wire/bench_message.h"
+#include "wire/message.h"
 
 namespace edgecase {
 

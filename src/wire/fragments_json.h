@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Coverage alone, the short form of an answer: an array of integers, four to a run of pixels in a
-// row, [primitive, y, x_first, x_last, ...], ends inclusive, y up. A pixel that lies in two runs of
-// a primitive was drawn twice. For src/wire alone.
+// An answer's fragments as JSON, for src/wire alone: as runs, and one by one.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +9,14 @@
 #include <vector>
 
 #include "model/rendering.h"
+#include "model/scene.h"
 #include "wire/reading.h"
 
 namespace edgecase::wire {
+
+// Coverage alone, the short form of an answer: an array of integers, four to a run of pixels in a
+// row, [primitive, y, x_first, x_last, ...], ends inclusive, y up. A pixel that lies in two runs of
+// a primitive was drawn twice. For src/wire alone.
 
 // Most fragments of an answer that tells them as runs, by which few bytes ask for much memory: as
 // many as our own OpenGL workers capture at most.
@@ -37,5 +40,16 @@ std::vector<Fragment> read_coverage_runs(const nlohmann::json& value, const Path
 
 // The same of numbers that did not come as JSON.
 std::vector<Fragment> fragments_of_runs(const std::vector<int>& numbers, const RunBounds& bounds);
+
+// The fragments of an answer: for src/wire alone. Readers throw a Refusal.
+
+// By primitive: does its draw have a texture?
+std::vector<bool> textured_primitives(const Scene& scene);
+
+// An array of fragments, appended to those of a rendering whose sizes are set, with the details
+// that they tell. `textured` is that of textured_primitives; there is a primitive where there is a
+// fragment.
+void read_fragments(const nlohmann::json& value, const Path& path, const Scene& scene,
+                    const std::vector<bool>& textured, Rendering& rendering);
 
 }  // namespace edgecase::wire
