@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "casefile/text.h"
-#include "casefile/transform.h"
-#include "casefile/variants.h"
+#include "casefile/json/text.h"
+#include "casefile/mesh/transform.h"
+#include "casefile/sweep/variants.h"
 
 namespace edgecase {
 namespace {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "casefile/fields.h"
-#include "casefile/scene_reader.h"
-#include "casefile/texture_reader.h"
+#include "casefile/json/fields.h"
+#include "casefile/scene/scene_reader.h"
+#include "casefile/scene/textures.h"
 #include "model/case.h"
 
 namespace edgecase {

@@ -6,19 +6,19 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "casefile/fragment_operations.h"
-#include "casefile/json_layout.h"
+#include "casefile/json/json_layout.h"
+#include "casefile/json/text.h"
 #include "casefile/loader.h"
-#include "casefile/plain_fields.h"
-#include "casefile/text.h"
-#include "casefile/texture_use.h"
-#include "casefile/texture_writer.h"
-#include "casefile/viewport.h"
-#include "casefile/word_pieces.h"
+#include "casefile/scene/fragment_operations.h"
+#include "casefile/scene/plain_fields.h"
+#include "casefile/scene/textures.h"
+#include "casefile/scene/viewport.h"
 #include "model/scene_words.h"
 
 namespace edgecase {
+
 namespace {
 
 JsonPiece rectangle(const Viewport& value) {
@@ -222,6 +222,32 @@ CaseText case_text(const Scene& scene, const CaseWords& words) {
   else
     result.text = std::move(text);
   return result;
+}
+
+namespace {
+
+JsonPiece strings(const std::vector<std::string>& words) {
+  Pieces items;
+  for (const std::string& word : words) items.push_back(json_string(word));
+  return json_array(std::move(items));
+}
+
+}  // namespace
+
+void add_word(const char* name, const std::string& word, Pieces& members) {
+  if (!word.empty()) members.push_back(named(name, json_string(word)));
+}
+
+Pieces word_pieces(const CaseWords& words) {
+  Pieces members;
+  add_word("$schema", words.schema, members);
+  members.push_back(named("title", json_string(words.title)));
+  add_word("why", words.why, members);
+  members.push_back(named("rules", strings(words.rules)));
+  add_word("spec", words.spec, members);
+  add_word("origin", words.origin, members);
+  if (!words.tags.empty()) members.push_back(named("tags", strings(words.tags)));
+  return members;
 }
 
 }  // namespace edgecase

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "casefile/json/json_layout.h"
 #include "model/case.h"
 
 namespace edgecase {
@@ -42,5 +43,14 @@ struct CaseText {
 // their digits. What a transform or a mesh made is written as it came out. The text has been read
 // back: a text that is returned means `scene`.
 CaseText case_text(const Scene& scene, const CaseWords& words);
+
+// The members of a case file that are words, as they are written: what it is called, why it is
+// there, and what it is about.
+
+// Adds the member, unless the word is empty.
+void add_word(const char* name, const std::string& word, Pieces& members);
+
+// Those of all words that there are, in the order of case files.
+Pieces word_pieces(const CaseWords& words);
 
 }  // namespace edgecase

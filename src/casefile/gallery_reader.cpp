@@ -5,9 +5,9 @@
 
 #include <utility>
 
-#include "casefile/fields.h"
-#include "casefile/text.h"
-#include "casefile/text_file.h"
+#include "casefile/json/fields.h"
+#include "casefile/json/text.h"
+#include "casefile/json/text_file.h"
 
 namespace edgecase {
 namespace {

@@ -3,14 +3,312 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
-#include "casefile/expansion.h"
-#include "casefile/json_document.h"
-#include "casefile/text_file.h"
+#include "casefile/case_reader.h"
+#include "casefile/expectation.h"
+#include "casefile/json/fields.h"
+#include "casefile/json/json_document.h"
+#include "casefile/json/text_file.h"
+#include "casefile/mesh/mesh.h"
+#include "casefile/scene/samples.h"
+#include "casefile/scene/textures.h"
+#include "casefile/sweep/sweep.h"
+#include "casefile/sweep/variants.h"
+#include "model/case.h"
 
 namespace edgecase {
 namespace {
+
+// Gathers the faults of all cases of one file, so that a person reads each of them once.
+//
+// A fault that every combination of a sweep has is one of the file, and told as such; any other
+// says which values of the axes or which image lead to it, and how many more cases have it.
+
+class FaultSheet {
+ public:
+  // Adds what was found in one combination; `label` names it: "dx=0.5, dy=1".
+  void add(std::vector<Diagnostic> faults, const std::string& label) { add(faults, label, false); }
+  // The same for an image of a combination: "dx=0.5, dy=1, octant=3".
+  void add_of_image(std::vector<Diagnostic> faults, const std::string& label) {
+    add(faults, label, true);
+  }
+
+  bool empty() const { return entries_.empty(); }
+  // Enough faults that reading more cases helps nobody.
+  bool full() const { return entries_.size() >= kMost; }
+
+  // Hands all faults over; `combinations`: how many were read.
+  void move_to(Findings& findings, std::size_t combinations);
+
+ private:
+  static constexpr std::size_t kMost = 20;
+  void add(std::vector<Diagnostic>& faults, const std::string& label, bool image);
+
+  struct Entry {
+    Diagnostic fault;
+    std::string label;      // of the first case
+    bool image = false;     // of an image
+    std::size_t count = 0;  // of cases
+  };
+  std::vector<Entry> entries_;
+  std::map<std::string, std::size_t> index_;  // text of a fault -> entry
+};
+
+void FaultSheet::add(std::vector<Diagnostic>& faults, const std::string& label, bool image) {
+  for (Diagnostic& fault : faults) {
+    const auto [found, fresh] = index_.emplace(to_string(fault), entries_.size());
+    if (fresh) entries_.push_back({std::move(fault), label, image, 0});
+    ++entries_[found->second].count;
+  }
+}
+
+void FaultSheet::move_to(Findings& findings, std::size_t combinations) {
+  for (Entry& entry : entries_) {
+    if (entry.image || entry.count < combinations) {
+      const std::string more =
+          entry.count == 1 ? "" : fmt::format(", and in {} more", entry.count - 1);
+      entry.fault.message += fmt::format(" (with {}{})", entry.label, more);
+    }
+    findings.add(std::move(entry.fault));
+  }
+  entries_.clear();
+  index_.clear();
+}
+
+// From one file to its cases: every combination of its sweep, and every image of each.
+//
+// Each combination is put into the tree of the file and read by the ordinary reader, so that an
+// expanded case gets every check that a written one gets; images are made of what was read.
+//
+// Ids: PATH for a file without sweep and variants. Otherwise PATH, then ":AXIS=VALUE" for every
+// axis in the order of the file, then ":reverse", ":winding", ":octant=1" to ":octant=7" or
+// ":translate=3,2" for an image. Colours that the file leaves open are salted by that id.
+
+// A file's cases times its bytes: what a hostile sweep may cost.
+constexpr std::size_t kMaxExpandedBytes = std::size_t{64} << 20;
+
+struct CaseOrigin {
+  std::filesystem::path file;
+  std::string id;  // of the file: path without suffix
+  std::string_view text;
+  std::span<const std::string> known_rules;
+};
+
+std::optional<Place> member_of(const JsonNode& root, std::string_view name) {
+  const Place place{&root, ""};
+  for (std::size_t i = 0; root.kind == JsonKind::object && i < root.children.size(); ++i)
+    if (root.children[i].name == name) return place.child(i);
+  return std::nullopt;
+}
+
+// What a file says about the cases it stands for.
+struct Plan {
+  Sweep sweep;
+  Variants variants{{}, {Image{}}};
+  std::vector<When> conditions;
+};
+
+Plan read_plan(const JsonNode& root, Findings& findings) {
+  Plan plan;
+  if (const auto place = member_of(root, "sweep")) plan.sweep = read_sweep(*place, findings);
+  if (const auto place = member_of(root, "variants"))
+    plan.variants = read_variants(*place, findings);
+  if (!findings.empty()) return plan;  // conditions on faulty axes would be refused in vain
+  if (const auto place = member_of(root, "expect"))
+    plan.conditions = read_conditions(*place, plan.sweep, plan.variants, findings);
+  return plan;
+}
+
+void check_size(const Plan& plan, const JsonNode& root, std::size_t bytes, Findings& findings) {
+  const std::size_t combinations = count_combinations(plan.sweep);
+  const std::size_t images = plan.variants.images.size();
+  const std::size_t cases = combinations * images;
+  auto place = member_of(root, "sweep");
+  if (!place) place = member_of(root, "variants");
+  if (!place) return;
+  if (cases > kMaxCases) {
+    findings.add(*place,
+                 fmt::format("the file stands for {} cases, {} combinations with {} images each",
+                             cases, combinations, images),
+                 fmt::format("write {} cases at most, in several files if need be", kMaxCases));
+  } else if (cases * bytes > kMaxExpandedBytes) {
+    findings.add(*place, fmt::format("the file stands for {} cases of {} bytes each", cases, bytes),
+                 "use fewer values, or a smaller file");
+  }
+}
+
+// The tree without what the plan and the drawings have read: it is copied for every combination.
+JsonNode without_lists(const JsonNode& root) {
+  JsonNode result = root;
+  for (JsonNode& member : result.children)
+    if (member.name == "sweep" || member.name == "variants" || member.name == "expect")
+      member.children.clear();
+  return result;
+}
+
+// A mask says which samples are covered, not by which of several primitives.
+void check_primitives(const Place& drawing, std::size_t count, Findings& findings) {
+  if (count != 1)
+    findings.add(drawing,
+                 fmt::format("\"masks\" is of one primitive, and the case draws {}", count),
+                 "give each primitive a case of its own, or leave the drawing out");
+}
+
+class Expansion {
+ public:
+  Expansion(const JsonNode& root, const CaseOrigin& origin, Plan plan, Findings& findings)
+      : root_(root),
+        scene_(without_lists(root)),
+        origin_(origin),
+        plan_(std::move(plan)),
+        findings_(findings),
+        meshes_(origin.file),
+        textures_(origin.file) {}
+
+  std::vector<Case> run();
+  // Reads the file as it stands, for its other faults: its sweep cannot be used.
+  void read_as_written();
+
+ private:
+  void expand(const Combination& combination);
+  void expand_images(const CaseFields& fields, const Combination& combination);
+  Case make_case(const CaseFields& fields, const Combination& combination, const Image& image,
+                 Findings& findings);
+  void gather_notes(Findings& findings);
+  void check_conditions();
+
+  const JsonNode& root_;
+  const JsonNode scene_;  // the tree into which combinations are put
+  const CaseOrigin& origin_;
+  Plan plan_;
+  Findings& findings_;
+  MeshShelf meshes_;
+  TextureShelf textures_;
+  FaultSheet sheet_;
+  std::set<std::string> notes_;  // told already
+  std::set<std::size_t> used_;   // drawings that hold for some case
+  std::vector<Case> cases_;
+};
+
+std::vector<Case> Expansion::run() {
+  const std::vector<Combination> combinations = all_combinations(plan_.sweep);
+  std::size_t read = 0;
+  for (; read < combinations.size() && !sheet_.full(); ++read) expand(combinations[read]);
+  if (sheet_.empty()) check_conditions();
+  sheet_.move_to(findings_, read);
+  if (read < combinations.size())
+    findings_.add(*member_of(root_, "sweep"),
+                  fmt::format("only {} of {} combinations were read, since so much is wrong", read,
+                              combinations.size()),
+                  "put the other faults right first");
+  return std::move(cases_);
+}
+
+void Expansion::read_as_written() {
+  read_case_fields(root_, origin_.known_rules, meshes_, textures_, findings_);
+  const auto expect = member_of(root_, "expect");
+  if (!expect || expect->node->kind != JsonKind::array) return;
+  Target unknown;
+  unknown.samples = 0;
+  for (std::size_t i = 0; i < expect->node->children.size(); ++i)
+    read_drawing(expect->child(i), unknown, origin_.file.parent_path(), findings_);
+}
+
+void Expansion::expand(const Combination& combination) {
+  JsonNode tree = scene_;
+  Findings findings(findings_.file());
+  substitute(plan_.sweep, combination, tree, findings);
+  const CaseFields fields =
+      read_case_fields(tree, origin_.known_rules, meshes_, textures_, findings);
+  if (findings.empty()) check_variants(plan_.variants, fields.draws, findings);
+  Case base = make_case(fields, combination, Image{}, findings);
+  const bool sound = findings.empty();
+  gather_notes(findings);
+  sheet_.add(findings.take(), fmt::format("{}", fmt::join(base.parts, ", ")));
+  if (!sound) return;
+  cases_.push_back(std::move(base));
+  expand_images(fields, combination);
+}
+
+void Expansion::expand_images(const CaseFields& fields, const Combination& combination) {
+  for (const Image& image : plan_.variants.images) {
+    if (image.kind == VariantKind::none) continue;
+    Findings findings(findings_.file());
+    Case made = make_case(fields, combination, image, findings);
+    sheet_.add_of_image(findings.take(), fmt::format("{}", fmt::join(made.parts, ", ")));
+    cases_.push_back(std::move(made));
+  }
+}
+
+Case Expansion::make_case(const CaseFields& fields, const Combination& combination,
+                          const Image& image, Findings& findings) {
+  Case result = fields.words;
+  result.file = origin_.file;
+  result.parts = parts_of(plan_.sweep, combination);
+  if (image.kind != VariantKind::none) result.parts.push_back(image.part());
+  result.id = origin_.id;
+  for (const std::string& part : result.parts) result.id += ":" + part;
+  TargetFields target = fields.target;
+  std::vector<DrawFields> draws = fields.draws;
+  if (fields.draws_place) apply_image(image, target, draws, *fields.draws_place, findings);
+  std::vector<Place> drawings;
+  for (std::size_t i = 0; i < plan_.conditions.size(); ++i) {
+    if (!holds(plan_.conditions[i], plan_.sweep, combination, image)) continue;
+    used_.insert(i);
+    drawings.push_back(member_of(root_, "expect")->child(i));
+    check_no_drawing(target, drawings.back(), findings);
+    result.expect.push_back(
+        read_drawing(drawings.back(), target.target, origin_.file.parent_path(), findings));
+  }
+  if (fields.draws_place)
+    result.scene = complete_scene(target, draws, result.id, *fields.draws_place, findings);
+  result.scene.details = fields.details;
+  result.scene.textures = fields.textures;
+  if (findings.empty()) check_pass_work(result.scene, target, findings);
+  // Of a faulty scene nothing can be said of its primitives.
+  const bool sound = findings.empty();
+  for (std::size_t i = 0; sound && i < drawings.size(); ++i)
+    if (!result.expect[i].masks.empty())
+      check_primitives(drawings[i], primitives_of(result.scene).size(), findings);
+  return result;
+}
+
+void Expansion::gather_notes(Findings& findings) {
+  for (Diagnostic& note : findings.take_notes())
+    if (notes_.insert(to_string(note)).second) findings_.note(std::move(note));
+}
+
+void Expansion::check_conditions() {
+  for (std::size_t i = 0; i < plan_.conditions.size(); ++i)
+    if (!used_.contains(i))
+      findings_.add(plan_.conditions[i].place, "when holds for none of the file's cases",
+                    "name values that occur together");
+}
+
+// All cases of a file: combinations in the order of the sweep, the last axis running fastest, each
+// followed by its images. A fault that not every combination has names the axes' values; the same
+// fault of several is told once. Incomplete when there are findings.
+std::vector<Case> expand_cases(const JsonNode& root, const CaseOrigin& origin, Findings& findings) {
+  Findings of_plan(findings.file());
+  Plan plan = read_plan(root, of_plan);
+  if (of_plan.empty()) check_size(plan, root, origin.text.size(), of_plan);
+  const bool sound = of_plan.empty();
+  for (Diagnostic& note : of_plan.take_notes()) findings.note(std::move(note));
+  for (Diagnostic& fault : of_plan.take()) findings.add(std::move(fault));
+  Expansion expansion(root, origin, std::move(plan), findings);
+  if (sound) return expansion.run();
+  expansion.read_as_written();
+  return {};
+}
 
 // Faults that are listed; more help nobody.
 constexpr std::size_t kMostFaults = 1000;

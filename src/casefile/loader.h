@@ -2,12 +2,14 @@
 //
 // Loads a case file: JSON to Cases whose Scenes are complete, or all that is wrong with the file.
 //
-// A file stands for one case, or, with "sweep" and "variants", for several (casefile/expansion.h).
+// A file stands for one case, or, with "sweep" and "variants", for several: all
+// combinations of the sweep, and all images of each.
 //
 // Defaults: state is flat interpolation with the last vertex provoking; the target has one sample,
 // format rgba8 and is a framebuffer object; the viewport is chosen so that OpenGL receives exact
-// coordinates (casefile/viewport.h); colours that the file leaves open are salted by the case's id,
-// so that no two cases share their right answer (casefile/salted_colors.h).
+// coordinates (casefile/scene/viewport.h); colours that the file leaves open are salted by the
+// case's id, so that no two cases share their right answer (salted_clear and salted_primitive
+// of casefile/scene/scene_reader.h).
 #pragma once
 
 #include <filesystem>

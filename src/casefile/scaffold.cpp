@@ -7,10 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "casefile/json_document.h"
-#include "casefile/json_format.h"
-#include "casefile/json_layout.h"
-#include "casefile/word_pieces.h"
+#include "casefile/case_writer.h"
+#include "casefile/json/json_document.h"
+#include "casefile/json/json_layout.h"
 #include "exact/numeral.h"
 
 namespace edgecase {

@@ -48,7 +48,7 @@ std::string scaffold_text(const Scaffold& scaffold);
 std::string with_drawing(const std::string& text, const std::vector<std::string>& rows);
 
 // A case's text without the colours of its target, draws and vertices, so that the loader chooses
-// them (casefile/salted_colors.h); laid out.
+// them (casefile/scene/scene_reader.h); laid out.
 std::string without_colors(const std::string& text);
 
 }  // namespace edgecase

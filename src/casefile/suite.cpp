@@ -8,7 +8,7 @@
 #include <set>
 #include <system_error>
 
-#include "casefile/text.h"
+#include "casefile/json/text.h"
 
 namespace edgecase {
 namespace {

@@ -9,7 +9,7 @@
 //
 // Every target is square, its size a power of two from 4 to 256, its viewport as large, and every
 // vertex lies strictly inside. So OpenGL gets the very numbers: |x - centre| < 2^7 with 16 fraction
-// bits has 23 significant bits, x itself 24 (see casefile/viewport.h). Depth is 0.
+// bits has 23 significant bits, x itself 24 (see casefile/scene/viewport.h). Depth is 0.
 #pragma once
 
 #include <cstdint>

@@ -7,10 +7,10 @@
 #include <tuple>
 #include <utility>
 
-#include "casefile/json_document.h"
+#include "casefile/json/json_document.h"
+#include "casefile/json/text_file.h"
 #include "casefile/loader.h"
 #include "casefile/suite.h"
-#include "casefile/text_file.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "casefile/json/text.h"
 #include "casefile/suite.h"
-#include "casefile/text.h"
 
 namespace edgecase {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "casefile/text.h"
+#include "casefile/json/text.h"
 #include "wire/message.h"
 #include "wire/request_line.h"
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "casefile/text.h"
+#include "casefile/json/text.h"
 #include "run/recording_renderer.h"
 
 namespace edgecase {

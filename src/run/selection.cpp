@@ -8,9 +8,9 @@
 #include <iterator>
 #include <utility>
 
+#include "casefile/json/text.h"
 #include "casefile/loader.h"
 #include "casefile/suite.h"
-#include "casefile/text.h"
 #include "model/digest.h"
 #include "rules/all_rules.h"
 

@@ -9,8 +9,8 @@
 #include <array>
 #include <set>
 
-#include "casefile/blending.h"
-#include "casefile/text.h"
+#include "casefile/json/text.h"
+#include "casefile/scene/fragment_operations.h"
 #include "generate/grids.h"
 #include "generate/random_scenes.h"
 #include "profile/clipping/clip_measurement.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "casefile/case_writer.h"
-#include "casefile/text.h"
+#include "casefile/json/text.h"
 #include "rules/all_rules.h"
 #include "search/grid_search.h"
 

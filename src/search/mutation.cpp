@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "casefile/case_writer.h"
-#include "casefile/viewport.h"
+#include "casefile/scene/viewport.h"
 #include "model/scene_words.h"
 
 namespace edgecase {

@@ -6,8 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "casefile/clip_space.h"
-#include "casefile/viewport.h"
+#include "casefile/scene/viewport.h"
 #include "model/scene_words.h"
 #include "search/scene_size.h"
 

@@ -6,8 +6,7 @@
 #include <optional>
 
 #include "casefile/case_writer.h"
-#include "casefile/clip_space.h"
-#include "casefile/viewport.h"
+#include "casefile/scene/viewport.h"
 #include "search/snap_limit.h"
 #include "wire/request_line.h"
 

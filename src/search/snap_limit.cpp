@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "casefile/viewport.h"
+#include "casefile/scene/viewport.h"
 #include "rules/choices.h"
 
 namespace edgecase {

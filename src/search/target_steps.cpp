@@ -7,7 +7,7 @@
 #include <climits>
 #include <utility>
 
-#include "casefile/viewport.h"
+#include "casefile/scene/viewport.h"
 
 namespace edgecase {
 namespace {

@@ -38,6 +38,9 @@ ALLOWED = {
     "tools": SRC | {"reference", "reports"},
 }
 
+# The folders within a module, lowest first; "" is its top. Each may include from those before it.
+ROOMS = {"casefile": ("json", "mesh", "scene", "sweep", "")}
+
 # A library's headers -> modules that may include them.
 LIBRARIES = [
     (r"nlohmann/", {"casefile", "wire", "recording", "results", "profile", "search", "reports",
@@ -102,6 +105,22 @@ def without_noise(text):
     return NOISE.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), text)
 
 
+def room_of(module, name):
+    """The place in its module's order of a file, by its path from the module's folder on."""
+    room = name.split("/")[1] if name.count("/") > 1 else ""
+    return ROOMS[module].index(room) if room in ROOMS[module] else None
+
+
+def room_fault(module, path, own):
+    """What is wrong with including `own`, a header of the same module."""
+    if module not in ROOMS:
+        return None
+    user, used = room_of(module, "/".join(path.parts[1:])), room_of(module, own)
+    if user is None or used is None:
+        return f"{module} has no such folder"
+    return f'"{own}" lies above {path.parent.name}' if used > user else None
+
+
 def include_faults(path, text):
     """Includes that the direction of the modules, or a library's place, forbids."""
     module = module_of(path)
@@ -114,6 +133,8 @@ def include_faults(path, text):
                 yield line, f'"{own}" does not start with a module\'s folder'
             elif used != module and used not in ALLOWED[module]:
                 yield line, f'{module} may not use {used}: "{own}"'
+            elif used == module and (fault := room_fault(module, path, own)):
+                yield line, fault
             continue
         for headers, users in LIBRARIES:
             if re.match(headers, library) and module not in users:

@@ -37,6 +37,13 @@ CLEAN |= {
     "src/wire/other.h": "namespace edgecase::wire {\nclass Answer final : Base {\n};\n}\n",
 }
 
+# Rooms of one module: downwards, within one, and from the top.
+CLEAN |= {
+    "src/casefile/json/a.h": '#include "casefile/json/b.h"\n',
+    "src/casefile/sweep/a.cpp": '#include "casefile/scene/a.h"\n#include "casefile/json/a.h"\n',
+    "src/casefile/a.cpp": '#include "casefile/a.h"\n#include "casefile/sweep/a.h"\n',
+}
+
 # A file, what stands in it, and what must be said of it.
 FAULTS = [
     ("src/exact/a.h", '#include "model/scene.h"', "exact may not use model"),
@@ -49,6 +56,11 @@ FAULTS = [
     ("src/results/a.cpp", '#  include   "diff/judge.h"', "results may not use diff"),
     ("src/wire/a.cpp", '#include "casefile/loader.h"', "wire may not use casefile"),
     ("src/casefile/a.cpp", '#include "wire/reading.h"', "casefile may not use wire"),
+    ("src/casefile/json/z.h", '#include "casefile/mesh/a.h"', "lies above json"),
+    ("src/casefile/mesh/z.cpp", '#include "casefile/scene/a.h"', "lies above mesh"),
+    ("src/casefile/scene/z.cpp", '#include "casefile/sweep/a.h"', "lies above scene"),
+    ("src/casefile/sweep/z.cpp", '#include "casefile/loader.h"', "lies above sweep"),
+    ("src/casefile/z.cpp", '#include "casefile/other/a.h"', "no such folder"),
     ("src/diff/a.cpp", '#include "results/results.h"', "diff may not use results"),
     ("src/run/a.cpp", '#include "reports/html.h"', "run may not use reports"),
     ("reports/a.cpp", '#include "rules/rule.h"', "reports may not use rules"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/affine.h"
+#include "casefile/mesh/transform.h"
 
 #include <gtest/gtest.h>
 

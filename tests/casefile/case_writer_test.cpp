@@ -11,10 +11,9 @@
 #include <limits>
 #include <string>
 
-#include "casefile/clip_space.h"
 #include "casefile/loader.h"
+#include "casefile/scene/viewport.h"
 #include "casefile/suite.h"
-#include "casefile/viewport.h"
 #include "model/scene_words.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/support/share.h"

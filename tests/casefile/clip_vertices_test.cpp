@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "casefile/clip_space.h"
 #include "casefile/loader.h"
+#include "casefile/scene/viewport.h"
 #include "exact/numeral.h"
 
 namespace edgecase {

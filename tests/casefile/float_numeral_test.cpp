@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/float_numeral.h"
+#include "casefile/json/float32.h"
 
 #include <gtest/gtest.h>
 

@@ -13,8 +13,8 @@
 #include <string>
 
 #include "casefile/case_writer.h"
-#include "casefile/clip_space.h"
 #include "casefile/loader.h"
+#include "casefile/scene/viewport.h"
 
 namespace edgecase {
 namespace {

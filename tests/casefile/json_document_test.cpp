@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/json_document.h"
+#include "casefile/json/json_document.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/json_format.h"
+#include "casefile/json/json_layout.h"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,9 @@
 #include <cstdint>
 #include <string>
 
-#include "casefile/draw_work.h"
-#include "casefile/json_document.h"
+#include "casefile/json/json_document.h"
 #include "casefile/loader.h"
-#include "casefile/scene_reader.h"
+#include "casefile/scene/scene_reader.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/random_scenes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/mesh.h"
+#include "casefile/mesh/mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,6 @@
 #include <sstream>
 
 #include "casefile/loader.h"
-#include "casefile/obj_check.h"
 
 namespace edgecase {
 namespace {

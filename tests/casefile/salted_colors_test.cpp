@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/salted_colors.h"
+#include "casefile/scene/scene_reader.h"
 
 #include <gtest/gtest.h>
 

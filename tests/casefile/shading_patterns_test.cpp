@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/shading_patterns.h"
+#include "casefile/scene/patterns.h"
 
 #include <gmock/gmock.h>
 

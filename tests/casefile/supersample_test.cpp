@@ -11,8 +11,8 @@
 
 #include "casefile/case_writer.h"
 #include "casefile/loader.h"
-#include "casefile/shading_patterns.h"
-#include "casefile/viewport.h"
+#include "casefile/scene/patterns.h"
+#include "casefile/scene/viewport.h"
 #include "model/scene_words.h"
 
 namespace edgecase {

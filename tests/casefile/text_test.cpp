@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/text.h"
+#include "casefile/json/text.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 //
 // Patterns and mip chains against formulas of their own: rational arithmetic for what is exact, and
 // long double for the cosine.
-#include "casefile/texture_patterns.h"
+#include "casefile/scene/patterns.h"
 
 #include <gtest/gtest.h>
 

@@ -2,14 +2,14 @@
 //
 // Textures and lookups as case files give them; each refusal has a file in bad/ or
 // bad_loader_only/.
-#include "casefile/texture_reader.h"
+#include "casefile/scene/textures.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "casefile/loader.h"
-#include "casefile/texture_patterns.h"
+#include "casefile/scene/patterns.h"
 #include "image/image_file.h"
 
 namespace edgecase {

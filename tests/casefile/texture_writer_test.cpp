@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Textured scenes that are written come back the same, patterns as patterns.
-#include "casefile/texture_writer.h"
+#include "casefile/scene/textures.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 
 #include "casefile/case_writer.h"
 #include "casefile/loader.h"
-#include "casefile/texture_patterns.h"
-#include "casefile/viewport.h"
+#include "casefile/scene/patterns.h"
+#include "casefile/scene/viewport.h"
 #include "model/scene_words.h"
 
 namespace edgecase {

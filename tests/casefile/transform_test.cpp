@@ -2,7 +2,7 @@
 //
 // Model, view and projection: by hand where numbers are simple, and against matrices in double that
 // are written down here from their definitions (Red Book, appendix E).
-#include "casefile/transform.h"
+#include "casefile/mesh/transform.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <numbers>
 #include <string>
 
-#include "casefile/json_document.h"
+#include "casefile/json/json_document.h"
 #include "casefile/loader.h"
 
 namespace edgecase {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/tree_pointer.h"
+#include "casefile/json/json_document.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/viewport.h"
+#include "casefile/scene/viewport.h"
 
 #include <gtest/gtest.h>
 

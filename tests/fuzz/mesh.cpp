@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/mesh.h"
+#include "casefile/mesh/mesh.h"
 
 #include <cmath>
 

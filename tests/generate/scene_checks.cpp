@@ -5,7 +5,7 @@
 
 #include <bit>
 
-#include "casefile/viewport.h"
+#include "casefile/scene/viewport.h"
 
 namespace edgecase {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "casefile/case_writer.h"
-#include "casefile/viewport.h"
+#include "casefile/scene/viewport.h"
 #include "profile/textures/texture_scenes.h"
 #include "raster/rasterizer.h"
 #include "raster/texture_stage.h"

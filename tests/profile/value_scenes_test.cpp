@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "casefile/case_writer.h"
-#include "casefile/viewport.h"
+#include "casefile/scene/viewport.h"
 #include "model/scene_words.h"
 #include "profile/values/value_measurement.h"
 #include "profile/values/value_scenes.h"

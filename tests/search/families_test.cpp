@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "casefile/case_writer.h"
-#include "casefile/viewport.h"
+#include "casefile/scene/viewport.h"
 #include "generate/random_scenes.h"
 #include "generate/scene_parts.h"
 #include "model/scene_words.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "casefile/viewport.h"
+#include "casefile/scene/viewport.h"
 #include "model/renderer.h"
 #include "raster/rasterizer.h"
 #include "search/minimize.h"

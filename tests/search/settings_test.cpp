@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "casefile/viewport.h"
+#include "casefile/scene/viewport.h"
 #include "model/scene_words.h"
 #include "search/scene_size.h"
 #include "tests/search/faulty_renderer.h"

@@ -13,8 +13,8 @@
 #include <set>
 #include <sstream>
 
+#include "casefile/json/text.h"
 #include "casefile/policy_reader.h"
-#include "casefile/text.h"
 #include "reports/text.h"
 #include "results/expectations.h"
 #include "rules/all_rules.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "casefile/choices_reader.h"
+#include "casefile/policy_reader.h"
 #include "model/policy.h"
 #include "run/selection.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "casefile/clip_space.h"
+#include "casefile/scene/viewport.h"
 #include "generate/random_source.h"
 #include "generate/scene_parts.h"
 #include "profile/rule_tally.h"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "casefile/viewport.h"
+#include "casefile/scene/viewport.h"
 #include "generate/random_shapes.h"
 
 namespace edgecase {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "casefile/case_writer.h"
-#include "casefile/text.h"
+#include "casefile/json/text.h"
 #include "model/counted.h"
 #include "model/scene_words.h"
 #include "rules/all_rules.h"

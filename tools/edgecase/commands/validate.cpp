@@ -7,7 +7,7 @@
 #include <memory>
 #include <set>
 
-#include "casefile/json_format.h"
+#include "casefile/json/json_layout.h"
 #include "model/counted.h"
 #include "raster/rasterizer.h"
 #include "reports/text.h"

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "casefile/text.h"
+#include "casefile/json/text.h"
 #include "reports/text.h"
 
 namespace edgecase {

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+//
+// Reading typed values out of a JSON tree, with every fault collected and none thrown.
+//
+// A Place is a value together with its JSON pointer. Each reader returns the value, or nothing
+// after it has added a finding; the caller carries on with the next one, so that a person sees all
+// that is wrong with a file at once.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "casefile/json/json_document.h"
+#include "model/case.h"
+
+namespace edgecase {
+
+struct Place {
+  const JsonNode* node = nullptr;
+  std::string pointer;
+
+  // The place of a child: a member of an object by its key, an item of an array by its index.
+  Place child(std::size_t index) const;
+};
+
+// What is found wrong with one file, and what was taken to be something else than written.
+class Findings {
+ public:
+  explicit Findings(std::string file) : file_(std::move(file)) {}
+
+  void add(const Place& place, std::string message, std::string remedy);
+  // The same for the key of a member.
+  void add_key(const Place& place, std::string message, std::string remedy);
+  void add(Diagnostic diagnostic) { diagnostics_.push_back(std::move(diagnostic)); }
+  // Tells something that is no fault; once, when the same is told again at once.
+  void note(const Place& place, std::string message);
+  void note(Diagnostic note) { notes_.push_back(std::move(note)); }
+
+  bool empty() const { return diagnostics_.empty(); }
+  std::size_t size() const { return diagnostics_.size(); }
+  const std::string& file() const { return file_; }
+  // All findings, in the order of their lines.
+  std::vector<Diagnostic> take();
+  std::vector<Diagnostic> take_notes() { return std::move(notes_); }
+
+ private:
+  std::string file_;
+  std::vector<Diagnostic> diagnostics_;
+  std::vector<Diagnostic> notes_;
+};
+
+// Which keys an object may have. `later` ones belong to the format but not to this version: they
+// are refused by name, since something that is ignored would pass for tested.
+struct Keys {
+  std::vector<std::string> required;
+  std::vector<std::string> optional;
+  std::vector<std::string> later;
+};
+
+// An object whose keys have been checked. Invalid (and then without members) when the value is no
+// object.
+class ObjectReader {
+ public:
+  // `what` names the object in messages: "a draw".
+  ObjectReader(const Place& place, std::string_view what, const Keys& keys, Findings& findings);
+
+  bool valid() const { return valid_; }
+  // The place of a member, or none when it is absent.
+  std::optional<Place> find(std::string_view name) const;
+
+ private:
+  void check_keys(std::string_view what, const Keys& keys, Findings& findings) const;
+
+  Place place_;
+  bool valid_ = false;
+};
+
+// Whether the value is of this kind; adds a finding "WHAT must be ..., not ..." otherwise.
+bool expect_kind(const Place& place, JsonKind kind, std::string_view what, Findings& findings);
+
+// A string of `least` to `most` characters without control characters; `lines` permits line breaks
+// and tabs.
+struct TextLimits {
+  std::size_t least = 0;
+  std::size_t most = 10000;
+  bool lines = false;
+};
+std::optional<std::string> read_text(const Place& place, std::string_view what, TextLimits limits,
+                                     Findings& findings);
+
+// One of some names; those of the format that are not supported yet are refused as such.
+struct Names {
+  std::vector<std::string> allowed;
+  std::vector<std::string> later;
+};
+std::optional<std::string> read_choice(const Place& place, std::string_view what,
+                                       const Names& names, Findings& findings);
+
+// The same into an enumeration that has a parse_name; leaves `value` alone when refused.
+template <class Enum>
+bool read_enum(const Place& place, std::string_view what, const Names& names, Findings& findings,
+               Enum& value) {
+  const std::optional<std::string> name = read_choice(place, what, names, findings);
+  return name && parse_name(*name, value);
+}
+
+}  // namespace edgecase

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// JSON text laid out as a person would: two spaces to a level, and everything that fits on a line
+// stands on one. A library's printer puts each number of a vertex on a line of its own, or the
+// whole file on one.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "casefile/json/json_document.h"
+
+namespace edgecase {
+
+// A value and how it may be broken into lines.
+struct JsonPiece {
+  enum class Kind { scalar, array, object };
+  Kind kind = Kind::scalar;
+  std::string name;  // the key, inside an object
+  std::string text;  // a scalar as it is to stand
+  std::vector<JsonPiece> children;
+  bool broken = false;       // one child a line even where all of it fits on one
+  std::size_t together = 1;  // children that share a line of a broken array
+};
+using Pieces = std::vector<JsonPiece>;
+
+JsonPiece json_scalar(std::string text);
+// Escaped and in quotes; `text` must be well-formed UTF-8.
+JsonPiece json_string(std::string_view text);
+JsonPiece json_array(std::vector<JsonPiece> items);
+JsonPiece json_object(std::vector<JsonPiece> members);
+JsonPiece named(std::string name, JsonPiece piece);
+
+// The text, with a line break at its end. Lines have at most 100 characters where the values let
+// them.
+std::string lay_out(const JsonPiece& piece);
+
+// The layout of case files: of a JSON text, the same values laid out as all files of a suite are.
+//
+// What a person decided stays: which arrays and objects are broken into lines, how many vertices
+// share one, the order of keys, the digits of numbers. What nobody should have to think about is
+// set: indentation, spaces, the length of lines.
+
+// `root`: of a text that could be parsed. The result ends with a line break; laid out again it
+// stays as it is.
+std::string laid_out(const JsonNode& root);
+
+}  // namespace edgecase

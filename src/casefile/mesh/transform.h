@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// Reads `transform`: what becomes of vertices before they are drawn.
+//
+// {"model": [...], "view": {...}, "projection": {...}} takes vertices in object space, and meshes,
+// to clip coordinates: computed once, here, in float32, so that both sides get the very same
+// numbers. {"affine": [...]} moves vertices in window coordinates, exactly where the result is a
+// multiple of 2^-16. Operations of a list are applied in the order written, the first one first.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "casefile/json/fields.h"
+#include "exact/fixed.h"
+#include "model/scene.h"
+
+namespace edgecase {
+
+// Affine maps of window coordinates: x' = a x + c y + e, y' = b x + d y + f.
+//
+// Computed in integers, steps of 2^-48 pixels: moving, scaling by multiples of 2^-16, shearing and
+// quarter turns are exact as long as the result needs no finer steps, and whether anything was
+// rounded is told. The cosine of any other angle is rounded to 2^-48.
+
+// One map. a, b, c, d have magnitude 2^10 at most, e and f 2^14.
+struct AffineStep {
+  std::array<std::int64_t, 4> linear{};  // a, b, c, d, in steps of 2^-48
+  std::array<std::int64_t, 2> shift{};   // e, f, in steps of 2^-48 pixels
+  bool exact = true;                     // false: a and the others were rounded themselves
+};
+
+constexpr int kMaxAffineFactor = 1024;  // largest magnitude of a, b, c, d
+constexpr int kMaxAffineShift = 16384;  // of e and f, pixels
+
+// x' = a x + c y + e, y' = b x + d y + f, with exact numbers.
+AffineStep affine_step(const std::array<Fixed, 6>& a_to_f);
+
+// A turn about (0, 0) by an angle in degrees, counterclockwise where y points up.
+AffineStep turn_step(Fixed degrees);
+
+struct MovedPoint {
+  Point point;         // multiples of 2^-16, the nearest ones
+  bool exact = false;  // nothing was rounded on the way
+};
+
+// The maps one after the other, the first one first. None where a coordinate leaves
+// [-2^14, 2^14] on the way.
+std::optional<MovedPoint> move_point(Point point, std::span<const AffineStep> steps);
+
+// Model, view and projection matrices in float32, made and multiplied by GLM; the only user of it.
+//
+// Matrices act on columns: v' = M v. They are OpenGL's own: the eye looks along -z, and depth runs
+// from -1 (near) to 1 (far) after the division by w.
+
+// Column by column.
+using Matrix = std::array<float, 16>;
+using Vector = std::array<float, 3>;
+
+constexpr Matrix kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+// after * before: first `before`, then `after`.
+Matrix product(const Matrix& after, const Matrix& before);
+
+Matrix translation(const Vector& by);
+Matrix scaling(const Vector& by);
+// Counterclockwise where the axis points at the viewer; the axis need not have length 1.
+Matrix rotation(float degrees, const Vector& axis);
+
+Matrix look_at(const Vector& eye, const Vector& center, const Vector& up);
+
+// `aspect`: width by height. near and far are distances from the eye.
+Matrix perspective(float fov_y_degrees, float aspect, float near, float far);
+
+// The sides of the near plane, or of the box; near and far are distances from the eye.
+struct Sides {
+  float left = -1, right = 1, bottom = -1, top = 1, near = -1, far = 1;
+};
+Matrix frustum(const Sides& sides);
+Matrix orthographic(const Sides& sides);
+
+bool is_finite(const Matrix& matrix);
+
+// The matrix times (x, y, z, 1), computed in float32.
+ClipPosition clip_position(const Matrix& matrix, const Vector& object);
+
+struct Transform {
+  Place place;
+  std::vector<AffineStep> affine;     // of vertices in window coordinates
+  std::optional<Place> affine_place;  // where the file has "affine"
+  Matrix matrix = kIdentity;          // projection times view times model
+  bool has_matrix = false;            // the file has one of those
+};
+
+// Adds findings for what is wrong; the result is then incomplete.
+Transform read_transform(const Place& place, Findings& findings);
+
+// {"translate": ...} and so on, one key; `read_affine` for window coordinates, two numbers where
+// `read_operations` has three. Both take a list of at most kMaxOperations.
+constexpr std::size_t kMaxOperations = 64;
+std::vector<AffineStep> read_affine(const Place& place, Findings& findings);
+Matrix read_operations(const Place& place, Findings& findings);
+
+// {"look_at": ...} or a list of operations; {"perspective": ...}, {"frustum": ...},
+// {"orthographic": ...} or {"matrix": ...}.
+Matrix read_view(const Place& place, Findings& findings);
+Matrix read_projection(const Place& place, Findings& findings);
+
+}  // namespace edgecase

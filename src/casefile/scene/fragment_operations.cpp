@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+#include "casefile/scene/fragment_operations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "casefile/json/text.h"
+#include "casefile/scene/plain_fields.h"
+
+namespace edgecase {
+
+namespace {
+
+constexpr const char* kBlending = "a blending";
+constexpr const char* kTerm = "a term of a blending";
+
+const Keys kTermKeys{{}, {"equation", "source", "destination"}, {}};
+const Keys kOneTermKeys{{}, {"equation", "source", "destination", "constant"}, {}};
+const Keys kTwoTermKeys{{"color", "alpha"}, {"constant"}, {}};
+
+Blending read_preset(const Place& place, Findings& findings) {
+  Names names;
+  for (const BlendPreset& preset : kBlendPresets) names.allowed.push_back(preset.name);
+  const auto name = read_choice(place, "a blending", names, findings);
+  Blending blending;
+  for (const BlendPreset& preset : kBlendPresets)
+    if (name == preset.name) blending = {preset.color, preset.alpha, {}};
+  return blending;
+}
+
+// A factor that is left out is no default, but a mistake, or one that plays no part.
+void read_factor(const Place& term, const ObjectReader& object, const char* name,
+                 BlendEquation equation, Findings& findings, BlendFactor& factor) {
+  const auto place = object.find(name);
+  if (!takes_factors(equation)) {
+    if (place)
+      findings.add_key(
+          *place,
+          fmt::format("{} takes no factors, and {} is one", quote(name_of(equation)), quote(name)),
+          "remove it");
+  } else if (place) {
+    read_plain(*place, "a factor", {}, findings, factor);
+  } else {
+    findings.add(term, fmt::format("a term of a blending lacks {}", quote(name)),
+                 fmt::format("add \"{}\": \"one\", or another factor", name));
+  }
+}
+
+BlendTerm read_members(const Place& place, const ObjectReader& object, Findings& findings) {
+  BlendTerm term;
+  if (!object.valid()) return term;
+  if (const auto equation = object.find("equation"))
+    if (!read_plain(*equation, "an equation", {}, findings, term.equation)) return term;
+  read_factor(place, object, "source", term.equation, findings, term.source);
+  read_factor(place, object, "destination", term.equation, findings, term.destination);
+  return term;
+}
+
+BlendTerm read_term(const Place& place, Findings& findings) {
+  return read_members(place, ObjectReader(place, kTerm, kTermKeys, findings), findings);
+}
+
+Pieces term_pieces(const BlendTerm& term) {
+  Pieces members;
+  if (term.equation != BlendEquation::add)
+    members.push_back(named("equation", plain_piece(term.equation)));
+  if (!takes_factors(term.equation)) return members;
+  members.push_back(named("source", plain_piece(term.source)));
+  members.push_back(named("destination", plain_piece(term.destination)));
+  return members;
+}
+
+}  // namespace
+
+Blending read_blending(const Place& place, Findings& findings) {
+  if (place.node->kind != JsonKind::object) {
+    if (place.node->kind == JsonKind::string) return read_preset(place, findings);
+    findings.add(place, fmt::format("a blending cannot be {}", describe(*place.node)),
+                 "write a name like \"over\", or {\"source\": ..., \"destination\": ...}");
+    return {};
+  }
+  const bool two = place.node->find("color") != nullptr || place.node->find("alpha") != nullptr;
+  const ObjectReader object(place, kBlending, two ? kTwoTermKeys : kOneTermKeys, findings);
+  Blending blending;
+  if (two) {
+    if (const auto color = object.find("color")) blending.color = read_term(*color, findings);
+    if (const auto alpha = object.find("alpha")) blending.alpha = read_term(*alpha, findings);
+  } else {
+    blending.color = blending.alpha = read_members(place, object, findings);
+  }
+  if (const auto constant = object.find("constant"))
+    blending.constant =
+        read_color(*constant, "a constant colour", {0, 1}, findings).value_or(blending.constant);
+  return blending;
+}
+
+JsonPiece blend_piece(const Blending& blending) {
+  const Blending standard;
+  const bool constant = blending.constant != standard.constant;
+  for (const BlendPreset& preset : kBlendPresets)
+    if (!constant && blending.color == preset.color && blending.alpha == preset.alpha)
+      return json_string(preset.name);
+  Pieces members;
+  if (blending.color == blending.alpha)
+    members = term_pieces(blending.color);
+  else
+    members = {named("color", json_object(term_pieces(blending.color))),
+               named("alpha", json_object(term_pieces(blending.alpha)))};
+  if (constant) members.push_back(named("constant", color_piece(blending.constant)));
+  return json_object(std::move(members));
+}
+
+namespace {
+
+constexpr const char* kStencil = "stencil";
+constexpr const char* kClearDepth = "clear_depth";
+constexpr const char* kClearStencil = "clear_stencil";
+constexpr const char* kDepthRange = "depth_range";
+constexpr const char* kDepth = "depth";
+constexpr const char* kBlend = "blend";
+constexpr const char* kColorMask = "color_mask";
+constexpr const char* kPolygonOffset = "polygon_offset";
+
+const Keys kTwoFaceKeys{{}, {"front", "back"}, {}};
+
+void read_stencil_format(const ObjectReader& object, TargetFields& fields, Findings& findings) {
+  const auto place = object.find(kStencil);
+  if (!place) return;
+  fields.stencil_known =
+      read_plain(*place, "a stencil format", {}, findings, fields.target.stencil);
+  if (fields.target.stencil != StencilFormat::none && fields.target.depth == DepthFormat::depth16)
+    findings.add(*place, "OpenGL has no format of \"depth16\" and \"stencil8\" together",
+                 "write \"depth\": \"depth24\" or \"depth32f\", or remove one of the two");
+}
+
+// Nothing of it would count, and what is ignored would pass for tested.
+void refuse_clear_values_of_nothing(const ObjectReader& object, const TargetFields& fields,
+                                    Findings& findings) {
+  const auto refuse = [&](const char* key, const char* buffer, const char* remedy) {
+    if (const auto place = object.find(key))
+      findings.add_key(
+          *place, fmt::format("{} is of a {} buffer, and the target has none", quote(key), buffer),
+          remedy);
+  };
+  if (fields.depth_known && fields.target.depth == DepthFormat::none)
+    refuse(kClearDepth, "depth", "write \"depth\": \"depth24\" into the target, or remove the key");
+  if (fields.stencil_known && fields.target.stencil == StencilFormat::none)
+    refuse(kClearStencil, "stencil",
+           "write \"stencil\": \"stencil8\" into the target, or remove the key");
+}
+
+void refuse_beside_passes(const ObjectReader& object, const char* key, Findings& findings) {
+  if (const auto place = object.find(key))
+    findings.add_key(*place,
+                     fmt::format("{} does not come together with \"supersample\" yet", quote(key)),
+                     "remove one of the two");
+}
+
+void read_depth_range(const Place& place, DepthRange& range, Findings& findings) {
+  const auto ends = read_float32s<2>(place, kDepthRange, {0, 1}, Float32Kind::exact, findings);
+  if (ends) range = {(*ends)[0], (*ends)[1]};
+}
+
+// A function's name, "off", or {"test", "write"}.
+DepthTest read_depth_test(const Place& place, Findings& findings) {
+  if (place.node->kind == JsonKind::object)
+    return read_plain_object<DepthTest>(place, "a depth test", findings);
+  DepthTest test;
+  Names names{names_of<CompareFunction>(), {}};
+  names.allowed.push_back("off");
+  const auto name = read_choice(place, "a depth test", names, findings);
+  if (name == "off") test.write = false;
+  if (name && name != "off") parse_name(*name, test.function);
+  return test;
+}
+
+// The keys of a face, for both, or {"front", "back"}.
+StencilTest read_stencil_test(const Place& place, Findings& findings) {
+  constexpr const char* kFace = "a face of a stencil test";
+  StencilTest test;
+  const JsonNode& node = *place.node;
+  const bool two = node.kind == JsonKind::object &&
+                   (node.find("front") != nullptr || node.find("back") != nullptr);
+  const ObjectReader object(place, "a stencil test",
+                            two ? kTwoFaceKeys : plain_object_keys<StencilFace>(), findings);
+  if (!two) {
+    read_fields(object, findings, test.front);
+    test.back = test.front;
+    return test;
+  }
+  if (const auto front = object.find("front"))
+    test.front = read_plain_object<StencilFace>(*front, kFace, findings);
+  if (const auto back = object.find("back"))
+    test.back = read_plain_object<StencilFace>(*back, kFace, findings);
+  return test;
+}
+
+std::array<bool, 4> read_color_mask(const Place& place, Findings& findings) {
+  std::array<bool, 4> mask{};
+  const auto text = read_text(place, "a colour mask", {0, 200}, findings);
+  if (!text) return FragmentOperations().color_mask;
+  std::string_view rest = *text;
+  constexpr std::string_view kLetters = "rgba";
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    mask[i] = rest.starts_with(kLetters[i]);
+    if (mask[i]) rest.remove_prefix(1);
+  }
+  if (!rest.empty())
+    findings.add(place, fmt::format("{} is no colour mask", quote(*text)),
+                 "write the letters of \"rgba\" that are written, in this order");
+  return mask;
+}
+
+// A test on a buffer that the target does not have passes, whatever it asks.
+void refuse_without_buffer(const ObjectReader& state, const TargetFields& target, const Draw& draw,
+                           Findings& findings) {
+  const auto refuse = [&](const char* key, const char* buffer, const char* remedy) {
+    if (const auto place = state.find(key))
+      findings.add_key(
+          *place, fmt::format("{} needs a {} buffer, and the target has none", quote(key), buffer),
+          remedy);
+  };
+  if (target.depth_known && target.target.depth == DepthFormat::none) {
+    constexpr const char* kRemedy =
+        "write \"depth\": \"depth24\" into the target, or remove the key";
+    if (draw.operations.depth != DepthTest{CompareFunction::always, false})
+      refuse(kDepth, kDepth, kRemedy);
+    refuse(kPolygonOffset, kDepth, kRemedy);
+  }
+  if (target.stencil_known && target.target.stencil == StencilFormat::none)
+    refuse(kStencil, kStencil,
+           "write \"stencil\": \"stencil8\" into the target, or remove the key");
+}
+
+JsonPiece depth_piece(const DepthTest& test) {
+  if (test.write) return json_string(name_of(test.function));
+  if (test.function == CompareFunction::always) return json_string("off");
+  return json_object(
+      {named("test", json_string(name_of(test.function))), named("write", json_scalar("false"))});
+}
+
+JsonPiece stencil_piece(const StencilTest& test) {
+  if (test.front == test.back) return plain_object_piece(test.front);
+  Pieces members;
+  const StencilFace standard;
+  if (test.front != standard) members.push_back(named("front", plain_object_piece(test.front)));
+  if (test.back != standard) members.push_back(named("back", plain_object_piece(test.back)));
+  return json_object(std::move(members));
+}
+
+JsonPiece color_mask_piece(const std::array<bool, 4>& mask) {
+  constexpr std::array<char, 4> kLetters{'r', 'g', 'b', 'a'};
+  std::string text;
+  for (std::size_t i = 0; i < mask.size(); ++i)
+    if (mask[i]) text += kLetters[i];
+  return json_string(text);
+}
+
+}  // namespace
+
+std::vector<std::string> target_operation_keys() {
+  return {kStencil, kDepthRange};
+}
+
+void read_target_operations(const ObjectReader& object, TargetFields& fields, Findings& findings) {
+  Target& target = fields.target;
+  read_stencil_format(object, fields, findings);
+  if (const auto range = object.find(kDepthRange))
+    read_depth_range(*range, fields.depth_range, findings);
+  refuse_clear_values_of_nothing(object, fields, findings);
+  if (!fields.supersample_place) return;
+  if (target.stencil != StencilFormat::none) refuse_beside_passes(object, kStencil, findings);
+  if (target.clear_depth != 1) refuse_beside_passes(object, kClearDepth, findings);
+}
+
+std::vector<std::string> fragment_operation_keys() {
+  return {kDepth, kStencil, kBlend, kColorMask, kPolygonOffset};
+}
+
+void read_fragment_operations(const ObjectReader& state, const TargetFields& target, Draw& draw,
+                              Findings& findings) {
+  FragmentOperations& operations = draw.operations;
+  if (const auto depth = state.find(kDepth)) operations.depth = read_depth_test(*depth, findings);
+  if (const auto stencil = state.find(kStencil))
+    operations.stencil = read_stencil_test(*stencil, findings);
+  if (const auto blend = state.find(kBlend)) operations.blending = read_blending(*blend, findings);
+  if (const auto mask = state.find(kColorMask))
+    operations.color_mask = read_color_mask(*mask, findings);
+  if (const auto offset = state.find(kPolygonOffset))
+    draw.polygon_offset = read_plain_object<PolygonOffset>(*offset, "a polygon offset", findings);
+  refuse_without_buffer(state, target, draw, findings);
+  if (!target.supersample_place) return;
+  const FragmentOperations standard;
+  if (operations.depth != standard.depth) refuse_beside_passes(state, kDepth, findings);
+  if (operations.stencil) refuse_beside_passes(state, kStencil, findings);
+  if (operations.blending) refuse_beside_passes(state, kBlend, findings);
+  if (operations.color_mask != standard.color_mask)
+    refuse_beside_passes(state, kColorMask, findings);
+}
+
+std::vector<JsonPiece> fragment_operation_pieces(const Draw& draw) {
+  const FragmentOperations standard;
+  const FragmentOperations& operations = draw.operations;
+  Pieces members;
+  if (draw.polygon_offset)
+    members.push_back(named(kPolygonOffset, plain_object_piece(*draw.polygon_offset)));
+  if (operations.stencil) members.push_back(named(kStencil, stencil_piece(*operations.stencil)));
+  if (operations.depth != standard.depth)
+    members.push_back(named(kDepth, depth_piece(operations.depth)));
+  if (operations.blending) members.push_back(named(kBlend, blend_piece(*operations.blending)));
+  if (operations.color_mask != standard.color_mask)
+    members.push_back(named(kColorMask, color_mask_piece(operations.color_mask)));
+  return members;
+}
+
+}  // namespace edgecase

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "casefile/scene/plain_fields.h"
+
+#include "exact/numeral.h"
+
+namespace edgecase {
+
+namespace {
+
+IntegerRange whole(Limits limits) {
+  return {static_cast<int>(limits.low), static_cast<int>(limits.high)};
+}
+
+Float32Range float32_range(Limits limits) {
+  return {static_cast<float>(limits.low), static_cast<float>(limits.high)};
+}
+
+Fixed above(double low) {
+  return Fixed::from_raw(static_cast<std::int64_t>(low * Fixed::kOne) + 1);
+}
+
+}  // namespace
+
+void read_plain(const Place& place, const char* title, Limits, Findings& findings, bool& value) {
+  if (expect_kind(place, JsonKind::boolean, title, findings)) value = place.node->truth;
+}
+
+void read_plain(const Place& place, const char* title, Limits limits, Findings& findings,
+                int& value) {
+  value = read_integer(place, title, whole(limits), findings).value_or(value);
+}
+
+void read_plain(const Place& place, const char* title, Limits limits, Findings& findings,
+                std::uint8_t& value) {
+  value = static_cast<std::uint8_t>(
+      read_integer(place, title, whole(limits), findings).value_or(int{value}));
+}
+
+void read_plain(const Place& place, const char* title, Limits limits, Findings& findings,
+                float& value) {
+  value = read_float32(place, title, float32_range(limits), Float32Kind::exact, findings)
+              .value_or(value);
+}
+
+void read_plain(const Place& place, const char* title, Limits limits, Findings& findings,
+                std::optional<float>& value) {
+  value = read_float32(place, title, float32_range(limits), Float32Kind::exact, findings);
+}
+
+void read_plain(const Place& place, const char* title, Limits limits, Findings& findings,
+                Fixed& value) {
+  const FixedRange range{above(limits.low), Fixed::from_integer(static_cast<int>(limits.high))};
+  value = read_coordinate(place, title, range, findings).value_or(value);
+}
+
+// A decimal where it is short; a fraction says what 10.01171875 hides.
+JsonPiece plain_piece(Fixed value) {
+  constexpr std::int64_t kReadable = Fixed::kOne / 16;
+  if (value.raw() % kReadable == 0) return json_scalar(to_decimal(value));
+  return json_string(to_fraction(value));
+}
+
+}  // namespace edgecase

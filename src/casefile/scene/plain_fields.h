@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+//
+// Fields that stand in a case file under keys of their own, as a name, a flag or a number: they are
+// read and written from the lists of model/scene_fields.h. Fields with other forms, and those that
+// the lists call by_hand, are read and written beside their noun.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "casefile/json/fields.h"
+#include "casefile/json/numbers.h"
+#include "model/scene_fields.h"
+
+namespace edgecase {
+
+template <class Value>
+inline constexpr bool kIsPlain =
+    HasNames<Value> || std::is_same_v<Value, bool> || std::is_same_v<Value, int> ||
+    std::is_same_v<Value, std::uint8_t> || std::is_same_v<Value, float> ||
+    std::is_same_v<Value, std::optional<float>> || std::is_same_v<Value, Fixed>;
+
+// Calls `visit` with each plain field of a noun.
+template <HasFields Noun, class Visit>
+void for_each_plain_field(Visit&& visit) {
+  for_each_field<Noun>([&](const auto& field) {
+    using Value = std::remove_cvref_t<decltype(std::declval<Noun&>().*field.member)>;
+    if constexpr (kIsPlain<Value>) {
+      if (!field.is_by_hand) visit(field);
+    }
+  });
+}
+
+template <HasFields Noun>
+std::vector<std::string> plain_keys() {
+  std::vector<std::string> keys;
+  for_each_plain_field<Noun>([&](const auto& field) { keys.emplace_back(field.case_key); });
+  return keys;
+}
+
+// Reads one of them at its place. What is refused adds a finding, and the value stays.
+template <HasNames Enum>
+bool read_plain(const Place& place, const char* title, Limits, Findings& findings, Enum& value) {
+  return read_enum(place, title, {names_of<Enum>(), {}}, findings, value);
+}
+void read_plain(const Place& place, const char* title, Limits limits, Findings& findings,
+                bool& value);
+void read_plain(const Place& place, const char* title, Limits limits, Findings& findings,
+                int& value);
+void read_plain(const Place& place, const char* title, Limits limits, Findings& findings,
+                std::uint8_t& value);
+void read_plain(const Place& place, const char* title, Limits limits, Findings& findings,
+                float& value);
+void read_plain(const Place& place, const char* title, Limits limits, Findings& findings,
+                std::optional<float>& value);
+// A width or size, which is more than the lower limit.
+void read_plain(const Place& place, const char* title, Limits limits, Findings& findings,
+                Fixed& value);
+
+// Reads all of them that an object has.
+template <HasFields Noun>
+void read_fields(const ObjectReader& object, Findings& findings, Noun& noun) {
+  for_each_plain_field<Noun>([&](const auto& field) {
+    if (const auto place = object.find(field.case_key))
+      read_plain(*place, field.title, field.limits, findings, noun.*field.member);
+  });
+}
+
+// The keys of an object all of whose fields are plain; none is required.
+template <HasFields Noun>
+const Keys& plain_object_keys() {
+  static const Keys keys{{}, plain_keys<Noun>(), {}};
+  return keys;
+}
+
+// Reads such an object; `what` names it in messages.
+template <HasFields Noun>
+Noun read_plain_object(const Place& place, std::string_view what, Findings& findings) {
+  Noun noun;
+  read_fields(ObjectReader(place, what, plain_object_keys<Noun>(), findings), findings, noun);
+  return noun;
+}
+
+template <HasNames Enum>
+JsonPiece plain_piece(Enum value) {
+  return json_string(name_of(value));
+}
+inline JsonPiece plain_piece(bool value) {
+  return json_scalar(value ? "true" : "false");
+}
+inline JsonPiece plain_piece(int value) {
+  return integer_piece(value);
+}
+inline JsonPiece plain_piece(float value) {
+  return exact_piece(value);
+}
+inline JsonPiece plain_piece(std::optional<float> value) {
+  return exact_piece(*value);
+}
+JsonPiece plain_piece(Fixed value);
+
+// The member of a field, where it has another value than `standard`.
+template <class Field, class Noun>
+void add_field(const Field& field, const Noun& noun, const Noun& standard, Pieces& members) {
+  if (noun.*field.member != standard.*field.member)
+    members.push_back(named(field.case_key, plain_piece(noun.*field.member)));
+}
+
+// The members of all plain fields that have another value than `standard`.
+template <HasFields Noun>
+void add_fields(const Noun& noun, Pieces& members, const Noun& standard = {}) {
+  for_each_plain_field<Noun>([&](const auto& field) { add_field(field, noun, standard, members); });
+}
+
+// An object of them.
+template <HasFields Noun>
+JsonPiece plain_object_piece(const Noun& noun) {
+  Pieces members;
+  add_fields(noun, members);
+  return json_object(std::move(members));
+}
+
+}  // namespace edgecase

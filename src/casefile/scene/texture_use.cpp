@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "casefile/scene/textures.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "casefile/json/float32.h"
+#include "casefile/json/text.h"
+#include "casefile/scene/plain_fields.h"
+
+namespace edgecase {
+
+namespace {
+
+const Keys kLookupKeys{{}, {"lod", "bias", "gradients"}, {}};
+constexpr Float32Range kLodRange{-kMaxLod, kMaxLod};
+constexpr Float32Range kBiasRange{-kMaxLodBias, kMaxLodBias};
+constexpr Float32Range kGradientRange{-kMaxGradient, kMaxGradient};
+
+const Keys& sampler_keys() {
+  static const Keys keys = [] {
+    Keys all{{}, plain_keys<Sampler>(), {}};
+    all.optional.insert(all.optional.begin(), "wrap");
+    all.optional.push_back("border");
+    return all;
+  }();
+  return keys;
+}
+
+// A name for both directions, or [s, t]; `dimensions` 0: not known.
+void read_wrap(const Place& place, int dimensions, Findings& findings, std::array<Wrap, 2>& wrap) {
+  if (place.node->kind != JsonKind::array) {
+    read_plain(place, "wrap", {}, findings, wrap[0]);
+    wrap[1] = wrap[0];
+    return;
+  }
+  if (dimensions == 1) {
+    findings.add(place, "a one-dimensional texture wraps along s alone", "write one name");
+    return;
+  }
+  if (place.node->children.size() != 2) {
+    findings.add(place, fmt::format("wrap has {} names", place.node->children.size()),
+                 "write one name, or [s, t]");
+    return;
+  }
+  for (std::size_t i = 0; i < 2; ++i) read_plain(place.child(i), "wrap", {}, findings, wrap[i]);
+}
+
+void read_border(const Place& place, const Texture* texture, Findings& findings,
+                 std::array<float, 4>& border) {
+  const bool wide = texture == nullptr || texture->format == TextureFormat::rgba32f;
+  const Float32Range range = wide ? Float32Range{-kMaxTexel, kMaxTexel} : Float32Range{0, 1};
+  border = read_color(place, "a border", range, findings).value_or(border);
+}
+
+// What no texture can make good.
+void check_ranges(const Place& place, const Sampler& sampler, Findings& findings) {
+  if (sampler.min_lod > sampler.max_lod)
+    findings.add(place,
+                 fmt::format("min_lod is {}, above max_lod, which is {}",
+                             short_decimal(sampler.min_lod), short_decimal(sampler.max_lod)),
+                 "exchange them");
+  if (sampler.max_level < sampler.base_level)
+    findings.add(place,
+                 fmt::format("max_level is {}, below base_level, which is {}", sampler.max_level,
+                             sampler.base_level),
+                 "exchange them");
+}
+
+// What this texture cannot be asked for.
+void check_levels(const Place& place, const Sampler& sampler, const Texture& texture,
+                  Findings& findings) {
+  const TextureLevel& base = texture.levels.front();
+  if (sampler.mipmap != MipFilter::none && !has_whole_chain(texture))
+    findings.add(place,
+                 fmt::format("the mip filter is {}, and the texture has level 0 alone",
+                             quote(name_of(sampler.mipmap))),
+                 "give the texture \"mipmaps\": \"box\" or \"generated\", or \"levels\"");
+  const int levels = has_whole_chain(texture) ? level_count(base.width, base.height) : 1;
+  if (sampler.base_level >= levels)
+    findings.add(
+        place, fmt::format("base_level is {}, and the texture has {}", sampler.base_level, levels),
+        fmt::format("write 0 to {}", levels - 1));
+}
+
+Sampler read_sampler(const Place& place, const Texture* texture, Findings& findings) {
+  const std::size_t before = findings.size();
+  Sampler sampler;
+  const ObjectReader object(place, "a sampler", sampler_keys(), findings);
+  if (const auto wrap = object.find("wrap"))
+    read_wrap(*wrap, texture != nullptr ? texture->dimensions : 0, findings, sampler.wrap);
+  read_fields(object, findings, sampler);
+  if (const auto border = object.find("border"))
+    read_border(*border, texture, findings, sampler.border);
+  if (findings.size() != before) return sampler;
+  check_ranges(place, sampler, findings);
+  if (texture != nullptr) check_levels(place, sampler, *texture, findings);
+  return sampler;
+}
+
+// [[ds/dx, dt/dx], [ds/dy, dt/dy]], or [[ds/dx], [ds/dy]] of a one-dimensional texture.
+void read_gradients(const Place& place, int dimensions, Findings& findings, Lookup& lookup) {
+  if (!expect_kind(place, JsonKind::array, "gradients", findings)) return;
+  if (place.node->children.size() != 2) {
+    findings.add(place, fmt::format("gradients has {} items", place.node->children.size()),
+                 "write [[ds/dx, dt/dx], [ds/dy, dt/dy]]");
+    return;
+  }
+  std::array<float, 2>* const both[] = {&lookup.dx, &lookup.dy};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Place item = place.child(i);
+    if (dimensions == 1) {
+      const auto value =
+          read_float32s<1>(item, "a gradient", kGradientRange, Float32Kind::exact, findings);
+      if (value) (*both[i])[0] = (*value)[0];
+    } else if (dimensions == 2) {
+      *both[i] = read_float32s<2>(item, "a gradient", kGradientRange, Float32Kind::exact, findings)
+                     .value_or(*both[i]);
+    }
+  }
+}
+
+Lookup read_lookup(const Place& place, int dimensions, Findings& findings) {
+  const std::size_t before = findings.size();
+  Lookup lookup;
+  const ObjectReader object(place, "a lookup", kLookupKeys, findings);
+  if (findings.size() != before) return lookup;
+  if (place.node->children.size() != 1) {
+    findings.add(place, fmt::format("a lookup has {} keys", place.node->children.size()),
+                 "write exactly one of " + join_names(kLookupKeys.optional));
+    return lookup;
+  }
+  const Place member = place.child(0);
+  parse_name(member.node->name, lookup.kind);
+  if (lookup.kind == LookupKind::gradients)
+    read_gradients(member, dimensions, findings, lookup);
+  else
+    lookup.value = read_float32(member, member.node->name,
+                                lookup.kind == LookupKind::bias ? kBiasRange : kLodRange,
+                                Float32Kind::exact, findings)
+                       .value_or(0);
+  return lookup;
+}
+
+// Which texture a number names; none, and a finding, where there is no such.
+std::optional<std::size_t> read_number(const Place& place,
+                                       const std::optional<TextureList>& textures,
+                                       Findings& findings) {
+  const auto number =
+      read_integer(place, "texture", {0, static_cast<int>(kMaxTextures) - 1}, findings);
+  if (!number || !textures) return std::nullopt;
+  const auto index = static_cast<std::size_t>(*number);
+  if (index < textures->size()) return index;
+  findings.add(place, fmt::format("there is no texture {}", index),
+               textures->empty()
+                   ? std::string("add \"textures\": [...] beside the target")
+                   : fmt::format("the case has textures 0 to {}", textures->size() - 1));
+  return std::nullopt;
+}
+
+JsonPiece wrap_piece(const std::array<Wrap, 2>& wrap, int dimensions) {
+  if (dimensions == 1 || wrap[0] == wrap[1]) return plain_piece(wrap[0]);
+  return json_array({plain_piece(wrap[0]), plain_piece(wrap[1])});
+}
+
+JsonPiece sampler_piece(const Sampler& sampler, int dimensions) {
+  const Sampler standard;
+  Pieces members;
+  if (sampler.wrap != standard.wrap)
+    members.push_back(named("wrap", wrap_piece(sampler.wrap, dimensions)));
+  add_fields(sampler, members);
+  if (sampler.border != standard.border)
+    members.push_back(named("border", color_piece(sampler.border)));
+  return json_object(std::move(members));
+}
+
+JsonPiece lookup_piece(const Lookup& lookup, int dimensions) {
+  if (lookup.kind != LookupKind::gradients)
+    return json_object({named(name_of(lookup.kind), exact_piece(lookup.value))});
+  return json_object({named("gradients", json_array({uv_piece(lookup.dx, dimensions),
+                                                     uv_piece(lookup.dy, dimensions)}))});
+}
+
+}  // namespace
+
+TextureState read_texture_state(const ObjectReader& state,
+                                const std::optional<TextureList>& textures, Findings& findings) {
+  TextureState result;
+  const auto number = state.find("texture");
+  const auto sampler = state.find("sampler");
+  const auto lookup = state.find("lookup");
+  result.textured = number.has_value();
+  if (!number) {
+    for (const auto& place : {sampler, lookup})
+      if (place)
+        findings.add_key(*place,
+                         fmt::format("a state has {} without a texture", quote(place->node->name)),
+                         "add \"texture\": 0, or remove it");
+    return result;
+  }
+  const auto index = read_number(*number, textures, findings);
+  const Texture* texture = index ? (*textures)[*index].get() : nullptr;
+  if (texture != nullptr) result.dimensions = texture->dimensions;
+  TextureUse use;
+  use.texture = index.value_or(0);
+  if (sampler) use.sampler = read_sampler(*sampler, texture, findings);
+  if (lookup) use.lookup = read_lookup(*lookup, result.dimensions, findings);
+  if (index) result.use = use;
+  return result;
+}
+
+std::vector<JsonPiece> texture_use_pieces(const TextureUse& use, int dimensions) {
+  Pieces members{named("texture", integer_piece(static_cast<int>(use.texture)))};
+  JsonPiece sampler = sampler_piece(use.sampler, dimensions);
+  if (!sampler.children.empty()) members.push_back(named("sampler", std::move(sampler)));
+  if (use.lookup.kind != LookupKind::implicit)
+    members.push_back(named("lookup", lookup_piece(use.lookup, dimensions)));
+  return members;
+}
+
+JsonPiece uv_piece(const std::array<float, 2>& coordinates, int dimensions) {
+  return exact_list({coordinates.data(), dimensions == 1 ? 1U : 2U});
+}
+
+}  // namespace edgecase
