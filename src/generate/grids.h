@@ -54,8 +54,8 @@ std::uint64_t multisampled_grid_line_scenes();
 
 // Grid joints: two lines that meet, between points of a coarse grid.
 //
-// There are too many of them for a list of all (grid lines are lines alone), but
-// what joints show with fine coordinates is found here with ones that people read.
+// There are too many of them for a list of all (grid lines are lines alone), but what joints
+// show with fine coordinates is found here with ones that people read.
 inline constexpr int kGridJointsOfScene = 16;
 
 // So many pairs of lines, in one draw: the first of a pair ends where the second starts. All points

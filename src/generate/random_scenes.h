@@ -85,8 +85,7 @@ Scene random_fan_scene(std::uint64_t seed, Surface surface, std::uint64_t index)
 Scene random_snap_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
 
 // Random scenes of triangles that meet fragment operations, by which a profile is held against the
-// renderer that it is of. Each is a function of its seed and
-// index alone, too.
+// renderer that it is of. Each is a function of its seed and index alone, too.
 enum class OutputKind {
   depth_tested,  // crossing one another, and of one depth
   blended,       // any equation and factors

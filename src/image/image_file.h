@@ -33,8 +33,8 @@ struct ImageView {
 };
 
 // Writes an 8-bit RGBA PNG with every pixel enlarged to scale x scale (1 to 64). The picture's top
-// row comes first in the file: this, and reading, are the places where y is
-// flipped. Returns an error sentence, empty on success.
+// row comes first in the file: this, and reading, are the places where y is flipped. Returns an
+// error sentence, empty on success.
 std::string write_png(const std::filesystem::path& path, const ImageView& image, int scale);
 
 // The library of its own that holds OpenImageIO. Loading it costs 200 ms and 128 MiB that most
