@@ -167,8 +167,15 @@ Interpolant VertexAttributes::with_values(const std::array<double, 3>& values,
   return f;
 }
 
-Interpolant VertexAttributes::depth() const {
+// Depth and 1/w are no attributes: nothing divides them by w, and multiplies them again.
+Interpolant VertexAttributes::coordinate() const {
   Interpolant f = geometry_;
+  if (f.kind == PrimitiveKind::point) f.w.fill(1);
+  return f;
+}
+
+Interpolant VertexAttributes::depth() const {
+  Interpolant f = coordinate();
   for (std::size_t i = 0; i < count_of(*primitive_); ++i)
     f.values[i] = plane_ ? depth_in(primitive_->depth_range, plane_->depths()[i])
                   : cut_ ? depth_in(primitive_->depth_range, cut_->depths()[i])
@@ -177,7 +184,7 @@ Interpolant VertexAttributes::depth() const {
 }
 
 Interpolant VertexAttributes::inverse_w() const {
-  Interpolant f = geometry_;
+  Interpolant f = coordinate();
   for (std::size_t i = 0; i < count_of(*primitive_); ++i)
     f.values[i] =
         plane_ || cut_ ? Interval(1) / geometry_.w[i] : quotient(1, primitive_->vertices[i]->w);

@@ -44,6 +44,7 @@ class VertexAttributes {
   Interpolant permitted_inverse_w() const;
 
  private:
+  Interpolant coordinate() const;
   Interval permitted_w(std::size_t vertex) const;
 
   const ScenePrimitive* primitive_;

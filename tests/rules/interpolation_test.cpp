@@ -337,6 +337,50 @@ TEST(Permitted, DiagonalLinesGoByX) {
   EXPECT_NEAR(permitted.high, 1 + 2 * (3.75 / 7.5), 1e-3);
 }
 
+// The other axis is the one that the major axis is not: nearly at 45 degrees, the one that it may
+// be.
+TEST(Permitted, TheMinorAxisIsTheOther) {
+  Interpolant f{PrimitiveKind::line, {vertex_at(2, 2), vertex_at(10, 10), {}}, {1, 3, 7}};
+  f.line_parameter = LineParameter::minor_axis;
+  EXPECT_FALSE(goes_by_x(f));
+  EXPECT_TRUE(interpolate_exact(f, at(5.5, 8.5)).contains(1 + 2 * (6.5 / 8)));
+  EXPECT_TRUE(interpolate_inexact(f, at(5.5, 8.5)).contains(1 + 2 * (6.5 / 8)));
+  EXPECT_FALSE(interpolate_inexact(f, at(5.5, 8.5)).contains(1 + 2 * (3.5 / 8)));
+  f.positions[1] = vertex_at(6, 10);
+  EXPECT_TRUE(goes_by_x(f));
+  EXPECT_TRUE(interpolate_exact(f, at(5.5, 8.5)).contains(1 + 2 * (3.5 / 4)));
+  EXPECT_TRUE(differentiate_exact(f, at(5.5, 8.5), Axis::x).contains(0.5));
+  EXPECT_TRUE(differentiate_inexact(f, at(5.5, 8.5), Axis::y).contains(0));
+}
+
+TEST(Permitted, AxesMaySwapNearTheDiagonalAlone) {
+  Interpolant f{PrimitiveKind::line, {vertex_at(2, 2), vertex_at(10, 10), {}}, {1, 3, 7}};
+  EXPECT_TRUE(may_swap_axes(f, 0));
+  f.positions[1] = vertex_at(10, 10.25);
+  EXPECT_TRUE(may_swap_axes(f, reach_of(4)));
+  EXPECT_FALSE(may_swap_axes(f, reach_of(5)));
+  f.positions[1] = vertex_at(-6.25, 10);
+  EXPECT_TRUE(may_swap_axes(f, reach_of(4)));
+  EXPECT_FALSE(may_swap_axes(f, reach_of(5)));
+}
+
+// A division by w and a multiplication by it, and nothing more; whatever the qualifier (14.4).
+TEST(Permitted, APointMayErrTwiceByItsW) {
+  for (const bool perspective : {true, false}) {
+    Interpolant f{PrimitiveKind::point, {vertex_at(1, 2), {}, {}}, {0.75, 0, 0}, {3, 1, 1}};
+    f.perspective = perspective;
+    const Interval permitted = interpolate_permitted(f, at(1.5, 2.5), reach_of(8));
+    EXPECT_TRUE(permitted.contains(0.75 * (1 + 1.9e-5))) << perspective;
+    EXPECT_TRUE(permitted.contains(0.75 * (1 - 1.9e-5))) << perspective;
+    EXPECT_FALSE(permitted.contains(0.75 * (1 + 2.1e-5))) << perspective;
+    EXPECT_FALSE(permitted.contains(0.75 * (1 - 2.1e-5))) << perspective;
+    f.w[0] = 1;
+    const Interval given = interpolate_permitted(f, at(1.5, 2.5), reach_of(8));
+    EXPECT_EQ(given.low, 0.75) << perspective;
+    EXPECT_EQ(given.high, 0.75) << perspective;
+  }
+}
+
 // Each operation may err by 1 part in 10^5, and no vertex moves: at 16 bits by 2^-16 at most.
 TEST(Permitted, RoundingIsOnePartInTenToTheFive) {
   const Interpolant line{PrimitiveKind::line, {vertex_at(0, 0), vertex_at(4096, 0), {}}, {0, 1, 0}};

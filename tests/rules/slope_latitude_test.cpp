@@ -117,7 +117,7 @@ TEST_F(Slopes, OfLinesAreHeldAndNarrow) {
     }
 }
 
-// Divided by w and multiplied again, each with its error: only where that is done, and w is not 1.
+// Divided by w and multiplied again, each with its error: only where w is not 1.
 TEST(PointLatitude, IsThatOfTwoOperations) {
   Interpolant f;
   f.kind = PrimitiveKind::point;
@@ -130,9 +130,10 @@ TEST(PointLatitude, IsThatOfTwoOperations) {
   EXPECT_TRUE(holds(interpolate_permitted(f, at(0.5, 0.5), kReach), divided));
   f.w[0] = 1;
   EXPECT_EQ(width_of(interpolate_inexact(f, at(0.5, 0.5))), 0);
+  // A point's data are its vertex's whatever the qualifier (14.4).
   f.w[0] = 3;
   f.perspective = false;
-  EXPECT_EQ(width_of(interpolate_inexact(f, at(0.5, 0.5))), 0);
+  EXPECT_EQ(width_of(interpolate_inexact(f, at(0.5, 0.5))), width_of(divided));
 }
 
 }  // namespace

@@ -48,13 +48,31 @@ bool yields_color(const PrimitiveAttributes& attributes, Point place, const Frag
 // Does a primitive have, under these choices, what the fragment was told to have?
 using Test = std::function<bool(const PrimitiveAttributes&)>;
 
+bool passes(const ValueContext& context, const Fragment& fragment, const ValueChoice& values,
+            const Test& test) {
+  RuleChoices choices = context.choices;
+  choices.values = values;
+  return test(attributes_of(context.primitive_of(fragment), choices, context.scene.target));
+}
+
+// Is the fragment's line one of which either axis may be the major one, and do its values go by the
+// shorter?
+bool goes_by_other_axis(const ValueContext& context, const Fragment& fragment, const Test& test) {
+  if (context.primitive_of(fragment).kind != PrimitiveKind::line) return false;
+  const PrimitiveValues& values = context.values_of(fragment);
+  if (!may_swap_axes(values.lawful.depth, values.reach)) return false;
+  ValueChoice by_minor;
+  by_minor.line_parameter = LineParameter::minor_axis;
+  return passes(context, fragment, by_minor, test);
+}
+
 // The change of how attributes are interpolated under which the test passes; empty: there is none.
 std::string first_change(const ValueContext& context, const Fragment& fragment, const Test& test) {
   for (const ValueChange& change : all_changes()) {
-    RuleChoices choices = context.choices;
-    choices.values = ValueChoice{};
-    change.apply(choices.values);
-    if (test(attributes_of(context.primitive_of(fragment), choices, context.scene.target)))
+    ValueChoice values;
+    change.apply(values);
+    if (passes(context, fragment, values, test)) return change.cause;
+    if (is_by_major_axis(change.cause) && goes_by_other_axis(context, fragment, test))
       return change.cause;
   }
   return "";

@@ -17,9 +17,9 @@ Shares line_shares(const Interpolant& f, const WindowPlaces& v, const WindowPlac
   const Interval dx = op.subtract(v[1][0], v[0][0]);
   const Interval dy = op.subtract(v[1][1], v[0][1]);
   Interval t;
-  if (f.line_parameter == LineParameter::major_axis) {
-    const std::size_t major = is_x_major(f) ? 0 : 1;
-    t = op.divide(op.subtract(p[major], v[0][major]), major == 0 ? dx : dy);
+  if (f.line_parameter != LineParameter::projection) {
+    const std::size_t axis = goes_by_x(f) ? 0 : 1;
+    t = op.divide(op.subtract(p[axis], v[0][axis]), axis == 0 ? dx : dy);
   } else {
     const Interval along = op.add(op.multiply(op.subtract(p[0], v[0][0]), dx),
                                   op.multiply(op.subtract(p[1], v[0][1]), dy));
@@ -67,9 +67,9 @@ Shares line_slopes(const Interpolant& f, const WindowPlaces& v, Axis axis) {
   const Interval dx = op.subtract(v[1][0], v[0][0]);
   const Interval dy = op.subtract(v[1][1], v[0][1]);
   Interval slope;
-  if (f.line_parameter == LineParameter::major_axis) {
-    const bool x_major = is_x_major(f);
-    slope = x_major == (axis == Axis::x) ? op.divide(1, x_major ? dx : dy) : Interval(0);
+  if (f.line_parameter != LineParameter::projection) {
+    const bool by_x = goes_by_x(f);
+    slope = by_x == (axis == Axis::x) ? op.divide(1, by_x ? dx : dy) : Interval(0);
   } else {
     slope = op.divide(axis == Axis::x ? dx : dy, op.add(op.multiply(dx, dx), op.multiply(dy, dy)));
   }
@@ -101,11 +101,11 @@ Interval triangle_slope(const Interpolant& f, const WindowPlaces& v, Axis axis, 
   return inexact_slope(f, area_slopes(v, axis), has_perspective(f) ? value : f.values[0], total);
 }
 
-// A point's attributes are those of its vertex; what is divided by w and multiplied again on the
-// way may err twice.
+// A point's attributes are those of its vertex, whatever their qualifier (14.4); what is divided by
+// w and multiplied again on the way may err twice.
 Interval point_value(const Interpolant& f) {
   const Interval value = f.values[0];
-  if (!f.perspective || (f.w[0].low == 1 && f.w[0].high == 1)) return value;
+  if (f.w[0].low == 1 && f.w[0].high == 1) return value;
   return kInexact.multiply(kInexact.divide(value, f.w[0]), f.w[0]);
 }
 

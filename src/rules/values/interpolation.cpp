@@ -2,10 +2,12 @@
 #include "rules/values/interpolation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/values/exact_place.h"
+#include "rules/values/inexact_shares.h"
 #include "rules/values/rational_interpolation.h"
 
 namespace edgecase {
@@ -62,11 +64,11 @@ Weights line_weights(const Interpolant& f, const HomogeneousPoint& p) {
   const Difference run = difference(b, a);
   const Difference here = difference(p, a);
   const Difference rest = difference(b, p);
-  if (f.line_parameter == LineParameter::major_axis) {
-    const bool x_major = is_x_major(f);
-    const bool forward = (x_major ? run.x : run.y) > 0;
+  if (f.line_parameter != LineParameter::projection) {
+    const bool by_x = goes_by_x(f);
+    const bool forward = (by_x ? run.x : run.y) > 0;
     const auto along = [&](const Difference& d) {
-      return interval_of((x_major ? d.x : d.y) * (forward ? 1 : -1));
+      return interval_of((by_x ? d.x : d.y) * (forward ? 1 : -1));
     };
     return {along(rest) * static_cast<double>(a.w), along(here) * static_cast<double>(b.w), 0};
   }
@@ -99,8 +101,8 @@ Interval total_of(const Interpolant& f, const HomogeneousPoint& p) {
   if (f.kind == PrimitiveKind::triangle)
     return interval_of(magnitude(cross(f.positions[0], f.positions[1], f.positions[2]))) * scale;
   const Difference run = difference(f.positions[1], f.positions[0]);
-  if (f.line_parameter == LineParameter::major_axis)
-    return interval_of(std::max(magnitude(run.x), magnitude(run.y))) * scale;
+  if (f.line_parameter != LineParameter::projection)
+    return interval_of(magnitude(goes_by_x(f) ? run.x : run.y)) * scale;
   return sum_of_products(run.x, run.x, run.y, run.y) * scale;
 }
 
@@ -182,6 +184,17 @@ bool is_linear(const Interpolant& f) {
 
 bool is_x_major(const Interpolant& line) {
   return HomogeneousSegment{line.positions[0], line.positions[1]}.x_major();
+}
+
+bool goes_by_x(const Interpolant& line) {
+  return is_x_major(line) == (line.line_parameter == LineParameter::major_axis);
+}
+
+bool may_swap_axes(const Interpolant& line, double reach) {
+  const WindowPlaces v = places_of(line);
+  const double dx = (v[1][0] - v[0][0]).magnitude();
+  const double dy = (v[1][1] - v[0][1]).magnitude();
+  return std::fabs(dx - dy) <= 4 * reach;
 }
 
 Interval interpolate_exact(const Interpolant& f, Point sample) {

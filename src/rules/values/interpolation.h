@@ -32,8 +32,9 @@
 namespace edgecase {
 
 // How far along a line a sample lies: by its projection onto the line, as OpenGL says, or by its
-// coordinate on the major axis alone, which is what a walk along that axis yields.
-enum class LineParameter { projection, major_axis };
+// coordinate on the major axis alone, which is what a walk along that axis yields. Where a line is
+// as long in x as in y, or nearly so, an implementation may take the other axis for the major one.
+enum class LineParameter { projection, major_axis, minor_axis };
 
 // One component of an attribute over one primitive; entries beyond the primitive's vertices are
 // ignored.
@@ -62,6 +63,13 @@ Interpolant inverse_w(Interpolant interpolant);
 
 // Is the line longer in x than in y, or as long? Decided by its vertices as they are.
 bool is_x_major(const Interpolant& line);
+
+// Of a parameter that is one coordinate's: is it that of x?
+bool goes_by_x(const Interpolant& line);
+
+// May the longer axis become the shorter one, or as long, if each vertex moves by up to `reach`
+// pixels in x and in y?
+bool may_swap_axes(const Interpolant& line, double reach);
 
 // A narrow interval (about 2^-48 of the largest value, before division by a tiny area) that holds
 // the exact value at the sample, which may lie outside the primitive. Where that would leave open

@@ -54,7 +54,7 @@ Weights line_weights(const Interpolant& f) {
   Rational run_x = divided(b.x, b.w) - divided(a.x, a.w);
   Rational run_y = divided(b.y, b.w) - divided(a.y, a.w);
   const Rational whole_x = run_x, whole_y = run_y;
-  if (f.line_parameter == LineParameter::major_axis) (is_x_major(f) ? run_y : run_x) = 0;
+  if (f.line_parameter != LineParameter::projection) (goes_by_x(f) ? run_y : run_x) = 0;
   const Rational length = run_x * whole_x + run_y * whole_y;
   const Rational start = divided(a.x, a.w) * run_x + divided(a.y, a.w) * run_y;
   return {Coefficients{-run_x, -run_y, length + start}, Coefficients{run_x, run_y, -start},

@@ -42,11 +42,10 @@ Rule smooth_attribute_rule() {
        "operation may err by 1 part in 10^5 and every vertex may have moved by less than 2^-b (b "
        "as in ruling 4). Equal to the correctly rounded exact value is agreement. Where the exact "
        "value is a number, NaN and infinity are violations. A point's attributes are its vertex's; "
-       "smooth ones may err by a division and a multiplication by a w that is not 1. Depths and "
-       "1/w of vertices err by the division by w, the scaling and the addition that make them, "
-       "where "
-       "ruling 15 lets places err, and depths by the latter two where the depth range is not 0 to "
-       "1."},
+       "they may err by a division and a multiplication by a w that is not 1, unless they are "
+       "flat. Depths and 1/w of vertices err by the division by w, the scaling and the addition "
+       "that make them, where ruling 15 lets places err, and depths by the latter two where the "
+       "depth range is not 0 to 1."},
       {13,
        "Attributes across a wide line: preferred are those of the adjusted line at the column's "
        "lowest fragment, for all fragments of the column, which is what the line has in the middle "
@@ -57,8 +56,9 @@ Rule smooth_attribute_rule() {
        "that fragments may have."},
       {46,
        "Values along a line go by the sample's projection onto it (equation 14.5), and not by its "
-       "coordinate on the major axis alone; those of a wide line are none that only another "
-       "fragment of the column may have under ruling 13."}};
+       "coordinate on the major axis alone (on either axis where the line is as long in x as in y, "
+       "or vertices that move as ruling 9 has it can make it so); those of a wide line are none "
+       "that only another fragment of the column may have under ruling 13."}};
   return rule;
 }
 
