@@ -8,7 +8,7 @@ set(EDGECASE_QUICK_SHARE 1/16)
 set(EDGECASE_TURNS 8)
 
 # edgecase_add_test(NAME COMMAND word... [SECONDS n [PARTS n] [QUICK_SHARE i/n] [NOT_QUICK]]
-#                   [ENVIRONMENT name=value...] [TIMEOUT seconds] [PROCESSORS n]
+#                   [QUICK_SECONDS n] [ENVIRONMENT name=value...] [TIMEOUT seconds] [PROCESSORS n]
 #                   [SETS_UP fixture] [FIXTURES fixture...])
 #
 # Registers the command with ctest. Without SECONDS the test is in both tiers. With SECONDS, which
@@ -16,22 +16,25 @@ set(EDGECASE_TURNS 8)
 # scenes (EDGECASE_SHARE: tests/support/share.h), unless NOT_QUICK; and the full tier has NAME.1 to
 # NAME.PARTS, which together ask all of them. Each of those is in the turn that is the shortest so far.
 #
+# QUICK_SECONDS is about how long NAME takes in the quick tier, share or not: ctest starts the longest
+# first, also where it has not run them yet.
+#
 # A test that SETS_UP a fixture makes what tests with it among their FIXTURES read: ctest runs it
 # before those, whichever of them are chosen, so that it is in no turn. SHARE in the name of a fixture
 # stands for the share that a test asks: both need the same PARTS.
 function(edgecase_add_test name)
   cmake_parse_arguments(arg "NOT_QUICK"
-                        "SECONDS;PARTS;QUICK_SHARE;TIMEOUT;PROCESSORS;SETS_UP"
+                        "SECONDS;PARTS;QUICK_SHARE;QUICK_SECONDS;TIMEOUT;PROCESSORS;SETS_UP"
                         "COMMAND;ENVIRONMENT;FIXTURES" ${ARGN})
   if(NOT arg_SECONDS)
-    edgecase_add_labelled(${name} "quick;all" "")
+    edgecase_add_labelled(${name} "quick;all" "" "${arg_QUICK_SECONDS}")
     return()
   endif()
   if(NOT arg_QUICK_SHARE)
     set(arg_QUICK_SHARE ${EDGECASE_QUICK_SHARE})
   endif()
   if(NOT arg_NOT_QUICK)
-    edgecase_add_labelled(${name} quick ${arg_QUICK_SHARE})
+    edgecase_add_labelled(${name} quick ${arg_QUICK_SHARE} "${arg_QUICK_SECONDS}")
   endif()
   if(NOT arg_PARTS)
     set(arg_PARTS 1)
@@ -43,18 +46,20 @@ function(edgecase_add_test name)
       edgecase_take_turn(turn ${seconds})
       list(APPEND labels turn-${turn})
     endif()
-    edgecase_add_labelled(${name}.${part} "${labels}" ${part}/${arg_PARTS})
-    set_tests_properties(${name}.${part} PROPERTIES COST ${seconds})
+    edgecase_add_labelled(${name}.${part} "${labels}" ${part}/${arg_PARTS} ${seconds})
   endforeach()
 endfunction()
 
 # For edgecase_add_test alone, whose arguments it reads.
-function(edgecase_add_labelled name labels share)
+function(edgecase_add_labelled name labels share cost)
   add_test(NAME ${name} COMMAND ${arg_COMMAND})
   if(share)
     list(APPEND arg_ENVIRONMENT EDGECASE_SHARE=${share})
   endif()
   set_tests_properties(${name} PROPERTIES LABELS "${labels}" ENVIRONMENT "${arg_ENVIRONMENT}")
+  if(cost)
+    set_tests_properties(${name} PROPERTIES COST ${cost})
+  endif()
   foreach(property TIMEOUT PROCESSORS)
     if(arg_${property})
       set_tests_properties(${name} PROPERTIES ${property} ${arg_${property}})

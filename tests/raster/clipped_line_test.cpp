@@ -166,5 +166,20 @@ TEST(ClippedLine, IsNotDrawnWhereNothingIsSeen) {
   EXPECT_FALSE(CutLine::of(line).has_value());
 }
 
+// A line has two ends: what stands for a third vertex is 0, and its w 1.
+TEST(ClippedLine, CarriesNothingAtAThirdEnd) {
+  Scene scene = ClippedScenes(1).scene(Primitive::lines, 2, {0, 0, 8, 8});
+  scene.draws[0].vertices = {clip_vertex({0, 0, 0, 1}), clip_vertex({4, 0, 0, 2})};
+  const auto line = CutLine::of(primitives_of(scene).front());
+  ASSERT_TRUE(line.has_value());
+  for (const std::array<double, 3>& values : {std::array<double, 3>{3, 5, 7}, {4, 4, 7}})
+    for (const auto& ends : {line->smooth(values), line->noperspective(values), line->depths()}) {
+      EXPECT_EQ(ends[2].low, 0);
+      EXPECT_EQ(ends[2].high, 0);
+    }
+  EXPECT_EQ(line->w()[2].low, 1);
+  EXPECT_EQ(line->w()[2].high, 1);
+}
+
 }  // namespace
 }  // namespace edgecase

@@ -264,5 +264,36 @@ TEST(TextureLevel, ProbesLieWhereTheFormulasSay) {
   EXPECT_EQ(squared_scale_factor(f, exact_probes(f, sampler, choice), sampler, choice), 45);
 }
 
+// s grows along x, or t along y, or nothing does.
+TEST(TextureLevel, WhatStandsStillHasNoExtent) {
+  const auto has_none = [](std::array<Interval, 3> s, std::array<Interval, 3> t, int dimensions,
+                           ScaleFactor method, double side = 16) {
+    const auto of = [&](const std::array<Interval, 3>& values) {
+      return Interpolant{PrimitiveKind::triangle,
+                         {vertex_at(0, 0), vertex_at(side, 0), vertex_at(0, side)},
+                         values};
+    };
+    TextureChoice choice;
+    choice.scale_factor = method;
+    return has_no_extent({of(s), of(t)}, in_quad({3, 3}, RowOrder::bottom_up, 16), dimensions,
+                         choice);
+  };
+  const std::array<Interval, 3> still{0.5, 0.5, 0.5}, along_x{0, 1, 0}, along_y{0, 0, 1};
+  EXPECT_TRUE(has_none(still, still, 2, ScaleFactor::lengths));
+  EXPECT_FALSE(has_none(along_x, still, 2, ScaleFactor::lengths));
+  EXPECT_FALSE(has_none(along_y, still, 2, ScaleFactor::lengths));
+  EXPECT_FALSE(has_none(still, along_x, 2, ScaleFactor::lengths));
+  EXPECT_FALSE(has_none(still, along_y, 2, ScaleFactor::lengths));
+  // Of one dimension, t is no matter.
+  EXPECT_TRUE(has_none(still, along_y, 1, ScaleFactor::lengths));
+  EXPECT_FALSE(has_none(along_x, along_y, 1, ScaleFactor::lengths));
+  EXPECT_TRUE(has_none(along_y, along_y, 2, ScaleFactor::x_only));
+  EXPECT_FALSE(has_none(along_x, along_y, 2, ScaleFactor::x_only));
+  EXPECT_TRUE(has_none(along_x, along_x, 2, ScaleFactor::y_only));
+  EXPECT_FALSE(has_none(along_x, along_y, 2, ScaleFactor::y_only));
+  // Nothing is known of a triangle without an area.
+  EXPECT_FALSE(has_none(along_x, along_y, 2, ScaleFactor::lengths, 0));
+}
+
 }  // namespace
 }  // namespace edgecase

@@ -157,5 +157,23 @@ TEST(DepthPermitted, AFormatHoldsItsOwnNumbersAlone) {
   EXPECT_FALSE(is_depth_of(-1.0 / 65535, DepthFormat::depth16));
 }
 
+// Between the codes 100 and 101 a stored one may be one beyond, and no two.
+TEST(DepthPermitted, OneCodeBeyondIsToldFromTwo) {
+  for (const auto& [format, largest, stride] : kFormats) {
+    const auto within = [&, format = format, most = static_cast<double>(largest)](
+                            double code, double low, double high) {
+      return is_within_one_code(code / most, {low / most, high / most}, format);
+    };
+    for (int code = 97; code <= 104; ++code)
+      EXPECT_EQ(within(code, 100, 101), code >= 99 && code <= 102) << code;
+    // What the format does not hold is no code of it.
+    EXPECT_FALSE(within(100.5, 100, 101));
+    EXPECT_FALSE(within(-1, 0, 0));
+    EXPECT_TRUE(within(1, 0, 0));
+  }
+  EXPECT_FALSE(is_within_one_code(0.5, 0.5, DepthFormat::depth32f));
+  EXPECT_FALSE(is_within_one_code(0.5, 0.5, DepthFormat::none));
+}
+
 }  // namespace
 }  // namespace edgecase

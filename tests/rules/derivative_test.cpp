@@ -299,5 +299,30 @@ TEST(DerivativePermitted, TheFineFormHasFourOpenMethods) {
   EXPECT_EQ(open, (std::set<std::string>{"analytic", "forward", "quad-fine", "quad-fine-odd"}));
 }
 
+// Three pixels to all sides, and no farther: what the differences of neighbours there have in
+// common with the permitted interval, for vertices that hardly move.
+TEST(DerivativePermitted, InAnAreaOfFourByFour) {
+  const PixelPosition pixel{4, 5};
+  for (const Axis axis : kAxes) {
+    const Interpolant f = towards_the_horizon(axis);
+    Interval expected(HUGE_VAL, -HUGE_VAL);
+    for (int across = -3; across <= 3; ++across)
+      for (int along = -3; along < 3; ++along) {
+        const PixelPosition at = axis == Axis::x ? PixelPosition{pixel.x + along, pixel.y + across}
+                                                 : PixelPosition{pixel.x + across, pixel.y + along};
+        expected = hull(expected, derivative_exact(f, {at, at}, axis, DerivativeMethod::forward));
+      }
+    for (const Derivative derivative :
+         {axis == Axis::x ? Derivative::x : Derivative::y,
+          axis == Axis::x ? Derivative::x_coarse : Derivative::y_coarse}) {
+      PermittedDerivatives permitted(f, 0x1p-20);
+      const Interval found = permitted.in_area(pixel, derivative);
+      EXPECT_TRUE(holds(found, expected)) << name_of(derivative);
+      EXPECT_LT(width_of(found), 1.05 * width_of(expected)) << name_of(derivative);
+      EXPECT_LT(width_of(permitted.at(pixel, derivative)), 0.7 * width_of(expected));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace edgecase

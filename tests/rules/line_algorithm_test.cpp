@@ -265,5 +265,28 @@ TEST(DiamondParts, OfTheShortestSegments) {
   }
 }
 
+// Rectangles and parallelograms are areas, at width 1 and as the wide form; what puts one column of
+// pixels upon another is none, and no more are triangles that are placed otherwise.
+TEST(LineAlgorithms, SomeFillAreas) {
+  const auto fills = [](LineAlgorithm algorithm, WideLine wide, int width) {
+    LineChoice choice;
+    choice.algorithm = algorithm;
+    choice.wide = wide;
+    return fills_area(choice, Fixed::from_integer(width));
+  };
+  for (const LineAlgorithm algorithm : all_line_algorithms()) {
+    const bool is_area = algorithm == LineAlgorithm::rectangle ||
+                         algorithm == LineAlgorithm::parallelogram ||
+                         algorithm == LineAlgorithm::parallelogram_ends_tested;
+    for (const WideLine wide : all_wide_lines()) {
+      EXPECT_EQ(fills(algorithm, wide, 1), is_area) << name_of(algorithm);
+      const bool is_wide_area =
+          wide == WideLine::replicate ? is_area : wide != WideLine::shifted_triangles;
+      EXPECT_EQ(fills(algorithm, wide, 2), is_wide_area) << name_of(algorithm);
+      EXPECT_EQ(fills(algorithm, wide, 3), is_wide_area) << name_of(algorithm);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace edgecase

@@ -321,5 +321,21 @@ TEST(SnappedRectangle, ASideThatIsRoundedAwayDecidesNothing) {
   EXPECT_TRUE(rounded_rectangle_covers(corners, raw(0, 1), *find_tie_rule("closed")));
 }
 
+// Each corner alone may be the one that reaches across a border, to either side.
+TEST(SnappedRectangle, AnyCornerCrossesABorder) {
+  for (std::size_t far = 0; far < 4; ++far)
+    for (const double to : {-0.5, 1.5})
+      for (const bool level : {true, false}) {
+        std::array<Point, 4> corners{};
+        for (std::size_t i = 0; i < 4; ++i) {
+          const double along = i == far ? to : 0.5, across = i % 2 == 0 ? 0.5 : 1.5;
+          corners[i] = level ? at(along, across) : at(across, along);
+        }
+        EXPECT_TRUE(crosses_borders(corners, {0, 0, 2, 2})) << far << ' ' << to;
+        corners[far] = level ? at(0.75, 1.5) : at(1.5, 0.75);
+        EXPECT_FALSE(crosses_borders(corners, {0, 0, 2, 2})) << far << ' ' << to;
+      }
+}
+
 }  // namespace
 }  // namespace edgecase

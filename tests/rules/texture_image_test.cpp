@@ -104,5 +104,57 @@ TEST(DecodeBorder, ClampsToTheFormatsRange) {
   EXPECT_EQ(ends_of(texel[3]), Ends(-kInfinity, kInfinity));
 }
 
+// Both pieces of either function, and their limits; 0.5 is ((0.5 + 0.055) / 1.055)^2.4 as linear.
+TEST(SrgbNumbers, AreThoseOfTheCurve) {
+  const auto expect_near = [](double number, double exact) {
+    EXPECT_NEAR(number, exact, 0x1p-48 * exact) << exact;
+  };
+  for (const double beyond : {-2.0, 0.0}) {
+    EXPECT_EQ(srgb_to_linear_number(beyond), 0);
+    EXPECT_EQ(linear_to_srgb_number(beyond), 0);
+  }
+  for (const double beyond : {1.0, 3.0}) {
+    expect_near(srgb_to_linear_number(beyond), 1);
+    expect_near(linear_to_srgb_number(beyond), 1);
+    EXPECT_LE(linear_to_srgb_number(beyond), 1);
+  }
+  expect_near(srgb_to_linear_number(0.0323), 0.0025);
+  expect_near(linear_to_srgb_number(0.0025), 0.0323);
+  expect_near(srgb_to_linear_number(0.5), 0.21404114048223255);
+  expect_near(linear_to_srgb_number(0.21404114048223255), 0.5);
+}
+
+// Of every code: the linear number that the narrow interval holds, and back.
+TEST(SrgbNumbers, GoToTheLinearNumberOfACodeAndBack) {
+  for (int code = 0; code < 256; ++code) {
+    const double coded = code / 255.0;
+    const double linear = srgb_to_linear_number(coded);
+    EXPECT_NEAR(linear, srgb_to_linear(code).low, 0x1p-47 * linear) << code;
+    EXPECT_NEAR(linear_to_srgb_number(linear), coded, 0x1p-46 * coded) << code;
+  }
+}
+
+TEST(SrgbNumbers, OfTexelsLeaveAlphaAsItIs) {
+  const Interval half{0.5, 1}, linear{0.21404114048223255, 1};
+  const Texel coded = srgb_coded(Texel{linear, 0, 1, linear});
+  EXPECT_NEAR(coded[0].low, 0.5, 0x1p-48);
+  EXPECT_NEAR(coded[0].high, 1, 0x1p-48);
+  EXPECT_EQ(ends_of(coded[1]), Ends(0.0, 0.0));
+  EXPECT_NEAR(coded[2].low, 1, 0x1p-48);
+  EXPECT_EQ(ends_of(coded[3]), ends_of(linear));
+  const Texel decoded = srgb_decoded(Texel{0, half, half, half});
+  EXPECT_EQ(ends_of(decoded[0]), Ends(0.0, 0.0));
+  EXPECT_NEAR(decoded[1].low, 0.21404114048223255, 0x1p-48);
+  EXPECT_NEAR(decoded[2].low, 0.21404114048223255, 0x1p-48);
+  EXPECT_EQ(ends_of(decoded[3]), ends_of(half));
+  const DecodedLevel level{2, 1, {Texel{linear, 0, 0, 0}, Texel{0, linear, 0, 0}}};
+  const DecodedTexture all = srgb_coded(DecodedTexture{2, TextureFormat::srgb8, {level, level}});
+  for (const DecodedLevel& one : all.levels) {
+    EXPECT_NEAR(one.at(0, 0)[0].low, 0.5, 0x1p-48);
+    EXPECT_NEAR(one.at(1, 0)[1].low, 0.5, 0x1p-48);
+  }
+  EXPECT_EQ(all.levels.size(), 2U);
+}
+
 }  // namespace
 }  // namespace edgecase

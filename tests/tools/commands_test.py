@@ -155,9 +155,9 @@ def unfilter(kind, line, above, size):
 class Render(CommandTest):
     def test_png_files_show_the_pixels_top_row_first(self):
         for renderer, scale in (("exact", 1), ("osmesa:llvmpipe", 3)):
-            self.command("render", SUITE, "--filter", "colors/*", "--with", renderer, "--png",
+            self.command("render", f"{SUITE}/colors", "--with", renderer, "--png",
                          "pictures", "--scale", scale)
-            lines = self.command("render", SUITE, "--filter", "colors/*", "--with", renderer,
+            lines = self.command("render", f"{SUITE}/colors", "--with", renderer,
                                  "--json", "-").stdout.splitlines()
             files = [path for path in (self.folder / "pictures").rglob("*") if path.is_file()]
             self.assertEqual(len(files), len(lines))

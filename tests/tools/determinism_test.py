@@ -3,6 +3,7 @@
 target, by none, and as libm is on an older processor. A program that writes one byte otherwise is
 found, and so is one that cannot be asked."""
 import shlex
+import shutil
 import subprocess
 import unittest
 
@@ -34,10 +35,10 @@ class Determinism(CommandTest):
         return run.returncode, run.stdout + run.stderr
 
     def test_a_sample_is_the_same_each_time(self):
-        # Loading all cases would take a share longer than drawing its sample.
         sample = ["--share", "1/120", *(f"{SUITE}/{folder}" for folder in FOLDERS)]
         if COUNT > 1:
-            sample = ["--share", "1/20", *files_of_share(*FOLDERS)]
+            self.copy_cases(files_of_share(*FOLDERS))
+            sample = ["--share", "1/20", self.folder / "cases"]
         code, text = self.compare("--program", EDGECASE, *sample)
         self.assertEqual(code, 0, text)
         lines = text.splitlines()
@@ -50,12 +51,13 @@ class Determinism(CommandTest):
 
     def test_one_byte_is_found(self):
         for option, name in in_share((("--csv", "report.csv"), ("-o", "exact.rec"))):
+            case = self.folder / "one.json"
+            shutil.copy(f"{SUITE}/lines/short/between-diamonds.json", case)
             program = self.folder / "spoiling"
             program.write_text(SPOILING.format(command=shlex.quote(str(EDGECASE)), option=option,
                                                at=50), encoding="utf-8")
             program.chmod(0o755)
-            code, text = self.compare("--program", EDGECASE, "--program", program,
-                                      f"{SUITE}/lines/short/between-diamonds.json")
+            code, text = self.compare("--program", EDGECASE, "--program", program, case)
             self.assertEqual(code, 1, text)
             self.assertIn(f"{name} differs at byte 50, line ", text)
             self.assertIn("differences, see above", text)

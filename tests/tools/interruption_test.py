@@ -10,10 +10,12 @@ import time
 import unittest
 import xml.etree.ElementTree
 
-from support import (EDGECASE, PATIENCE, PROBES, SUITE, UNEXPECTED, CommandTest, environment,
+from support import (EDGECASE, PATIENCE, SUITE, UNEXPECTED, CommandTest, environment,
                      processes_that_mention, verdicts)
 
 SOON = 10  # seconds
+# Thousands of cases, far more than a nap each lets finish; all of the suite take seconds to load.
+MANY = f"{SUITE}/lines"
 
 
 class Interruption(CommandTest):
@@ -41,7 +43,7 @@ class Interruption(CommandTest):
         return running.returncode, errors
 
     def run_arguments(self, renderer):
-        return ["run", *PROBES, "--against", renderer, "--jobs", "1", "--json", "results.json",
+        return ["run", MANY, "--against", renderer, "--jobs", "1", "--json", "results.json",
                 "--junit", "junit.xml", "--html", "report.html"]
 
     def check_partial_results(self, least):
@@ -69,7 +71,7 @@ class Interruption(CommandTest):
 
     def test_other_subcommands(self):
         case = f"{SUITE}/triangles/ties/flat-top.json"
-        for arguments in (lambda renderer: ["render", *PROBES, "--with", renderer],
+        for arguments in (lambda renderer: ["render", MANY, "--with", renderer],
                           lambda renderer: ["explain", case, "--against", renderer],
                           lambda renderer: ["backends", renderer],
                           lambda renderer: ["backends", renderer, "--json", "-"]):
@@ -82,7 +84,7 @@ class Interruption(CommandTest):
     def test_render_keeps_what_was_finished(self):
         code, errors = self.start_and_stop(
             "nap", 3, signal.SIGINT,
-            lambda renderer: ["render", *PROBES, "--with", renderer, "--json", "some.jsonl"])
+            lambda renderer: ["render", MANY, "--with", renderer, "--json", "some.jsonl"])
         self.assertEqual(code, UNEXPECTED)
         self.assertIn("interrupted", errors)
         lines = (self.folder / "some.jsonl").read_text(encoding="utf-8").splitlines()

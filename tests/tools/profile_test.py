@@ -4,7 +4,7 @@ import json
 import unittest
 
 from suite_data import IS_QUICK, in_full_tier, in_share
-from support import (AS_EXPECTED, PROBES, RENDERER, ROOT, SUITE, UNEXPECTED, USAGE, CommandTest,
+from support import (AS_EXPECTED, RENDERER, ROOT, SUITE, UNEXPECTED, USAGE, CommandTest,
                      triangle_case, verdicts)
 
 PROFILES = ROOT / "cases" / "profiles"
@@ -75,7 +75,7 @@ class Profile(CommandTest):
         path = self.folder / "policy.json"
         self.command("profile", "--against", "exact", "--policy",
                      ROOT / "cases/policies/cs184.json", *FEWEST, "--policy-file", path)
-        results = self.results(SUITE, "--filter", "triangles/*", "--policy", path, "--against",
+        results = self.results(f"{SUITE}/triangles", "--policy", path, "--against",
                                "exact", expect=UNEXPECTED)
         # Closed edges are found, and remain what OpenGL forbids.
         self.assertIn("violation", verdicts(results).values())
@@ -131,15 +131,15 @@ class Profile(CommandTest):
 class ProfilePolicy(CommandTest):
     def test_is_that_of_the_one_renderer(self):
         """softpipe agrees with its own profile wherever that is legal, and is not excused else."""
-        results = self.results(SUITE, "--filter", "triangles/*", "--against", "osmesa:softpipe",
+        results = self.results(f"{SUITE}/triangles", "--against", "osmesa:softpipe",
                                "--policy", "profile", expect=None)
         found = set(verdicts(results).values())
         self.assertIn("agree", found)
         self.assertNotIn("convention", found)
 
     def test_needs_one_renderer_with_a_profile(self):
-        run = self.command("run", *PROBES, "--policy", "profile", "--against", "osmesa:softpipe",
-                           "--against", "osmesa:llvmpipe", expect=USAGE)
+        run = self.command("run", f"{SUITE}/points", "--policy", "profile", "--against",
+                           "osmesa:softpipe", "--against", "osmesa:llvmpipe", expect=USAGE)
         self.assertIn("name one with --against", run.stderr)
         self.write("cases/one.json", triangle_case())
         run = self.command("run", "cases", "--policy", "profile", "--against", "exact",
