@@ -17,6 +17,7 @@
 #include "reports/sample_data.h"
 #include "reports/text.h"
 #include "results/worst_first.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -53,11 +54,11 @@ Json figure_json(const Figure& figure) {
 
 // Fields that say nothing are left out: the report holds thousands of these.
 Json disagreement_json(const Disagreement& d, int samples) {
-  Json json = {{"x", d.x}, {"y", d.y}, {"kind", name_of(d.kind)}, {"rule", d.rule}};
+  Json json = {{"x", d.x}, {"y", d.y}, {"kind", name_of(d.kind)}, {"rule", name_of(d.rule)}};
   if (names_sample(d, samples)) json["sample"] = d.sample;
   if (d.primitive >= 0) json["primitive"] = d.primitive;
   json["legality"] = name_of(d.legality);
-  if (!d.cause.empty()) json["cause"] = d.cause;
+  if (!d.cause.empty()) json["cause"] = text_of(d.cause);
   if (!d.situation.empty()) json["situation"] = d.situation;
   if (d.ruling != 0) json["ruling"] = d.ruling;
   json["exact"] = numbers(d.exact);
@@ -78,9 +79,9 @@ Json values_json(const ValueAggregate& v) {
   for (const auto& [exponent, count] : v.ulp_histogram)
     histogram.push_back(Json::array({exponent, count}));
   return {{"attribute", v.attribute},
-          {"rule", v.rule},
+          {"rule", name_of(v.rule)},
           {"ruling", v.ruling},
-          {"cause", v.cause},
+          {"cause", text_of(v.cause)},
           {"compared", v.compared},
           {"differing", v.differing.size()},
           {"places", places},
@@ -176,8 +177,10 @@ Json answer_json(const CaseResults& one, const Result& result) {
   json["values"] = std::move(values);
   Json evidence = Json::array();
   for (const Result::Evidence& e : result.evidence) {
+    Json causes = Json::array();
+    for (const Cause& cause : e.causes) causes.push_back(text_of(cause));
     evidence.push_back({{"primitive", e.primitive},
-                        {"causes", e.causes},
+                        {"causes", std::move(causes)},
                         {"illegal_line_snaps", e.illegal_line_snaps},
                         {"broken_clause", e.broken_clause}});
     if (e.pass >= 0) evidence.back()["pass"] = e.pass;

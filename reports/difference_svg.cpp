@@ -301,7 +301,7 @@ std::string caption_of(const DifferencePicture& picture) {
   if (d == nullptr) return fmt::format("{}: nothing differs.", name_of(picture.verdict));
   const std::string ruling = d->ruling > 0 ? fmt::format(", ruling {}", d->ruling) : "";
   return fmt::format("{}: pixel ({}, {}) {}, {}{}", name_of(picture.verdict), d->x, d->y,
-                     name_of(d->kind), d->rule, ruling);
+                     name_of(d->kind), name_of(d->rule), ruling);
 }
 
 std::string words_of(const Sign& sign, int count) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reports/text.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -37,9 +38,9 @@ std::string begin_row(const std::string& id, const std::string& renderer, const 
 
 std::string row(const Disagreement& d) {
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", d.x, d.y, d.sample, d.primitive,
-                     name_of(d.kind), field(d.rule), name_of(d.legality), d.ruling, field(d.cause),
-                     field(d.situation), numbers(d.exact), numbers(d.rendered),
-                     field(d.explanation));
+                     name_of(d.kind), field(name_of(d.rule)), name_of(d.legality), d.ruling,
+                     field(text_of(d.cause)), field(d.situation), numbers(d.exact),
+                     numbers(d.rendered), field(d.explanation));
 }
 
 }  // namespace

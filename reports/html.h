@@ -49,7 +49,7 @@ struct ReportTexts {
   std::vector<RuleText> rules;
   std::vector<RulingText> rulings;
   // Does the specification leave open all of a cause? Unset: nothing is.
-  std::function<bool(const std::string& cause)> is_open_choice;
+  std::function<bool(const Cause& cause)> is_open_choice;
   ReportProfiles profiles;
   std::optional<Comparison> since;  // from earlier results to these
 };

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rules/all_rules.h"
+
 namespace edgecase {
 namespace {
 
@@ -115,8 +117,8 @@ std::vector<std::string> open_causes_of_levels(const Result& result) {
   if (blamed) return causes;
   for (const ValueAggregate& values : result.values)
     if (values.ruling == kLevelRuling && !values.cause.empty() &&
-        std::ranges::find(causes, values.cause) == causes.end())
-      causes.push_back(values.cause);
+        std::ranges::find(causes, text_of(values.cause)) == causes.end())
+      causes.push_back(text_of(values.cause));
   return causes;
 }
 

@@ -11,6 +11,7 @@
 
 #include "results/clusters.h"
 #include "results/worst_first.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -48,9 +49,9 @@ class FindingsOf {
 
   Findings operator()(const Result& result) const {
     Findings found;
-    for (const Disagreement& d : result.disagreements) add(found, d.rule, verdict_of(d));
+    for (const Disagreement& d : result.disagreements) add(found, name_of(d.rule), verdict_of(d));
     for (const ValueAggregate& values : result.values)
-      if (!values.differing.empty()) add(found, values.rule, verdict_of(values.cause));
+      if (!values.differing.empty()) add(found, name_of(values.rule), verdict_of(values.cause));
     return found;
   }
 
@@ -67,7 +68,7 @@ class FindingsOf {
   }
 
   // Of what is legal by itself.
-  Verdict verdict_of(const std::string& cause) const {
+  Verdict verdict_of(const Cause& cause) const {
     if (latitude_ == Latitude::none) return Verdict::violation;
     const bool is_open = !cause.empty() && texts_->is_open_choice && texts_->is_open_choice(cause);
     return is_open ? Verdict::convention : Verdict::permitted;
@@ -161,7 +162,7 @@ std::size_t place_of(const Results& results, std::size_t renderer, const Cluster
   if (one == results.cases.end() || one->id != cluster.smallest_case) return 0;
   const auto list = worst_first(one->results[renderer]);  // as case_details lists them
   const auto found = std::ranges::find_if(list, [&](const Disagreement* d) {
-    return d->x == cluster.x && d->y == cluster.y && d->cause == cluster.cause &&
+    return d->x == cluster.x && d->y == cluster.y && text_of(d->cause) == cluster.cause &&
            d->legality == cluster.legality &&
            (cluster.kind.empty() || cluster.kind == name_of(d->kind));
   });

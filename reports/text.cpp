@@ -7,6 +7,7 @@
 
 #include "model/counted.h"
 #include "results/worst_first.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -147,9 +148,9 @@ std::string place_of(const Disagreement& d, int samples) {
 std::string describe(const Disagreement& d, int samples) {
   std::string text = place_of(d, samples);
   if (d.primitive >= 0) text += fmt::format(", primitive {}", d.primitive);
-  text += fmt::format(", {}, {}, {}", name_of(d.kind), d.rule, describe(d.legality));
+  text += fmt::format(", {}, {}, {}", name_of(d.kind), name_of(d.rule), describe(d.legality));
   if (d.ruling > 0) text += fmt::format(" by ruling {}", d.ruling);
-  if (!d.cause.empty()) text += fmt::format(", cause {}", d.cause);
+  if (!d.cause.empty()) text += fmt::format(", cause {}", text_of(d.cause));
   return text + ": " + d.explanation;
 }
 
@@ -160,9 +161,9 @@ std::string describe(const ValueAggregate& values) {
       "{}: {} of {} values differ {}, worst {:.4g} ULP at pixel ({}, {}): "
       "{} exact, {} rendered; mean {:.3g} ULP, at most {:.3g} of the attribute's range",
       values.attribute, values.differing.size(), values.compared,
-      values.cause.empty() ? "within what is permitted" : "by " + values.cause, values.worst_ulp,
-      values.worst.x, values.worst.y, values.worst_exact, values.worst_rendered, values.mean_ulp,
-      values.worst_relative);
+      values.cause.empty() ? "within what is permitted" : "by " + text_of(values.cause),
+      values.worst_ulp, values.worst.x, values.worst.y, values.worst_exact, values.worst_rendered,
+      values.mean_ulp, values.worst_relative);
 }
 
 std::string first_explanation(const Result& result, int samples) {

@@ -15,6 +15,7 @@
 #include "reports/text.h"
 #include "results/clusters.h"
 #include "results/worst_first.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -32,16 +33,16 @@ std::string cause_of(const CaseResults& one, const Result& result) {
   Cluster cluster;
   cluster.surface = one.surface;
   if (const Disagreement* d = leading(result)) {
-    cluster.cause = d->cause;
-    cluster.rule = d->rule;
+    cluster.cause = text_of(d->cause);
+    cluster.rule = name_of(d->rule);
     cluster.kind = name_of(d->kind);
     cluster.situation = d->situation;
     return title_of(cluster);
   }
   for (const ValueAggregate& values : result.values) {
     if (values.differing.empty()) continue;
-    cluster.cause = values.cause;
-    cluster.rule = values.rule;
+    cluster.cause = text_of(values.cause);
+    cluster.rule = name_of(values.rule);
     cluster.attribute = values.attribute;
     return title_of(cluster);
   }

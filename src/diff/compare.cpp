@@ -11,7 +11,6 @@
 #include <tuple>
 #include <utility>
 
-#include "diff/coverage/alternatives.h"
 #include "diff/coverage/explanation.h"
 #include "diff/coverage/legality.h"
 #include "diff/drawing_compare.h"
@@ -21,23 +20,27 @@
 #include "diff/values/equal_values.h"
 #include "raster/primitives.h"
 #include "raster/rasterizer.h"
+#include "rules/all_rules.h"
+#include "rules/changes.h"
 #include "rules/choices.h"
 #include "rules/coverage/clip_explanation.h"
+#include "rules/coverage/window_origin.h"
 
 namespace edgecase {
 namespace {
 
 bool reads_before(const Disagreement& a, const Disagreement& b) {
-  return std::tie(a.y, a.x, a.primitive, a.sample, a.kind, a.rule) <
-         std::tie(b.y, b.x, b.primitive, b.sample, b.kind, b.rule);
+  const auto key_of = [](const Disagreement& d) {
+    return std::tuple(d.y, d.x, d.primitive, d.sample, d.kind, std::string_view(name_of(d.rule)));
+  };
+  return key_of(a) < key_of(b);
 }
 
-Result compare_whole(const Drawing& drawing, std::string refuted) {
+Result compare_whole(const Drawing& drawing, const AlternativeSet& refuted) {
   const auto& [scene, policy, exact, rendered, facts] = drawing;
-  if (!scene.supersampling.empty()) return compare_passes(drawing, std::move(refuted));
+  if (!scene.supersampling.empty()) return compare_passes(drawing, refuted);
   const bool exact_values = has_exact_values(scene, policy, exact, rendered);
-  return compare_drawing(drawing, std::move(refuted),
-                         exact_values ? Compared::coverage : Compared::all);
+  return compare_drawing(drawing, refuted, exact_values ? Compared::coverage : Compared::all);
 }
 
 // Notes in the result whether the answer is upside down, or is evidence that those of its renderer
@@ -48,13 +51,12 @@ void read_upside_down(const Drawing& drawing, Result& result) {
     if (result.disagreements.empty()) return true;
     const Rendering turned = turned_over(drawing.rendered);
     // What is refuted already is not tried again.
-    std::string all_refuted(alternative_names().size(), '1');
     return compare_whole({drawing.scene, drawing.policy, drawing.exact, turned, drawing.facts},
-                         std::move(all_refuted))
+                         AlternativeSet::all())
         .disagreements.empty();
   };
   if (!holds_upside_down())
-    result.refuted.back() = '1';
+    result.refuted.add({kWindowOrigin});
   else if (!result.disagreements.empty())
     note_upside_down(result);
 }
@@ -73,15 +75,14 @@ LookupLimits lookup_limits(const std::map<std::string, std::string>& traits) {
 
 }  // namespace
 
-RendererFacts facts_of(const RendererInfo& info, const Policy* profile) {
+RendererFacts facts_of(const RendererInfo& info, const ResolvedPolicy* profile) {
   return {info.subpixel_bits, profile, supported_sizes(info.traits), lookup_limits(info.traits)};
 }
 
-Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
+Result compare(const Scene& scene, const ResolvedPolicy& policy, const Rendering& exact,
                const Rendering& rendered, const RendererFacts& facts) {
   const Drawing drawing{scene, policy, exact, rendered, facts};
-  std::string none_refuted(alternative_names().size(), '0');
-  Result result = compare_whole(drawing, std::move(none_refuted));
+  Result result = compare_whole(drawing, {});
   read_upside_down(drawing, result);
   std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
@@ -126,18 +127,18 @@ Figure scene_figure(const Scene& scene) {
   return figure;
 }
 
-std::vector<PixelExplanation> explain_pixel(const Scene& scene, const Policy& policy, int x,
+std::vector<PixelExplanation> explain_pixel(const Scene& scene, const ResolvedPolicy& policy, int x,
                                             int y) {
-  const RuleChoices choices = resolve(policy, scene.target.surface);
+  const RuleChoices& choices = policy.on(scene.target.surface);
   std::vector<PixelExplanation> result;
   for (const ScenePrimitive& primitive : primitives_of(scene)) {
     const CoverageChoice& choice = choices.of(primitive.kind);
     const SamplePositions positions = positions_of(scene.target, choice, {});
     const SampleCoverage coverage = covered_samples(primitive, scene.target, choice, {});
     const bool multisampled = is_multisampled(*primitive.state, scene.target);
-    const std::string rule = is_culled(primitive, scene.target, choice)
-                                 ? "polygon.facing"
-                                 : rule_on_coverage(primitive, scene.target);
+    const RuleId rule = is_culled(primitive, scene.target, choice)
+                            ? RuleId::polygon_facing
+                            : rule_on_coverage(primitive, scene.target);
     for (std::size_t s = 0; s < (multisampled ? positions.size() : 1); ++s) {
       const Point within = multisampled ? positions[s] : centre_of_pixel();
       Explanation why = explain(primitive, place_in({x, y}, within), scene.target, choice);

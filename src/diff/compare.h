@@ -7,11 +7,11 @@
 
 #include "diff/coverage/supported_sizes.h"
 #include "model/figure.h"
-#include "model/policy.h"
 #include "model/renderer.h"
 #include "model/rendering.h"
 #include "model/result.h"
 #include "model/scene.h"
+#include "rules/choices.h"
 #include "rules/textures/level_of_detail.h"
 
 namespace edgecase {
@@ -19,18 +19,18 @@ namespace edgecase {
 // What is known of the renderer beside the rendering.
 struct RendererFacts {
   int reported_subpixel_bits = 4;
-  const Policy* profile = nullptr;  // what it is measured to follow; null: not known
-  SupportedSizes sizes = {};        // of points and of multisampled lines
-  LookupLimits lookups = {};        // of levels of detail
+  const ResolvedPolicy* profile = nullptr;  // what it is measured to follow; null: not known
+  SupportedSizes sizes = {};                // of points and of multisampled lines
+  LookupLimits lookups = {};                // of levels of detail
 };
 
 // What a renderer says of itself. `profile` must outlive it.
-RendererFacts facts_of(const RendererInfo& info, const Policy* profile);
+RendererFacts facts_of(const RendererInfo& info, const ResolvedPolicy* profile);
 
 // Compares a rendering of `scene` with the exact one under `policy`. Both must have the scene's
 // size and only primitives of the scene. The verdict stays open until judge(), and pictures are
 // left to those who keep results (run/comparing.h).
-Result compare(const Scene& scene, const Policy& policy, const Rendering& exact,
+Result compare(const Scene& scene, const ResolvedPolicy& policy, const Rendering& exact,
                const Rendering& rendered, const RendererFacts& facts);
 
 // The result of a scene that has no rendering.
@@ -45,11 +45,12 @@ struct PixelExplanation {
   int primitive = 0;
   int sample = -1;  // -1: the pixel
   bool covered = false;
-  std::string rule;
+  RuleId rule;
   std::string text;
   Figure figure;
 };
 
-std::vector<PixelExplanation> explain_pixel(const Scene& scene, const Policy& policy, int x, int y);
+std::vector<PixelExplanation> explain_pixel(const Scene& scene, const ResolvedPolicy& policy, int x,
+                                            int y);
 
 }  // namespace edgecase

@@ -54,28 +54,28 @@ void mark_sample(Disagreement& d, const SamplePositions& positions) {
 
 }  // namespace
 
-Result compare_drawing(const Drawing& drawing, std::string refuted, Compared compared) {
+Result compare_drawing(const Drawing& drawing, const AlternativeSet& refuted, Compared compared) {
   const auto& [scene, policy, exact, rendered, facts] = drawing;
   const Surface surface = scene.target.surface;
-  const RuleChoices choices = resolve(policy, surface);
+  const RuleChoices& choices = policy.on(surface);
   const int bits = latitude_bits(facts.reported_subpixel_bits);
   const std::vector<ScenePrimitive> primitives = primitives_of(scene);
   const auto coverage = match_coverage(primitives.size(), exact, rendered);
-  std::optional<RuleChoices> profile;
-  if (facts.profile != nullptr) profile = resolve(*facts.profile, surface);
+  const RuleChoices* const profile =
+      facts.profile != nullptr ? &facts.profile->on(surface) : nullptr;
 
   Result result;
-  result.refuted = std::move(refuted);
-  compare_coverage({scene, primitives, coverage, choices, profile ? &*profile : nullptr,
-                    policy.latitude, bits, true, rendered.sample_positions, facts.sizes},
+  result.refuted = refuted;
+  compare_coverage({scene, primitives, coverage, choices, profile, policy.latitude(), bits, true,
+                    rendered.sample_positions, facts.sizes},
                    result);
   if (compared == Compared::all) {
-    ValueContext values(scene, primitives, choices, bits, policy.latitude,
+    ValueContext values(scene, primitives, choices, bits, policy.latitude(),
                         rendered.sample_positions);
     if (rendered.samples > 1) values.follow(followed_rate(values, rendered));
     values.follow_limits(facts.lookups);
     values.follow_fixed_unit(followed_fixed_unit(values, rendered));
-    compare_values(values, exact, rendered, profile ? &*profile : nullptr, result);
+    compare_values(values, exact, rendered, profile, result);
   }
   for (Disagreement& d : result.disagreements) {
     if (rendered.samples > 1)

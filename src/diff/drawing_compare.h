@@ -13,7 +13,7 @@ namespace edgecase {
 // All must outlive it.
 struct Drawing {
   const Scene& scene;
-  const Policy& policy;
+  const ResolvedPolicy& policy;
   const Rendering& exact;
   const Rendering& rendered;
   const RendererFacts& facts;
@@ -26,7 +26,7 @@ enum class Compared { all, coverage };
 // Disagreements are not sorted, and values tell of attributes, too, of which nothing differs.
 // `refuted`: which alternatives are refuted already, as Result::refuted. They stay so, and are not
 // tried again.
-Result compare_drawing(const Drawing& drawing, std::string refuted,
+Result compare_drawing(const Drawing& drawing, const AlternativeSet& refuted,
                        Compared compared = Compared::all);
 
 }  // namespace edgecase

@@ -2,7 +2,6 @@
 #include "diff/judge.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -10,11 +9,11 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include "diff/coverage/alternatives.h"
 #include "diff/coverage/cause.h"
 #include "diff/coverage/legality.h"
 #include "diff/pixel_verdicts.h"
@@ -46,27 +45,26 @@ std::string choose_line_reading(std::span<Result* const> results) {
   return best;
 }
 
-using Counts = std::map<std::string, std::ptrdiff_t>;
+using Counts = std::map<AlternativeId, std::ptrdiff_t>;
 
 // RunReading::alternatives and RunReading::refuted. A primitive of several passes counts once.
 void read_alternatives(std::span<Result* const> results, RunReading& reading) {
   Counts& counts = reading.alternatives;
   for (const Result* result : results) {
-    std::set<std::pair<int, std::string>> helpful;
+    std::set<std::pair<int, AlternativeId>> helpful;
     for (const Result::Evidence& evidence : result->evidence)
-      for (const std::string& cause : evidence.causes)
-        for (const std::string& part : parts_of(cause)) helpful.emplace(evidence.primitive, part);
+      for (const Cause& cause : evidence.causes)
+        for (const AlternativeId part : cause.parts) helpful.emplace(evidence.primitive, part);
     for (const auto& [primitive, part] : helpful) ++counts[part];
-    for (std::size_t i = 0; i < result->refuted.size(); ++i)
-      if (result->refuted[i] == '1') {
-        --counts[alternative_names()[i]];
-        reading.refuted.insert(alternative_names()[i]);
-      }
+    result->refuted.for_each([&](AlternativeId id) {
+      --counts[id];
+      reading.refuted.add(id);
+    });
   }
 }
 
 // Of an alternative that a run does not know, nothing speaks for or against it.
-std::ptrdiff_t count_of(const Counts& counts, const std::string& alternative) {
+std::ptrdiff_t count_of(const Counts& counts, AlternativeId alternative) {
   const auto found = counts.find(alternative);
   return found == counts.end() ? 0 : found->second;
 }
@@ -87,22 +85,22 @@ bool is_legal(const Result& result, const Result::Evidence& evidence, const std:
 }
 
 // Does the run speak for each of these alternatives more often than against it?
-bool is_followed(const std::vector<std::string>& parts, const Counts& counts) {
-  return std::all_of(parts.begin(), parts.end(),
-                     [&](const std::string& part) { return count_of(counts, part) > 0; });
+bool is_followed(const Cause& cause, const Counts& counts) {
+  return std::ranges::all_of(cause.parts,
+                             [&](AlternativeId part) { return count_of(counts, part) > 0; });
 }
 
 // How many primitives of the run the alternatives of a cause help to explain, on average.
-double support_of(const std::vector<std::string>& parts, const Counts& counts) {
+double support_of(const Cause& cause, const Counts& counts) {
   std::ptrdiff_t sum = 0;
-  for (const std::string& part : parts) sum += count_of(counts, part);
-  return static_cast<double>(sum) / static_cast<double>(parts.size());
+  for (const AlternativeId part : cause.parts) sum += count_of(counts, part);
+  return static_cast<double>(sum) / static_cast<double>(cause.size());
 }
 
 // Does some case of the run that agrees refute one of these?
-bool is_refuted(const std::vector<std::string>& parts, const RunReading& reading) {
-  return std::ranges::any_of(
-      parts, [&](const std::string& part) { return reading.refuted.contains(part); });
+bool is_refuted(const Cause& cause, const RunReading& reading) {
+  return std::ranges::any_of(cause.parts,
+                             [&](AlternativeId part) { return reading.refuted.contains(part); });
 }
 
 // The most support that a fault has among the candidates, none of whose alternatives any case of
@@ -110,41 +108,38 @@ bool is_refuted(const std::vector<std::string>& parts, const RunReading& reading
 // choice draws; elsewhere in the run that choice is refuted.
 double most_support_of_a_fault(const Result::Evidence& evidence, const RunReading& reading) {
   double most = 0;
-  for (const std::string& cause : evidence.causes) {
-    const std::vector<std::string> parts = parts_of(cause);
-    if (is_open_choice(cause) || is_refuted(parts, reading)) continue;
-    most = std::max(most, support_of(parts, reading.alternatives));
-  }
+  for (const Cause& cause : evidence.causes)
+    if (!is_open_choice(cause) && !is_refuted(cause, reading))
+      most = std::max(most, support_of(cause, reading.alternatives));
   return most;
 }
 
-// The candidate whose alternatives explain most of the run, on average; the first in catalogue
-// order of those that tie. Of what is legal, one that the specification leaves open comes before
-// one that it does not; if it is not among the smallest, it must be what the renderer does
-// elsewhere, and if the run refutes it, no fault that the run does not refute may explain more.
-// What is illegal, a hole in a shared edge say, speaks for neither.
-std::string choose_cause(const Result::Evidence& evidence, bool legal, const RunReading& reading) {
+// The candidate whose alternatives explain most of the run, on average; the first of those that
+// tie. Of what is legal, one that the specification leaves open comes before one that it does not;
+// if it is not among the smallest, it must be what the renderer does elsewhere, and if the run
+// refutes it, no fault that the run does not refute may explain more. What is illegal, a hole in a
+// shared edge say, speaks for neither.
+Cause choose_cause(const Result::Evidence& evidence, bool legal, const RunReading& reading) {
   const Counts& counts = reading.alternatives;
-  std::string best;
+  const Cause* best = nullptr;
   std::pair most{false, -std::numeric_limits<double>::infinity()};
   std::size_t least = std::numeric_limits<std::size_t>::max();
-  for (const std::string& cause : evidence.causes) least = std::min(least, parts_of(cause).size());
+  for (const Cause& cause : evidence.causes) least = std::min(least, cause.size());
   const double fault = most_support_of_a_fault(evidence, reading);
-  for (const std::string& cause : evidence.causes) {
-    const std::vector<std::string> parts = parts_of(cause);
-    const double support = support_of(parts, counts);
-    const bool likely = parts.size() == least || is_followed(parts, counts);
-    const bool outdone = fault > 0 && support < fault && is_refuted(parts, reading);
+  for (const Cause& cause : evidence.causes) {
+    const double support = support_of(cause, counts);
+    const bool likely = cause.size() == least || is_followed(cause, counts);
+    const bool outdone = fault > 0 && support < fault && is_refuted(cause, reading);
     const std::pair score{legal && likely && !outdone && is_open_choice(cause), support};
     if (score <= most) continue;
     most = score;
-    best = cause;
+    best = &cause;
   }
-  return best;
+  return best != nullptr ? *best : Cause();
 }
 
 void judge_primitive(const Result::Evidence& evidence, const std::string& reading,
-                     const std::string& cause, Result& result) {
+                     const Cause& cause, Result& result) {
   for (Disagreement& d : result.disagreements) {
     if (!is_of(d, evidence) || d.kind == DisagreementKind::value) continue;
     if (d.policy_agrees) continue;
@@ -152,31 +147,32 @@ void judge_primitive(const Result::Evidence& evidence, const std::string& readin
     if (!is_about_a_line(d)) continue;
     d.legality = by_letter(!contains(evidence.illegal_line_snaps, reading));
     // An illegal gap is judged as compare() did; it may have been legal among other results.
-    if (cause == kInteriorGap) d.ruling = is_legal(d) ? 3 : d.rule == "line.joint" ? 14 : 1;
+    if (cause == Cause(kInteriorGap))
+      d.ruling = is_legal(d) ? 3 : d.rule == RuleId::line_joint ? 14 : 1;
   }
 }
 
 // Alternatives of sample.enable that ignore it for points and triangles: what follows from that is
 // the same.
-constexpr const char* kIgnored[] = {"sample.enable=ignored", "sample.enable=ignored-but-for-lines",
-                                    "sample.enable=ignored-but-whole-lines"};
+constexpr MultisampleSwitch kIgnored[] = {MultisampleSwitch::ignored,
+                                          MultisampleSwitch::ignored_but_for_lines,
+                                          MultisampleSwitch::ignored_but_whole_lines};
 
 // What follows from ignoring GL_MULTISAMPLE is told with the alternative that explains most of what
 // the run covers.
 void name_switch(const Counts& counts, Result& result) {
-  const char* most = nullptr;
-  for (const char* name : kIgnored)
-    if (counts.contains(name) && (most == nullptr || counts.at(name) > counts.at(most)))
-      most = name;
-  if (most == nullptr) return;
-  for (Disagreement& d : result.disagreements) {
-    if (d.kind != DisagreementKind::value) continue;
-    std::vector<std::string> parts = parts_of(d.cause);
-    for (std::string& part : parts)
-      if (std::find(std::begin(kIgnored), std::end(kIgnored), part) != std::end(kIgnored))
-        part = most;
-    d.cause = fmt::format("{}", fmt::join(parts, " + "));
+  std::vector<AlternativeId> ignored;
+  std::optional<AlternativeId> most;
+  for (const MultisampleSwitch alternative : kIgnored) {
+    const AlternativeId id = alternative_id(RuleId::sample_enable, name_of(alternative));
+    ignored.push_back(id);
+    if (counts.contains(id) && (!most || counts.at(id) > counts.at(*most))) most = id;
   }
+  if (!most) return;
+  for (Disagreement& d : result.disagreements)
+    if (d.kind == DisagreementKind::value)
+      for (AlternativeId& part : d.cause.parts)
+        if (std::ranges::find(ignored, part) != ignored.end()) part = *most;
 }
 
 // Of what the letter of a ruling forbids, the basis of the ruling says whether it is contested.
@@ -205,13 +201,13 @@ std::string fingerprint_of(const Result& result) {
   if (result.failure) return name_of(result.failure->kind);
   std::set<std::string> lines;
   for (const Disagreement& d : result.disagreements)
-    lines.insert(fmt::format("{} {} {} {}{}\n", d.upright ? d.upright->rule : d.rule,
+    lines.insert(fmt::format("{} {} {} {}{}\n", name_of(d.upright ? d.upright->rule : d.rule),
                              name_of(d.kind), d.x, d.y,
                              d.sample > 0 ? fmt::format(" {}", d.sample) : ""));
   for (const ValueAggregate& values : result.values)
     if (result.verdict < Verdict::contested)
-      lines.insert(fmt::format("{} {} {}\n", values.rule, values.attribute,
-                               values.cause.empty() ? "permitted" : values.cause));
+      lines.insert(fmt::format("{} {} {}\n", name_of(values.rule), values.attribute,
+                               values.cause.empty() ? "permitted" : text_of(values.cause)));
   if (lines.empty()) return "";
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const std::string& line : lines)
@@ -239,7 +235,7 @@ void judge(std::span<Result* const> results, Latitude latitude, const RunReading
                         *result);
       }
     name_switch(counts, *result);
-    if (is_noted_upside_down(*result) && count_of(counts, kWindowOrigin) > 0)
+    if (is_noted_upside_down(*result) && count_of(counts, {kWindowOrigin}) > 0)
       tell_upside_down(*result);
     weigh_rulings(*result);
     result->verdict = verdict_of(*result, latitude);

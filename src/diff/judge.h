@@ -17,7 +17,6 @@
 
 #include <cstddef>
 #include <map>
-#include <set>
 #include <span>
 #include <string>
 
@@ -29,10 +28,10 @@ namespace edgecase {
 // What a run says of each of its results.
 struct RunReading {
   std::string line_snap = "none";  // the catalogued snap with which lines are read
-  // "rule=alternative" -> how many primitives of the run it helps to reproduce, alone or with
-  // another, less the cases that refute it. One that is not there counts 0.
-  std::map<std::string, std::ptrdiff_t> alternatives;
-  std::set<std::string> refuted;  // those that some case refutes
+  // How many primitives of the run an alternative helps to reproduce, alone or with another, less
+  // the cases that refute it. One that is not there counts 0.
+  std::map<AlternativeId, std::ptrdiff_t> alternatives;
+  AlternativeSet refuted;  // those that some case refutes
 };
 
 // The reading of all results of one renderer on one surface, which compare() made; those without a

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diff/coverage/cause.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {

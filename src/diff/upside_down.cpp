@@ -97,7 +97,7 @@ bool breaks_a_ruling(const Result& result) {
 void note_upside_down(Result& result) {
   Result::Evidence evidence;
   evidence.primitive = kWholeAnswer;
-  if (breaks_a_ruling(result)) evidence.causes = {kWindowOrigin};
+  if (breaks_a_ruling(result)) evidence.causes = {AlternativeId{kWindowOrigin}};
   result.evidence.push_back(std::move(evidence));
 }
 
@@ -110,7 +110,8 @@ void tell_upside_down(Result& result) {
   for (Disagreement& d : result.disagreements) {
     if (d.upright) continue;
     d.upright = Disagreement::Told{d.rule, d.ruling, d.legality, d.cause};
-    d.rule = d.cause = kWindowOrigin;
+    d.rule = kWindowOrigin;
+    d.cause = AlternativeId{kWindowOrigin};
     d.ruling = kRulingOnOrigin;
     d.legality = Legality::illegal;
     d.explanation += sentence();

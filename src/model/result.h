@@ -52,11 +52,10 @@ struct PixelCounts {
 
 // One renderer's answer to one case, compared.
 struct Result {
-  // Which alternatives reproduce what the renderer drew of one primitive: smallest sets first,
-  // each as a cause, "rule=alternative" or two joined by " + ".
+  // Which alternatives reproduce what the renderer drew of one primitive: smallest sets first.
   struct Evidence {
     int primitive = 0;  // -1: all of them, since the answer is upside down (diff/upside_down.h)
-    std::vector<std::string> causes;
+    std::vector<Cause> causes;
     std::vector<std::string>
         illegal_line_snaps;     // lines: snaps under which a ruling on lines fails
     std::string broken_clause;  // lines: what the segment as given breaks, or empty
@@ -87,10 +86,8 @@ struct Result {
   std::vector<ValueAggregate> values;
   std::vector<Evidence> evidence;               // of the primitives that have a disagreement
   std::vector<std::string> illegal_line_snaps;  // snaps under which some line is not legal
-  // A character per alternative of the catalogue (alternative_names in
-  // diff/coverage/alternatives.h): '1' where some primitive that agrees with exact would not do so
-  // under that alternative, else '0'.
-  std::string refuted;
+  // Alternatives under which some primitive that agrees with exact would not do so.
+  AlternativeSet refuted;
   // Of cases that ask for it (diff/textures/level_ramp.h): the levels of detail along a row that
   // fragments of textured draws tell.
   std::vector<LevelPoint> ramp;

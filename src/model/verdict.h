@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "model/cause.h"
 #include "model/figure.h"
 
 namespace edgecase {
@@ -50,21 +51,21 @@ struct Disagreement {
   int sample = 0;
   int primitive = -1;  // index in drawing order; -1: the pixel as a whole
   DisagreementKind kind = DisagreementKind::missing;
-  std::string rule;  // id, "line.diamond-exit"
+  RuleId rule = RuleId::none;
   // compare() decides by the letter of the text; judge() tells what is contested from what is
   // illegal.
   Legality legality = Legality::illegal;
-  std::string cause;      // "rule=alternative", several joined by " + "; empty: none found
+  Cause cause;            // none: no alternatives are found that draw so
   std::string situation;  // where it lies on the primitive, in words (diff/coverage/situation.h)
   int ruling = 0;         // number of the ruling by which `legality` was decided
   bool policy_agrees = false;  // the policy draws it too: held against the specification alone
   // Set where the whole answer is told to be upside down (rule window.origin): what is told of this
   // sample without that.
   struct Told {
-    std::string rule;
+    RuleId rule = RuleId::none;
     int ruling = 0;
     Legality legality = Legality::illegal;
-    std::string cause;
+    Cause cause;
   };
   std::optional<Told> upright;
   std::vector<double> exact;  // hits (missing, extra, duplicate) or components (value)
@@ -83,11 +84,9 @@ struct ValueAggregate {
     int primitive = -1;
   };
   std::string attribute;  // "color", "depth", "dFdxFine", "gl_FragCoord.w", "pixel", "depth buffer"
-  std::string rule;
+  RuleId rule = RuleId::none;
   int ruling = 0;
-  // The open alternatives that yield all of `differing`, as a disagreement's cause; empty: none is
-  // known to.
-  std::string cause;
+  Cause cause;  // the open alternatives that yield all of `differing`; none: none are known to
   std::uint64_t compared = 0;    // fragments compared
   std::uint64_t components = 0;  // numbers compared
   std::vector<Place> differing;  // inside the permitted interval, not the correctly rounded value

@@ -6,8 +6,9 @@
 #include <numeric>
 #include <utility>
 
-#include "diff/coverage/alternatives.h"
 #include "raster/rasterizer.h"
+#include "rules/all_rules.h"
+#include "rules/changes.h"
 
 namespace edgecase {
 namespace {
@@ -19,63 +20,61 @@ constexpr std::size_t kRivalRound = 600;  // scenes by which rivals are chosen
 constexpr int kCheapTarget = 32;          // pixels; scenes up to this size decide the rounds
 
 struct Candidate {
-  CoverageChoice choice;
-  std::vector<std::string> causes;  // how it differs from the start, a change per rule
+  RuleChoices choice;
+  Cause cause;  // how it differs from the start, a change per rule
   std::size_t agreeing = 0;
 };
-
-std::string rule_of(const std::string& cause) {
-  return cause.substr(0, cause.find('='));
-}
 
 bool draws(const CoverageChoice& choice, const Observation& observation) {
   const auto primitives = primitives_of(observation.scene);
   return is_drawn_by(choice, primitives[0], observation);
 }
 
-OpenRules openness_of(const std::string& rule) {
-  if (rule == "line.width") return OpenRules::width;
-  return rule == "sample.positions" ? OpenRules::placement : OpenRules::coverage;
+OpenRules openness_of(RuleId rule) {
+  if (rule == RuleId::line_width) return OpenRules::width;
+  return rule == RuleId::sample_positions ? OpenRules::placement : OpenRules::coverage;
 }
 
 // The rules that have a say, each with its alternatives beside the start's.
-std::vector<RuleAlternatives> open_rules(const InferenceQuestion& question,
-                                         const Observation& observation) {
+std::vector<Changes> open_rules(const InferenceQuestion& question, const Observation& observation) {
   const auto primitives = primitives_of(observation.scene);
-  auto rules = alternatives_beside(primitives[0], observation.scene.target, question.start);
-  std::erase_if(rules, [&](const RuleAlternatives& rule) {
-    return openness_of(rule_of(rule.front().cause)) != question.open;
+  std::vector<Changes> rules =
+      coverage_changes(coverage_traits(primitives[0], observation.scene.target), question.start);
+  std::erase_if(rules, [&](const Changes& rule) {
+    return openness_of(rule.front().id.rule) != question.open;
   });
   // Placements that put the samples where they are anyhow are none.
-  const auto places = [&](const CoverageChoice& choice) {
-    return positions_of(observation.scene.target, choice, observation.positions);
+  const auto places = [&](const RuleChoices& choice) {
+    return positions_of(observation.scene.target, choice.of(question.kind), observation.positions);
   };
-  for (RuleAlternatives& rule : rules)
+  for (Changes& rule : rules)
     if (question.open == OpenRules::placement)
       std::erase_if(rule, [&](const Change& change) {
         return places(change.applied_to(question.start)) == places(question.start);
       });
-  std::erase_if(rules, [](const RuleAlternatives& rule) { return rule.empty(); });
+  std::erase_if(rules, [](const Changes& rule) { return rule.empty(); });
   return rules;
 }
 
 // Alternatives of a rule that nothing asks for make no candidates of their own.
-bool is_idle(const Candidate& candidate, const std::string& rule) {
-  if (rule == "triangle.fill-rule") return !has_tie_rule(candidate.choice.triangle_algorithm);
-  return rule == "line.diamond-exit" && !tests_diamonds(candidate.choice.line.algorithm);
+bool is_idle(const Candidate& candidate, RuleId rule) {
+  if (rule == RuleId::triangle_fill_rule)
+    return !has_tie_rule(candidate.choice.triangles.triangle_algorithm);
+  return rule == RuleId::line_diamond_exit &&
+         !tests_diamonds(candidate.choice.lines.line.algorithm);
 }
 
 std::vector<Candidate> all_candidates(const InferenceQuestion& question,
-                                      std::span<const RuleAlternatives> rules) {
+                                      std::span<const Changes> rules) {
   std::vector<Candidate> candidates = {{question.start, {}, 0}};
-  for (const RuleAlternatives& rule : rules) {
+  for (const Changes& rule : rules) {
     const std::size_t before = candidates.size();
     for (const Change& change : rule)
       for (std::size_t i = 0; i < before; ++i) {
         Candidate candidate = candidates[i];
-        if (is_idle(candidate, rule_of(change.cause))) continue;
+        if (is_idle(candidate, change.id.rule)) continue;
         change.apply(candidate.choice);
-        candidate.causes.push_back(change.cause);
+        candidate.cause.parts.push_back(change.id);
         candidates.push_back(std::move(candidate));
       }
   }
@@ -98,10 +97,12 @@ bool has_no_snap(const CoverageChoice& choice) {
 // In how many scenes choices draw what was seen; those that draw alike are asked once.
 class SceneCounts {
  public:
-  SceneCounts(std::span<const Observation* const> scenes, bool are_multisampled_lines)
-      : scenes_(scenes), are_multisampled_lines_(are_multisampled_lines) {}
+  SceneCounts(std::span<const Observation* const> scenes, PrimitiveKind kind,
+              bool are_multisampled_lines)
+      : scenes_(scenes), kind_(kind), are_multisampled_lines_(are_multisampled_lines) {}
 
-  std::size_t of(CoverageChoice choice) {
+  std::size_t of(const RuleChoices& choices) {
+    CoverageChoice choice = choices.of(kind_);
     if (!are_multisampled_lines_ || !has_no_snap(choice)) return count(choice);
     choice.snap = {};
     const auto known = std::find_if(known_.begin(), known_.end(),
@@ -118,14 +119,19 @@ class SceneCounts {
   }
 
   std::span<const Observation* const> scenes_;
+  PrimitiveKind kind_;
   bool are_multisampled_lines_;
   std::vector<std::pair<CoverageChoice, std::size_t>> known_;  // those without a snap
 };
 
+std::string kept_by(const RuleChoices& choice, RuleId rule) {
+  return rule_of(rule).slot.kept(choice);
+}
+
 class Contest {
  public:
   Contest(const InferenceQuestion& question, std::span<const Observation* const> observations)
-      : start_(question.start) {
+      : kind_(question.kind), start_(question.start) {
     for (const Observation* observation : observations)
       if (observation->failure.empty()) all_.push_back(observation);
     cheap_ = all_;
@@ -145,7 +151,7 @@ class Contest {
   Inference operator()() {
     if (all_.empty()) return {start_, {}, {}};
     play_rounds();
-    SceneCounts counts(all_, are_multisampled_lines_);
+    SceneCounts counts(all_, kind_, are_multisampled_lines_);
     for (Candidate& finalist : candidates_) finalist.agreeing = counts.of(finalist.choice);
     Candidate best = *std::min_element(candidates_.begin(), candidates_.end(), better);
     // A rival that does better on all scenes takes the place of the best; this ends, since the
@@ -163,7 +169,7 @@ class Contest {
 
   static bool better(const Candidate& a, const Candidate& b) {
     if (a.agreeing != b.agreeing) return a.agreeing > b.agreeing;
-    return a.causes.size() < b.causes.size();
+    return a.cause.size() < b.cause.size();
   }
 
   void play_rounds() {
@@ -171,7 +177,7 @@ class Contest {
     for (std::size_t size = kFirstRound; candidates_.size() > kFinalists && from < cheap_.size();
          size *= 2) {
       const auto scenes = std::span(cheap_).subspan(from, std::min(size, cheap_.size() - from));
-      SceneCounts counts(scenes, are_multisampled_lines_);
+      SceneCounts counts(scenes, kind_, are_multisampled_lines_);
       for (Candidate& candidate : candidates_) candidate.agreeing += counts.of(candidate.choice);
       std::stable_sort(candidates_.begin(), candidates_.end(), better);
       candidates_.resize(std::max(kFinalists, candidates_.size() / 3));
@@ -184,10 +190,10 @@ class Contest {
   std::vector<Candidate> rivals_of(const Candidate& best) const {
     std::vector<Candidate> rivals;
     const auto some = std::span(all_).first(std::min(kRivalRound, all_.size()));
-    SceneCounts counts_of_some(some, are_multisampled_lines_);
-    SceneCounts counts_of_all(all_, are_multisampled_lines_);
-    for (const RuleAlternatives& rule : rules_) {
-      const std::string id = rule_of(rule.front().cause);
+    SceneCounts counts_of_some(some, kind_, are_multisampled_lines_);
+    SceneCounts counts_of_all(all_, kind_, are_multisampled_lines_);
+    for (const Changes& rule : rules_) {
+      const RuleId id = rule.front().id.rule;
       if (is_idle(best, id)) continue;
       std::vector<Candidate> others = others_of(best, rule, id);
       for (Candidate& other : others) other.agreeing = counts_of_some.of(other.choice);
@@ -202,27 +208,26 @@ class Contest {
   }
 
   // The alternatives of a rule that `best` does not have, the start's own among them.
-  std::vector<Candidate> others_of(const Candidate& best, const RuleAlternatives& rule,
-                                   const std::string& id) const {
+  std::vector<Candidate> others_of(const Candidate& best, const Changes& rule, RuleId id) const {
     Candidate without = best;
-    std::erase_if(without.causes, [&](const std::string& cause) { return rule_of(cause) == id; });
+    std::erase_if(without.cause.parts, [&](AlternativeId part) { return part.rule == id; });
     std::vector<Candidate> others;
-    if (without.causes.size() != best.causes.size()) {
+    const auto has = [](const Candidate& candidate, const Change& change) {
+      return std::ranges::find(candidate.cause.parts, change.id) != candidate.cause.parts.end();
+    };
+    if (without.cause.size() != best.cause.size()) {
       without.choice = start_;
-      for (const RuleAlternatives& all : rules_)
+      for (const Changes& all : rules_)
         for (const Change& change : all)
-          if (std::find(without.causes.begin(), without.causes.end(), change.cause) !=
-              without.causes.end())
-            change.apply(without.choice);
+          if (has(without, change)) change.apply(without.choice);
       others.push_back(without);
     }
     for (const Change& change : rule) {
-      if (std::find(best.causes.begin(), best.causes.end(), change.cause) != best.causes.end())
-        continue;
+      if (has(best, change)) continue;
       Candidate other = without;
       other.choice = best.choice;
       change.apply(other.choice);
-      other.causes.push_back(change.cause);
+      other.cause.parts.push_back(change.id);
       others.push_back(std::move(other));
     }
     return others;
@@ -230,17 +235,17 @@ class Contest {
 
   Inference report(const Candidate& best, std::span<const Candidate> rivals) const {
     Inference result{best.choice, {best.agreeing, all_.size()}, {}};
-    for (const RuleAlternatives& rule : rules_) {
-      const std::string id = rule_of(rule.front().cause);
+    for (const Changes& rule : rules_) {
+      const RuleId id = rule.front().id.rule;
       if (is_idle(best, id)) continue;
-      InferredRule inferred{id, choice_of(best.choice, id), result.rate, "", {}};
+      InferredRule inferred{id, kept_by(best.choice, id), result.rate, "", {}};
       const Candidate* runner_up = nullptr;
       for (const Candidate& rival : rivals)
-        if (choice_of(rival.choice, id) != inferred.alternative &&
+        if (kept_by(rival.choice, id) != inferred.alternative &&
             (runner_up == nullptr || better(rival, *runner_up)))
           runner_up = &rival;
       if (runner_up != nullptr) {
-        inferred.runner_up = choice_of(runner_up->choice, id);
+        inferred.runner_up = kept_by(runner_up->choice, id);
         inferred.runner_up_rate = {runner_up->agreeing, all_.size()};
       }
       result.rules.push_back(std::move(inferred));
@@ -251,8 +256,9 @@ class Contest {
   Scenes all_;
   Scenes cheap_;
   bool are_multisampled_lines_ = false;
-  CoverageChoice start_;
-  std::vector<RuleAlternatives> rules_;
+  PrimitiveKind kind_;
+  RuleChoices start_;
+  std::vector<Changes> rules_;
   std::vector<Candidate> candidates_;
 };
 

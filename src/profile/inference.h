@@ -28,7 +28,7 @@ struct Rate {
 
 // What was found about one rule.
 struct InferredRule {
-  std::string rule;
+  RuleId rule = RuleId::none;
   std::string alternative;
   Rate rate;              // of the whole choice, over all scenes
   std::string runner_up;  // the best other alternative of this rule, all else being equal
@@ -36,7 +36,7 @@ struct InferredRule {
 };
 
 struct Inference {
-  CoverageChoice choice;
+  RuleChoices choice;
   Rate rate;
   std::vector<InferredRule> rules;  // those that have a say in the scenes
 };
@@ -51,7 +51,7 @@ enum class OpenRules {
 // Which rules are open, and what holds for the others.
 struct InferenceQuestion {
   PrimitiveKind kind = PrimitiveKind::triangle;
-  CoverageChoice start;  // preferred where candidates tie: fewest rules chosen otherwise
+  RuleChoices start;  // preferred where candidates tie: fewest rules chosen otherwise
   OpenRules open = OpenRules::coverage;
 };
 

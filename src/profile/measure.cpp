@@ -175,9 +175,9 @@ class SurfaceMeasurement {
 
   void adopt(const Inference& inference) {
     for (const InferredRule& rule : inference.rules) {
-      choices_[rule.rule] = rule.alternative;
-      profile_.traits.push_back(
-          {rule.rule, rule.alternative, rule.rate, rule.runner_up, rule.runner_up_rate, ""});
+      choices_[name_of(rule.rule)] = rule.alternative;
+      profile_.traits.push_back({name_of(rule.rule), rule.alternative, rule.rate, rule.runner_up,
+                                 rule.runner_up_rate, ""});
     }
   }
 
@@ -207,14 +207,14 @@ class SurfaceMeasurement {
       // Lines that are areas have their ties decided as triangles have.
       if (kKinds[k] == PrimitiveKind::line) choice.ties = found_.triangles.ties;
       const Inference inference =
-          infer({kKinds[k], choice, OpenRules::coverage}, scenes_for(kKinds[k]));
-      choice = inference.choice;
+          infer({kKinds[k], found_, OpenRules::coverage}, scenes_for(kKinds[k]));
+      choice = inference.choice.of(kKinds[k]);
       adopt(inference);
     }
     std::vector<const Observation*> wide_lines;
     for (const Observation& observation : scenes_.wide_lines) wide_lines.push_back(&observation);
-    const Inference wide = infer({PrimitiveKind::line, found_.lines, OpenRules::width}, wide_lines);
-    found_.lines = wide.choice;
+    const Inference wide = infer({PrimitiveKind::line, found_, OpenRules::width}, wide_lines);
+    found_.lines = wide.choice.lines;
     adopt(wide);
   }
 
@@ -236,7 +236,7 @@ class SurfaceMeasurement {
       traits.push_back(std::move(trait));
     traits.push_back(provoking_trait(scenes_.provoking, provoking_outcomes_));
     if (traits.back().alternative != "as-set")
-      choices_["attribute.provoking-vertex"] = traits.back().alternative;
+      choices_[name_of(RuleId::attribute_provoking_vertex)] = traits.back().alternative;
     found_.values.provoking = traits.back().alternative == "first"  ? ProvokingChoice::first
                               : traits.back().alternative == "last" ? ProvokingChoice::last
                                                                     : ProvokingChoice::as_set;

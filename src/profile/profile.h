@@ -26,7 +26,7 @@ namespace edgecase {
 
 // One finding about one surface.
 struct Trait {
-  std::string id;           // a rule's id, or what was probed: "line.joint", "clip.triangle"
+  std::string id;           // a rule's id, "line.joint", or what was probed: "clip.triangle"
   std::string alternative;  // the alternative that is followed, or the finding in words
   Rate rate;                // of the scenes (or pixels, for probes of one pixel) that agree with it
   std::string runner_up;    // the best other alternative; empty: there is none to compare with

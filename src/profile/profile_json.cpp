@@ -130,7 +130,7 @@ std::string why_of(const Profile& profile) {
     if (other_ways.empty()) other_ways = other_ways_of(surface);
     std::vector<std::string> rates;
     for (const Trait& trait : surface.traits)
-      if (trait.id.ends_with(".snap") || trait.id == "line.width")
+      if (trait.id.ends_with(".snap") || trait.id == name_of(RuleId::line_width))
         rates.push_back(
             fmt::format("{} {}", trait.id.substr(0, trait.id.find(".snap")), percent(trait.rate)));
     surfaces.push_back(fmt::format("{}: {}", name_of(surface.surface), fmt::join(rates, ", ")));

@@ -150,8 +150,9 @@ void summarize_coverage(Buffer& out, const Profile& profile) {
       profile.surfaces, [](const SurfaceProfile& surface) { return surface.unavailable.empty(); });
   if (measured == profile.surfaces.end()) return;
   std::string text;
-  for (const char* rule : {"point.ownership", "line.algorithm", "triangle.algorithm",
-                           "triangle.fill-rule", "triangle.snap"}) {
+  for (const char* rule : {name_of(RuleId::point_ownership), name_of(RuleId::line_algorithm),
+                           name_of(RuleId::triangle_algorithm), name_of(RuleId::triangle_fill_rule),
+                           name_of(RuleId::triangle_snap)}) {
     const auto trait = std::ranges::find(measured->traits, rule, &Trait::id);
     if (trait == measured->traits.end()) continue;
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", rule, trait->alternative);

@@ -8,11 +8,11 @@
 
 namespace edgecase {
 
-ExactRenderer::ExactRenderer(Policy policy)
-    : policy_(std::move(policy)),
+ExactRenderer::ExactRenderer(const Policy& policy)
+    : policy_(policy),
       info_{.name = "exact",
             .vendor = "Edgecase",
-            .version = "policy " + policy_.name,
+            .version = "policy " + policy.name,
             .device = "exact rasterizer",
             .subpixel_bits = Fixed::kFractionBits,
             .traits = {}} {}
@@ -21,7 +21,7 @@ void ExactRenderer::render(std::span<const Task> tasks, const OutcomeSink& sink)
   for (std::size_t i = 0; i < tasks.size(); ++i) sink(i, rasterize(*tasks[i].scene, policy_));
 }
 
-ExactDrawing::ExactDrawing(std::span<const Scene> layers, const Policy& policy)
+ExactDrawing::ExactDrawing(std::span<const Scene> layers, const ResolvedPolicy& policy)
     : layers_(layers), policy_(policy), framebuffer_(layers.front().target, policy) {
   for (const Scene& layer : layers_) {
     std::optional<FastScene> prepared = framebuffer_.prepared(layer);

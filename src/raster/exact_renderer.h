@@ -8,21 +8,21 @@
 #include <span>
 #include <vector>
 
-#include "model/policy.h"
 #include "model/renderer.h"
 #include "model/scene.h"
 #include "raster/framebuffer.h"
+#include "rules/choices.h"
 
 namespace edgecase {
 
 class ExactRenderer final : public Renderer {
  public:
-  explicit ExactRenderer(Policy policy);
+  explicit ExactRenderer(const Policy& policy);
   const RendererInfo& info() const override { return info_; }
   void render(std::span<const Task> tasks, const OutcomeSink& sink) override;
 
  private:
-  Policy policy_;
+  ResolvedPolicy policy_;
   RendererInfo info_;
 };
 
@@ -32,7 +32,7 @@ class ExactDrawing {
  public:
   // Scenes of one target that are drawn one above the other, at least one; all but the first cover
   // it. They must outlive the drawing. Vertices are made ready here, as OpenGL's are in buffers.
-  ExactDrawing(std::span<const Scene> layers, const Policy& policy);
+  ExactDrawing(std::span<const Scene> layers, const ResolvedPolicy& policy);
 
   // Clears and draws all layers.
   void draw();
@@ -42,7 +42,7 @@ class ExactDrawing {
 
  private:
   std::span<const Scene> layers_;
-  const Policy& policy_;
+  const ResolvedPolicy policy_;
   Framebuffer framebuffer_;
   std::vector<FastScene> prepared_;  // of all layers, or none
   std::vector<std::uint8_t> plain_pixels_;

@@ -30,10 +30,10 @@ std::size_t padded_width(std::size_t width, std::size_t line) {
 
 }  // namespace
 
-Framebuffer::Framebuffer(const Target& target, const Policy& policy,
+Framebuffer::Framebuffer(const Target& target, const ResolvedPolicy& policy,
                          const SamplePositions& reported)
     : target_(target),
-      choices_(edgecase::resolve(policy, target.surface)),
+      choices_(policy.on(target.surface)),
       stride_(padded_width(static_cast<std::size_t>(target.width), CacheLine::kPixels)) {
   for (Point place : positions_of(target, choices_.triangles, reported))
     places_.push_back(raw_point(place));

@@ -20,7 +20,8 @@ namespace edgecase {
 class Framebuffer {
  public:
   // `reported`: as `rasterize` has it.
-  Framebuffer(const Target& target, const Policy& policy, const SamplePositions& reported = {});
+  Framebuffer(const Target& target, const ResolvedPolicy& policy,
+              const SamplePositions& reported = {});
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
 

@@ -46,7 +46,7 @@ std::string note_on(FacingMethod method) {
   if (method == FacingMethod::as_set) return "";
   const char* name = name_of(method);
   return fmt::format("; as {} has it: {}", name,
-                     find_alternative(*find_rule("polygon.facing"), name)->meaning);
+                     find_alternative(rule_of(RuleId::polygon_facing), name)->meaning);
 }
 
 }  // namespace

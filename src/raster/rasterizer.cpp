@@ -136,9 +136,9 @@ void draw_multisampled(Rendering& rendering, const Scene& scene, const RuleChoic
   resolve_samples(rendering, choices.samples.resolve);
 }
 
-Rendering drawn(const Scene& scene, const Policy& policy, const SamplePositions& reported,
+Rendering drawn(const Scene& scene, const ResolvedPolicy& policy, const SamplePositions& reported,
                 Details details) {
-  const RuleChoices choices = resolve(policy, scene.target.surface);
+  const RuleChoices& choices = policy.on(scene.target.surface);
   Rendering rendering = cleared(scene.target);
   if (scene.target.samples > 1)
     draw_multisampled(rendering, scene, choices, details, reported);
@@ -150,12 +150,13 @@ Rendering drawn(const Scene& scene, const Policy& policy, const SamplePositions&
 
 }  // namespace
 
-Rendering rasterize(const Scene& scene, const Policy& policy, const SamplePositions& reported) {
+Rendering rasterize(const Scene& scene, const ResolvedPolicy& policy,
+                    const SamplePositions& reported) {
   if (!scene.supersampling.empty()) return draw_passes(scene, policy, rasterize);
   return drawn(scene, policy, reported, scene.details);
 }
 
-Rendering rasterize_without_details(const Scene& scene, const Policy& policy,
+Rendering rasterize_without_details(const Scene& scene, const ResolvedPolicy& policy,
                                     const SamplePositions& reported) {
   if (!scene.supersampling.empty()) return draw_passes(scene, policy, rasterize_without_details);
   return drawn(scene, policy, reported, {});

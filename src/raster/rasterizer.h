@@ -65,11 +65,12 @@ SampleCoverage covered_samples(const ScenePrimitive& primitive, const Target& ta
 
 // The rendering that a policy's rules, applied without rounding, produce. `reported`: where the
 // renderer that it is held against says that samples lie; empty: nobody says.
-Rendering rasterize(const Scene& scene, const Policy& policy, const SamplePositions& reported = {});
+Rendering rasterize(const Scene& scene, const ResolvedPolicy& policy,
+                    const SamplePositions& reported = {});
 
 // The same, and nothing in Rendering::details, which may take four times the fragments' memory:
 // whoever compares a renderer's works out what they may be.
-Rendering rasterize_without_details(const Scene& scene, const Policy& policy,
+Rendering rasterize_without_details(const Scene& scene, const ResolvedPolicy& policy,
                                     const SamplePositions& reported = {});
 
 }  // namespace edgecase

@@ -243,13 +243,13 @@ std::vector<double> accumulated_image(const Scene& scene, std::span<const Render
   return image;
 }
 
-Rendering draw_passes(const Scene& scene, const Policy& policy, DrawPass draw) {
+Rendering draw_passes(const Scene& scene, const ResolvedPolicy& policy, DrawPass draw) {
   Rendering rendering;
   rendering.width = scene.target.width;
   rendering.height = scene.target.height;
   for (std::size_t k = 0; k < scene.supersampling.size(); ++k)
     rendering.passes.push_back(draw(pass_of(scene, k), policy, {}));
-  const RuleChoices choices = resolve(policy, scene.target.surface);
+  const RuleChoices& choices = policy.on(scene.target.surface);
   rendering.accumulated = accumulated_image(scene, rendering.passes, choices.samples.accumulation);
   rendering.pixels.reserve(rendering.accumulated.size());
   for (const double component : rendering.accumulated)

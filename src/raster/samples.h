@@ -13,7 +13,6 @@
 #include <span>
 #include <vector>
 
-#include "model/policy.h"
 #include "model/rendering.h"
 #include "model/scene.h"
 #include "raster/attributes.h"
@@ -48,11 +47,11 @@ void resolve_samples(Rendering& rendering, ResolveMethod method);
 // Under another choice of supersample.accumulation the last two steps are that one's.
 
 // Draws one pass: a scene that is not supersampled.
-using DrawPass = Rendering (*)(const Scene& scene, const Policy& policy,
+using DrawPass = Rendering (*)(const Scene& scene, const ResolvedPolicy& policy,
                                const SamplePositions& reported);
 
 // The rendering of a supersampled scene under a policy: passes, accumulated image, pixels.
-Rendering draw_passes(const Scene& scene, const Policy& policy, DrawPass draw);
+Rendering draw_passes(const Scene& scene, const ResolvedPolicy& policy, DrawPass draw);
 
 // What passes show, whoever drew them: one for each of the scene's, fragments sorted, all with a
 // colour. Calls `visit` for each number of the accumulated image, in its order, with a value for

@@ -10,6 +10,8 @@
 #include "results/json_writer.h"
 #include "results/picture_difference.h"
 #include "results/samples_json.h"
+#include "rules/all_rules.h"
+#include "rules/changes.h"
 
 namespace edgecase {
 namespace {
@@ -148,7 +150,7 @@ void CaseWriter::write_findings(const KnownResult& result) {
   });
   keep_list("evidence", result.evidence, write_evidence);
   json_.member("illegal_line_snaps", result.illegal_line_snaps);
-  json_.member("refuted", result.refuted);
+  json_.member("refuted", text_of_refuted(result.refuted));
   if (!result.exact_fragments.empty())
     keep_list("exact_fragments", result.exact_fragments, write_fragment);
   if (!result.rendered_fragments.empty())
@@ -166,7 +168,7 @@ void CaseWriter::write_pictures(const KnownResult& result) {
 void CaseWriter::write_values(const ValueAggregate& values) {
   json_.object([&] {
     json_.member("attribute", values.attribute);
-    json_.member("rule", values.rule);
+    json_.member("rule", name_of(values.rule));
     json_.member("ruling", values.ruling);
     json_.member("compared", values.compared);
     json_.member("components", values.components);
@@ -178,7 +180,7 @@ void CaseWriter::write_values(const ValueAggregate& values) {
     keep("differing", [&] {
       is_large_ ? write_places(json_, values.differing) : json_.list(values.differing, write_place);
     });
-    if (!values.cause.empty()) json_.member("cause", values.cause);
+    if (!values.cause.empty()) json_.member("cause", text_of(values.cause));
   });
 }
 

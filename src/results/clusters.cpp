@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "rules/all_rules.h"
+
 namespace edgecase {
 namespace {
 
@@ -105,15 +107,15 @@ class Gatherer {
 void gather_disagreements(const SizedCase& place, const Result& result, Gatherer& gatherer) {
   for (const Disagreement& d : result.disagreements) {
     Key key;
-    key.cause = d.cause;
+    key.cause = text_of(d.cause);
     key.surface = place.one->surface;
     key.legality = d.legality;
     if (d.cause.empty()) {
-      key.rule = d.rule;
+      key.rule = name_of(d.rule);
       key.kind = name_of(d.kind);
       key.situation = d.situation;
     }
-    gatherer.add(key, place, {d.rule, name_of(d.kind), 1, d.x, d.y, d.primitive});
+    gatherer.add(key, place, {name_of(d.rule), name_of(d.kind), 1, d.x, d.y, d.primitive});
   }
 }
 
@@ -121,12 +123,14 @@ void gather_values(const SizedCase& place, const Result& result, Gatherer& gathe
   const char* const kind = name_of(DisagreementKind::value);
   for (const ValueAggregate& values : result.values) {
     if (values.differing.empty()) continue;
-    Key key{values.cause, place.one->surface, Legality::legal, values.rule, kind,
-            "",           values.attribute};
+    Key key{
+        text_of(values.cause), place.one->surface, Legality::legal, name_of(values.rule), kind, "",
+        values.attribute};
     if (!values.cause.empty()) key.rule = key.kind = key.attribute = "";
     const ValueAggregate::Place& worst = values.worst;
-    gatherer.add(key, place,
-                 {values.rule, kind, values.differing.size(), worst.x, worst.y, worst.primitive});
+    gatherer.add(
+        key, place,
+        {name_of(values.rule), kind, values.differing.size(), worst.x, worst.y, worst.primitive});
   }
 }
 

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "rules/all_rules.h"
+
 namespace edgecase {
 namespace {
 
@@ -92,9 +94,10 @@ class Clusters {
     id_ = id;
     seen_.clear();
     if (result.failure) count(change, "not-run", name_of(result.failure->kind), 1);
-    for (const Disagreement& d : result.disagreements) count(change, d.rule, d.cause, 1);
+    for (const Disagreement& d : result.disagreements)
+      count(change, name_of(d.rule), text_of(d.cause), 1);
     for (const ValueAggregate& values : result.values)
-      count(change, values.rule, values.cause, values.differing.size());
+      count(change, name_of(values.rule), text_of(values.cause), values.differing.size());
   }
 
   std::vector<ChangeCluster> take() const {

@@ -10,6 +10,7 @@
 
 #include "model/digest.h"
 #include "results/shallow_json.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -157,8 +158,8 @@ std::string reason_from(const Result& result) {
   std::set<std::string> causes;
   std::set<int> broken;
   for (const Disagreement& d : result.disagreements) {
-    rules.insert(d.rule);
-    causes.insert(d.cause);
+    rules.insert(name_of(d.rule));
+    causes.insert(text_of(d.cause));
     if (!is_legal(d)) broken.insert(d.ruling);
   }
   const bool unexplained = causes.erase("") > 0;
@@ -175,11 +176,11 @@ std::string reason_from(const Result& result) {
     text += causes.empty() ? "; no catalogued alternative draws this"
                            : "; some follow no catalogued alternative";
   for (const ValueAggregate& values : result.values)
-    text +=
-        values.cause.empty()
-            ? fmt::format("{}{} rounded otherwise than exactly, within what is permitted",
-                          text.empty() ? "" : "; ", values.attribute)
-            : fmt::format("{}{} by {}", text.empty() ? "" : "; ", values.attribute, values.cause);
+    text += values.cause.empty()
+                ? fmt::format("{}{} rounded otherwise than exactly, within what is permitted",
+                              text.empty() ? "" : "; ", values.attribute)
+                : fmt::format("{}{} by {}", text.empty() ? "" : "; ", values.attribute,
+                              text_of(values.cause));
   return text;
 }
 

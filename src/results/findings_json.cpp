@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "rules/all_rules.h"
+
 namespace edgecase {
 namespace {
 
@@ -12,10 +14,10 @@ void write_point(JsonWriter& json, const std::pair<double, double>& point) {
 
 void write_told(JsonWriter& json, const Disagreement::Told& told) {
   json.object([&] {
-    json.member("rule", told.rule);
+    json.member("rule", name_of(told.rule));
     json.member("ruling", told.ruling);
     json.member("legality", name_of(told.legality));
-    json.member("cause", told.cause);
+    json.member("cause", text_of(told.cause));
   });
 }
 
@@ -36,9 +38,9 @@ void write_disagreement(JsonWriter& json, const Disagreement& d) {
     json.member("sample", d.sample);
     json.member("primitive", d.primitive);
     json.member("kind", name_of(d.kind));
-    json.member("rule", d.rule);
+    json.member("rule", name_of(d.rule));
     json.member("legality", name_of(d.legality));
-    json.member("cause", d.cause);
+    json.member("cause", text_of(d.cause));
     if (!d.situation.empty()) json.member("situation", d.situation);
     if (d.policy_agrees) json.member("policy_agrees", true);
     json.member("ruling", d.ruling);
@@ -53,7 +55,8 @@ void write_disagreement(JsonWriter& json, const Disagreement& d) {
 void write_evidence(JsonWriter& json, const Result::Evidence& evidence) {
   json.object([&] {
     json.member("primitive", evidence.primitive);
-    json.member("causes", evidence.causes);
+    json.key("causes").list(
+        evidence.causes, [](JsonWriter& list, const Cause& cause) { list.value(text_of(cause)); });
     if (evidence.pass >= 0) json.member("pass", evidence.pass);
     if (!evidence.illegal_line_snaps.empty())
       json.member("illegal_line_snaps", evidence.illegal_line_snaps);

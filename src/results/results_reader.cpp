@@ -13,6 +13,8 @@
 #include "results/samples_json.h"
 #include "results/shallow_json.h"
 #include "results/whole_number.h"
+#include "rules/all_rules.h"
+#include "rules/changes.h"
 
 namespace edgecase {
 namespace {
@@ -45,6 +47,24 @@ Enum to_enum(const Json& json, Enum first, Enum last) {
   for (int i = static_cast<int>(first); i <= static_cast<int>(last); ++i)
     if (text == name_of(static_cast<Enum>(i))) return static_cast<Enum>(i);
   throw std::runtime_error(fmt::format("\"{}\" is not known here", text));
+}
+
+RuleId to_rule(const Json& json) {
+  RuleId rule = RuleId::none;
+  const std::string id = json.get<std::string>();
+  if (!parse_name(id, rule)) throw std::runtime_error(fmt::format("no rule is called \"{}\"", id));
+  return rule;
+}
+
+Cause to_cause(const Json& json) {
+  const std::string text = json.get<std::string>();
+  if (auto cause = parse_cause(text)) return *std::move(cause);
+  throw std::runtime_error(fmt::format("\"{}\" names no alternative of the catalogue", text));
+}
+
+AlternativeSet to_refuted(const Json& json) {
+  if (const auto refuted = parse_refuted(json.get<std::string>())) return *refuted;
+  throw std::runtime_error("what is refuted does not fit the catalogue");
 }
 
 // A whole number as a member's name.
@@ -86,17 +106,18 @@ Disagreement to_disagreement(const Json& json) {
   d.sample = WholeNumber(json.at("sample"));
   d.primitive = WholeNumber(json.at("primitive"));
   d.kind = to_enum(json.at("kind"), DisagreementKind::missing, DisagreementKind::value);
-  d.rule = json.at("rule");
+  d.rule = to_rule(json.at("rule"));
   d.legality = to_enum(json.at("legality"), Legality::legal, Legality::illegal);
-  d.cause = json.at("cause");
+  d.cause = to_cause(json.at("cause"));
   d.situation = json.value("situation", "");
   d.policy_agrees = json.value("policy_agrees", false);
   d.ruling = json.at("ruling");
   if (json.contains("upright")) {
     const Json& upright = json.at("upright");
-    d.upright = Disagreement::Told{
-        upright.at("rule"), upright.at("ruling"),
-        to_enum(upright.at("legality"), Legality::legal, Legality::illegal), upright.at("cause")};
+    d.upright =
+        Disagreement::Told{to_rule(upright.at("rule")), upright.at("ruling"),
+                           to_enum(upright.at("legality"), Legality::legal, Legality::illegal),
+                           to_cause(upright.at("cause"))};
   }
   d.exact = to_list<double>(json.at("exact"), to_number);
   d.rendered = to_list<double>(json.at("rendered"), to_number);
@@ -112,9 +133,9 @@ ValueAggregate::Place to_place(const Json& json) {
 ValueAggregate to_values(const Json& json) {
   ValueAggregate values;
   values.attribute = json.at("attribute");
-  values.rule = json.at("rule");
+  values.rule = to_rule(json.at("rule"));
   values.ruling = json.at("ruling");
-  values.cause = json.value("cause", "");
+  if (json.contains("cause")) values.cause = to_cause(json.at("cause"));
   values.compared = WholeNumber(json.at("compared"));
   values.components = WholeNumber(json.at("components"));
   values.worst = to_place(json.at("worst"));
@@ -134,7 +155,7 @@ Result::Evidence to_evidence(const Json& json) {
   Result::Evidence evidence;
   evidence.primitive = WholeNumber(json.at("primitive"));
   if (json.contains("pass")) evidence.pass = WholeNumber(json.at("pass"));
-  evidence.causes = json.at("causes").get<std::vector<std::string>>();
+  evidence.causes = to_list<Cause>(json.at("causes"), to_cause);
   evidence.illegal_line_snaps = json.value("illegal_line_snaps", std::vector<std::string>{});
   evidence.broken_clause = json.value("broken_clause", "");
   return evidence;
@@ -214,7 +235,7 @@ KnownResult to_result(const Json& json, const CaseResults& exact) {
   result.values = to_list<ValueAggregate>(json.at("values"), to_values);
   result.evidence = to_list<Result::Evidence>(unfolded(json.at("evidence")), to_evidence);
   result.illegal_line_snaps = json.at("illegal_line_snaps").get<std::vector<std::string>>();
-  result.refuted = json.at("refuted");
+  result.refuted = to_refuted(json.at("refuted"));
   result.exact_fragments = to_fragments(json, "exact_fragments");
   result.rendered_fragments = to_fragments(json, "rendered_fragments");
   if (json.contains("ramp")) result.ramp = to_list<Result::LevelPoint>(json.at("ramp"), to_level);

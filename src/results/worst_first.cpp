@@ -6,6 +6,8 @@
 #include <string>
 #include <tuple>
 
+#include "rules/all_rules.h"
+
 namespace edgecase {
 namespace {
 
@@ -16,14 +18,16 @@ Beginning beginning_of(const Result& result, std::size_t renderer) {
   // The first of the worst.
   const auto worst = std::ranges::max_element(result.disagreements, {}, &Disagreement::legality);
   if (worst != result.disagreements.end()) {
-    if (!worst->cause.empty()) return {renderer, result.verdict, worst->cause, "", 0, ""};
-    return {renderer,        result.verdict, "", worst->rule, static_cast<int>(worst->kind),
-            worst->situation};
+    if (!worst->cause.empty()) return {renderer, result.verdict, text_of(worst->cause), "", 0, ""};
+    return {
+        renderer,        result.verdict, "", name_of(worst->rule), static_cast<int>(worst->kind),
+        worst->situation};
   }
   const int kind = static_cast<int>(DisagreementKind::value);
   for (const ValueAggregate& values : result.values)
     if (!values.differing.empty())
-      return {renderer, result.verdict, values.cause, values.rule, kind, values.attribute};
+      return {renderer, result.verdict,  text_of(values.cause), name_of(values.rule),
+              kind,     values.attribute};
   const std::string failure = result.failure ? name_of(result.failure->kind) : "";
   return {renderer, result.verdict, "", failure, 0, ""};
 }

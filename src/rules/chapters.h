@@ -8,12 +8,14 @@
 #include <string_view>
 #include <vector>
 
+#include "model/rule_id.h"
+
 namespace edgecase {
 
 struct Section {
   std::string_view title;
-  std::string_view header;              // path below src/rules without suffix: "coverage/snap"
-  std::vector<std::string_view> rules;  // ids, at least one
+  std::string_view header;    // path below src/rules without suffix: "coverage/snap"
+  std::vector<RuleId> rules;  // at least one
 };
 
 struct Chapter {

@@ -103,9 +103,30 @@ struct RuleChoices {
 // Rules and alternatives that the policy names must be of the catalogue.
 RuleChoices resolve(const Policy& policy, Surface surface);
 
+// What OpenGL's own policy, which chooses nothing, has on every surface.
+const RuleChoices& standard_choices();
+
+// A policy with its choices looked up for every surface: once, and then handed down.
+class ResolvedPolicy {
+ public:
+  ResolvedPolicy(const Policy& policy = {});  // implicit: whoever has a policy may draw by it
+
+  const RuleChoices& on(Surface surface) const {
+    return choices_[static_cast<std::size_t>(surface)];
+  }
+  Latitude latitude() const { return latitude_; }
+  // Does the policy choose nothing?
+  bool is_standard() const { return is_standard_; }
+
+ private:
+  std::array<RuleChoices, values_of<Surface>().size()> choices_;
+  Latitude latitude_;
+  bool is_standard_;
+};
+
 // The rules by which ties of a kind of primitive are decided, of its snapping and its row order.
-const char* coverage_rule_of(PrimitiveKind kind);
-const char* snap_rule_of(PrimitiveKind kind);
-const char* row_order_rule_of(PrimitiveKind kind);
+RuleId coverage_rule_of(PrimitiveKind kind);
+RuleId snap_rule_of(PrimitiveKind kind);
+RuleId row_order_rule_of(PrimitiveKind kind);
 
 }  // namespace edgecase

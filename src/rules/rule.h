@@ -8,9 +8,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "model/rule_id.h"
+
 namespace edgecase {
+
+struct CoverageTraits;
+struct RuleChoices;
+struct Scene;
 
 enum class Openness {
   open,      // the specification leaves the choice to the implementation
@@ -58,14 +65,35 @@ struct Ruling {
   RulingSource source = {};  // all_rules() fills it in
 };
 
+// Where choices (rules/choices.h) keep what is chosen for a rule. Rules that are not about a choice
+// have none.
+struct Slot {
+  // The name must be one of the rule's alternatives.
+  void (*put)(RuleChoices&, std::string_view alternative) = nullptr;
+  std::string (*kept)(const RuleChoices&) = nullptr;
+  // A policy that says nothing of the rule has its standard; or, of these, what is there before.
+  bool stays = false;
+};
+
+// In what a rule has a say, and when.
+struct Say {
+  bool (*in_coverage)(const CoverageTraits&) = nullptr;  // which samples a primitive covers
+  bool (*in_fate)(const Scene&) = nullptr;  // what becomes of a scene's fragments on the way
+  bool in_lookups = false;                  // of textures, mip chains aside
+};
+
 struct Rule {
-  std::string id;
+  RuleId id = RuleId::none;
   std::string title;
   std::string spec;      // section of OpenGL 4.6, core profile
   std::string latitude;  // what the specification allows an implementation to do differently
   std::string standard;  // the alternative of policy `opengl`; empty: the rule has no alternatives
   std::vector<Alternative> alternatives;
   std::vector<Ruling> rulings;
+  Slot slot = {};  // all_rules() fills these in
+  Say say = {};
+  int ruling =
+      0;  // by which a difference under the rule is judged: its own first one, else another
 };
 
 }  // namespace edgecase

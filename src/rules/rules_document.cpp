@@ -49,9 +49,9 @@ std::string sentence(std::string_view text) {
 
 // GitHub's anchor of a heading that is a rule's id: dots are dropped.
 std::string link_to(const Rule& rule) {
-  std::string anchor = rule.id;
+  std::string anchor = name_of(rule.id);
   std::erase(anchor, '.');
-  return fmt::format("[`{}`](#{})", rule.id, anchor);
+  return fmt::format("[`{}`](#{})", name_of(rule.id), anchor);
 }
 
 // By their numbers, which are unique.
@@ -114,7 +114,7 @@ std::string cited_rulings(const Rule& rule) {
 }
 
 std::string rule_section(const Rule& rule) {
-  return fmt::format("\n### {}\n\n{} Section {}.{}\n\nLatitude: {}\n{}", rule.id,
+  return fmt::format("\n### {}\n\n{} Section {}.{}\n\nLatitude: {}\n{}", name_of(rule.id),
                      sentence(rule.title), escaped(rule.spec), cited_rulings(rule),
                      sentence(rule.latitude), alternatives_of(rule));
 }

@@ -29,14 +29,15 @@ ExactSide::ExactSide(Rendering drawn)
 
 CaseComparison::CaseComparison(const Suite& suite, const RunOptions& options)
     : suite_(suite),
-      options_(options),
+      policy_(options.policy),
+      profiles_(options.profiles.begin(), options.profiles.end()),
       made_(std::make_unique<std::once_flag[]>(suite.cases.size())),
       exact_(suite.cases.size()) {}
 
 const ExactSide& CaseComparison::exact(std::size_t index) {
   std::call_once(made_[index], [&] {
     exact_[index] = std::make_unique<const ExactSide>(
-        rasterize_without_details(suite_.cases[index].scene, options_.policy));
+        rasterize_without_details(suite_.cases[index].scene, policy_));
   });
   return *exact_[index];
 }
@@ -44,14 +45,14 @@ const ExactSide& CaseComparison::exact(std::size_t index) {
 Result CaseComparison::compare_outcome(std::size_t index, Outcome outcome,
                                        const RendererInfo& info) {
   if (auto* failure = std::get_if<Failure>(&outcome)) return not_run(std::move(*failure));
-  const auto profile = options_.profiles.find(info.name);
+  const auto profile = profiles_.find(info.name);
   const Case& one = suite_.cases[index];
   const auto& rendering = std::get<Rendering>(outcome);
   const RendererFacts facts =
-      facts_of(info, profile != options_.profiles.end() ? &profile->second : nullptr);
+      facts_of(info, profile != profiles_.end() ? &profile->second : nullptr);
   Result result = compare_with_exact(index, rendering, facts);
   if (std::ranges::find(one.tags, kRampTag) != one.tags.end())
-    result.ramp = level_ramp(one.scene, options_.policy, rendering, facts);
+    result.ramp = level_ramp(one.scene, policy_, rendering, facts);
   return result;
 }
 
@@ -60,7 +61,7 @@ Result CaseComparison::compare_with_exact(std::size_t index, const Rendering& re
                                           const RendererFacts& facts) {
   const Scene& scene = suite_.cases[index].scene;
   const auto compare_with = [&](const ExactSide& exact) {
-    Result result = compare(scene, options_.policy, exact.rendering, rendering, facts);
+    Result result = compare(scene, policy_, exact.rendering, rendering, facts);
     tell_fragments(exact.rendering, rendering, result);
     keep_pictures(rendering, exact, result);
     return result;
@@ -68,7 +69,7 @@ Result CaseComparison::compare_with_exact(std::size_t index, const Rendering& re
   const ExactSide& usual = exact(index);
   const SamplePositions& reported = rendering.sample_positions;
   if (reported.empty() || reported == usual.rendering.sample_positions) return compare_with(usual);
-  const ExactSide own(rasterize_without_details(scene, options_.policy, reported));
+  const ExactSide own(rasterize_without_details(scene, policy_, reported));
   Result result = compare_with(own);
   result.exact_samples = own.samples;
   result.exact_pixels = own.pixels;

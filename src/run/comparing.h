@@ -5,8 +5,10 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "diff/compare.h"
@@ -25,7 +27,7 @@ struct ExactSide {
   explicit ExactSide(Rendering drawn);
 };
 
-// Both arguments must outlive it. Safe to use from several threads.
+// The suite must outlive it. Safe to use from several threads.
 class CaseComparison {
  public:
   CaseComparison(const Suite& suite, const RunOptions& options);
@@ -44,7 +46,8 @@ class CaseComparison {
                             const RendererFacts& facts);
 
   const Suite& suite_;
-  const RunOptions& options_;
+  const ResolvedPolicy policy_;
+  std::map<std::string, ResolvedPolicy> profiles_;
   std::unique_ptr<std::once_flag[]> made_;
   std::vector<std::unique_ptr<const ExactSide>> exact_;  // of cases that somebody asks for
 };

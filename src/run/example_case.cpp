@@ -27,10 +27,10 @@ std::string last_part(const std::string& id) {
 // Rules that are about the same primitive, or decide the same of another one.
 std::set<std::string> rules_near(const std::string& rule) {
   std::set<std::string> near;
-  for (const Rule& other : all_rules())
-    if (other.id != rule &&
-        (first_part(other.id) == first_part(rule) || last_part(other.id) == last_part(rule)))
-      near.insert(other.id);
+  for (const std::string& other : names_of<RuleId>())
+    if (other != rule &&
+        (first_part(other) == first_part(rule) || last_part(other) == last_part(rule)))
+      near.insert(other);
   return near;
 }
 

@@ -68,9 +68,9 @@ class Trials {
 std::vector<ContrastingChoice> contrasting_choices(const Policy& policy, Surface surface) {
   std::vector<ContrastingChoice> choices;
   for (const Rule& rule : all_rules()) {
-    const std::string alternative = named_alternative(policy, surface, rule.id);
+    const std::string alternative = named_alternative(policy, surface, name_of(rule.id));
     if (!alternative.empty() && alternative != rule.standard)
-      choices.push_back({rule.id, alternative, rule.standard});
+      choices.push_back({name_of(rule.id), alternative, rule.standard});
   }
   return choices;
 }

@@ -114,7 +114,7 @@ class PartsKeeper {
 
 std::vector<std::string> known_rule_ids() {
   std::vector<std::string> ids;
-  for (const Rule& rule : all_rules()) ids.push_back(rule.id);
+  for (const Rule& rule : all_rules()) ids.push_back(name_of(rule.id));
   return ids;
 }
 

@@ -7,16 +7,10 @@
 #include "model/policy.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
+#include "rules/changes.h"
 
 namespace edgecase {
 namespace {
-
-constexpr const char* kCoverageRules[] = {
-    "point.ownership",    "point.offset",       "point.snap",         "point.row-order",
-    "line.algorithm",     "line.diamond-exit",  "line.width",         "line.snap",
-    "line.row-order",     "triangle.algorithm", "triangle.fill-rule", "triangle.snap",
-    "triangle.row-order", "line.multisampled",  "sample.positions",   "sample.enable",
-    "sample.mask",        "clip.volume",        "polygon.facing"};
 
 // What is drawn of a scene.
 struct Drawn {
@@ -31,8 +25,8 @@ bool is_switched_off(const Scene& scene) {
          });
 }
 
-Drawn drawn_under(const Scene& scene, const Policy& policy) {
-  const RuleChoices choices = resolve(policy, scene.target.surface);
+Drawn drawn_under(const Scene& scene, const ResolvedPolicy& policy) {
+  const RuleChoices& choices = policy.on(scene.target.surface);
   Drawn drawn;
   for (const ScenePrimitive& primitive : primitives_of(scene))
     drawn.covered.push_back(
@@ -41,35 +35,44 @@ Drawn drawn_under(const Scene& scene, const Policy& policy) {
   return drawn;
 }
 
-Policy policy_with(const std::string& rule, const std::string& alternative) {
-  Policy policy;
-  policy.rules[rule] = alternative;
-  return policy;
+// A policy for each alternative of a rule.
+std::vector<ResolvedPolicy> policies_of(RuleId rule) {
+  std::vector<ResolvedPolicy> policies;
+  for (const Alternative& alternative : rule_of(rule).alternatives) {
+    Policy policy;
+    policy.rules[name_of(rule)] = alternative.name;
+    policies.emplace_back(policy);
+  }
+  return policies;
 }
 
-void count_case(const Scene& scene, SeparationMatrix& matrix) {
+void count_case(const Scene& scene, const std::vector<ResolvedPolicy>& policies,
+                SeparationMatrix& matrix) {
   std::vector<Drawn> drawn;
-  for (const std::string& alternative : matrix.alternatives)
-    drawn.push_back(drawn_under(scene, policy_with(matrix.rule, alternative)));
+  for (const ResolvedPolicy& policy : policies) drawn.push_back(drawn_under(scene, policy));
   for (std::size_t i = 0; i < drawn.size(); ++i)
     for (std::size_t j = 0; j < drawn.size(); ++j)
       if (drawn[i] != drawn[j]) ++matrix.cases[i][j];
 }
 
+// Every boundary open, or every one closed.
+ResolvedPolicy with_boundaries(const char* alternative) {
+  Policy policy;
+  for (const PrimitiveKind kind : values_of<PrimitiveKind>())
+    policy.rules[name_of(coverage_rule_of(kind))] = alternative;
+  return policy;
+}
+
 bool has_tie(const Scene& scene) {
-  Policy open;
-  Policy closed;
-  for (const char* rule : {"point.ownership", "line.diamond-exit", "triangle.fill-rule"}) {
-    open.rules[rule] = "open";
-    closed.rules[rule] = "closed";
-  }
+  static const ResolvedPolicy open = with_boundaries("open");
+  static const ResolvedPolicy closed = with_boundaries("closed");
   return drawn_under(scene, open) != drawn_under(scene, closed);
 }
 
-SeparationMatrix empty_matrix(const std::string& id) {
+SeparationMatrix empty_matrix(RuleId id) {
   SeparationMatrix matrix;
-  matrix.rule = id;
-  for (const Alternative& alternative : find_rule(id)->alternatives)
+  matrix.rule = name_of(id);
+  for (const Alternative& alternative : rule_of(id).alternatives)
     matrix.alternatives.push_back(alternative.name);
   const std::size_t size = matrix.alternatives.size();
   matrix.cases.assign(size, std::vector<std::size_t>(size, 0));
@@ -88,10 +91,15 @@ std::size_t SeparationMatrix::least() const {
 Separation measure_separation(const std::vector<Case>& cases) {
   Separation result;
   result.cases = cases.size();
-  for (const char* rule : kCoverageRules) result.matrices.push_back(empty_matrix(rule));
+  std::vector<std::vector<ResolvedPolicy>> policies;
+  for (const RuleId rule : coverage_rules()) {
+    result.matrices.push_back(empty_matrix(rule));
+    policies.push_back(policies_of(rule));
+  }
   for (const Case& one : cases) {
     if (has_tie(one.scene)) ++result.with_ties;
-    for (SeparationMatrix& matrix : result.matrices) count_case(one.scene, matrix);
+    for (std::size_t i = 0; i < policies.size(); ++i)
+      count_case(one.scene, policies[i], result.matrices[i]);
   }
   return result;
 }

@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::array kAxes{&Point::x, &Point::y};
 
-std::int64_t grid_step(int bits) {
+std::int64_t raw_step(int bits) {
   return Fixed::kOne >> bits;
 }
 
 Fixed round_down(Fixed value, int bits) {
-  return Fixed::from_raw(value.raw() & -grid_step(bits));
+  return Fixed::from_raw(value.raw() & -raw_step(bits));
 }
 
 int bits_of(Point point) {
@@ -154,7 +154,7 @@ Scene with_points(const Scene& scene, const std::vector<Point>& points,
 std::vector<Fixed> neighbours_on_grid(Fixed value, int bits) {
   const Fixed down = round_down(value, bits);
   if (down == value) return {value};
-  const Fixed up = Fixed::from_raw(down.raw() + grid_step(bits));
+  const Fixed up = Fixed::from_raw(down.raw() + raw_step(bits));
   if (value - down <= up - value) return {down, up};
   return {up, down};
 }

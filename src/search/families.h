@@ -13,14 +13,15 @@
 #include <variant>
 #include <vector>
 
+#include "model/rule_id.h"
 #include "model/scene.h"
 
 namespace edgecase {
 
 struct Family {
-  const char* name;                // "shared-edges"
-  const char* about;               // a phrase
-  std::vector<const char*> rules;  // ids
+  const char* name;   // "shared-edges"
+  const char* about;  // a phrase
+  std::vector<RuleId> rules;
   // What its scenes are about is coverage: nothing else is asked of the renderer.
   bool coverage_only;
   bool has_windows;  // else its scenes are of framebuffer objects, whatever surface is given

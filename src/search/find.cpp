@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "diff/pixel_verdicts.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -101,10 +102,10 @@ const Disagreement* first_disagreement(const Find& find) {
 
 std::string rule_of(const Find& find) {
   if (!find.key.signature.rule.empty()) return find.key.signature.rule;
-  if (const Disagreement* d = first_disagreement(find)) return d->rule;
+  if (const Disagreement* d = first_disagreement(find)) return name_of(d->rule);
   for (const ValueAggregate& values : find.result.values)
-    if (values.cause == find.key.signature.cause) return values.rule;
-  return "fragment.once";
+    if (text_of(values.cause) == find.key.signature.cause) return name_of(values.rule);
+  return name_of(RuleId::fragment_once);
 }
 
 }  // namespace edgecase

@@ -281,7 +281,7 @@ bool settle(Scene& scene) {
 bool can_be_said(const Scene& scene) {
   CaseWords words;
   words.title = "A mutated scene";
-  words.rules = {"fragment.once"};
+  words.rules = {name_of(RuleId::fragment_once)};
   return case_text(scene, words).diagnostics.empty();
 }
 

@@ -42,8 +42,7 @@ Drawn covered_under(const RuleChoices& choices, const Target& target,
 // thousand results wait to be judged.
 void lighten(Result& result) {
   result.pixel_counts = {};
-  std::map<std::tuple<std::string, DisagreementKind, int, int, Legality, int, bool, std::string,
-                      std::string>,
+  std::map<std::tuple<RuleId, DisagreementKind, int, int, Legality, int, bool, Cause, std::string>,
            std::size_t>
       alike;
   std::erase_if(result.disagreements, [&](const Disagreement& d) {
@@ -68,12 +67,8 @@ std::vector<std::size_t> by_size(std::span<const Scene> scenes) {
 }  // namespace
 
 Screen::Screen(Policy policy, std::optional<Policy> profile)
-    : policy_(std::move(policy)), profile_(std::move(profile)) {
-  for (const Surface surface : {Surface::fbo, Surface::window}) {
-    Sides sides{resolve(policy_, surface), resolve(Policy{}, surface), std::nullopt};
-    if (profile_) sides.profile = resolve(*profile_, surface);
-    sides_.emplace(surface, sides);
-  }
+    : policy_(std::move(policy)), resolved_(policy_) {
+  if (profile) profile_ = *profile;
 }
 
 Screening Screen::ask(Renderer& renderer, std::span<const Scene> scenes, bool coverage_only,
@@ -112,21 +107,22 @@ std::optional<Result> Screen::screened(const Scene& scene, Outcome outcome, bool
   }
   const auto& rendering = std::get<Rendering>(outcome);
   if (coverage_only) return coverage_of(scene, rendering, bits);
-  const Rendering exact = rasterize_without_details(scene, policy_, rendering.sample_positions);
+  const Rendering exact = rasterize_without_details(scene, resolved_, rendering.sample_positions);
   const RendererFacts facts{bits, profile_ ? &*profile_ : nullptr};
-  Result result = compare(scene, policy_, exact, rendering, facts);
+  Result result = compare(scene, resolved_, exact, rendering, facts);
   if (result.disagreements.empty() && result.values.empty()) return std::nullopt;
   return result;
 }
 
 std::optional<Result> Screen::coverage_of(const Scene& scene, const Rendering& rendering,
                                           int bits) const {
-  const Sides& sides = sides_.at(scene.target.surface);
+  const Surface surface = scene.target.surface;
+  const RuleChoices& policy = resolved_.on(surface);
   const auto primitives = primitives_of(scene);
   Drawn drawn = drawn_of(primitives.size(), rendering);
-  Drawn covered = covered_under(sides.policy, scene.target, primitives);
+  Drawn covered = covered_under(policy, scene.target, primitives);
   // What the specification's own choice draws, too, is beyond doubt.
-  if (drawn == covered && drawn == covered_under(sides.standard, scene.target, primitives))
+  if (drawn == covered && drawn == covered_under(standard_choices(), scene.target, primitives))
     return std::nullopt;
   std::vector<PrimitiveCoverage> coverage;
   for (std::size_t i = 0; i < primitives.size(); ++i)
@@ -135,8 +131,8 @@ std::optional<Result> Screen::coverage_of(const Scene& scene, const Rendering& r
   compare_coverage({scene,
                     primitives,
                     coverage,
-                    sides.policy,
-                    sides.profile ? &*sides.profile : nullptr,
+                    policy,
+                    profile_ ? &profile_->on(surface) : nullptr,
                     policy_.latitude,
                     latitude_bits(bits),
                     false,

@@ -46,23 +46,15 @@ class Screen {
                 const std::atomic<bool>* stop) const;
 
   const Policy& policy() const { return policy_; }
-  const std::optional<Policy>& profile() const { return profile_; }
 
  private:
   std::optional<Result> screened(const Scene& scene, Outcome outcome, bool coverage_only,
                                  int bits) const;
   std::optional<Result> coverage_of(const Scene& scene, const Rendering& rendering, int bits) const;
 
-  // What is compared with on one kind of surface.
-  struct Sides {
-    RuleChoices policy;
-    RuleChoices standard;  // the specification's own
-    std::optional<RuleChoices> profile;
-  };
-
   Policy policy_;
-  std::optional<Policy> profile_;
-  std::map<Surface, Sides> sides_;
+  ResolvedPolicy resolved_;
+  std::optional<ResolvedPolicy> profile_;
 };
 
 }  // namespace edgecase

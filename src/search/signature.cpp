@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "results/clusters.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -26,7 +27,7 @@ Signature signature_of(const Cluster& cluster) {
 void add_broken(const Result& result, const std::string& cause, Legality legality, Surface surface,
                 std::vector<Signature>& signatures) {
   for (const Disagreement& d : result.disagreements) {
-    if (d.legality != legality || d.cause != cause) continue;
+    if (d.legality != legality || text_of(d.cause) != cause) continue;
     Signature signature = signature_of(d, surface);
     if (std::find(signatures.begin(), signatures.end(), signature) == signatures.end())
       signatures.push_back(std::move(signature));
@@ -75,13 +76,13 @@ std::vector<Signature> signatures_of(const CaseResults& results, std::size_t ren
 
 Signature signature_of(const Disagreement& disagreement, Surface surface) {
   Signature signature;
-  signature.cause = disagreement.cause;
+  signature.cause = text_of(disagreement.cause);
   signature.surface = name_of(surface);
   signature.legality = disagreement.legality;
   // A cause that is allowed joins rules and kinds: that a scene shows one of them alone is no part
   // of it.
   if (!disagreement.cause.empty() && is_legal(disagreement)) return signature;
-  signature.rule = disagreement.rule;
+  signature.rule = name_of(disagreement.rule);
   signature.kind = name_of(disagreement.kind);
   if (disagreement.cause.empty()) signature.situation = disagreement.situation;
   return signature;
@@ -89,11 +90,11 @@ Signature signature_of(const Disagreement& disagreement, Surface surface) {
 
 Signature signature_of(const ValueAggregate& values, Surface surface) {
   Signature signature;
-  signature.cause = values.cause;
+  signature.cause = text_of(values.cause);
   signature.surface = name_of(surface);
   signature.legality = Legality::legal;
   if (!values.cause.empty()) return signature;
-  signature.rule = values.rule;
+  signature.rule = name_of(values.rule);
   signature.kind = name_of(DisagreementKind::value);
   signature.attribute = values.attribute;
   return signature;

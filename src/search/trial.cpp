@@ -32,7 +32,9 @@ std::vector<std::size_t> by_size(std::span<const Scene> scenes) {
 }  // namespace
 
 Trial::Trial(Renderer& renderer, TrialOptions options)
-    : renderer_(renderer), options_(std::move(options)) {}
+    : renderer_(renderer), options_(std::move(options)), policy_(options_.policy) {
+  if (options_.profile) profile_ = *options_.profile;
+}
 
 void Trial::read(Surface surface, RunReading reading) {
   options_.readings.insert_or_assign(surface, std::move(reading));
@@ -63,12 +65,10 @@ std::vector<TrialAnswer> Trial::ask(std::span<const Scene> scenes) {
 Result Trial::compare_outcome(const Scene& scene, Outcome outcome) const {
   if (auto* failure = std::get_if<Failure>(&outcome)) return not_run(std::move(*failure));
   const auto& rendering = std::get<Rendering>(outcome);
-  const RendererFacts facts =
-      facts_of(renderer_.info(), options_.profile ? &*options_.profile : nullptr);
+  const RendererFacts facts = facts_of(renderer_.info(), profile_ ? &*profile_ : nullptr);
   // A renderer that has its samples elsewhere is held against exact with samples there.
-  const Rendering exact =
-      rasterize_without_details(scene, options_.policy, rendering.sample_positions);
-  return compare(scene, options_.policy, exact, rendering, facts);
+  const Rendering exact = rasterize_without_details(scene, policy_, rendering.sample_positions);
+  return compare(scene, policy_, exact, rendering, facts);
 }
 
 TrialAnswer Trial::judged(const Scene& scene, Result result) const {

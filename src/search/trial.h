@@ -17,10 +17,10 @@
 #include <vector>
 
 #include "diff/judge.h"
-#include "model/policy.h"
 #include "model/renderer.h"
 #include "model/result.h"
 #include "model/scene.h"
+#include "rules/choices.h"
 #include "search/signature.h"
 
 namespace edgecase {
@@ -68,6 +68,8 @@ class Trial {
 
   Renderer& renderer_;
   TrialOptions options_;
+  ResolvedPolicy policy_;
+  std::optional<ResolvedPolicy> profile_;
   std::size_t asked_ = 0;
 };
 

@@ -27,14 +27,14 @@ ALLOWED = {
     "recording": {"wire", "model", "exact"},
     "image": {"model", "exact"},
     "diff": {"raster", "rules", "model", "exact"},
-    "results": {"model"},
+    "results": {"rules", "model"},
     "run": SRC - {"generate", "profile", "search"},
     "generate": {"raster", "rules", "model", "exact"},
     "profile": SRC,
     "search": SRC,
     "reference": {"model", "wire", "exact"},
     "examples": set(),  # reference/examples: programs of people who have nothing of ours
-    "reports": {"results", "model", "image"},
+    "reports": {"results", "rules", "model", "image"},
     "tools": SRC | {"reference", "reports"},
 }
 

@@ -29,7 +29,7 @@ Result flushed(ValueAggregator& aggregator) {
 }
 
 TEST(ValueAggregator, MeansAreOverAllComponentsThoseWithoutErrorToo) {
-  ValueAggregator aggregator("color", "attribute.smooth", 9);
+  ValueAggregator aggregator("color", RuleId::attribute_smooth, 9);
   for (int i = 0; i < 5; ++i) aggregator.count_compared(4);
   aggregator.add_error(kHere, {0, 0.5, 0.75, 3, 1});
   aggregator.add_error(kHere, {2, 0.5, 0.5, 1, 1});
@@ -40,7 +40,7 @@ TEST(ValueAggregator, MeansAreOverAllComponentsThoseWithoutErrorToo) {
   ASSERT_EQ(result.values.size(), 1u);
   const ValueAggregate& values = result.values[0];
   EXPECT_EQ(values.attribute, "color");
-  EXPECT_EQ(values.rule, "attribute.smooth");
+  EXPECT_EQ(values.rule, RuleId::attribute_smooth);
   EXPECT_EQ(values.ruling, 9);
   EXPECT_EQ(values.compared, 5u);
   EXPECT_EQ(values.components, 20u);
@@ -50,7 +50,7 @@ TEST(ValueAggregator, MeansAreOverAllComponentsThoseWithoutErrorToo) {
 
 TEST(ValueAggregator, TheWorstIsTheLargestInUlpWhereverItComes) {
   for (const bool first : {true, false}) {
-    ValueAggregator aggregator("depth", "fragment.depth", 9);
+    ValueAggregator aggregator("depth", RuleId::fragment_depth, 9);
     aggregator.count_compared(1);
     aggregator.count_compared(1);
     if (first) aggregator.add_error(kThere, {0, 0.125, 0.25, 9, 0});
@@ -70,7 +70,7 @@ TEST(ValueAggregator, TheWorstIsTheLargestInUlpWhereverItComes) {
 
 // The largest share of the range need not be where the error in ULP is largest.
 TEST(ValueAggregator, RelativeErrorsAreOfTheRangeAndOfTheirOwn) {
-  ValueAggregator aggregator("color", "attribute.smooth", 9);
+  ValueAggregator aggregator("color", RuleId::attribute_smooth, 9);
   aggregator.count_compared(4);
   aggregator.add_error(kHere, {0, 0, 1e-30, 1e9, 0.5});
   aggregator.add_error(kHere, {1, 1, 1.25, 4, 2});
@@ -83,7 +83,7 @@ TEST(ValueAggregator, RelativeErrorsAreOfTheRangeAndOfTheirOwn) {
 }
 
 TEST(ValueAggregator, TheHistogramCountsComponentsByPowersOfTwo) {
-  ValueAggregator aggregator("color", "attribute.smooth", 9);
+  ValueAggregator aggregator("color", RuleId::attribute_smooth, 9);
   aggregator.count_compared(4);
   int component = 0;
   for (const double ulp : {0.25, 0.3, 1.0, 1.99, 2.0, 3.0, 1024.0, 0.0})
@@ -95,7 +95,7 @@ TEST(ValueAggregator, TheHistogramCountsComponentsByPowersOfTwo) {
 
 // Passes of one scene are added up before anything is left out.
 TEST(ValueAggregator, WhatWasComparedIsToldThoughNothingDiffers) {
-  ValueAggregator aggregator("color", "attribute.smooth", 9);
+  ValueAggregator aggregator("color", RuleId::attribute_smooth, 9);
   EXPECT_TRUE(flushed(aggregator).values.empty());
   aggregator.count_compared(4);
   const Result result = flushed(aggregator);

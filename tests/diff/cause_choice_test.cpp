@@ -81,7 +81,7 @@ TEST(CauseChoice, WhatIsIllegalSpeaksForNoOpenChoice) {
   const std::string illegal = "triangle.fill-rule=closed", open = "triangle.fill-rule=left-bottom";
   std::deque<Result> results = {triangle_result({open, illegal}), triangle_result({illegal})};
   results[0].disagreements[0].legality = Legality::illegal;
-  results[0].disagreements[0].rule = "triangle.shared-edge";
+  results[0].disagreements[0].rule = RuleId::triangle_shared_edge;
   judge_all(results);
   EXPECT_EQ(results[0].disagreements[0].cause, illegal);
   // A fault of another kind, or of another primitive, is no evidence here.
@@ -90,7 +90,7 @@ TEST(CauseChoice, WhatIsIllegalSpeaksForNoOpenChoice) {
     Disagreement fault;
     fault.primitive = value ? 0 : 1;
     fault.kind = value ? DisagreementKind::value : DisagreementKind::extra;
-    fault.rule = value ? "attribute.flat" : "triangle.fill-rule";
+    fault.rule = value ? RuleId::attribute_flat : RuleId::triangle_fill_rule;
     others[0].disagreements.push_back(fault);
     judge_all(others);
     EXPECT_EQ(others[0].disagreements[0].cause, open);

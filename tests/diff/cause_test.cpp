@@ -17,6 +17,7 @@
 #include "tests/diff/named_scenes.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/rules/support.h"
+#include "tests/support/causes.h"
 #include "tests/support/share.h"
 
 namespace edgecase {
@@ -36,8 +37,9 @@ std::vector<std::string> rules_of(PrimitiveKind kind) {
   const std::string prefix = std::string(name_of(kind)) + ".";
   std::vector<std::string> ids;
   for (const Rule& rule : all_rules())
-    if (rule.id.starts_with(prefix) && rule.id != "line.multisampled" && !rule.alternatives.empty())
-      ids.push_back(rule.id);
+    if (std::string(name_of(rule.id)).starts_with(prefix) && rule.id != RuleId::line_multisampled &&
+        !rule.alternatives.empty())
+      ids.push_back(name_of(rule.id));
   return ids;
 }
 
@@ -46,23 +48,24 @@ struct Subject {
   Scene scene;
 
   ScenePrimitive primitive() const { return primitives_of(scene)[0]; }
-  CoverageChoice choice(const Rules& rules) const {
-    return resolve(policy_of(rules), scene.target.surface).of(primitive().kind);
+  RuleChoices choice(const Rules& rules) const {
+    return resolve(policy_of(rules), scene.target.surface);
   }
   std::vector<PixelPosition> drawn(const Rules& rules) const {
-    return covered_pixels(primitive(), scene.target, choice(rules));
+    return covered_pixels(primitive(), scene.target, choice(rules).of(primitive().kind));
   }
   std::vector<std::string> catalogued_causes(const std::vector<PixelPosition>& pixels) const {
     auto result = causes(pixels);
-    std::erase(result, kInteriorGap);
+    std::erase(result, text_of(kInteriorGap));
     return result;
   }
   std::vector<std::string> causes(const std::vector<PixelPosition>& pixels,
                                   const Rules* profile = nullptr) const {
-    const CoverageChoice chosen = choice({});
-    const CoverageChoice known = choice(profile != nullptr ? *profile : Rules{});
-    return find_causes({primitive(), scene.target, chosen, profile != nullptr ? &known : nullptr},
-                       {{drawn({})}, {pixels}});
+    const RuleChoices chosen = choice({});
+    const RuleChoices known = choice(profile != nullptr ? *profile : Rules{});
+    return texts_of(
+        find_causes({primitive(), scene.target, chosen, profile != nullptr ? &known : nullptr},
+                    {{drawn({})}, {pixels}}));
   }
 };
 
@@ -264,15 +267,17 @@ TEST(CausesOnTopOfAProfile, ReachTheDisagreements) {
     const auto pixels = subject.drawn(profile.rules);
     if (pixels == subject.drawn({}) || !subject.catalogued_causes(pixels).empty()) continue;
     const Rendering exact = rasterize(subject.scene, {});
-    const Result known = compare(subject.scene, {}, exact, rendered, {8, &profile});
+    const ResolvedPolicy known_profile = profile;
+    const Result known = compare(subject.scene, {}, exact, rendered, {8, &known_profile});
     ASSERT_EQ(known.evidence.size(), 1u);
     ASSERT_EQ(known.evidence[0].causes.size(), 1u);
-    EXPECT_EQ(rules_of_cause(known.evidence[0].causes[0]), profile.rules);
+    EXPECT_EQ(rules_of_cause(text_of(known.evidence[0].causes[0])), profile.rules);
     // A profile of the other surface says nothing here.
     Policy window;
     window.surfaces[Surface::window] = profile.rules;
-    const Result unknown = compare(subject.scene, {}, exact, rendered, {8, &window});
-    for (const std::string& cause : unknown.evidence[0].causes) EXPECT_EQ(cause, kInteriorGap);
+    const ResolvedPolicy elsewhere = window;
+    const Result unknown = compare(subject.scene, {}, exact, rendered, {8, &elsewhere});
+    for (const Cause& cause : unknown.evidence[0].causes) EXPECT_EQ(cause, Cause(kInteriorGap));
     break;
   }
 }

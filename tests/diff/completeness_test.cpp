@@ -128,8 +128,7 @@ TEST(Legality, DoesNotDependOnThePolicy) {
     Rendering rendered = rasterize(scene, random_policy(random));
     damage(rendered, random, static_cast<int>(primitives_of(scene).size()));
     // Place, kind and, of values, the rule -> legal, ruling.
-    std::map<std::tuple<int, int, int, DisagreementKind, std::string>,
-             std::set<std::pair<bool, int>>>
+    std::map<std::tuple<int, int, int, DisagreementKind, RuleId>, std::set<std::pair<bool, int>>>
         seen;
     for (int p = 0; p < 4; ++p) {
       const Policy policy = p == 0 ? Policy{} : random_policy(random);
@@ -137,9 +136,9 @@ TEST(Legality, DoesNotDependOnThePolicy) {
       Result* const results[] = {&result};
       judge(results, Latitude::opengl);
       for (const Disagreement& d : result.disagreements) {
-        const bool gap = d.cause == "line.interior-gap";
+        const bool gap = d.cause == Cause(kInteriorGap);
         const bool value = d.kind == DisagreementKind::value;
-        seen[{d.x, d.y, d.primitive, d.kind, value ? d.rule : ""}].insert(
+        seen[{d.x, d.y, d.primitive, d.kind, value ? d.rule : RuleId::none}].insert(
             {is_legal(d), gap ? 1 : d.ruling});
       }
     }

@@ -14,6 +14,7 @@
 #include "tests/raster/multisampled_scenes.h"
 #include "tests/raster/operation_scenes.h"
 #include "tests/rules/support.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {

@@ -13,6 +13,7 @@
 #include "diff/coverage/legality.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/clipped_scenes.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {

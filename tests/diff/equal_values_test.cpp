@@ -15,11 +15,11 @@
 
 #include "casefile/loader.h"
 #include "casefile/suite.h"
-#include "diff/coverage/alternatives.h"
 #include "diff/drawing_compare.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/raster/random_scenes.h"
+#include "tests/support/causes.h"
 #include "tests/support/share.h"
 
 namespace edgecase {
@@ -27,11 +27,10 @@ namespace {
 
 // All values judged, whether they are exact's or not.
 void expect_correct_values(const Scene& scene, const Rendering& exact, int bits) {
-  const Policy policy;
+  const ResolvedPolicy policy;
   const RendererFacts facts{bits};
   const Drawing drawing{scene, policy, exact, exact, facts};
-  const std::string all_refuted(alternative_names().size(), '1');
-  const Result whole = compare_drawing(drawing, all_refuted, Compared::all);
+  const Result whole = compare_drawing(drawing, AlternativeSet::all(), Compared::all);
   EXPECT_TRUE(whole.disagreements.empty());
   for (const ValueAggregate& values : whole.values) EXPECT_TRUE(values.differing.empty());
 }

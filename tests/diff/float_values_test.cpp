@@ -17,6 +17,7 @@
 #include "rules/values/depth_buffer.h"
 #include "tests/diff/value_mutants.h"
 #include "tests/raster/random_scenes.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -185,7 +186,7 @@ class RandomValues {
 std::string first_of(const Result& result) {
   if (result.disagreements.empty()) return "no disagreement";
   const Disagreement& d = result.disagreements[0];
-  return d.rule + " '" + d.cause + "': " + d.explanation;
+  return std::string(name_of(d.rule)) + " '" + text_of(d.cause) + "': " + d.explanation;
 }
 
 Result judged(const Scene& scene, const Rendering& rendered) {
@@ -234,7 +235,7 @@ TEST(FloatValues, LinearScenesHaveNoDisagreementByAnyMethod) {
   for (int i = 0; i < 40; ++i) {
     const Scene scene = random.next(false);
     const Rendering exact = rasterize(scene, {});
-    for (const DerivativeMethod method : all_derivative_methods()) {
+    for (const DerivativeMethod method : values_of<DerivativeMethod>()) {
       RuleChoices choices;
       choices.values.derivatives = {method, method, method};
       const Result result = judged(scene, shaded_under(scene, exact, choices));

@@ -16,6 +16,7 @@
 #include "tests/diff/fragment_changes.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/rules/support.h"
+#include "tests/support/causes.h"
 #include "tests/support/share.h"
 
 namespace edgecase {

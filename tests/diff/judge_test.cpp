@@ -11,11 +11,11 @@
 #include <deque>
 
 #include "diff/compare.h"
-#include "diff/coverage/alternatives.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/judged_results.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/raster/random_scenes.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -30,15 +30,15 @@ std::vector<std::string> all_but(const std::vector<std::string>& snaps) {
 }
 
 // A case with one line that is legal under `snaps`, and differs.
-Result line_result(std::vector<std::string> snaps, std::vector<std::string> causes) {
+Result line_result(std::vector<std::string> snaps, const std::vector<std::string>& causes) {
   Result result;
   Disagreement d;
   d.primitive = 0;
-  d.rule = "line.diamond-exit";
+  d.rule = rule_named("line.diamond-exit");
   d.ruling = 1;
   result.disagreements = {d};
   result.illegal_line_snaps = all_but(snaps);
-  result.evidence = {{0, std::move(causes), all_but(snaps), ""}};
+  result.evidence = {{0, causes_named(causes), all_but(snaps), ""}};
   return result;
 }
 
@@ -73,7 +73,7 @@ TEST(Judge, OnlyOpenChoicesAreConvention) {
   std::deque<Result> results = {
       triangle_result({"triangle.fill-rule=open"}),
       triangle_result({"triangle.fill-rule=left-bottom + triangle.snap=8-half-up"}),
-      triangle_result({"triangle.fill-rule=no-such"}), triangle_result({})};
+      triangle_result({"triangle.fill-rule=closed"}), triangle_result({})};
   judge_all(results);
   EXPECT_EQ(results[0].verdict, Verdict::permitted);
   EXPECT_EQ(results[1].verdict, Verdict::convention);
@@ -85,7 +85,7 @@ TEST(Judge, TheWorstDisagreementDecides) {
   Result result = triangle_result({"triangle.fill-rule=left-bottom"});
   Disagreement illegal;
   illegal.kind = DisagreementKind::value;
-  illegal.rule = "framebuffer.unorm8";
+  illegal.rule = RuleId::framebuffer_unorm8;
   result.disagreements.push_back(illegal);
   std::deque<Result> results = {result};
   judge_all(results);
@@ -95,7 +95,7 @@ TEST(Judge, TheWorstDisagreementDecides) {
 // A sample that the letter of a ruling forbids.
 Disagreement forbidden_by(int ruling) {
   Disagreement d;
-  d.rule = "clip.volume";
+  d.rule = rule_named("clip.volume");
   d.ruling = ruling;
   return d;
 }
@@ -158,7 +158,7 @@ TEST(Judge, PermittedValuesArePermittedAndNeverAgreement) {
   Result result;
   ValueAggregate values;
   values.attribute = "color";
-  values.rule = "attribute.smooth";
+  values.rule = rule_named("attribute.smooth");
   values.differing = {{1, 1, 0}};
   result.values = {values};
   std::deque<Result> results = {result, triangle_result({"triangle.fill-rule=left-bottom"})};
@@ -199,7 +199,7 @@ TEST(Fingerprint, IsOfRuleKindAndPixelsOnly) {
   const std::string print = fingerprint(base);
   EXPECT_EQ(print.size(), 16u);
   for (const auto& change : std::initializer_list<void (*)(Disagreement&)>{
-           [](Disagreement& d) { d.rule = "triangle.shared-edge"; },
+           [](Disagreement& d) { d.rule = rule_named("triangle.shared-edge"); },
            [](Disagreement& d) { d.kind = DisagreementKind::extra; },
            [](Disagreement& d) { d.x = 4; }, [](Disagreement& d) { d.y = 4; }}) {
     Result changed = base;
@@ -212,7 +212,7 @@ TEST(Fingerprint, IsOfRuleKindAndPixelsOnly) {
   d.figure.marks = {{MarkRole::sample, false, {{1, 2}}, ""}};
   d.exact = {1};
   d.rendered = {0};
-  other.evidence[0].causes = {"triangle.fill-rule=top-left"};
+  other.evidence[0].causes = causes_named({"triangle.fill-rule=top-left"});
   EXPECT_EQ(fingerprint(other), print);
 }
 
@@ -291,8 +291,9 @@ TEST(Judge, FindsWhatTheRendererOfARunFollows) {
   int convention = 0;
   for (const Result& result : results)
     for (const Disagreement& d : result.disagreements)
-      if (d.rule == "triangle.fill-rule" && d.cause.find("fill-rule") != std::string::npos) {
-        EXPECT_NE(d.cause.find("triangle.fill-rule=bottom-left"), std::string::npos) << d.cause;
+      if (d.rule == "triangle.fill-rule" &&
+          text_of(d.cause).find("fill-rule") != std::string::npos) {
+        EXPECT_NE(text_of(d.cause).find("triangle.fill-rule=bottom-left"), std::string::npos);
         ++convention;
       }
   EXPECT_GT(convention, 10);
@@ -302,7 +303,8 @@ TEST(Judge, FindsWhatTheRendererOfARunFollows) {
 std::string words_of(const Result& result) {
   std::string text = std::string(name_of(result.verdict)) + " " + result.fingerprint;
   for (const Disagreement& d : result.disagreements)
-    text += (is_legal(d) ? "; legal " : "; illegal ") + d.cause + " " + std::to_string(d.ruling);
+    text += (is_legal(d) ? "; legal " : "; illegal ") + text_of(d.cause) + " " +
+            std::to_string(d.ruling);
   return text;
 }
 
@@ -348,7 +350,7 @@ TEST(Judge, AReadingThatDoesNotKnowAnAlternativeSpeaksForNone) {
   judge(pointers(results), Latitude::opengl, RunReading{});
   EXPECT_EQ(results[0].disagreements[0].cause, a) << "the first in catalogue order";
   RunReading reading;
-  reading.alternatives[b] = 1;
+  reading.alternatives[cause_named(b).parts[0]] = 1;
   judge(pointers(results), Latitude::opengl, reading);
   EXPECT_EQ(results[0].disagreements[0].cause, b);
 }

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "diff/coverage/alternatives.h"
 #include "diff/judge.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 
@@ -25,26 +25,23 @@ inline std::string judge_all(std::deque<Result>& results, Latitude latitude = La
 }
 
 // A case with one triangle that differs and is legal.
-inline Result triangle_result(std::vector<std::string> causes, int x = 0) {
+inline Result triangle_result(const std::vector<std::string>& causes, int x = 0) {
   Result result;
   Disagreement d;
   d.x = x;
   d.primitive = 0;
-  d.rule = "triangle.fill-rule";
+  d.rule = rule_named("triangle.fill-rule");
   d.ruling = 4;
   d.legality = Legality::legal;
   result.disagreements = {d};
-  result.evidence = {{0, std::move(causes), {}, ""}};
+  result.evidence = {{0, causes_named(causes), {}, ""}};
   return result;
 }
 
 // A case that agrees, and that one alternative would have drawn otherwise.
 inline Result agreeing_but_for(const std::string& refuted) {
-  const auto names = alternative_names();
   Result result;
-  result.refuted.assign(names.size(), '0');
-  result.refuted[static_cast<std::size_t>(std::find(names.begin(), names.end(), refuted) -
-                                          names.begin())] = '1';
+  result.refuted.add(cause_named(refuted).parts.at(0));
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include "raster/rasterizer.h"
 #include "rules/textures/mip_chain.h"
 #include "tests/diff/texture_judging.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {

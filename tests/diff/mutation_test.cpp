@@ -11,7 +11,6 @@
 #include <set>
 
 #include "diff/compare.h"
-#include "diff/coverage/alternatives.h"
 #include "diff/coverage/cause.h"
 #include "diff/judge.h"
 #include "raster/rasterizer.h"
@@ -19,6 +18,7 @@
 #include "rules/choices.h"
 #include "tests/diff/mutants.h"
 #include "tests/diff/named_scenes.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 
@@ -76,11 +76,13 @@ std::string describe(const Result& result) {
   std::string text = std::string("verdict ") + name_of(result.verdict) + "\n";
   for (std::size_t i = 0; i < std::min<std::size_t>(3, result.disagreements.size()); ++i) {
     const Disagreement& d = result.disagreements[i];
-    text += std::string(name_of(d.kind)) + " " + d.rule + (is_legal(d) ? " legal" : " illegal") +
-            " cause '" + d.cause + "': " + d.explanation + "\n";
+    text += std::string(name_of(d.kind)) + " " + name_of(d.rule) +
+            (is_legal(d) ? " legal" : " illegal") + " cause '" + text_of(d.cause) +
+            "': " + d.explanation + "\n";
   }
   for (const ValueAggregate& v : result.values)
-    text += v.attribute + " " + v.rule + " differs at " + std::to_string(v.differing.size()) + "\n";
+    text += v.attribute + " " + name_of(v.rule) + " differs at " +
+            std::to_string(v.differing.size()) + "\n";
   return text;
 }
 
@@ -92,12 +94,12 @@ enum class CauseMustBe { the_mutants, one_that_reproduces };
 bool reproduces(const Result& result, const Disagreement& d, const std::string& cause) {
   for (const Result::Evidence& evidence : result.evidence)
     if (evidence.primitive == d.primitive)
-      return std::find(evidence.causes.begin(), evidence.causes.end(), cause) !=
-             evidence.causes.end();
+      return !cause.empty() &&
+             std::ranges::find(evidence.causes, cause_named(cause)) != evidence.causes.end();
   return d.cause == cause;
 }
 
-bool is_about_pixels(const std::string& rule) {
+bool is_about_pixels(RuleId rule) {
   return rule == "framebuffer.unorm8" || rule == "framebuffer.order";
 }
 
@@ -106,8 +108,8 @@ bool comes_under_its_rule(const Mutant& mutant, const Scene& scene, const Result
   const auto primitives = primitives_of(scene);
   const auto own_rule = [&](int primitive) -> std::string {
     if (mutant.rule != kCoverage) return mutant.rule;
-    return primitive < 0 ? ""
-                         : coverage_rule_of(primitives[static_cast<std::size_t>(primitive)].kind);
+    if (primitive < 0) return "";
+    return name_of(coverage_rule_of(primitives[static_cast<std::size_t>(primitive)].kind));
   };
   const bool illegal = mutant.verdict >= Verdict::contested;
   return std::any_of(result.disagreements.begin(), result.disagreements.end(),
@@ -129,15 +131,15 @@ void expect_as_the_mutant_says(const Mutant& mutant, const std::string& scene, c
   std::set<std::string> given;
   for (const Disagreement& d : result.disagreements) {
     EXPECT_FALSE(d.explanation.empty());
-    EXPECT_NE(find_rule(d.rule), nullptr) << d.rule;
-    EXPECT_NE(find_ruling(d.ruling), nullptr) << d.rule << " " << d.ruling;
+    EXPECT_NE(find_rule(name_of(d.rule)), nullptr) << name_of(d.rule);
+    EXPECT_NE(find_ruling(d.ruling), nullptr) << name_of(d.rule) << " " << d.ruling;
     if (is_about_pixels(d.rule)) {
       EXPECT_EQ(d.cause, "");
       continue;
     }
-    given.insert(d.cause);
+    given.insert(text_of(d.cause));
     if (must_be == CauseMustBe::the_mutants || d.cause.empty()) continue;
-    EXPECT_TRUE(reproduces(result, d, d.cause)) << describe(result);
+    EXPECT_TRUE(reproduces(result, d, text_of(d.cause))) << describe(result);
     EXPECT_TRUE(std::any_of(causes.begin(), causes.end(), [&](const std::string& cause) {
       return reproduces(result, d, cause);
     })) << describe(result);
@@ -165,13 +167,13 @@ Policy policy_of_cause(const std::string& cause) {
 // By the rasterizer alone: the cause draws the primitive as it was drawn or, where there is none,
 // no single alternative does.
 void expect_true_cause(const Scene& scene, const Rendering& wrong, const Disagreement& d) {
-  if (d.kind == DisagreementKind::value || d.cause == kInteriorGap) return;
+  if (d.kind == DisagreementKind::value || d.cause == Cause(kInteriorGap)) return;
   const auto drawn = pixels_of(wrong, d.primitive);
   const auto drawn_by = [&](const std::string& cause) {
     return pixels_of(rasterize(scene, policy_of_cause(cause)), d.primitive);
   };
   if (!d.cause.empty()) {
-    EXPECT_EQ(drawn_by(d.cause), drawn) << d.cause;
+    EXPECT_EQ(drawn_by(text_of(d.cause)), drawn) << text_of(d.cause);
     return;
   }
   for (const std::string& alternative : alternative_names())

@@ -8,6 +8,7 @@
 #include "raster/rasterizer.h"
 #include "tests/raster/multisampled_scenes.h"
 #include "tests/raster/random_operations.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -72,19 +73,19 @@ Result judge_output(const Scene& scene, const Policy& policy, const Rendering& r
 
 std::set<std::string> causes_in(const Result& result) {
   std::set<std::string> causes;
-  for (const Disagreement& d : result.disagreements) causes.insert(d.cause);
+  for (const Disagreement& d : result.disagreements) causes.insert(text_of(d.cause));
   return causes;
 }
 
 std::set<std::string> rules_in(const Result& result) {
   std::set<std::string> rules;
-  for (const Disagreement& d : result.disagreements) rules.insert(d.rule);
+  for (const Disagreement& d : result.disagreements) rules.insert(name_of(d.rule));
   return rules;
 }
 
 std::set<std::string> aggregate_causes_in(const Result& result) {
   std::set<std::string> causes;
-  for (const ValueAggregate& values : result.values) causes.insert(values.cause);
+  for (const ValueAggregate& values : result.values) causes.insert(text_of(values.cause));
   return causes;
 }
 
@@ -92,12 +93,13 @@ std::string told(const Result& result) {
   std::string text = name_of(result.verdict);
   for (std::size_t i = 0; i < result.disagreements.size() && i < 6; ++i) {
     const Disagreement& d = result.disagreements[i];
-    text += fmt::format("\n({}, {}) sample {}: {}, {}: {}", d.x, d.y, d.sample, d.rule, d.cause,
-                        d.explanation);
+    text += fmt::format("\n({}, {}) sample {}: {}, {}: {}", d.x, d.y, d.sample, name_of(d.rule),
+                        text_of(d.cause), d.explanation);
   }
   for (const ValueAggregate& v : result.values)
-    text += fmt::format("\n{} {} {}: {} of {}, worst {} for {}", v.attribute, v.rule, v.cause,
-                        v.differing.size(), v.compared, v.worst_rendered, v.worst_exact);
+    text += fmt::format("\n{} {} {}: {} of {}, worst {} for {}", v.attribute, name_of(v.rule),
+                        text_of(v.cause), v.differing.size(), v.compared, v.worst_rendered,
+                        v.worst_exact);
   return text;
 }
 

@@ -12,6 +12,7 @@
 #include "tests/diff/output_judging.h"
 #include "tests/raster/operation_scenes.h"
 #include "tests/rules/support.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {

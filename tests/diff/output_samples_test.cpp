@@ -9,6 +9,7 @@
 #include "raster/rasterizer.h"
 #include "tests/diff/output_judging.h"
 #include "tests/raster/multisampled_scenes.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -50,7 +51,7 @@ TEST(OutputSamples, DepthsOfOtherPlacesAreNamed) {
     EXPECT_EQ(result.verdict, Verdict::violation);
     Names told_causes;
     for (const Disagreement& d : result.disagreements)
-      if (d.rule != "fragment.depth") told_causes.insert(d.cause);
+      if (d.rule != "fragment.depth") told_causes.insert(text_of(d.cause));
     EXPECT_EQ(told_causes, Names{"sample.depth=" + std::string(name)}) << told(result);
   }
 }

@@ -12,6 +12,7 @@
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/raster/random_scenes.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -23,14 +24,14 @@ Disagreement disagreement_at(int x, int y, bool legal, const char* cause) {
   d.x = x;
   d.y = y;
   d.legality = by_letter(legal);
-  d.cause = cause;
+  d.cause = cause_named(cause);
   return d;
 }
 
 ValueAggregate values_at(std::vector<ValueAggregate::Place> places, const char* cause) {
   ValueAggregate values;
   values.differing = std::move(places);
-  values.cause = cause;
+  values.cause = cause_named(cause);
   return values;
 }
 

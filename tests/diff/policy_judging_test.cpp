@@ -15,6 +15,7 @@
 #include "tests/diff/fragment_changes.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/rules/support.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -78,7 +79,8 @@ std::vector<Forbidden> forbidden() {
 std::string describe(const Result& result) {
   std::string text = name_of(result.verdict);
   for (const Disagreement& d : result.disagreements)
-    text += "\n" + d.rule + " " + std::to_string(d.ruling) + " '" + d.cause + "' " + d.explanation;
+    text += std::string("\n") + name_of(d.rule) + " " + std::to_string(d.ruling) + " '" +
+            text_of(d.cause) + "' " + d.explanation;
   return text.substr(0, 1000);
 }
 

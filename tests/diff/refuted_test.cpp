@@ -7,28 +7,27 @@
 #include <cstdio>
 #include <map>
 
-#include "diff/coverage/alternatives.h"
 #include "diff/coverage/refutation.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/random_scenes.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
 
 // Which alternatives draw the primitive otherwise than the choice does: of those that bear one
 // name, all.
-std::string drawn_otherwise(const CauseQuestion& question, const SampleCoverage& drawn) {
-  std::map<std::string, bool> draws_so;
-  for (const RuleAlternatives& rule :
-       alternatives_beside(question.primitive, question.target, question.chosen))
+AlternativeSet drawn_otherwise(const CauseQuestion& question, const SampleCoverage& drawn) {
+  std::map<AlternativeId, bool> draws_so;
+  const CoverageTraits traits = coverage_traits(question.primitive, question.target);
+  for (const Changes& rule : coverage_changes(traits, question.chosen))
     for (const Change& change : rule)
-      draws_so[change.cause] |= covered_samples(question.primitive, question.target,
-                                                change.applied_to(question.chosen), {}) == drawn;
-  std::string refuted;
-  for (const std::string& name : alternative_names()) {
-    const auto found = draws_so.find(name);
-    refuted += found != draws_so.end() && !found->second ? '1' : '0';
-  }
+      draws_so[change.id] |=
+          covered_samples(question.primitive, question.target,
+                          change.applied_to(question.chosen).of(traits.kind), {}) == drawn;
+  AlternativeSet refuted;
+  for (const auto& [alternative, so] : draws_so)
+    if (!so) refuted.add(alternative);
   return refuted;
 }
 
@@ -64,21 +63,24 @@ TEST(Refuted, IsWhatIsDrawnOtherwise) {
       for (const Policy& policy : kPolicies) {
         const RuleChoices choices = resolve(policy, Surface::fbo);
         for (const ScenePrimitive& primitive : primitives_of(scene)) {
-          const CauseQuestion question{primitive, scene.target, choices.of(primitive.kind)};
+          const CauseQuestion question{primitive, scene.target, choices};
           const SampleCoverage drawn =
-              covered_samples(primitive, scene.target, question.chosen, {});
-          const std::string wanted = drawn_otherwise(question, drawn);
+              covered_samples(primitive, scene.target, choices.of(primitive.kind), {});
+          const AlternativeSet wanted = drawn_otherwise(question, drawn);
           // Where another primitive has refuted some before, they are not tried, and what is known
           // of the others must do when all are asked about.
-          std::string half = wanted;
-          for (std::size_t k = 0; k < half.size(); k += 2) half[k] = '0';
+          AlternativeSet half;
+          std::size_t k = 0;
+          wanted.for_each([&](AlternativeId id) {
+            if (k++ % 2 != 0) half.add(id);
+          });
           mark_refuted(question, {drawn, drawn}, half);
-          ASSERT_EQ(half, wanted) << policy.rules.size() << " " << step << " " << i;
-          std::string marked(alternative_names().size(), '0');
+          ASSERT_TRUE(half == wanted) << policy.rules.size() << " " << step << " " << i;
+          AlternativeSet marked;
           mark_refuted(question, {drawn, drawn}, marked);
-          ASSERT_EQ(marked, wanted) << policy.rules.size() << " " << step << " " << i;
+          ASSERT_TRUE(marked == wanted) << policy.rules.size() << " " << step << " " << i;
           ++primitives;
-          refuted += static_cast<std::size_t>(std::count(wanted.begin(), wanted.end(), '1'));
+          refuted += k;
         }
       }
     }
@@ -100,11 +102,12 @@ TEST(Refuted, IsKeptForOnePrimitiveAlone) {
   const auto expect_right = [&](const char* what) {
     const RuleChoices choices = resolve(Policy{}, Surface::fbo);
     for (const ScenePrimitive& primitive : primitives_of(scene)) {
-      const CauseQuestion question{primitive, scene.target, choices.of(primitive.kind)};
-      const SampleCoverage drawn = covered_samples(primitive, scene.target, question.chosen, {});
-      std::string marked(alternative_names().size(), '0');
+      const CauseQuestion question{primitive, scene.target, choices};
+      const SampleCoverage drawn =
+          covered_samples(primitive, scene.target, choices.of(primitive.kind), {});
+      AlternativeSet marked;
       mark_refuted(question, {drawn, drawn}, marked);
-      EXPECT_EQ(marked, drawn_otherwise(question, drawn)) << what;
+      EXPECT_TRUE(marked == drawn_otherwise(question, drawn)) << what;
     }
   };
   expect_right("as it is");

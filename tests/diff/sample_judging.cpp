@@ -9,6 +9,7 @@
 #include "diff/judge.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/multisampled_scenes.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 
@@ -48,14 +49,14 @@ Rendering rendered_with(const Scene& scene, const std::string& rule,
 
 std::set<std::string> causes_of(const Result& result) {
   std::set<std::string> causes;
-  for (const Disagreement& d : result.disagreements) causes.insert(d.cause);
-  for (const ValueAggregate& v : result.values) causes.insert(v.cause);
+  for (const Disagreement& d : result.disagreements) causes.insert(text_of(d.cause));
+  for (const ValueAggregate& v : result.values) causes.insert(text_of(v.cause));
   return causes;
 }
 
 std::set<std::string> rules_of(const Result& result) {
   std::set<std::string> rules;
-  for (const Disagreement& d : result.disagreements) rules.insert(d.rule);
+  for (const Disagreement& d : result.disagreements) rules.insert(name_of(d.rule));
   return rules;
 }
 

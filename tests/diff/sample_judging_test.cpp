@@ -10,6 +10,7 @@
 #include "tests/diff/sample_judging.h"
 #include "tests/raster/multisampled_scenes.h"
 #include "tests/rules/support.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -253,7 +254,7 @@ TEST(SampleJudging, AHoleInASharedEdgeIsAViolation) {
   const Result result = judged(scene, rendering);
   EXPECT_EQ(result.verdict, Verdict::violation);
   const auto fault =
-      std::ranges::find(result.disagreements, "triangle.shared-edge", &Disagreement::rule);
+      std::ranges::find(result.disagreements, RuleId::triangle_shared_edge, &Disagreement::rule);
   ASSERT_NE(fault, result.disagreements.end());
   EXPECT_EQ(fault->sample, 1);
   EXPECT_EQ(fault->x, 3);

@@ -8,6 +8,7 @@
 #include "diff/compare.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/multisampled_scenes.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -20,7 +21,7 @@ Scene covered_scene(int samples) {
 }
 
 const Disagreement* find(const Result& result, const std::string& rule) {
-  const auto found = std::ranges::find(result.disagreements, rule, &Disagreement::rule);
+  const auto found = std::ranges::find(result.disagreements, rule_named(rule), &Disagreement::rule);
   return found == result.disagreements.end() ? nullptr : &*found;
 }
 

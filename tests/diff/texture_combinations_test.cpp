@@ -9,6 +9,7 @@
 #include "diff/coverage/cause.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/texture_judging.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {

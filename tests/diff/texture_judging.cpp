@@ -13,6 +13,7 @@
 #include "tests/diff/value_mutants.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/raster/texture_scenes.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -235,8 +236,9 @@ Policy policy_of(const std::vector<std::string>& choices) {
 Result judge_textures(const Scene& scene, const Rendering& rendered, const Policy& policy,
                       const Policy* profile) {
   constexpr int kReportedBits = 8;
-  Result result =
-      compare(scene, policy, rasterize(scene, policy), rendered, {kReportedBits, profile});
+  const ResolvedPolicy followed = profile != nullptr ? *profile : Policy{};
+  Result result = compare(scene, policy, rasterize(scene, policy), rendered,
+                          {kReportedBits, profile != nullptr ? &followed : nullptr});
   Result* const alone[] = {&result};
   judge(alone, policy.latitude);
   return result;
@@ -249,10 +251,10 @@ Result judge_follower(const Scene& scene, const std::vector<std::string>& choice
 
 std::set<std::string> causes_of(const Result& result) {
   std::set<std::string> causes;
-  for (const Disagreement& d : result.disagreements) causes.insert(d.cause);
-  for (const ValueAggregate& values : result.values) causes.insert(values.cause);
+  for (const Disagreement& d : result.disagreements) causes.insert(text_of(d.cause));
+  for (const ValueAggregate& values : result.values) causes.insert(text_of(values.cause));
   for (const ValueAggregate& values : result.values)
-    if (!values.cause.empty()) causes.insert(values.cause);
+    if (!values.cause.empty()) causes.insert(text_of(values.cause));
   return causes;
 }
 
@@ -260,12 +262,13 @@ std::string describe_textures(const Result& result) {
   std::string text = name_of(result.verdict);
   std::set<std::string> seen;
   for (const Disagreement& d : result.disagreements)
-    if (seen.insert(d.rule + d.cause).second)
-      text += "\n" + d.rule + (is_legal(d) ? " legal '" : " illegal '") + d.cause + "' " +
-              std::to_string(d.x) + "," + std::to_string(d.y) + ": " + d.explanation;
+    if (seen.insert(name_of(d.rule) + text_of(d.cause)).second)
+      text += std::string("\n") + name_of(d.rule) + (is_legal(d) ? " legal '" : " illegal '") +
+              text_of(d.cause) + "' " + std::to_string(d.x) + "," + std::to_string(d.y) + ": " +
+              d.explanation;
   for (const ValueAggregate& values : result.values)
     text += "\n" + values.attribute + " differs at " + std::to_string(values.differing.size()) +
-            " '" + values.cause + "'";
+            " '" + text_of(values.cause) + "'";
   return text;
 }
 

@@ -7,6 +7,7 @@
 
 #include "raster/rasterizer.h"
 #include "tests/diff/sample_judging.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {

@@ -13,6 +13,7 @@
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "tests/diff/value_mutants.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -29,7 +30,8 @@ Result judged(const Scene& scene, const Rendering& rendered) {
 std::set<std::string> disagreements_of(const Result& result) {
   std::set<std::string> found;
   for (const Disagreement& d : result.disagreements)
-    found.insert(d.cause.empty() ? d.rule : d.rule + ": " + d.cause);
+    found.insert(d.cause.empty() ? std::string(name_of(d.rule))
+                                 : std::string(name_of(d.rule)) + ": " + text_of(d.cause));
   return found;
 }
 
@@ -44,9 +46,9 @@ std::string describe(const Result& result) {
   std::string text;
   std::set<std::string> seen;
   for (const Disagreement& d : result.disagreements)
-    if (seen.insert(d.rule + d.cause).second)
-      text += d.rule + (is_legal(d) ? " legal '" : " illegal '") + d.cause + "': " + d.explanation +
-              "\n";
+    if (seen.insert(name_of(d.rule) + text_of(d.cause)).second)
+      text += std::string(name_of(d.rule)) + (is_legal(d) ? " legal '" : " illegal '") +
+              text_of(d.cause) + "': " + d.explanation + "\n";
   for (const ValueAggregate& v : result.values)
     text += v.attribute + " differs at " + std::to_string(v.differing.size()) + "\n";
   return text;
@@ -58,8 +60,8 @@ void expect_told(const Result& result) {
     EXPECT_EQ(d.kind, DisagreementKind::value);
     EXPECT_EQ(d.exact.size(), d.rendered.size());
     EXPECT_FALSE(d.exact.empty());
-    EXPECT_NE(find_rule(d.rule), nullptr) << d.rule;
-    EXPECT_NE(find_ruling(d.ruling), nullptr) << d.rule << " " << d.ruling;
+    EXPECT_NE(find_rule(name_of(d.rule)), nullptr) << name_of(d.rule);
+    EXPECT_NE(find_ruling(d.ruling), nullptr) << name_of(d.rule) << " " << d.ruling;
   }
 }
 

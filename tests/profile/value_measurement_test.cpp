@@ -124,7 +124,7 @@ TEST(ValueMeasurement, SaysThatLinesAndTrianglesDiffer) {
 }
 
 TEST(ValueMeasurement, FindsEveryMethodOfDerivatives) {
-  const auto methods = all_derivative_methods();
+  const auto methods = values_of<DerivativeMethod>();
   for (std::size_t i = 0; i < methods.size(); ++i) {
     if (!is_in_share_of_few(i, methods.size())) continue;
     const Choices rules{{"derivative.plain", name_of(methods[i])},

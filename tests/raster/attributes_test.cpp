@@ -238,7 +238,7 @@ TEST_F(Attributes, EachFormOfADerivativeFollowsItsOwnMethod) {
 void expect_derivatives_of_each(const PrimitiveAttributes& given, PixelPosition at,
                                 CentreColors& colors) {
   const QuadPixel pixel = in_quad(at, RowOrder::bottom_up, 8);
-  for (const DerivativeMethod method : all_derivative_methods())
+  for (const DerivativeMethod method : values_of<DerivativeMethod>())
     for (const Axis axis : {Axis::x, Axis::y}) {
       const CentreColors::Derivatives known = colors.derivatives(pixel, axis, method);
       for (std::size_t c = 0; c < 4; ++c) {

@@ -15,6 +15,7 @@
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/coverage/homogeneous_point.h"
 #include "rules/coverage/homogeneous_triangle.h"
+#include "tests/support/causes.h"
 #include "tests/support/share.h"
 
 namespace edgecase {
@@ -90,7 +91,7 @@ std::vector<Policy> policies() {
         Policy policy;
         for (const char* kind : {"point", "line", "triangle"})
           policy.rules[std::string(kind) + ".row-order"] = rows;
-        policy.rules[rule.id] = alternative.name;
+        policy.rules[name_of(rule.id)] = alternative.name;
         result.push_back(policy);
       }
   return result;

@@ -10,6 +10,7 @@
 #include "tests/raster/operation_scenes.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/rules/support.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {

@@ -13,6 +13,7 @@
 #include "rules/all_rules.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/rules/support.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -38,12 +39,13 @@ std::vector<Policy> policies() {
   for (const Rule& rule : all_rules())
     for (const Alternative& alternative : rule.alternatives)
       for (const char* rows : {"bottom-up", "top-down"}) {
-        if (rule.id.rfind("triangle.", 0) != 0 && rule.id.rfind("sample.", 0) != 0 &&
-            rule.id != "subpixel.snap" && rule.id != "clip.volume" && rule.id != "polygon.facing")
+        const std::string id = name_of(rule.id);
+        if (!id.starts_with("triangle.") && !id.starts_with("sample.") && id != "subpixel.snap" &&
+            id != "clip.volume" && id != "polygon.facing")
           continue;
         Policy policy;
         policy.rules["triangle.row-order"] = rows;
-        policy.rules[rule.id] = alternative.name;
+        policy.rules[name_of(rule.id)] = alternative.name;
         result.push_back(policy);
       }
   return result;

@@ -21,7 +21,7 @@ std::vector<TextureChoice> all_choices() {
        std::array{TexelGrid::floor_8, TexelGrid::nearest_8, TexelGrid::linear_even_8});
   vary(&TextureChoice::scale_factor, values_of<ScaleFactor>());
   vary(&TextureChoice::log2, values_of<Log2Method>());
-  vary(&TextureChoice::derivatives, all_derivative_methods());
+  vary(&TextureChoice::derivatives, values_of<DerivativeMethod>());
   vary(&TextureChoice::bias, std::array{BiasChoice::half_a_level_more});
   vary(&TextureChoice::crossover, std::array{Crossover::by_filters});
   vary(&TextureChoice::nearest_level, values_of<NearestLevel>());

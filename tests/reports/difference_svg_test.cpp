@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/reports/sample.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -21,7 +22,7 @@ using ::testing::Not;
 Disagreement difference(int x, int y, DisagreementKind kind, double exact, double rendered,
                         bool legal = false) {
   Disagreement d = sample::disagreement(x, y, kind, legal);
-  d.rule = "line.diamond-exit";
+  d.rule = rule_named("line.diamond-exit");
   d.ruling = 1;
   d.exact = {exact};
   d.rendered = {rendered};

@@ -17,6 +17,7 @@
 #include "tests/reports/large_run.h"
 #include "tests/reports/sample.h"
 #include "tests/reports/shown.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -140,20 +141,20 @@ TEST(Html, FindingsAreToldByRuleAsTheWorstOfEach) {
   Result& result = one.results[0];
   const auto add = [&](const char* rule, bool legal, const char* cause) {
     Disagreement d = sample::disagreement(0, 0, DisagreementKind::extra, legal);
-    d.rule = rule;
-    d.cause = cause;
+    d.rule = rule_named(rule);
+    d.cause = cause_named(cause);
     result.disagreements.push_back(d);
   };
-  add("a", true, "a=open");
-  add("b", true, "a=open");
-  add("b", true, "a=closed");
-  add("c", true, "");
-  add("c", false, "a=open");
+  add("line.joint", true, "line.diamond-exit=open");
+  add("line.snap", true, "line.diamond-exit=open");
+  add("line.snap", true, "line.diamond-exit=closed");
+  add("line.width", true, "");
+  add("line.width", false, "line.diamond-exit=open");
   ReportTexts texts;
-  texts.is_open_choice = [](const std::string& cause) { return cause == "a=open"; };
+  texts.is_open_choice = [](const Cause& cause) { return cause == "line.diamond-exit=open"; };
   const json index = sample::index_of(results, texts);
   EXPECT_EQ(index["outcomes"][0][2], json({0, "convention", 1, "permitted", 2, "violation"}));
-  EXPECT_EQ(index["names"], json({"a", "b", "c"}));
+  EXPECT_EQ(index["names"], json({"line.joint", "line.snap", "line.width"}));
   result.disagreements.back().legality = Legality::contested;
   EXPECT_EQ(sample::index_of(results, texts)["outcomes"][0][2],
             json({0, "convention", 1, "permitted", 2, "contested"}));

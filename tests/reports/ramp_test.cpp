@@ -8,6 +8,7 @@
 
 #include "tests/reports/sample.h"
 #include "tests/reports/shown.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -152,10 +153,10 @@ TEST(Ramp, OutsideTheBandNamesTheOpenAlternative) {
   ValueAggregate levels;
   levels.ruling = 19;
   ValueAggregate followed = levels;
-  followed.cause = "texture.log2=mantissa-8";
+  followed.cause = cause_named("texture.log2=mantissa-8");
   ValueAggregate other;
   other.ruling = 24;
-  other.cause = "texture.bilinear-weight=8-bits";
+  other.cause = cause_named("texture.level-weight=floor-8");
   Result result;
   result.values = {levels, followed, other, followed};
   EXPECT_EQ(open_causes_of_levels(result), std::vector<std::string>{"texture.log2=mantissa-8"});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/reports/sample.h"
+#include "tests/support/causes.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +17,7 @@ namespace {
 
 constexpr const char* kLineRule = "line.diamond-exit";
 constexpr const char* kFillRule = "triangle.fill-rule";
-constexpr const char* kColorRule = "value.color";
+constexpr const char* kColorRule = "attribute.smooth";
 
 // An image with y up, black at first.
 class Canvas {
@@ -150,7 +151,7 @@ CaseResults line_case(const std::string& id, const std::string& title, int width
                   "border, so it does not leave it and exact draws no fragment there; the renderer "
                   "draws one, as it does when the last pixel of a segment counts.",
                   last.x, last.y));
-  last.cause = "line.end=closed";
+  last.cause = cause_named("line.diamond-exit=closed");
   Disagreement gap =
       disagreement(width / 2, line.row(width / 2), DisagreementKind::missing, bend > 2);
   gap =
@@ -166,7 +167,10 @@ CaseResults line_case(const std::string& id, const std::string& title, int width
   llvmpipe.disagreements = {last};
   llvmpipe.fingerprint = "1f0c77ab";
   llvmpipe.evidence = {
-      {0, {"line.end=closed", "line.snap=4 + line.end=half"}, {"8-half-even"}, ""}};
+      {0,
+       causes_named({"line.diamond-exit=closed", "line.snap=4-half-even + line.diamond-exit=open"}),
+       {"8-half-even"},
+       ""}};
   llvmpipe.illegal_line_snaps = {"8-half-even", "none"};
 
   Result softpipe = plain(one, bend > 2 ? Verdict::permitted : Verdict::violation,
@@ -201,7 +205,7 @@ CaseResults shared_edge_case(const std::string& id, int size) {
   Canvas other = canvas;
   for (int y = 2; y < size - 2; y += 3) {
     Disagreement d = disagreement(middle, y, DisagreementKind::duplicate, false);
-    d.rule = kFillRule;
+    d.rule = rule_named(kFillRule);
     d.exact = {1};
     d.rendered = {2};
     twice.disagreements.push_back(with_figure(
@@ -223,7 +227,7 @@ CaseResults shared_edge_case(const std::string& id, int size) {
 ValueAggregate color_values(int size) {
   ValueAggregate values;
   values.attribute = "color";
-  values.rule = kColorRule;
+  values.rule = rule_named(kColorRule);
   values.ruling = 9;
   values.compared = static_cast<std::uint64_t>(size * size);
   for (int x = 2; x < size - 2; ++x) values.differing.push_back({x, x / 2, 0});
@@ -265,7 +269,7 @@ CaseResults smooth_case(const std::string& id, int size, int seed) {
   bad.set(3, 4, 255, 0, 255);
   wrong.pixels = bad.pixels();
   Disagreement d = disagreement(3, 4, DisagreementKind::value, false);
-  d.rule = kColorRule;
+  d.rule = rule_named(kColorRule);
   d.ruling = 9;
   d.exact = {0.1875, 0.25, std::nan(""), 1};
   d.rendered = {1, 0, 1, 1};
@@ -331,7 +335,7 @@ Disagreement disagreement(int x, int y, DisagreementKind kind, bool legal) {
   d.y = y;
   d.primitive = 0;
   d.kind = kind;
-  d.rule = kLineRule;
+  d.rule = rule_named(kLineRule);
   d.legality = by_letter(legal);
   d.ruling = legal ? 2 : 1;
   d.exact = {kind == DisagreementKind::missing ? 1.0 : 0.0};
@@ -374,8 +378,7 @@ Results results() {
   results.cases[3].expect_failures = {
       "cases/lines/octant-03.json:14: /expect/0/coverage: row 5 has "
       "one hit at column 7 where none is drawn"};
-  std::sort(results.cases.begin(), results.cases.end(),
-            [](const CaseResults& a, const CaseResults& b) { return a.id < b.id; });
+  std::ranges::sort(results.cases, {}, &CaseResults::id);
   return results;
 }
 
@@ -383,15 +386,14 @@ ReportTexts texts() {
   ReportTexts texts;
   texts.rules = {
       {kLineRule, "Lines leave diamonds", "GL 4.6 core, 14.5.1",
-       "An implementation may deviate by one unit in x and y, and by one fragment in all.",
-       "left-bottom"},
+       "An implementation may deviate by one unit, and by one fragment.", "left-bottom"},
       {kFillRule, "A sample on a common edge belongs to one triangle", "GL 4.6 core, 14.6.1",
        "Which of the two is open.", "left-top"},
       {kColorRule, "Interpolated colours", "GL 4.6 core, 2.3.4", "About 1 part in 10^5.", ""}};
   texts.rulings = {{1, "Each fragment has one of exact within a unit.", {{"Text", kHostile}}},
                    {2, "The number of fragments differs by at most one.", {}},
                    {9, "Values inside the interval are permitted. " + kHostile, {}}};
-  texts.is_open_choice = [](const std::string& cause) { return cause == "line.end=closed"; };
+  texts.is_open_choice = [](const Cause& cause) { return cause == "line.diamond-exit=closed"; };
   return texts;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tests/reports/sample.h"
+#include "tests/support/causes.h"
 
 namespace edgecase::sample {
 namespace {
@@ -51,7 +52,7 @@ Result convicted(const CaseResults& one, Ramp ramp) {
   for (const Result::LevelPoint& p : result.ramp) {
     if (p.low <= p.rendered && p.rendered <= p.high) continue;
     Disagreement d = disagreement(p.x, p.y, DisagreementKind::value, false);
-    d.rule = "texture.scale-factor";
+    d.rule = rule_named("texture.scale-factor");
     d.exact = {std::floor(p.exact), p.exact};
     d.rendered = {std::floor(p.rendered), p.rendered};
     d.explanation =

@@ -3,6 +3,7 @@
 // A multisampled case: a renderer that lacks sample 0 of a pixel, and one that has its samples
 // elsewhere.
 #include "tests/reports/sample.h"
+#include "tests/support/causes.h"
 
 namespace edgecase::sample {
 namespace {
@@ -82,12 +83,12 @@ Result without_sample_0(Samples samples) {
   result.verdict = Verdict::violation;
   result.standing = Standing::unexpected;
   Disagreement d = disagreement(3, 3, DisagreementKind::missing, false);
-  d.rule = "triangle.fill-rule";
+  d.rule = rule_named("triangle.fill-rule");
   d.sample = 0;
   d.figure.marks = {{MarkRole::sample, false, {{3.375, 3.125}}, ""}};
   d.explanation = "exact draws sample 0, the renderer does not.";
   Disagreement whole = disagreement(3, 3, DisagreementKind::value, false);
-  whole.rule = "sample.resolve";
+  whole.rule = RuleId::sample_resolve;
   whole.sample = -1;
   whole.primitive = -1;
   whole.explanation = "the resolved pixel should be the mean of its samples.";

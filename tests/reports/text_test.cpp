@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/reports/sample.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -65,7 +66,7 @@ TEST(ReportText, DescribesValuesWithTheirMeanTheirWorstAndTheirRange) {
             "dFdxFine: 2 of 40 values differ within what is permitted, worst 12.5 ULP at pixel "
             "(3, 4): 0.5 exact, 0.5625 rendered; mean 0.375 ULP, at most 0.0625 of the attribute's "
             "range");
-  values.cause = "texture.log2=mantissa-8";
+  values.cause = cause_named("texture.log2=mantissa-8");
   EXPECT_THAT(describe(values),
               testing::StartsWith("dFdxFine: 2 of 40 values differ by texture.log2=mantissa-8, "));
 }

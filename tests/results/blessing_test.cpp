@@ -5,6 +5,7 @@
 
 #include "results/expectations.h"
 #include "tests/results/sample_results.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -65,7 +66,7 @@ TEST(PlanBlessing, MakesAReasonOfWhatWasFound) {
   Results results =
       results_with({Verdict::convention, Verdict::permitted, Verdict::not_run, Verdict::permitted});
   for (Disagreement& d : results.cases[0].results[0].disagreements) {
-    d.cause = "triangle.fill-rule=left-bottom";
+    d.cause = cause_named("triangle.fill-rule=left-bottom");
     d.legality = Legality::legal;
   }
   results.cases[1].results[0].disagreements.resize(1);
@@ -84,7 +85,7 @@ TEST(PlanBlessing, MakesAReasonOfWhatWasFound) {
   EXPECT_EQ(changes[2].after->reason, "crashed: signal 11");
   EXPECT_EQ(changes[3].after->reason,
             "color rounded otherwise than exactly, within what is permitted");
-  results.cases[3].results[0].values[0].cause = "texture.log2=mantissa-8";
+  results.cases[3].results[0].values[0].cause = cause_named("texture.log2=mantissa-8");
   EXPECT_EQ(plan_blessing(results, 0, {}, "")[3].after->reason, "color by texture.log2=mantissa-8");
 }
 

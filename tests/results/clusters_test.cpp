@@ -9,6 +9,7 @@
 
 #include "results/results_json.h"
 #include "tests/results/sample_results.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -19,10 +20,10 @@ constexpr const char* kFill = "triangle.fill-rule";
 Disagreement disagreement(const char* rule, DisagreementKind kind, bool legal,
                           const std::string& cause, const std::string& situation) {
   Disagreement d;
-  d.rule = rule;
+  d.rule = rule_named(rule);
   d.kind = kind;
   d.legality = by_letter(legal);
-  d.cause = cause;
+  d.cause = cause_named(cause);
   d.situation = situation;
   return d;
 }
@@ -122,18 +123,27 @@ TEST(Clusters, SurfacesAreNotMixed) {
 
 // Whatever the numbers are: illegal, contested, legal; then the cases that share them.
 TEST(Clusters, TheIllegalComeFirstThenTheContestedThenTheRest) {
-  Disagreement contested = disagreement(kFill, DisagreementKind::extra, false, "c=contested", "");
+  Disagreement contested =
+      disagreement(kFill, DisagreementKind::extra, false, "line.snap=6-half-even", "");
   contested.legality = Legality::contested;
-  const Disagreement legal = disagreement(kFill, DisagreementKind::extra, true, "c=legal", "");
-  const Disagreement often = disagreement(kFill, DisagreementKind::extra, true, "c=often", "");
+  const Disagreement legal =
+      disagreement(kFill, DisagreementKind::extra, true, "line.snap=9-half-even", "");
+  const Disagreement often =
+      disagreement(kFill, DisagreementKind::extra, true, "line.snap=8-half-even", "");
   const Results results = results_of(
       {case_of("a", 1, 4, {legal, legal, legal, legal, often, contested, contested}),
        case_of("b", 1, 4, {often, contested, unexplained(false, "rare")}),
-       case_of("c", 1, 4, {often, disagreement(kFill, DisagreementKind::extra, false, "c=2", "")}),
-       case_of("d", 1, 4, {disagreement(kFill, DisagreementKind::extra, false, "c=2", "")})});
+       case_of("c", 1, 4,
+               {often,
+                disagreement(kFill, DisagreementKind::extra, false, "line.snap=5-half-even", "")}),
+       case_of(
+           "d", 1, 4,
+           {disagreement(kFill, DisagreementKind::extra, false, "line.snap=5-half-even", "")})});
   const auto clusters = clusters_of(results, 0);
-  EXPECT_EQ(titles(clusters), (Titles{"c=2, fbo", "line.diamond-exit missing, rare, fbo",
-                                      "c=contested, fbo", "c=often, fbo", "c=legal, fbo"}));
+  EXPECT_EQ(titles(clusters),
+            (Titles{"line.snap=5-half-even, fbo", "line.diamond-exit missing, rare, fbo",
+                    "line.snap=6-half-even, fbo", "line.snap=8-half-even, fbo",
+                    "line.snap=9-half-even, fbo"}));
   EXPECT_EQ(clusters[2].legality, Legality::contested);
   EXPECT_EQ(clusters[2].cases, 2U);
 }
@@ -144,28 +154,30 @@ TEST(Clusters, OfAsManyCasesTheLargestComesFirst) {
   };
   Results results = results_of(
       {case_of("a", 1, 4,
-               {explained("c=2"), explained("c=2"), explained("c=2"), explained("c=1"),
+               {explained("line.snap=5-half-even"), explained("line.snap=5-half-even"),
+                explained("line.snap=5-half-even"), explained("line.snap=4-half-even"),
                 unexplained(true, "legal"), unexplained(true, "legal"), unexplained(true, "legal"),
                 unexplained(false, "once z"), unexplained(false, "once a"),
                 unexplained(false, "twice"), unexplained(false, "twice")})});
   ValueAggregate values;
   values.attribute = "color";
-  values.rule = "attribute.smooth";
+  values.rule = rule_named("attribute.smooth");
   values.differing.resize(50);
   values.worst = {2, 3, 0};
   ValueAggregate none = values;
   none.attribute = "depth";
   none.differing.clear();
   ValueAggregate caused = values;
-  caused.cause = "c=3";
+  caused.cause = cause_named("line.snap=6-half-even");
   caused.differing.resize(60);
   results.cases[0].results[0].values = {values, none, caused};
   const auto clusters = clusters_of(results, 0);
   EXPECT_EQ(
       titles(clusters),
-      (Titles{"c=2, fbo", "line.diamond-exit missing, twice, fbo",
+      (Titles{"line.snap=5-half-even, fbo", "line.diamond-exit missing, twice, fbo",
               "line.diamond-exit missing, once a, fbo", "line.diamond-exit missing, once z, fbo",
-              "c=1, fbo", "c=3, fbo", "attribute.smooth color within what is permitted, fbo",
+              "line.snap=4-half-even, fbo", "line.snap=6-half-even, fbo",
+              "attribute.smooth color within what is permitted, fbo",
               "line.diamond-exit missing, legal, fbo"}));
   EXPECT_EQ(clusters[6].disagreements, 50U);
   EXPECT_EQ(clusters[6].x, 2);
@@ -215,10 +227,10 @@ TEST(Clusters, EveryDisagreementIsInOneCluster) {
 }
 
 TEST(Clusters, StandInTheResultsFile) {
-  const Results results =
-      results_of({case_of("lines/a", 1, 4,
-                          {unexplained(false, "first pixel"),
-                           disagreement(kFill, DisagreementKind::extra, true, "c=d", "")})});
+  const Results results = results_of(
+      {case_of("lines/a", 1, 4,
+               {unexplained(false, "first pixel"),
+                disagreement(kFill, DisagreementKind::extra, true, "line.snap=7-half-even", "")})});
   std::ostringstream out;
   write_results(results, out);
   const auto clusters = nlohmann::json::parse(out.str()).at("clusters");
@@ -226,7 +238,7 @@ TEST(Clusters, StandInTheResultsFile) {
     {"rule": "line.diamond-exit", "kind": "missing", "situation": "first pixel", "surface": "fbo",
      "legality": "illegal", "disagreements": 1, "cases": 1,
      "smallest": {"case": "lines/a", "pixel": [0, 3], "primitive": 3}},
-    {"cause": "c=d", "rule": "triangle.fill-rule", "kind": "extra", "surface": "fbo",
+    {"cause": "line.snap=7-half-even", "rule": "triangle.fill-rule", "kind": "extra", "surface": "fbo",
      "legality": "legal", "disagreements": 1, "cases": 1,
      "smallest": {"case": "lines/a", "pixel": [1, 3], "primitive": 3}}]})"));
 }

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/results/sample_results.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -81,8 +82,8 @@ TEST(Comparison, ClustersCountCasesByRuleAndCause) {
       results_with({Verdict::agree, Verdict::agree, Verdict::agree, Verdict::permitted});
   Results after =
       results_with({Verdict::violation, Verdict::violation, Verdict::not_run, Verdict::agree});
-  after.cases[1].results[0].disagreements[1].rule = "line.diamond-exit";
-  after.cases[1].results[0].disagreements[1].cause = "line.algorithm=bresenham";
+  after.cases[1].results[0].disagreements[1].rule = RuleId::line_diamond_exit;
+  after.cases[1].results[0].disagreements[1].cause = cause_named("line.algorithm=bresenham");
   const auto clusters = compared(before, after).renderers[0].clusters;
   ASSERT_EQ(clusters.size(), 4u);
   const auto words = [&](std::size_t i) {

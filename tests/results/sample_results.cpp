@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/results/sample_results.h"
 #include "tests/results/missing_case.h"
+#include "tests/support/causes.h"
 
 #include <limits>
 
@@ -39,12 +40,13 @@ Disagreement disagreement() {
   d.sample = 2;
   d.primitive = 4;
   d.kind = DisagreementKind::value;
-  d.rule = "attribute.smooth";
+  d.rule = rule_named("attribute.smooth");
   d.legality = Legality::legal;
-  d.cause = "triangle.fill-rule=left-bottom + triangle.snap=8-half-up";
+  d.cause = cause_named("triangle.fill-rule=left-bottom + triangle.snap=8-half-up");
   d.situation = kHostile;
   d.ruling = 9;
-  d.upright = Disagreement::Told{"triangle.fill-rule", 4, Legality::contested, "a=b"};
+  d.upright = Disagreement::Told{RuleId::triangle_fill_rule, 4, Legality::contested,
+                                 cause_named("triangle.fill-rule=open")};
   d.exact = {0.1, 1.0 / 3, -0.0, 5e-324};
   d.rendered = {kNaN, kInfinity, -kInfinity, 1.7976931348623157e308};
   d.explanation = kHostile;
@@ -55,9 +57,9 @@ Disagreement disagreement() {
 ValueAggregate aggregate() {
   ValueAggregate values;
   values.attribute = "color";
-  values.rule = "attribute.smooth";
+  values.rule = rule_named("attribute.smooth");
   values.ruling = 9;
-  values.cause = "texture.log2=mantissa-8";
+  values.cause = cause_named("texture.log2=mantissa-8");
   values.compared = 123456789012345;
   values.differing = {{1, 2, 0}, {3, 1, -1}};
   values.worst = {3, 1, -1};
@@ -88,10 +90,15 @@ KnownResult full_result() {
   result.fingerprint = "0123456789abcdef";
   result.disagreements = {disagreement(), Disagreement{}};
   result.values = {aggregate()};
-  result.evidence = {{4, {"a=b", "c=d + e=f"}, {"none", "8-half-even"}, "column 3 holds two", 7},
+  result.evidence = {{4,
+                      causes_named({"line.snap=none", "line.snap=none + line.algorithm=bresenham"}),
+                      {"none", "8-half-even"},
+                      "column 3 holds two",
+                      7},
                      {}};
   result.illegal_line_snaps = {"none", "8-truncate"};
-  result.refuted = "0110";
+  result.refuted.add(cause_named("line.snap=none").parts[0]);
+  result.refuted.add({RuleId::window_origin});
   result.pixel_counts = {1, 2, 3, 4, 5};
   result.ramp = {{0, 0, 0.1, -0.0, 1.0 / 3, 5e-324},
                  {1, 0, -kInfinity, -kInfinity, kInfinity, kNaN},
@@ -186,7 +193,7 @@ Results results_with(const std::vector<Verdict>& verdicts) {
       result.failure = Failure{FailureKind::crashed, "signal 11"};
     else if (verdict != Verdict::agree)
       result.disagreements.resize(2);
-    for (Disagreement& d : result.disagreements) d.rule = "triangle.fill-rule";
+    for (Disagreement& d : result.disagreements) d.rule = rule_named("triangle.fill-rule");
     one.results = {result};
     results.cases.push_back(one);
   }

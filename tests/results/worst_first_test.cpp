@@ -2,6 +2,7 @@
 //
 // The order in which people are told what a run found.
 #include "results/worst_first.h"
+#include "tests/support/causes.h"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +15,9 @@ namespace {
 Disagreement difference(int x, Legality legality, const std::string& cause = "") {
   Disagreement d;
   d.x = x;
-  d.rule = "triangle.fill-rule";
+  d.rule = rule_named("triangle.fill-rule");
   d.legality = legality;
-  d.cause = cause;
+  d.cause = cause_named(cause);
   return d;
 }
 
@@ -57,23 +58,26 @@ TEST(WorstFirst, OfACaseTheIllegalThenTheContestedThenTheLegal) {
 }
 
 TEST(WorstFirst, OfARunByVerdict) {
-  EXPECT_EQ(order_of(results_of({answer(Verdict::not_run, {}), answer(Verdict::agree, {}),
-                                 answer(Verdict::convention, {difference(0, Legality::legal, "c")}),
-                                 answer(Verdict::permitted, {difference(0, Legality::legal)}),
-                                 answer(Verdict::contested, {difference(0, Legality::contested)}),
-                                 answer(Verdict::violation, {difference(0, Legality::illegal)})})),
+  EXPECT_EQ(order_of(results_of(
+                {answer(Verdict::not_run, {}), answer(Verdict::agree, {}),
+                 answer(Verdict::convention, {difference(0, Legality::legal, "line.snap=none")}),
+                 answer(Verdict::permitted, {difference(0, Legality::legal)}),
+                 answer(Verdict::contested, {difference(0, Legality::contested)}),
+                 answer(Verdict::violation, {difference(0, Legality::illegal)})})),
             (Order{5, 4, 3, 2, 1, 0}));
 }
 
 // What is legal beside a violation does not decide what the answer begins with.
 TEST(WorstFirst, OfOneVerdictByHowManyCasesShareTheCause) {
   const auto violation = [](const std::string& cause) {
-    return answer(Verdict::violation, {difference(0, Legality::legal, "common"),
+    return answer(Verdict::violation, {difference(0, Legality::legal, "line.snap=none"),
                                        difference(1, Legality::illegal, cause)});
   };
-  EXPECT_EQ(order_of(results_of({violation("rare"), violation("often"), violation(""),
-                                 violation("often"), violation("often"), violation("")})),
-            (Order{1, 3, 4, 2, 5, 0}));
+  EXPECT_EQ(
+      order_of(results_of({violation("line.snap=4-truncate"), violation("line.snap=8-truncate"),
+                           violation(""), violation("line.snap=8-truncate"),
+                           violation("line.snap=8-truncate"), violation("")})),
+      (Order{1, 3, 4, 2, 5, 0}));
 }
 
 TEST(WorstFirst, OnlyWhatIsWanted) {

@@ -9,6 +9,7 @@
 #include "rules/all_rules.h"
 #include "rules/choices.h"
 #include "rules/ruling_sources.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -17,7 +18,7 @@ TEST(Catalogue, IdsAndRulingNumbersAreUnique) {
   std::set<std::string> ids;
   std::set<int> rulings;
   for (const Rule& rule : all_rules()) {
-    EXPECT_TRUE(ids.insert(rule.id).second) << rule.id;
+    EXPECT_TRUE(ids.insert(name_of(rule.id)).second) << name_of(rule.id);
     for (const Ruling& ruling : rule.rulings)
       EXPECT_TRUE(rulings.insert(ruling.number).second) << ruling.number;
   }
@@ -84,16 +85,18 @@ TEST(Catalogue, EverySourceIsThatOfARuling) {
 
 TEST(Catalogue, EveryRuleSaysWhatItIs) {
   for (const Rule& rule : all_rules()) {
-    EXPECT_FALSE(rule.title.empty()) << rule.id;
-    EXPECT_FALSE(rule.spec.empty()) << rule.id;
-    EXPECT_FALSE(rule.latitude.empty()) << rule.id;
+    EXPECT_FALSE(rule.title.empty()) << name_of(rule.id);
+    EXPECT_FALSE(rule.spec.empty()) << name_of(rule.id);
+    EXPECT_FALSE(rule.latitude.empty()) << name_of(rule.id);
     std::set<std::string> names;
     for (const Alternative& alternative : rule.alternatives) {
-      EXPECT_TRUE(names.insert(alternative.name).second) << rule.id << " " << alternative.name;
-      EXPECT_FALSE(alternative.meaning.empty()) << rule.id << " " << alternative.name;
+      EXPECT_TRUE(names.insert(alternative.name).second)
+          << name_of(rule.id) << " " << alternative.name;
+      EXPECT_FALSE(alternative.meaning.empty()) << name_of(rule.id) << " " << alternative.name;
     }
-    EXPECT_EQ(rule.standard.empty(), rule.alternatives.empty()) << rule.id;
-    EXPECT_EQ(find_alternative(rule, rule.standard) == nullptr, rule.standard.empty()) << rule.id;
+    EXPECT_EQ(rule.standard.empty(), rule.alternatives.empty()) << name_of(rule.id);
+    EXPECT_EQ(find_alternative(rule, rule.standard) == nullptr, rule.standard.empty())
+        << name_of(rule.id);
   }
 }
 

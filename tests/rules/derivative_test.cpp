@@ -13,6 +13,7 @@
 
 #include "tests/oracles/attribute_planes.h"
 #include "tests/rules/interpolants.h"
+#include "tests/support/causes.h"
 #include "tests/support/share.h"
 
 namespace edgecase {
@@ -116,7 +117,7 @@ TEST_F(RandomDerivatives, EveryMethodIsWhatItsDefinitionSays) {
     const QuadPixel at =
         in_quad(pixel, i % 2 == 0 ? RowOrder::top_down : RowOrder::bottom_up, 16 + i / 2 % 2);
     for (const Axis axis : kAxes)
-      for (const DerivativeMethod method : all_derivative_methods()) {
+      for (const DerivativeMethod method : values_of<DerivativeMethod>()) {
         const Wide truth = by_definition(f, at, axis, method);
         const Interval exact = derivative_exact(f, at, axis, method);
         // The other pixels may lie where 1/w is nearly 0.
@@ -137,7 +138,7 @@ TEST_F(RandomDerivatives, AllMethodsAgreeWhereTheAttributeIsLinear) {
     const QuadPixel at = in_quad({i % 16, i / 16 % 16}, RowOrder::bottom_up, 16);
     for (const Axis axis : kAxes) {
       const Interval analytic = derivative_exact(f, at, axis, DerivativeMethod::analytic);
-      for (const DerivativeMethod method : all_derivative_methods()) {
+      for (const DerivativeMethod method : values_of<DerivativeMethod>()) {
         const QuadPixel elsewhere = in_quad({i / 16 % 16, i % 16}, RowOrder::top_down, 17);
         for (const QuadPixel& pixel : {at, elsewhere}) {
           const Interval other = derivative_exact(f, pixel, axis, method);
@@ -173,7 +174,7 @@ TEST_F(RandomDerivatives, PermittedHoldsEveryOpenMethod) {
       const Axis axis = axis_of(derivative);
       if ((axis == Axis::x) != (i % 2 == 0)) continue;
       const Interval permitted = PermittedDerivatives(f, kReach).at(pixel, derivative);
-      for (const DerivativeMethod method : all_derivative_methods()) {
+      for (const DerivativeMethod method : values_of<DerivativeMethod>()) {
         if (!is_open(rules[form_of(derivative)], method)) continue;
         const Interval inexact = derivative_inexact(f, at, axis, method);
         EXPECT_TRUE(holds(permitted, inexact)) << name_of(derivative) << ' ' << name_of(method);
@@ -291,7 +292,7 @@ TEST(DerivativePermitted, BesideTheHorizonTheDerivativeItselfIsPermitted) {
 TEST(DerivativePermitted, TheFineFormHasFourOpenMethods) {
   const Rule fine = fine_derivative_rule();
   std::set<std::string> open;
-  for (const DerivativeMethod method : all_derivative_methods()) {
+  for (const DerivativeMethod method : values_of<DerivativeMethod>()) {
     if (is_open(fine, method)) open.insert(name_of(method));
     EXPECT_TRUE(is_open(derivative_rule(), method));
     EXPECT_TRUE(is_open(coarse_derivative_rule(), method));

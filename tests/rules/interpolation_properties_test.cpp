@@ -119,7 +119,7 @@ TEST_F(InterpolationProperties, ConstantsStayConstantToTheBit) {
     EXPECT_TRUE(same(interpolate_exact(f, anywhere), constant));
     for (const Axis axis : {Axis::x, Axis::y}) {
       EXPECT_TRUE(same(differentiate_exact(f, anywhere, axis), 0));
-      for (const DerivativeMethod method : all_derivative_methods())
+      for (const DerivativeMethod method : values_of<DerivativeMethod>())
         EXPECT_TRUE(same(derivative_exact(f, pixel, axis, method), 0));
     }
   }

@@ -310,7 +310,7 @@ TEST(LevelOfDetailRules, NamesLeadBack) {
 }
 
 TEST(LevelOfDetailRules, DerivativesAreThoseOfPlainOnes) {
-  EXPECT_EQ(level_derivatives_rule().alternatives.size(), all_derivative_methods().size());
+  EXPECT_EQ(level_derivatives_rule().alternatives.size(), values_of<DerivativeMethod>().size());
   EXPECT_EQ(level_derivatives_rule().standard, derivative_rule().standard);
   EXPECT_TRUE(level_derivatives_rule().rulings.empty());
 }

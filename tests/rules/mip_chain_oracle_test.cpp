@@ -10,6 +10,7 @@
 #include "rules/textures/mip_chain.h"
 #include "rules/textures/texel_mean.h"
 #include "tests/rules/texels.h"
+#include "tests/support/causes.h"
 #include "tests/support/share.h"
 
 namespace edgecase {
@@ -132,10 +133,10 @@ void expect_reduction(const TextureLevel& level, TextureFormat format, const Mip
         const float found = next.texels[next.index(i, j) + k];
         if (format == TextureFormat::rgba32f)
           ASSERT_EQ(found, rounded_float(mean_of(texels), method.rounding));
-        else if (format == TextureFormat::srgb8 && method.linear_srgb && k < 3)
+        else if (format == TextureFormat::srgb8 && method.srgb == MipmapSrgb::linear && k < 3)
           ASSERT_EQ(found, rounded_srgb(texels, method.rounding));
         else if (method.rounding == MipmapRounding::half_up_by_rows &&
-                 !(format == TextureFormat::srgb8 && method.linear_srgb))
+                 !(format == TextureFormat::srgb8 && method.srgb == MipmapSrgb::linear))
           ASSERT_EQ(found, mean_by_rows(level, i, j, k, method.filter));
         else
           ASSERT_EQ(found, rounded_code(mean_of(texels), method.rounding));
@@ -149,7 +150,7 @@ void for_sizes_and_methods(const Check& check) {
   for (const auto& [width, height] : kSizes)
     for (const MipmapFilter filter : values_of<MipmapFilter>())
       for (const MipmapRounding rounding : values_of<MipmapRounding>())
-        check(width, height, MipmapMethod{filter, rounding, true});
+        check(width, height, MipmapMethod{filter, rounding, MipmapSrgb::linear});
 }
 
 TEST(Reductions, OfCodesAreTheRoundedMeans) {
@@ -158,7 +159,7 @@ TEST(Reductions, OfCodesAreTheRoundedMeans) {
     for (int i = 0; i < 5; ++i) {
       const TextureLevel level = random_level(random, width, height, TextureFormat::rgba8);
       expect_reduction(level, TextureFormat::rgba8, method);
-      method.linear_srgb = false;
+      method.srgb = MipmapSrgb::codes;
       expect_reduction(level, TextureFormat::srgb8, method);
     }
   });

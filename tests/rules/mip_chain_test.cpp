@@ -9,6 +9,7 @@
 
 #include "rules/textures/texel_mean.h"
 #include "tests/rules/texels.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -101,8 +102,8 @@ TEST(Filters, OfEvenSizesAgree) {
       for (const int height : {1, 2, 6, 8}) {
         const TextureLevel level = random_level(random, width, height, format);
         for (const MipmapRounding rounding : values_of<MipmapRounding>()) {
-          const MipmapMethod box{MipmapFilter::box, rounding, true};
-          const MipmapMethod centre{MipmapFilter::bilinear_centre, rounding, true};
+          const MipmapMethod box{MipmapFilter::box, rounding, MipmapSrgb::linear};
+          const MipmapMethod centre{MipmapFilter::bilinear_centre, rounding, MipmapSrgb::linear};
           EXPECT_EQ(reduced(level, format, box), reduced(level, format, centre));
         }
       }
@@ -151,8 +152,9 @@ TEST(Roundings, ByRowsRoundTwice) {
   EXPECT_EQ(mean({0, 255, 0, 255}, {509, 3}, {1, 1}), 2);
   // Of floats, and of light, they are the nearest.
   std::mt19937 random(1);
-  const MipmapMethod by_rows{MipmapFilter::bilinear_centre, MipmapRounding::half_up_by_rows, true};
-  const MipmapMethod nearest{MipmapFilter::bilinear_centre, kEven, true};
+  const MipmapMethod by_rows{MipmapFilter::bilinear_centre, MipmapRounding::half_up_by_rows,
+                             MipmapSrgb::linear};
+  const MipmapMethod nearest{MipmapFilter::bilinear_centre, kEven, MipmapSrgb::linear};
   for (const TextureFormat format : {TextureFormat::srgb8, TextureFormat::rgba32f}) {
     const TextureLevel level = random_level(random, 7, 5, format);
     EXPECT_EQ(reduced(level, format, by_rows), reduced(level, format, nearest));
@@ -274,15 +276,15 @@ TEST(Reduced, StaysWithinTheCodesWhateverIsStored) {
   const TextureLevel level{2, 1, {-9, 300, kNaN, 255, -8, 1e30F, kNaN, 999}};
   for (const MipmapRounding rounding : values_of<MipmapRounding>())
     for (const TextureFormat format : {TextureFormat::rgba8, TextureFormat::srgb8}) {
-      const MipmapMethod method{MipmapFilter::box, rounding, true};
+      const MipmapMethod method{MipmapFilter::box, rounding, MipmapSrgb::linear};
       EXPECT_EQ(reduced(level, format, method).texels, (Reds{0, 255, 0, 255}));
     }
 }
 
 TEST(Reduced, DecodesColoursButNotAlpha) {
   const TextureLevel level{2, 1, {0, 0, 0, 0, 255, 255, 255, 255}};
-  const MipmapMethod linear{MipmapFilter::box, kEven, true};
-  const MipmapMethod of_codes{MipmapFilter::box, kEven, false};
+  const MipmapMethod linear{MipmapFilter::box, kEven, MipmapSrgb::linear};
+  const MipmapMethod of_codes{MipmapFilter::box, kEven, MipmapSrgb::codes};
   EXPECT_EQ(reduced(level, TextureFormat::srgb8, linear).texels, (Reds{188, 188, 188, 128}));
   EXPECT_EQ(reduced(level, TextureFormat::srgb8, {}), reduced(level, TextureFormat::srgb8, linear));
   EXPECT_EQ(reduced(level, TextureFormat::srgb8, of_codes).texels, (Reds{128, 128, 128, 128}));
@@ -293,7 +295,7 @@ template <class Choice>
 void expect_names(const Rule& rule) {
   for (const Alternative& alternative : rule.alternatives) {
     Choice choice{};
-    ASSERT_TRUE(parse_name(alternative.name, choice)) << rule.id;
+    ASSERT_TRUE(parse_name(alternative.name, choice)) << name_of(rule.id);
     EXPECT_EQ(name_of(choice), alternative.name);
   }
   Choice choice{};

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "rules/all_rules.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -57,8 +58,8 @@ TEST(RulesDocument, HoldsEveryRuleAndEveryRulingInOrder) {
   }
   at = text.find("\n## Rules\n", at);
   for (const Rule& rule : all_rules()) {
-    const std::size_t next = text.find("\n### " + rule.id + "\n", at);
-    ASSERT_NE(next, std::string::npos) << rule.id;
+    const std::size_t next = text.find(std::string("\n### ") + name_of(rule.id) + "\n", at);
+    ASSERT_NE(next, std::string::npos) << name_of(rule.id);
     at = next;
     for (const Alternative& alternative : rule.alternatives)
       EXPECT_NE(text.find("`" + alternative.name + "`"), std::string::npos) << alternative.name;

@@ -80,7 +80,7 @@ TEST(SharedPlace, DerivativesOfCoordinatesAreAsTheyAreByThemselves) {
       ++primitive;
       // Also with one that does not move.
       const Interpolant& t = f[round % 4 == 3 ? 3 : 1];
-      for (const DerivativeMethod method : all_derivative_methods())
+      for (const DerivativeMethod method : values_of<DerivativeMethod>())
         for (const Axis axis : {Axis::x, Axis::y}) {
           const auto exact = derivatives_exact(f[0], t, quad, axis, method);
           ASSERT_TRUE(same(exact[0], derivative_exact(f[0], quad, axis, method)));
@@ -103,7 +103,7 @@ TEST(SharedPlace, WhatIsKeptIsThatPixels) {
     for (const int x : {0, 1, 4095, 4096, 4097, 8191})
       for (const int y : {0, 1, 3, 4, 5}) {
         const QuadPixel quad = in_quad({x, y}, RowOrder::bottom_up, 8);
-        for (const DerivativeMethod method : all_derivative_methods())
+        for (const DerivativeMethod method : values_of<DerivativeMethod>())
           ASSERT_TRUE(same(kept.at(0, f[0], f[1], quad, Axis::x, method)[1],
                            derivative_inexact(f[1], quad, Axis::x, method)));
       }

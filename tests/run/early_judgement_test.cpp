@@ -7,6 +7,7 @@
 
 #include "diff/judge.h"
 #include "rules/all_rules.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -17,7 +18,7 @@ Result differing(bool of_a_line, int x = 3) {
   Disagreement d;
   d.x = x;
   d.primitive = 0;
-  d.rule = of_a_line ? "line.diamond-exit" : "triangle.fill-rule";
+  d.rule = of_a_line ? RuleId::line_diamond_exit : RuleId::triangle_fill_rule;
   d.legality = Legality::legal;
   result.disagreements = {d};
   result.values.resize(1);

@@ -12,6 +12,7 @@
 #include "rules/all_rules.h"
 #include "run/policy_contrast.h"
 #include "run/selection.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -23,7 +24,7 @@ const fs::path kSuite = fs::path(EDGECASE_ROOT) / "cases";
 std::vector<KnownRule> known_rules() {
   std::vector<KnownRule> known;
   for (const Rule& rule : all_rules()) {
-    known.push_back({rule.id, {}});
+    known.push_back({name_of(rule.id), {}});
     for (const Alternative& alternative : rule.alternatives)
       known.back().alternatives.push_back(alternative.name);
   }

@@ -13,6 +13,7 @@
 #include "results/results_json.h"
 #include "rules/coverage/snap.h"
 #include "run/judging.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -25,12 +26,12 @@ KnownResult line_read_with(const std::string& snap) {
   Result result;
   Disagreement d;
   d.primitive = 0;
-  d.rule = "line.diamond-exit";
+  d.rule = rule_named("line.diamond-exit");
   d.ruling = 1;
   result.disagreements = {d};
   for (Snap other : all_snaps())
     if (name_of(other) != snap) result.illegal_line_snaps.push_back(name_of(other));
-  result.evidence = {{0, {std::string(kInteriorGap)}, result.illegal_line_snaps, ""}};
+  result.evidence = {{0, {kInteriorGap}, result.illegal_line_snaps, ""}};
   return result;
 }
 

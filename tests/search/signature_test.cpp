@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "results/clusters.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
@@ -11,8 +12,8 @@ namespace {
 Disagreement extra(const std::string& cause, bool legal, const std::string& situation = "first") {
   Disagreement d;
   d.kind = DisagreementKind::extra;
-  d.rule = "line.diamond-exit";
-  d.cause = cause;
+  d.rule = rule_named("line.diamond-exit");
+  d.cause = cause_named(cause);
   d.legality = by_letter(legal);
   d.situation = situation;
   return d;
@@ -61,15 +62,16 @@ TEST(Signature, OfWhatHasNoneIsRuleKindAndSituation) {
 
 TEST(Signature, EachOfThemOnceAndWhatIsNotAllowedFirst) {
   Result result;
-  result.disagreements = {extra("a=b", true), extra("", true),          extra("", true),
-                          extra("", false),   extra("", false, "last"), extra("", false, "last")};
+  result.disagreements = {
+      extra("line.snap=none", true), extra("", true),         extra("", true), extra("", false),
+      extra("", false, "last"),      extra("", false, "last")};
   const auto signatures = signatures_of(result, Surface::fbo);
   ASSERT_EQ(signatures.size(), 4u);
   EXPECT_EQ(signatures[0].situation, "last") << "two of them";
   EXPECT_EQ(signatures[1].situation, "first");
   EXPECT_EQ(signatures[1].legality, Legality::illegal);
   EXPECT_EQ(signatures[2].legality, Legality::legal);
-  EXPECT_EQ(signatures[3].cause, "a=b");
+  EXPECT_EQ(signatures[3].cause, "line.snap=none");
 }
 
 TEST(Signature, DiffersWithSurfaceAndLegality) {
@@ -87,7 +89,7 @@ TEST(Signature, OfValuesNamesTheAttribute) {
   Result result;
   ValueAggregate values;
   values.attribute = "depth";
-  values.rule = "attribute.smooth";
+  values.rule = rule_named("attribute.smooth");
   result.values = {values};
   EXPECT_TRUE(signatures_of(result, Surface::fbo).empty()) << "none of them differs";
   result.values[0].differing = {{1, 2, 0}};

@@ -132,7 +132,7 @@ std::optional<std::filesystem::path> find_policy(const std::string& policy,
 std::vector<KnownRule> known_rules() {
   std::vector<KnownRule> result;
   for (const Rule& rule : all_rules()) {
-    KnownRule known{rule.id, {}};
+    KnownRule known{name_of(rule.id), {}};
     for (const Alternative& alternative : rule.alternatives)
       known.alternatives.push_back(alternative.name);
     result.push_back(std::move(known));
@@ -147,7 +147,7 @@ Selection select_cases(const std::vector<std::string>& words) {
 
 void print_no_rule(const std::string& id) {
   std::vector<std::string> ids;
-  for (const Rule& rule : all_rules()) ids.push_back(rule.id);
+  for (const Rule& rule : all_rules()) ids.push_back(name_of(rule.id));
   const std::string nearest = nearest_name(id, ids);
   print_error(fmt::format("there is no rule \"{}\"; {}`edgecase rules` prints all", id,
                           nearest.empty() ? "" : fmt::format("did you mean {}? ", quote(nearest))));

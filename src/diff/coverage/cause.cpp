@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "diff/coverage/cause.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
-#include "diff/coverage/alternatives.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
+#include "rules/changes.h"
 #include "rules/coverage/homogeneous_line.h"
 
 namespace edgecase {
@@ -33,28 +29,14 @@ bool is_interior_gap(const ScenePrimitive& line, const PrimitiveCoverage& covera
          drawn_where([&](int at) { return at > gap; });
 }
 
-// A set of changes that reproduces what was drawn.
-using Changes = std::vector<Change>;
-
-std::string text_of(const Changes& changes) {
-  std::vector<std::string> parts;
-  for (const Change& change : changes) parts.push_back(change.cause);
-  return fmt::format("{}", fmt::join(parts, " + "));
-}
-
-CoverageChoice applied(const Changes& changes, CoverageChoice choice) {
-  for (const Change& change : changes) change.apply(choice);
-  return choice;
-}
-
 // Looks for sets of alternatives that draw a primitive as it was drawn.
 class Search {
  public:
   Search(const CauseQuestion& question, const PrimitiveCoverage& coverage)
       : question_(question), coverage_(coverage) {
     if (question.profile != nullptr)
-      profile_ =
-          changes_between(question.primitive, question.target, question.chosen, *question.profile);
+      profile_ = coverage_changes_between(question.primitive, question.target, question.chosen,
+                                          *question.profile);
   }
 
   std::vector<Changes> operator()() const {
@@ -72,20 +54,20 @@ class Search {
 
  private:
   bool reproduces(const Changes& changes) const {
+    const RuleChoices choices = applied(changes, question_.chosen);
     return covered_samples(question_.primitive, question_.target,
-                           applied(changes, question_.chosen),
+                           choices.of(question_.primitive.kind),
                            question_.reported) == coverage_.drawn;
   }
 
   // `base` with one more alternative, in the place of its own of that rule if it has one.
   static Changes with(Changes base, const Change& change) {
-    const auto rule_of = [](const Change& c) { return c.cause.substr(0, c.cause.find('=')); };
-    std::erase_if(base, [&](const Change& c) { return rule_of(c) == rule_of(change); });
+    std::erase_if(base, [&](const Change& c) { return c.id.rule == change.id.rule; });
     base.push_back(change);
     return base;
   }
 
-  static bool is_open(const Changes& changes) { return is_open_choice(text_of(changes)); }
+  static bool is_open(const Changes& changes) { return is_open_choice(cause_of(changes)); }
 
   // Is there one that the specification leaves open, or that is what the renderer does elsewhere?
   bool has_answer(const std::vector<Changes>& found) const {
@@ -97,15 +79,15 @@ class Search {
   // All sets of one alternative; where none of them has an answer, those of two: all where there is
   // none of one, else those that are open.
   std::vector<Changes> beside(const Changes& base) const {
-    auto rules =
-        alternatives_beside(question_.primitive, question_.target, applied(base, question_.chosen));
+    std::vector<Changes> rules = coverage_changes(
+        coverage_traits(question_.primitive, question_.target), applied(base, question_.chosen));
     std::vector<Changes> found;
-    for (const RuleAlternatives& rule : rules)
+    for (const Changes& rule : rules)
       for (const Change& change : rule) keep_if_it_reproduces(with(base, change), found);
     if (has_answer(found)) return found;
     if (!found.empty())
-      for (RuleAlternatives& rule : rules)
-        std::erase_if(rule, [](const Change& change) { return !is_open_choice(change.cause); });
+      for (Changes& rule : rules)
+        std::erase_if(rule, [](const Change& change) { return !is_open_choice(change.id); });
     for (std::size_t i = 0; i < rules.size(); ++i)
       for (std::size_t j = i + 1; j < rules.size(); ++j)
         for (const Change& first : rules[i])
@@ -143,7 +125,7 @@ class Search {
   bool in_profile(const Changes& changes) const {
     return std::all_of(changes.begin(), changes.end(), [&](const Change& change) {
       return std::any_of(profile_.begin(), profile_.end(),
-                         [&](const Change& own) { return own.cause == change.cause; });
+                         [&](const Change& own) { return own.id == change.id; });
     });
   }
 
@@ -165,40 +147,17 @@ class Search {
 
 }  // namespace
 
-std::vector<std::string> find_causes(const CauseQuestion& question,
-                                     const PrimitiveCoverage& coverage) {
-  std::vector<std::string> causes;
-  for (const Changes& changes : Search(question, coverage)()) causes.push_back(text_of(changes));
+std::vector<Cause> find_causes(const CauseQuestion& question, const PrimitiveCoverage& coverage) {
+  std::vector<Cause> causes;
+  for (const Changes& changes : Search(question, coverage)()) causes.push_back(cause_of(changes));
   if (causes.empty() && question.primitive.kind == PrimitiveKind::line &&
       is_interior_gap(question.primitive, coverage))
     causes.push_back(kInteriorGap);
   return causes;
 }
 
-std::string cause_in_profile(const CauseQuestion& question, const PrimitiveCoverage& coverage) {
-  return text_of(Search(question, coverage).of_profile());
-}
-
-std::vector<std::string> parts_of(const std::string& cause) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at < cause.size();) {
-    const std::size_t end = std::min(cause.find(" + ", at), cause.size());
-    parts.push_back(cause.substr(at, end - at));
-    at = end + 3;
-  }
-  return parts;
-}
-
-bool is_open_choice(const std::string& cause) {
-  for (const std::string& part : parts_of(cause)) {
-    const std::size_t equals = part.find('=');
-    if (equals == std::string::npos) return false;
-    const Rule* rule = find_rule(part.substr(0, equals));
-    const Alternative* alternative =
-        rule != nullptr ? find_alternative(*rule, part.substr(equals + 1)) : nullptr;
-    if (alternative == nullptr || alternative->openness == Openness::illegal) return false;
-  }
-  return !cause.empty();
+Cause cause_in_profile(const CauseQuestion& question, const PrimitiveCoverage& coverage) {
+  return cause_of(Search(question, coverage).of_profile());
 }
 
 }  // namespace edgecase

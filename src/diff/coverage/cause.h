@@ -3,47 +3,40 @@
 // Cause: which catalogued alternatives would have drawn what the renderer drew.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "diff/coverage/coverage_diff.h"
+#include "model/cause.h"
 #include "model/scene.h"
 #include "rules/choices.h"
 
 namespace edgecase {
 
 // The cause of a line that lacks one fragment between others (ruling 3); no alternative draws so.
-inline constexpr const char* kInteriorGap = "line.interior-gap";
+inline constexpr AlternativeId kInteriorGap{RuleId::line_interior_gap};
 
-// One primitive, with what the policy chooses for its kind and, where it is known, what the
-// renderer is measured to follow.
+// One primitive, with what the policy chooses and, where it is known, what the renderer is measured
+// to follow.
 struct CauseQuestion {
   const ScenePrimitive& primitive;
   const Target& target;
-  const CoverageChoice& chosen;
-  const CoverageChoice* profile = nullptr;
+  const RuleChoices& chosen;
+  const RuleChoices* profile = nullptr;
   SamplePositions reported{};  // where the renderer says that samples lie
 };
 
-// The smallest sets of alternatives under which the primitive covers exactly `coverage.drawn`, each
-// as "rule=alternative", several joined by " + ", in catalogue order: all sets of one alternative
+// The smallest sets of alternatives under which the primitive covers exactly `coverage.drawn`, in
+// the order of their rules' ids: all sets of one alternative
 // beside what the policy chooses; without any, of two; without any, what the profile differs in
 // from the policy, with nothing, one or two more alternatives on top of it. Where none of these
 // conforms as such, larger sets that do, all of whose alternatives the specification leaves open,
 // come with them: of two, and what the profile differs in. Sets that the profile holds wholly come
 // alone, since it is what the renderer does elsewhere. A line without any set, whose only fault is
 // one fragment missing between others, gets kInteriorGap. Empty: nothing catalogued explains it.
-std::vector<std::string> find_causes(const CauseQuestion& question,
-                                     const PrimitiveCoverage& coverage);
+std::vector<Cause> find_causes(const CauseQuestion& question, const PrimitiveCoverage& coverage);
 
 // What the profile differs in from the policy, without what can be left out, where that draws the
 // primitive as `coverage.drawn` has it; else nothing.
-std::string cause_in_profile(const CauseQuestion& question, const PrimitiveCoverage& coverage);
-
-// The alternatives of a cause: what stands between " + ".
-std::vector<std::string> parts_of(const std::string& cause);
-
-// Does the specification leave open every alternative that a cause names?
-bool is_open_choice(const std::string& cause);
+Cause cause_in_profile(const CauseQuestion& question, const PrimitiveCoverage& coverage);
 
 }  // namespace edgecase

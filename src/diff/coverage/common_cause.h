@@ -6,7 +6,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "diff/coverage/cause.h"
@@ -22,8 +21,8 @@ struct DrawnPrimitive {
 // Those of `causes`, which draw question.primitive as `own` has it, under which the other
 // primitives, of the same kind, are drawn as they were, too; a further alternative beside the cause
 // may help where it changes nothing of the first. Causes that are no alternatives of coverage stay.
-std::vector<std::string> common_causes(const CauseQuestion& question, const PrimitiveCoverage& own,
-                                       const std::vector<std::string>& causes,
-                                       std::span<const DrawnPrimitive> others);
+std::vector<Cause> common_causes(const CauseQuestion& question, const PrimitiveCoverage& own,
+                                 const std::vector<Cause>& causes,
+                                 std::span<const DrawnPrimitive> others);
 
 }  // namespace edgecase

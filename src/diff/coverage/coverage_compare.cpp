@@ -20,6 +20,7 @@
 #include "raster/attributes.h"
 #include "raster/rasterizer.h"
 #include "raster/samples.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -32,7 +33,7 @@ class CoverageComparison {
  public:
   CoverageComparison(const CoverageContext& context, Result& result)
       : context_(context),
-        standard_(resolve(Policy{}, context.scene.target.surface)),
+        standard_(standard_choices()),
         lawful_(positions_of(context.scene.target, standard_.triangles, context.reported)),
         chosen_(positions_of(context.scene.target, context.choices.triangles, context.reported)),
         result_(result) {}
@@ -59,9 +60,7 @@ class CoverageComparison {
     return context_.primitives[static_cast<std::size_t>(index)];
   }
   CauseQuestion question_about(const ScenePrimitive& primitive) const {
-    return {primitive, target(), context_.choices.of(primitive.kind),
-            context_.profile != nullptr ? &context_.profile->of(primitive.kind) : nullptr,
-            context_.reported};
+    return {primitive, target(), context_.choices, context_.profile, context_.reported};
   }
   bool is_multisampled(const ScenePrimitive& primitive) const {
     return edgecase::is_multisampled(*primitive.state, target());
@@ -106,17 +105,17 @@ class CoverageComparison {
     evidence.primitive = primitive.index;
     evidence.causes = find_causes(question, coverage);
     if (evidence.causes.empty() && lacks_invocations_by_others(primitive))
-      evidence.causes = {fmt::format("sample.alpha-to-coverage={}",
-                                     name_of(AlphaToCoverage::above_quotient_of_others))};
+      evidence.causes = {alternative_id(RuleId::sample_alpha_to_coverage,
+                                        name_of(AlphaToCoverage::above_quotient_of_others))};
     note_swapped(primitive, evidence.causes);
     result_.evidence.push_back(std::move(evidence));
   }
 
   // Says which samples are exchanged, since all pairs have one name.
-  void note_swapped(const ScenePrimitive& primitive, const std::vector<std::string>& causes) {
-    const std::string swapped = fmt::format(
-        "sample.positions={}", name_of(SamplePlacement{SamplePlacement::Kind::swapped}));
-    if (!contains(causes, swapped)) return;
+  void note_swapped(const ScenePrimitive& primitive, const std::vector<Cause>& causes) {
+    const AlternativeId swapped =
+        alternative_id(RuleId::sample_positions, name_of(SamplePlacement::Kind::swapped));
+    if (std::ranges::find(causes, Cause(swapped)) == causes.end()) return;
     CoverageChoice choice = context_.choices.of(primitive.kind);
     std::string pairs;
     for (const SamplePlacement& placement : placements_of(target().samples)) {
@@ -227,11 +226,11 @@ class CoverageComparison {
 
   // Which of the policy's alternatives draw the primitive so; where it is drawn otherwise
   // elsewhere, any that draw it so.
-  const std::string& cause_of_excused(const ScenePrimitive& primitive) {
+  const Cause& cause_of_excused(const ScenePrimitive& primitive) {
     const auto [place, is_new] = excused_causes_.try_emplace(primitive.index);
     if (!is_new) return place->second;
-    const CauseQuestion question{primitive, target(), standard_.of(primitive.kind),
-                                 &context_.choices.of(primitive.kind), context_.reported};
+    const CauseQuestion question{primitive, target(), standard_, &context_.choices,
+                                 context_.reported};
     place->second = cause_in_profile(question, coverage_of(primitive));
     if (!place->second.empty()) return place->second;
     const auto causes = find_causes(question, coverage_of(primitive));
@@ -256,7 +255,7 @@ class CoverageComparison {
   // A broken ruling on lines. A line that differs from the policy has it as evidence, since judge()
   // decides how lines are read; one that agrees is read as the policy says.
   void break_line(const ScenePrimitive& line, const std::vector<std::string>& illegal_snaps,
-                  const std::string& clause, const char* rule, int ruling) {
+                  const std::string& clause, RuleId rule, int ruling) {
     if (Result::Evidence* evidence = evidence_of(line)) {
       merge_snaps(illegal_snaps, evidence->illegal_line_snaps);
       if (clause.empty() || !evidence->broken_clause.empty()) return;
@@ -273,7 +272,7 @@ class CoverageComparison {
       add_excused(line, difference, {false, ruling, rule, reason});
   }
 
-  void say_of_line(const ScenePrimitive& line, const char* rule, int ruling,
+  void say_of_line(const ScenePrimitive& line, RuleId rule, int ruling,
                    const std::string& sentence) {
     for (Disagreement& d : result_.disagreements) {
       if (d.primitive != line.index || !is_about_a_line(d) || d.policy_agrees) continue;
@@ -292,10 +291,10 @@ class CoverageComparison {
     const int contested = illegal.empty() ? 0 : contested_ruling_on_line(line, drawn, scene());
     const int ruling = contested != 0 ? contested : ruling_on_line(line, scene());
     const std::string clause = broken_clause_unsnapped(line, drawn, scene());
-    if (!illegal.empty()) break_line(line, illegal, clause, "line.diamond-exit", ruling);
+    if (!illegal.empty()) break_line(line, illegal, clause, RuleId::line_diamond_exit, ruling);
     if (!clause.empty()) return;
     const int kept = ruling_on_line(line, scene());
-    say_of_line(line, "line.diamond-exit", kept,
+    say_of_line(line, RuleId::line_diamond_exit, kept,
                 fmt::format("Ruling {} holds for the segment as given.", kept));
   }
 
@@ -303,7 +302,7 @@ class CoverageComparison {
     for (const JointFault& fault : joint_faults(context_.primitives, context_.coverage, scene())) {
       merge_snaps(fault.illegal_snaps, result_.illegal_line_snaps);
       for (int index : {fault.first, fault.second})
-        break_line(primitive_at(index), fault.illegal_snaps, fault.clause, "line.joint", 14);
+        break_line(primitive_at(index), fault.illegal_snaps, fault.clause, RuleId::line_joint, 14);
     }
   }
 
@@ -350,7 +349,7 @@ class CoverageComparison {
           "of once",
           fault.first, fault.second, fault.hits);
       if (blame(fault, reason) || context_.latitude != Latitude::opengl) continue;
-      const CoverageLegality broken{false, ruling_on(fault), "triangle.shared-edge", reason};
+      const CoverageLegality broken{false, ruling_on(fault), RuleId::triangle_shared_edge, reason};
       for (int index : {fault.first, fault.second})
         for (const CoverageDifference& difference : excused_by_policy(primitive_at(index)))
           if (difference.pixel == fault.pixel && difference.sample == fault.sample)
@@ -370,23 +369,24 @@ class CoverageComparison {
       const bool concerned = d.x == fault.pixel.x && d.y == fault.pixel.y &&
                              d.sample == fault.sample &&
                              (d.primitive == fault.first || d.primitive == fault.second);
-      if (!concerned || (d.rule != "triangle.fill-rule" && d.rule != "triangle.shared-edge"))
+      if (!concerned ||
+          (d.rule != RuleId::triangle_fill_rule && d.rule != RuleId::triangle_shared_edge))
         continue;
       found = true;
       if (fault.is_certain || is_legal(d)) d.ruling = ruling_on(fault);
       d.legality = Legality::illegal;
-      d.rule = "triangle.shared-edge";
+      d.rule = RuleId::triangle_shared_edge;
       d.explanation += fmt::format(" Ruling {}: {}.", ruling_on(fault), reason);
     }
     return found;
   }
 
   const CoverageContext& context_;
-  const RuleChoices standard_;
-  const SamplePositions lawful_;               // of samples, as they are reported
-  const SamplePositions chosen_;               // as the policy has them
-  std::map<int, std::string> excused_causes_;  // by primitive
-  std::map<int, std::set<int>> partners_;      // in faults of shared edges, by primitive
+  const RuleChoices& standard_;
+  const SamplePositions lawful_;           // of samples, as they are reported
+  const SamplePositions chosen_;           // as the policy has them
+  std::map<int, Cause> excused_causes_;    // by primitive
+  std::map<int, std::set<int>> partners_;  // in faults of shared edges, by primitive
   Result& result_;
 };
 

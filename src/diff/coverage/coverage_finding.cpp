@@ -32,7 +32,7 @@ Disagreement duplicate(const ScenePrimitive& primitive, const CoverageDifference
                        Point sample, const Target& target) {
   Disagreement d = at_sample(primitive, difference, sample, target);
   d.kind = DisagreementKind::duplicate;
-  d.rule = "fragment.once";
+  d.rule = RuleId::fragment_once;
   d.ruling = 7;
   d.explanation = fmt::format(
       "primitive {} produces the fragment of {}pixel ({}, {}) {} times. Ruling 7: once at most.",

@@ -48,7 +48,7 @@ Explanation explain_rectangle(const ScenePrimitive& line, const Segment& segment
        true,
        {corner(segment.a, 1), corner(segment.b, 1), corner(segment.b, -1), corner(segment.a, -1)},
        ""});
-  const Rule& rule = *find_rule("line.multisampled");
+  const Rule& rule = rule_of(RuleId::line_multisampled);
   const char* name = name_of(choice.multisampled_line);
   why.text = fmt::format(
       "the sample {} lies {:.6g} pixels from the segment {} to {} of width {}, {:.6g} of {:.6g} "
@@ -65,7 +65,7 @@ Explanation explain_line_choice(const ScenePrimitive& line, const Segment& segme
   Explanation why = explain_line(segment, p.x, p.y, *choice.line.boundary);
   const bool thin = line.state->line_width == Fixed::from_integer(1);
   if (thin && choice.line.algorithm == LineAlgorithm::diamond_exit) return why;
-  const Rule& rule = *find_rule(thin ? "line.algorithm" : "line.width");
+  const Rule& rule = rule_of(thin ? RuleId::line_algorithm : RuleId::line_width);
   const char* name = thin ? name_of(choice.line.algorithm) : name_of(choice.line.wide);
   why.text =
       fmt::format("the segment {} to {} of width {} is drawn as {} says ({})",
@@ -79,21 +79,21 @@ Explanation explain_line_choice(const ScenePrimitive& line, const Segment& segme
 std::string notes_on(const ScenePrimitive& primitive, const Target& target,
                      const CoverageChoice& choice) {
   std::string notes;
-  const auto add = [&](const char* rule, const char* name) {
+  const auto add = [&](RuleId rule, const char* name) {
     notes +=
-        fmt::format("; as {} has it: {}", name, find_alternative(*find_rule(rule), name)->meaning);
+        fmt::format("; as {} has it: {}", name, find_alternative(rule_of(rule), name)->meaning);
   };
   if (primitive.kind == PrimitiveKind::triangle &&
       choice.triangle_algorithm != TriangleAlgorithm::edge_functions)
-    add("triangle.algorithm", name_of(choice.triangle_algorithm));
+    add(RuleId::triangle_algorithm, name_of(choice.triangle_algorithm));
   if (primitive.kind == PrimitiveKind::point && choice.point_offset != PointOffset::none)
-    add("point.offset", name_of(choice.point_offset));
+    add(RuleId::point_offset, name_of(choice.point_offset));
   if (primitive.is_clipped && choice.clip != ClipMethod::homogeneous)
-    add("clip.volume", name_of(choice.clip));
+    add(RuleId::clip_volume, name_of(choice.clip));
   if (choice.rows != RowOrder::bottom_up)
     add(row_order_rule_of(primitive.kind), name_of(choice.rows));
   if (is_multisampled(*primitive.state, target) && choice.placement != SamplePlacement{})
-    add("sample.positions", name_of(choice.placement).c_str());
+    add(RuleId::sample_positions, name_of(choice.placement).c_str());
   return notes;
 }
 

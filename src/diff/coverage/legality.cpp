@@ -138,7 +138,7 @@ int latitude_bits(int reported_subpixel_bits) {
   return std::clamp(reported_subpixel_bits, 4, Fixed::kFractionBits);
 }
 
-const char* rule_on_coverage(const ScenePrimitive& primitive, const Target& target) {
+RuleId rule_on_coverage(const ScenePrimitive& primitive, const Target& target) {
   if (primitive.is_clipped) return kClipVolume;
   const bool rectangle =
       primitive.kind == PrimitiveKind::line && is_multisampled(*primitive.state, target);
@@ -153,10 +153,10 @@ std::optional<CoverageLegality> judge_mask(const ScenePrimitive& primitive,
   const Multisampling& use = primitive.state->multisampling;
   if (difference.drawn == 0) return std::nullopt;
   if (!use.enabled && difference.sample > 0)
-    return CoverageLegality{false, 35, "sample.enable",
+    return CoverageLegality{false, 35, RuleId::sample_enable,
                             "without GL_MULTISAMPLE a fragment has no sample but the first"};
   if (use.enabled && (use.mask >> difference.sample & 1) == 0)
-    return CoverageLegality{false, 32, "sample.mask",
+    return CoverageLegality{false, 32, RuleId::sample_mask,
                             "the sample is not in the draw's sample mask"};
   return std::nullopt;
 }
@@ -242,7 +242,7 @@ CoverageLegality judge_sample(const ScenePrimitive& primitive, const CoverageDif
 
 CoverageLegality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
                               bool whole, CoverageLegality otherwise, int bits) {
-  constexpr const char* kRule = "polygon.facing";
+  constexpr RuleId kRule = RuleId::polygon_facing;
   constexpr int kRuling = 40;
   if (primitive.kind != PrimitiveKind::triangle || primitive.state->cull == CullMode::none)
     return otherwise;
@@ -389,7 +389,7 @@ int ruling_on_line(const ScenePrimitive& line, const Scene& scene) {
 }
 
 bool is_about_a_line(const Disagreement& disagreement) {
-  return disagreement.rule == "line.diamond-exit" || disagreement.rule == "line.joint";
+  return disagreement.rule == RuleId::line_diamond_exit || disagreement.rule == RuleId::line_joint;
 }
 
 }  // namespace edgecase

@@ -19,17 +19,17 @@ namespace edgecase {
 int latitude_bits(int reported_subpixel_bits);
 
 // The rule of lines of multisampled draws; the others' is coverage_rule_of.
-inline constexpr const char* kMultisampledLine = "line.multisampled";
+inline constexpr RuleId kMultisampledLine = RuleId::line_multisampled;
 // The rule of primitives that reach out of the clip volume.
-inline constexpr const char* kClipVolume = "clip.volume";
+inline constexpr RuleId kClipVolume = RuleId::clip_volume;
 // The rule that says what the primitive covers.
-const char* rule_on_coverage(const ScenePrimitive& primitive, const Target& target);
+RuleId rule_on_coverage(const ScenePrimitive& primitive, const Target& target);
 
 // Whether one difference of one primitive is allowed, by which rule and ruling.
 struct CoverageLegality {
   bool legal = false;  // by the letter
   int ruling = 0;
-  std::string rule;    // the rule that is broken or under which the difference is allowed
+  RuleId rule;         // the rule that is broken or under which the difference is allowed
   std::string reason;  // one clause, why
 };
 

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "diff/coverage/alternatives.h"
 #include "raster/coverage_stages.h"
 #include "raster/primitives.h"
 #include "raster/rasterizer.h"
+#include "rules/changes.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/triangle_fill.h"
 
@@ -41,7 +41,7 @@ class SingleChanges {
  private:
   using Positions = std::array<Point, 3>;
 
-  const CoverageChoice& chosen() const { return question_.chosen; }
+  const CoverageChoice& chosen() const { return question_.chosen.of(question_.primitive.kind); }
   const ScenePrimitive& primitive() const { return question_.primitive; }
 
   bool covers_so(const CoverageChoice& choice) const {
@@ -188,49 +188,12 @@ class SingleChanges {
   std::optional<Pixels> tied_;
 };
 
-// A single alternative, and its place among alternative_names().
-struct PlacedChange {
-  std::size_t place;
-  Change change;
-};
-
-std::vector<PlacedChange> placed_changes(const std::vector<RuleAlternatives>& rules) {
-  static const auto places = [] {
-    std::map<std::string, std::size_t> map;
-    for (const std::string& name : alternative_names()) map.emplace(name, map.size());
-    return map;
-  }();
-  std::vector<PlacedChange> changes;
-  for (const RuleAlternatives& rule : rules)
-    for (const Change& change : rule) changes.push_back({places.at(change.cause), change});
-  return changes;
-}
-
-// The alternatives beside what is chosen. Nearly all primitives of a run ask for one of a few
-// lists, which are made once.
-const std::vector<PlacedChange>& placed_alternatives(const CauseQuestion& question) {
-  struct Known {
-    CoverageTraits traits;
-    CoverageChoice chosen;
-    std::vector<PlacedChange> changes;
-  };
-  constexpr std::size_t kMostKnown = 32;
-  thread_local std::deque<Known> lists;
-  const CoverageTraits traits = coverage_traits(question.primitive, question.target);
-  const auto found = std::find_if(lists.begin(), lists.end(), [&](const Known& known) {
-    return known.traits == traits && known.chosen == question.chosen;
-  });
-  if (found != lists.end()) return found->changes;
-  if (lists.size() == kMostKnown) lists.pop_back();
-  lists.push_front(
-      {traits, question.chosen, placed_changes(alternatives_beside(traits, question.chosen))});
-  return lists.front().changes;
-}
-
 // Several changes may bear one name, as all swapped pairs of samples do: it is refuted where none
 // of them draws so.
-enum class Tried : char { no, draws_otherwise, draws_so };
-using Trials = std::vector<Tried>;  // by place among alternative_names()
+struct Trials {
+  AlternativeSet draw_so;
+  AlternativeSet draw_otherwise;
+};
 
 // All that decides on what a plain primitive covers, with what its trials were: primitives that do
 // not move come again from case to case, and from renderer to renderer.
@@ -255,7 +218,7 @@ struct KnownTrials {
     return kind == primitive.kind && positions == positions_of(primitive) &&
            bounds == drawable_bounds(state, question.target) && height == question.target.height &&
            line_width == state.line_width && point_size == state.point_size &&
-           chosen == question.chosen;
+           chosen == question.chosen.of(question.primitive.kind);
   }
 };
 
@@ -272,30 +235,39 @@ Trials* kept_trials(const CauseQuestion& question) {
       known, [&](const KnownTrials& trials) { return trials.is_of(question); });
   if (found != known.end()) return &found->trials;
   if (known.size() == kMostKnown) known.pop_back();
-  known.push_front({primitive.kind, KnownTrials::positions_of(primitive),
-                    drawable_bounds(state, question.target), question.target.height,
-                    state.line_width, state.point_size, question.chosen,
-                    Trials(alternative_names().size(), Tried::no)});
+  known.push_front({primitive.kind,
+                    KnownTrials::positions_of(primitive),
+                    drawable_bounds(state, question.target),
+                    question.target.height,
+                    state.line_width,
+                    state.point_size,
+                    question.chosen.of(primitive.kind),
+                    {}});
   return &known.front().trials;
 }
 
 }  // namespace
 
 void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
-                  std::string& refuted) {
+                  AlternativeSet& refuted) {
   Trials* const kept = kept_trials(question);
-  const Trials before = kept ? *kept : Trials(alternative_names().size(), Tried::no);
-  Trials tried = before;
+  const Trials before = kept ? *kept : Trials();
+  Trials trials = before;
   SingleChanges changes(question, coverage.drawn);
-  for (const auto& [place, change] : placed_alternatives(question)) {
-    if (refuted[place] == '1' || before[place] != Tried::no || tried[place] == Tried::draws_so)
-      continue;
-    const bool same = changes.draw_so(change.applied_to(question.chosen));
-    tried[place] = same ? Tried::draws_so : Tried::draws_otherwise;
-  }
-  for (std::size_t i = 0; i < tried.size(); ++i)
-    if (tried[i] == Tried::draws_otherwise) refuted[i] = '1';
-  if (kept) *kept = std::move(tried);
+  const CoverageTraits traits = coverage_traits(question.primitive, question.target);
+  for (const Changes& rule : coverage_changes(traits, question.chosen))
+    for (const Change& change : rule) {
+      if (refuted.contains(change.id) || before.draw_otherwise.contains(change.id) ||
+          trials.draw_so.contains(change.id))
+        continue;
+      const RuleChoices changed = change.applied_to(question.chosen);
+      const bool same = changes.draw_so(changed.of(traits.kind));
+      (same ? trials.draw_so : trials.draw_otherwise).add(change.id);
+    }
+  trials.draw_otherwise.for_each([&](AlternativeId id) {
+    if (!trials.draw_so.contains(id)) refuted.add(id);
+  });
+  if (kept) *kept = trials;
 }
 
 }  // namespace edgecase

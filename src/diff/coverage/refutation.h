@@ -3,8 +3,6 @@
 // Refutation: which catalogued alternatives a renderer cannot follow.
 #pragma once
 
-#include <string>
-
 #include "diff/coverage/cause.h"
 
 namespace edgecase {
@@ -13,6 +11,6 @@ namespace edgecase {
 // draw it otherwise is not what the renderer follows. Marks those in `refuted` (see
 // Result::refuted).
 void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
-                  std::string& refuted);
+                  AlternativeSet& refuted);
 
 }  // namespace edgecase

@@ -10,31 +10,28 @@
 
 namespace edgecase {
 
-FateChoice fate_choice(const RuleChoices& choices) {
-  return {choices.output, choices.triangles.facing, choices.triangles.multisample_switch,
-          choices.values.locations, choices.samples.alpha_to_coverage};
-}
-
-bool is_standard(const FateChoice& choice) {
-  const FateChoice standard;
+bool is_standard(const RuleChoices& choice) {
+  const RuleChoices& standard = standard_choices();
   return choice.output.depth == standard.output.depth &&
          choice.output.depth_mask == standard.output.depth_mask &&
          choice.output.stencil == standard.output.stencil &&
          choice.output.blend.method == standard.output.blend.method &&
          choice.output.blend.rounding == standard.output.blend.rounding &&
          choice.output.blend.mask == standard.output.blend.mask &&
-         choice.facing == standard.facing && choice.without == standard.without &&
-         choice.locations.depth == standard.locations.depth && choice.alpha == standard.alpha;
+         choice.triangles.facing == standard.triangles.facing &&
+         choice.triangles.multisample_switch == standard.triangles.multisample_switch &&
+         choice.values.locations.depth == standard.values.locations.depth &&
+         choice.samples.alpha_to_coverage == standard.samples.alpha_to_coverage;
 }
 
 Arrivals::Arrivals(const ValueContext& context)
     : context_(context), facings_(context.primitives.size()) {}
 
 std::vector<Arrival> Arrivals::at(std::span<const Fragment> at_pixel, int sample,
-                                  const FateChoice& choice) const {
+                                  const RuleChoices& choice) const {
   std::vector<Arrival> arrivals;
   for (const Fragment& fragment : at_pixel) {
-    if (!covers_sample(context_, fragment, sample, choice.without)) continue;
+    if (!covers_sample(context_, fragment, sample, choice.triangles.multisample_switch)) continue;
     Arrival arrival;
     arrival.fragment = &fragment;
     arrival.operations = &context_.primitive_of(fragment).state->operations;
@@ -50,14 +47,16 @@ std::vector<Arrival> Arrivals::at(std::span<const Fragment> at_pixel, int sample
 }
 
 // A sample of a multisampled draw has a depth of its own, that of the primitive at the sample.
-void Arrivals::set_depth(Arrival& arrival, int sample, const FateChoice& choice) const {
+void Arrivals::set_depth(Arrival& arrival, int sample, const RuleChoices& choice) const {
   const Fragment& fragment = *arrival.fragment;
   const ScenePrimitive& primitive = context_.primitive_of(fragment);
   const Target& target = context_.scene.target;
-  const bool by_sample = target.samples > 1 &&
-                         (primitive.state->multisampling.enabled ||
-                          unsampled(primitive.kind, choice.without) == Unsampled::by_each_sample);
-  arrival.writes_depth = writes_depth(context_, fragment, sample, choice.without);
+  const bool by_sample =
+      target.samples > 1 &&
+      (primitive.state->multisampling.enabled ||
+       unsampled(primitive.kind, choice.triangles.multisample_switch) == Unsampled::by_each_sample);
+  arrival.writes_depth =
+      writes_depth(context_, fragment, sample, choice.triangles.multisample_switch);
   if (target.samples > 1 && !by_sample && !is_constant(context_.values_of(fragment).lawful.depth)) {
     set_depth_without_multisampling(arrival);
     return;
@@ -75,7 +74,7 @@ void Arrivals::set_depth(Arrival& arrival, int sample, const FateChoice& choice)
   const Point place =
       place_in({fragment.x, fragment.y},
                by_sample ? sample_depth_location(primitive.kind, context_.sample_position(sample),
-                                                 choice.locations)
+                                                 choice.values.locations)
                          : centre_of_pixel());
   arrival.depth = middle(depth_exact(values.chosen, place));
   arrival.permitted_depth = depth_permitted_at(values, place);
@@ -96,10 +95,10 @@ void Arrivals::set_depth_without_multisampling(Arrival& arrival) const {
              depth_permitted_at(values, place_in({fragment.x, fragment.y}, position)));
 }
 
-void Arrivals::set_facing(Arrival& arrival, const FateChoice& choice) const {
+void Arrivals::set_facing(Arrival& arrival, const RuleChoices& choice) const {
   const ScenePrimitive& primitive = context_.primitive_of(*arrival.fragment);
   CoverageChoice coverage = context_.choices.of(primitive.kind);
-  coverage.facing = choice.facing;
+  coverage.facing = choice.triangles.facing;
   arrival.front_facing = is_front_facing(primitive, context_.scene.target, coverage);
   const FacingLatitude latitude = facing_of(*arrival.fragment);
   arrival.may_face_otherwise =
@@ -113,8 +112,9 @@ FacingLatitude Arrivals::facing_of(const Fragment& fragment) const {
 }
 
 void Arrivals::set_kept(Arrival& arrival, std::span<const Fragment> at_pixel, int sample,
-                        const FateChoice& choice) const {
-  const std::uint32_t kept = kept_by_alpha(context_, *arrival.fragment, at_pixel, choice.alpha);
+                        const RuleChoices& choice) const {
+  const std::uint32_t kept =
+      kept_by_alpha(context_, *arrival.fragment, at_pixel, choice.samples.alpha_to_coverage);
   arrival.is_kept = (kept >> sample & 1) != 0;
   const SampleCounts counts = written_samples(context_, *arrival.fragment);
   arrival.may_be_kept = counts.most > 0;

@@ -18,19 +18,9 @@
 
 namespace edgecase {
 
-// What a policy says of all that lies between a fragment and the target. As constructed, what the
-// specification says.
-struct FateChoice {
-  OutputChoice output;
-  FacingMethod facing = FacingMethod::as_set;
-  MultisampleSwitch without = MultisampleSwitch::honoured;
-  LocationChoice locations;  // of samples' depths
-  AlphaToCoverage alpha = AlphaToCoverage::proportional;
-};
-
-FateChoice fate_choice(const RuleChoices& choices);
-// Does the specification say so too, as far as it does not leave it open?
-bool is_standard(const FateChoice& choice);
+// Do these choices have all that lies between a fragment and the target as the specification has
+// it, as far as it does not leave it open?
+bool is_standard(const RuleChoices& choice);
 
 struct Arrival {
   const Fragment* fragment = nullptr;
@@ -56,14 +46,14 @@ class Arrivals {
 
   // Of the fragments of a pixel, which are in drawing order, those that cover a sample.
   std::vector<Arrival> at(std::span<const Fragment> at_pixel, int sample,
-                          const FateChoice& choice) const;
+                          const RuleChoices& choice) const;
 
  private:
-  void set_depth(Arrival& arrival, int sample, const FateChoice& choice) const;
+  void set_depth(Arrival& arrival, int sample, const RuleChoices& choice) const;
   void set_depth_without_multisampling(Arrival& arrival) const;
-  void set_facing(Arrival& arrival, const FateChoice& choice) const;
+  void set_facing(Arrival& arrival, const RuleChoices& choice) const;
   void set_kept(Arrival& arrival, std::span<const Fragment> at_pixel, int sample,
-                const FateChoice& choice) const;
+                const RuleChoices& choice) const;
   FacingLatitude facing_of(const Fragment& fragment) const;
 
   const ValueContext& context_;

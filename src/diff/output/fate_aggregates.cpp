@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "rules/all_rules.h"
 #include "rules/values/depth_buffer.h"
 
 namespace edgecase {
@@ -14,21 +15,31 @@ double step_at(double depth, DepthFormat format) {
   return bits == 0 ? float_ulp(depth) : 1 / (std::ldexp(1.0, bits) - 1);
 }
 
+// Of one rule, if it has a say in what becomes of the scene's fragments.
+Changes changes_of(RuleId rule, const Scene& scene, const RuleChoices& chosen) {
+  Changes changes = fate_changes(scene, chosen);
+  std::erase_if(changes, [&](const Change& change) { return change.id.rule != rule; });
+  return changes;
+}
+
 ValueAggregate::Place question_place(const FateQuestion& question) {
   return {question.pixel.x, question.pixel.y, -1};
 }
 
 }  // namespace
 
-FateAggregates::FateAggregates(const Scene& scene, const FateChoice& chosen)
+FateAggregates::FateAggregates(const Scene& scene, const RuleChoices& chosen)
     : scene_(scene),
       chosen_(chosen),
-      blended_{"pixel", "blend.rounding", fate_changes_of("blend.rounding", chosen, scene), {}},
-      depth_tests_{"depth test", "depth.test", fate_changes_of("depth.test", chosen, scene), {}},
-      facings_{"facing", "polygon.facing", fate_changes_of("polygon.facing", chosen, scene), {}},
+      blended_{
+          "pixel", RuleId::blend_rounding, changes_of(RuleId::blend_rounding, scene, chosen), {}},
+      depth_tests_{
+          "depth test", RuleId::depth_test, changes_of(RuleId::depth_test, scene, chosen), {}},
+      facings_{
+          "facing", RuleId::polygon_facing, changes_of(RuleId::polygon_facing, scene, chosen), {}},
       alphas_{"written samples",
-              "sample.alpha-to-coverage",
-              fate_changes_of("sample.alpha-to-coverage", chosen, scene),
+              RuleId::sample_alpha_to_coverage,
+              changes_of(RuleId::sample_alpha_to_coverage, scene, chosen),
               {}} {}
 
 void FateAggregates::count(const StoredSample& stored) {
@@ -53,14 +64,14 @@ void FateAggregates::add(const FateQuestion& question, FateReason reason, const 
     return;
   }
   Part& part = part_for(reason);
-  std::erase_if(part.followed, [&](const FateChange& change) {
+  std::erase_if(part.followed, [&](const Change& change) {
     return !question.agrees(change.applied_to(chosen_), {});
   });
   add_outcome(question, exact, part);
 }
 
 void FateAggregates::follow_roundings(const FateQuestion& question) {
-  std::erase_if(blended_.followed, [&](const FateChange& change) {
+  std::erase_if(blended_.followed, [&](const Change& change) {
     return !has_color(question.exact(change.applied_to(chosen_)), question.stored);
   });
 }
@@ -105,8 +116,8 @@ void FateAggregates::add_outcome(const FateQuestion& question, const FateState& 
 void FateAggregates::flush(const Part& part, std::size_t compared, std::size_t components,
                            Result& result) const {
   const bool has_cause = !part.places.empty() && !part.followed.empty();
-  ValueAggregator aggregator(part.attribute, part.rule, ruling_on_fate(part.rule),
-                             has_cause ? part.followed.front().cause : "");
+  ValueAggregator aggregator(part.attribute, part.rule, rule_of(part.rule).ruling,
+                             has_cause ? Cause(part.followed.front().id) : Cause());
   for (std::size_t i = 0; i < compared; ++i) aggregator.count_compared(components);
   for (const Place& place : part.places) {
     for (const ValueAggregator::Error& error : place.errors)

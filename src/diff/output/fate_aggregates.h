@@ -4,17 +4,17 @@
 // alternative that yields all of it.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "diff/output/fate_question.h"
 #include "model/result.h"
+#include "rules/changes.h"
 
 namespace edgecase {
 
 class FateAggregates {
  public:
-  FateAggregates(const Scene& scene, const FateChoice& chosen);
+  FateAggregates(const Scene& scene, const RuleChoices& chosen);
 
   // A sample with these planes is compared.
   void count(const StoredSample& stored);
@@ -29,8 +29,8 @@ class FateAggregates {
   };
   struct Part {
     const char* attribute;
-    const char* rule;
-    std::vector<FateChange> followed;  // alternatives that yield all there is so far
+    RuleId rule;
+    Changes followed;  // alternatives that yield all there is so far
     std::vector<Place> places;
   };
 
@@ -42,13 +42,13 @@ class FateAggregates {
   void flush(const Part& part, std::size_t compared, std::size_t components, Result& result) const;
 
   const Scene& scene_;
-  const FateChoice chosen_;
+  const RuleChoices& chosen_;
   std::size_t colors_ = 0;
   std::size_t depths_ = 0;
   std::size_t samples_ = 0;
-  Part converted_{"pixel", "framebuffer.unorm8", {}, {}};
+  Part converted_{"pixel", RuleId::framebuffer_unorm8, {}, {}};
   Part blended_;
-  Part stored_depths_{"depth buffer", "framebuffer.depth", {}, {}};
+  Part stored_depths_{"depth buffer", RuleId::framebuffer_depth, {}, {}};
   Part depth_tests_;
   Part facings_;
   Part alphas_;

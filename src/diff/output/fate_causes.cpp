@@ -15,21 +15,20 @@ constexpr std::size_t kMostFragments = 16;
 
 }  // namespace
 
-FateCauses::FateCauses(const Scene& scene, const FateChoice& chosen)
-    : changes_(fate_changes_beside(chosen, scene)), chosen_(chosen) {
-  for (const FateChange& change : changes_)
-    singles_.push_back({change.cause, change.applied_to(chosen)});
+FateCauses::FateCauses(const Scene& scene, const RuleChoices& chosen)
+    : changes_(fate_changes(scene, chosen)), chosen_(chosen) {
+  for (const Change& change : changes_) singles_.push_back({change.id, change.applied_to(chosen)});
 }
 
 void FateCauses::add(const FateQuestion& question) {
-  std::vector<std::string> causes;
+  std::vector<Cause> causes;
   if (searches_ < kMostSearches) {
     causes = search(question);
   } else {
     for (const Candidate& candidate : found_)
       if (question.yields(candidate.choice)) causes.push_back(candidate.cause);
   }
-  for (const std::string& cause : causes) ++counts_[cause];
+  for (const Cause& cause : causes) ++counts_[cause];
   causes_.push_back(std::move(causes));
 }
 
@@ -38,12 +37,12 @@ void FateCauses::weigh(const FateQuestion& question) {
     if (!question.yields(candidate.choice)) --counts_[candidate.cause];
 }
 
-std::vector<std::string> FateCauses::search(const FateQuestion& question) {
+std::vector<Cause> FateCauses::search(const FateQuestion& question) {
   ++searches_;
-  const auto known = [&](const std::string& cause) {
+  const auto known = [&](const Cause& cause) {
     return std::ranges::any_of(found_, [&](const Candidate& c) { return c.cause == cause; });
   };
-  std::vector<std::string> causes;
+  std::vector<Cause> causes;
   for (const Candidate& candidate : singles_) {
     if (!question.yields(candidate.choice)) continue;
     causes.push_back(candidate.cause);
@@ -51,7 +50,7 @@ std::vector<std::string> FateCauses::search(const FateQuestion& question) {
   }
   if (!causes.empty()) return causes;
   for (const Candidate& candidate : found_)
-    if (candidate.cause.find(" + ") != std::string::npos && question.yields(candidate.choice))
+    if (candidate.cause.size() > 1 && question.yields(candidate.choice))
       causes.push_back(candidate.cause);
   if (causes.empty() && searches_ <= kMostPairSearches &&
       question.fragments().size() <= kMostFragments)
@@ -59,22 +58,22 @@ std::vector<std::string> FateCauses::search(const FateQuestion& question) {
   return causes;
 }
 
-void FateCauses::search_pairs(const FateQuestion& question, std::vector<std::string>& causes) {
+void FateCauses::search_pairs(const FateQuestion& question, std::vector<Cause>& causes) {
   for (std::size_t i = 0; i < changes_.size(); ++i)
     for (std::size_t j = i + 1; j < changes_.size(); ++j) {
-      if (changes_[i].rule == changes_[j].rule) continue;
-      const FateChoice choice = changes_[j].applied_to(singles_[i].choice);
+      if (changes_[i].id.rule == changes_[j].id.rule) continue;
+      const RuleChoices choice = changes_[j].applied_to(singles_[i].choice);
       if (!question.yields(choice)) continue;
-      causes.push_back(changes_[i].cause + " + " + changes_[j].cause);
+      causes.push_back(Cause(changes_[i].id) + changes_[j].id);
       found_.push_back({causes.back(), choice});
     }
 }
 
-std::vector<std::string> FateCauses::take() const {
-  std::vector<std::string> best;
-  for (const std::vector<std::string>& causes : causes_) {
-    std::string& most = best.emplace_back();
-    for (const std::string& cause : causes)
+std::vector<Cause> FateCauses::take() const {
+  std::vector<Cause> best;
+  for (const std::vector<Cause>& causes : causes_) {
+    Cause& most = best.emplace_back();
+    for (const Cause& cause : causes)
       if (most.empty() || counts_.at(cause) > counts_.at(most)) most = cause;
   }
   return best;

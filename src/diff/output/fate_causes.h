@@ -6,41 +6,41 @@
 #pragma once
 
 #include <map>
-#include <string>
 #include <vector>
 
 #include "diff/output/fate_question.h"
+#include "rules/changes.h"
 
 namespace edgecase {
 
 class FateCauses {
  public:
-  FateCauses(const Scene& scene, const FateChoice& chosen);
+  FateCauses(const Scene& scene, const RuleChoices& chosen);
 
   void add(const FateQuestion& question);
   // Are there several to choose from?
   bool is_ambiguous() const { return found_.size() > 1; }
   // A sample that agrees.
   void weigh(const FateQuestion& question);
-  // Of each question that was added, in that order; empty where there is none.
-  std::vector<std::string> take() const;
+  // Of each question that was added, in that order; no cause where there is none.
+  std::vector<Cause> take() const;
 
  private:
   struct Candidate {
-    std::string cause;
-    FateChoice choice;
+    Cause cause;
+    RuleChoices choice;
   };
 
-  std::vector<std::string> search(const FateQuestion& question);
-  void search_pairs(const FateQuestion& question, std::vector<std::string>& causes);
+  std::vector<Cause> search(const FateQuestion& question);
+  void search_pairs(const FateQuestion& question, std::vector<Cause>& causes);
 
-  std::vector<FateChange> changes_;
-  FateChoice chosen_;
+  Changes changes_;
+  RuleChoices chosen_;
   std::vector<Candidate> singles_;
   std::vector<Candidate> found_;  // that yielded something so far, pairs too
   std::size_t searches_ = 0;
-  std::map<std::string, std::ptrdiff_t> counts_;
-  std::vector<std::vector<std::string>> causes_;
+  std::map<Cause, std::ptrdiff_t> counts_;
+  std::vector<std::vector<Cause>> causes_;
 };
 
 }  // namespace edgecase

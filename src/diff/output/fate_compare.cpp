@@ -7,6 +7,7 @@
 #include "diff/output/fate_aggregates.h"
 #include "diff/output/fate_causes.h"
 #include "diff/output/fate_question.h"
+#include "rules/all_rules.h"
 #include "rules/values/depth_buffer.h"
 
 namespace edgecase {
@@ -50,11 +51,11 @@ class FateComparison {
       : context_(context),
         rendered_(rendered),
         arrivals_(context),
-        chosen_(fate_choice(context.choices)),
+        chosen_(context.choices),
         is_standard_(is_standard(chosen_)),
         aggregates_(context.scene, chosen_),
         causes_(context.scene, chosen_),
-        excused_causes_(context.scene, {}) {}
+        excused_causes_(context.scene, standard_choices()) {}
 
   void run(Result& result) {
     for_each_sample(context_, arrivals_, rendered_,
@@ -66,7 +67,7 @@ class FateComparison {
       weigh_causes();
       report(missed_, causes_.take(), chosen_, result);
     }
-    report(excused_, excused_causes_.take(), {}, result);
+    report(excused_, excused_causes_.take(), standard_choices(), result);
   }
 
  private:
@@ -87,7 +88,7 @@ class FateComparison {
   // Do depths that are compared before they are converted account for all samples (ruling 55)?
   bool are_unconverted() const {
     if (missed_.empty() || bits_of(context_.scene.target.depth) == 0) return false;
-    FateChoice unconverted;
+    RuleChoices unconverted;
     unconverted.output.depth = DepthTestMethod::unconverted;
     const auto agrees = [&](const FateQuestion& question) {
       return question.agrees(unconverted, kAllPermitted);
@@ -101,7 +102,9 @@ class FateComparison {
 
   void report_unconverted(Result& result) const {
     for (const FateQuestion& question : missed_) {
-      Disagreement d = disagreement(question, "depth.test=unconverted", chosen_);
+      Disagreement d = disagreement(
+          question, alternative_id(RuleId::depth_test, name_of(DepthTestMethod::unconverted)),
+          chosen_);
       d.ruling = kRulingOnUnconverted;
       result.disagreements.push_back(std::move(d));
     }
@@ -125,8 +128,8 @@ class FateComparison {
   }
 
   // Those that agree with the policy, and break the specification, are held against the latter.
-  void report(const std::vector<FateQuestion>& questions, const std::vector<std::string>& causes,
-              const FateChoice& choice, Result& result) const {
+  void report(const std::vector<FateQuestion>& questions, const std::vector<Cause>& causes,
+              const RuleChoices& choice, Result& result) const {
     for (std::size_t i = 0; i < questions.size(); ++i) {
       Disagreement d = disagreement(questions[i], causes[i], choice);
       contest(questions[i], d);
@@ -138,20 +141,20 @@ class FateComparison {
 
   // A fault with a name is no matter of precision.
   static void contest(const FateQuestion& question, Disagreement& d) {
-    if (!d.cause.empty() && !d.cause.starts_with("blend.rounding=")) return;
+    if (!d.cause.empty() && d.cause.rule() != RuleId::blend_rounding) return;
     const int ruling = contested_ruling(question);
     if (ruling == 0) return;
     d.ruling = ruling;
-    d.rule = ruling == kRulingOnDepthCodes ? "framebuffer.depth" : "blend.rounding";
+    d.rule = ruling == kRulingOnDepthCodes ? RuleId::framebuffer_depth : RuleId::blend_rounding;
   }
 
-  static Disagreement disagreement(const FateQuestion& question, const std::string& cause,
-                                   const FateChoice& choice) {
-    const std::string named = cause.substr(0, cause.find('='));
+  static Disagreement disagreement(const FateQuestion& question, const Cause& cause,
+                                   const RuleChoices& choice) {
+    const RuleId named = cause.rule();
     // What follows from an ignored switch is told with it, by the rule that it breaks.
-    const std::string rule =
-        named.empty() || named == "sample.enable" ? broken_rule(question) : named;
-    Disagreement d = value_disagreement(question.pixel, -1, rule, ruling_on_fate(rule));
+    const RuleId rule =
+        named == RuleId::none || named == RuleId::sample_enable ? broken_rule(question) : named;
+    Disagreement d = value_disagreement(question.pixel, -1, rule, rule_of(rule).ruling);
     d.sample = question.sample;
     d.cause = cause;
     d.explanation = explain_fate(question, choice);
@@ -179,7 +182,7 @@ class FateComparison {
   const ValueContext& context_;
   const Rendering& rendered_;
   const Arrivals arrivals_;
-  const FateChoice chosen_;
+  const RuleChoices& chosen_;
   const bool is_standard_;
   FateAggregates aggregates_;
   FateCauses causes_;
@@ -199,7 +202,7 @@ SamplePlanes fated_samples(const ValueContext& context, const Rendering& rendere
   SamplePlanes planes{std::vector<std::uint8_t>(size, 255), std::vector<std::uint8_t>(size),
                       std::vector<std::uint8_t>(size)};
   const Arrivals arrivals(context);
-  const FateChoice chosen = fate_choice(context.choices);
+  const RuleChoices& chosen = context.choices;
   FateFreedom freedom = kAllPermitted;
   if (ends == AlphaEnds::open) freedom.alpha = FateScope::any;
   for_each_sample(context, arrivals, rendered, [&](const FateQuestion& question) {

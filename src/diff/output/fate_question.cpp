@@ -8,27 +8,28 @@
 
 namespace edgecase {
 
-FateState FateQuestion::exact(const FateChoice& choice) const {
+FateState FateQuestion::exact(const RuleChoices& choice) const {
   return Replay(target(), choice.output, {}).run(arrivals(choice)).front();
 }
 
-std::vector<FateState> FateQuestion::states(const FateChoice& choice, FateFreedom freedom) const {
+std::vector<FateState> FateQuestion::states(const RuleChoices& choice, FateFreedom freedom) const {
   return Replay(target(), choice.output, freedom).run(arrivals(choice));
 }
 
-bool FateQuestion::agrees(const FateChoice& choice, FateFreedom freedom, FatePlanes planes) const {
+bool FateQuestion::agrees(const RuleChoices& choice, FateFreedom freedom, FatePlanes planes) const {
   return any_agrees(states(choice, freedom), stored, target().depth, planes);
 }
 
-bool FateQuestion::yields(const FateChoice& choice) const {
+bool FateQuestion::yields(const RuleChoices& choice) const {
   FateFreedom freedom = kAllPermitted;
-  if (choice.alpha != FateChoice{}.alpha) freedom.alpha = FateScope::exact;
-  if (choice.facing != FacingMethod::as_set) freedom.facing = FateScope::exact;
+  if (choice.samples.alpha_to_coverage != SampleChoice{}.alpha_to_coverage)
+    freedom.alpha = FateScope::exact;
+  if (choice.triangles.facing != FacingMethod::as_set) freedom.facing = FateScope::exact;
   return agrees(choice, freedom);
 }
 
 FateReason reason_for(const FateQuestion& question) {
-  const FateChoice lawful;
+  const RuleChoices& lawful = standard_choices();
   FateFreedom freedom;
   if (question.agrees(lawful, freedom)) return FateReason::conversion;
   freedom.depth_test = FateScope::permitted;
@@ -62,7 +63,7 @@ Stages stages_of(std::span<const Arrival> arrivals, const Target& target) {
 
 // Do the same fragments in the opposite order, or two neighbours exchanged, make what is stored?
 bool agrees_in_another_order(const FateQuestion& question) {
-  const FateChoice lawful;
+  const RuleChoices& lawful = standard_choices();
   const Replay replay(question.target(), lawful.output, kAllPermitted);
   std::vector<Arrival> arrivals = question.arrivals(lawful);
   const auto agree = [&] {
@@ -79,7 +80,7 @@ bool agrees_in_another_order(const FateQuestion& question) {
 
 // Do the components of the draws' masks, taken in another order, make what is stored?
 bool agrees_with_masks_in_another_order(const FateQuestion& question) {
-  const FateChoice lawful;
+  const RuleChoices& lawful = standard_choices();
   const Replay replay(question.target(), lawful.output, kAllPermitted);
   std::vector<Arrival> arrivals = question.arrivals(lawful);
   std::vector<FragmentOperations> operations;
@@ -96,45 +97,45 @@ bool agrees_with_masks_in_another_order(const FateQuestion& question) {
   return false;
 }
 
-std::string broken_color_rule(const FateQuestion& question) {
-  FateChoice unmasked;
+RuleId broken_color_rule(const FateQuestion& question) {
+  RuleChoices unmasked;
   unmasked.output.blend.mask = ColorMaskMethod::ignored;
-  if (question.agrees(unmasked, kAllPermitted)) return "color.mask";
-  if (agrees_with_masks_in_another_order(question)) return "color.mask";
-  return question.exact({}).blended ? "blend.equation" : "framebuffer.unorm8";
+  if (question.agrees(unmasked, kAllPermitted)) return RuleId::color_mask;
+  if (agrees_with_masks_in_another_order(question)) return RuleId::color_mask;
+  return question.exact({}).blended ? RuleId::blend_equation : RuleId::framebuffer_unorm8;
 }
 
 // The rule of the stage that is open to doubt where no single plane is.
-std::string first_stage(const Stages& stages, const FateQuestion& question) {
-  if (stages.depth_test) return "depth.test";
-  if (stages.stencil_test) return "stencil.test";
-  if (stages.alpha) return "sample.alpha-to-coverage";
+RuleId first_stage(const Stages& stages, const FateQuestion& question) {
+  if (stages.depth_test) return RuleId::depth_test;
+  if (stages.stencil_test) return RuleId::stencil_test;
+  if (stages.alpha) return RuleId::sample_alpha_to_coverage;
   const bool hits_alone = question.agrees({}, kAllPermitted, {true, true, true, false});
-  return hits_alone ? "fragment.once" : broken_color_rule(question);
+  return hits_alone ? RuleId::fragment_once : broken_color_rule(question);
 }
 
 }  // namespace
 
-std::string broken_rule(const FateQuestion& question) {
-  const FateChoice lawful;
+RuleId broken_rule(const FateQuestion& question) {
+  const RuleChoices& lawful = standard_choices();
   const Stages stages = stages_of(question.arrivals(lawful), question.target());
   const auto agrees_with = [&](FateScope FateFreedom::*step) {
     FateFreedom freedom = kAllPermitted;
     freedom.*step = FateScope::any;
     return question.agrees(lawful, freedom);
   };
-  if (stages.depth_test && agrees_with(&FateFreedom::depth_test)) return "depth.test";
-  if (stages.stencil_test && agrees_with(&FateFreedom::stencil_test)) return "stencil.test";
-  if (stages.alpha && agrees_with(&FateFreedom::alpha)) return "sample.alpha-to-coverage";
-  if (agrees_in_another_order(question)) return "framebuffer.order";
+  if (stages.depth_test && agrees_with(&FateFreedom::depth_test)) return RuleId::depth_test;
+  if (stages.stencil_test && agrees_with(&FateFreedom::stencil_test)) return RuleId::stencil_test;
+  if (stages.alpha && agrees_with(&FateFreedom::alpha)) return RuleId::sample_alpha_to_coverage;
+  if (agrees_in_another_order(question)) return RuleId::framebuffer_order;
   const auto agrees_without = [&](bool FatePlanes::*plane) {
     FatePlanes planes;
     planes.*plane = false;
     return question.agrees(lawful, kAllPermitted, planes);
   };
   if (agrees_without(&FatePlanes::color)) return broken_color_rule(question);
-  if (agrees_without(&FatePlanes::depth)) return "framebuffer.depth";
-  if (agrees_without(&FatePlanes::stencil)) return "stencil.test";
+  if (agrees_without(&FatePlanes::depth)) return RuleId::framebuffer_depth;
+  if (agrees_without(&FatePlanes::stencil)) return RuleId::stencil_test;
   return first_stage(stages, question);
 }
 

@@ -12,7 +12,6 @@
 
 #include "diff/output/arrivals.h"
 #include "diff/output/fate.h"
-#include "diff/output/fate_changes.h"
 
 namespace edgecase {
 
@@ -35,17 +34,17 @@ class FateQuestion {
 
   const Target& target() const { return context_.scene.target; }
   std::span<const Fragment> fragments() const { return fragments_; }
-  std::vector<Arrival> arrivals(const FateChoice& choice) const {
+  std::vector<Arrival> arrivals(const RuleChoices& choice) const {
     return arrivals_.at(fragments_, sample, choice);
   }
   // What exact stores by the renderer's own fragments.
-  FateState exact(const FateChoice& choice) const;
-  std::vector<FateState> states(const FateChoice& choice, FateFreedom freedom) const;
+  FateState exact(const RuleChoices& choice) const;
+  std::vector<FateState> states(const RuleChoices& choice, FateFreedom freedom) const;
   // Is there a state, of those that these outcomes lead to, that agrees?
-  bool agrees(const FateChoice& choice, FateFreedom freedom, FatePlanes planes = {}) const;
+  bool agrees(const RuleChoices& choice, FateFreedom freedom, FatePlanes planes = {}) const;
   // Does a choice that is no longer the specification's yield what is stored? What it leaves open
   // stays open.
-  bool yields(const FateChoice& choice) const;
+  bool yields(const RuleChoices& choice) const;
 
  private:
   const ValueContext& context_;
@@ -64,13 +63,13 @@ enum class FateReason {
 FateReason reason_for(const FateQuestion& question);
 
 // The rule that is broken where nothing accounts for a sample and no alternative is known to.
-std::string broken_rule(const FateQuestion& question);
+RuleId broken_rule(const FateQuestion& question);
 
 // The contested ruling that a sample breaks where it would agree but for a depth that is one code
 // off, or colours that blending led up to five codes too far; 0: it breaks another.
 int contested_ruling(const FateQuestion& question);
 
 // Sentences with numbers: what met there, what should be stored, what is.
-std::string explain_fate(const FateQuestion& question, const FateChoice& chosen);
+std::string explain_fate(const FateQuestion& question, const RuleChoices& chosen);
 
 }  // namespace edgecase

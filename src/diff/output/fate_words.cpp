@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMostTold = 6;
 
 std::string words_of_stencil(const Arrival& arrival, std::uint8_t stored,
-                             const FateChoice& choice) {
+                             const RuleChoices& choice) {
   const StencilFace& face =
       face_of(*arrival.operations->stencil, arrival.front_facing, choice.output.stencil);
   return fmt::format("fails the stencil test ({} {} {} under mask {})", face.reference,
@@ -22,7 +22,7 @@ std::string words_of_stencil(const Arrival& arrival, std::uint8_t stored,
 }
 
 std::string words_of_step(const Arrival& arrival, const FateState& before, const FateState& after,
-                          const FateChoice& choice, DepthFormat format) {
+                          const RuleChoices& choice, DepthFormat format) {
   switch (after.last) {
     case FateStep::none:
       return "";
@@ -41,7 +41,8 @@ std::string words_of_step(const Arrival& arrival, const FateState& before, const
 }
 
 // "primitive 0, depth 0.25, is written, (1, 0, 0, 1)" of each.
-std::vector<std::string> words_of_arrivals(const FateQuestion& question, const FateChoice& choice) {
+std::vector<std::string> words_of_arrivals(const FateQuestion& question,
+                                           const RuleChoices& choice) {
   const Target& target = question.target();
   const Replay replay(target, choice.output, {});
   std::vector<FateState> states{replay.cleared()};
@@ -95,7 +96,7 @@ PlaneWords words_of_planes(const FateState& exact, const StoredSample& stored) {
 
 }  // namespace
 
-std::string explain_fate(const FateQuestion& question, const FateChoice& chosen) {
+std::string explain_fate(const FateQuestion& question, const RuleChoices& chosen) {
   const PlaneWords planes = words_of_planes(question.exact(chosen), question.stored);
   return fmt::format(
       "by the renderer's own fragments the {} should hold {}; it holds {}. In drawing order: {}",

@@ -14,7 +14,7 @@
 namespace edgecase {
 namespace {
 
-constexpr const char* kRule = "sample.shading-rate";
+constexpr RuleId kRule = RuleId::sample_shading_rate;
 constexpr int kRuling = 34;
 constexpr int kRulingOnPartlyCovered = 60;
 
@@ -104,7 +104,7 @@ class InvocationComparison {
     return std::ranges::all_of(
         all_, [&](const Invocations& one) { return expected(one, rate) == one.count; });
   }
-  std::string cause() const {
+  Cause cause() const {
     return cause_among(values_of<ShadingRate>(), chosen_, kRule,
                        [&](ShadingRate rate) { return yields(rate); });
   }

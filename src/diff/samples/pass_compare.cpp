@@ -50,7 +50,7 @@ class PassValues {
   }
 
  private:
-  using Attribute = std::pair<std::string, std::string>;  // and its rule
+  using Attribute = std::pair<std::string, RuleId>;  // and its rule
   struct Count {
     std::uint64_t compared = 0;
     std::uint64_t components = 0;
@@ -96,7 +96,7 @@ class PassComparison {
   PassComparison(const Scene& scene, Result& result) : scene_(scene), result_(result) {}
 
   void add(std::size_t k, Result pass) {
-    result_.refuted = std::move(pass.refuted);
+    result_.refuted = pass.refuted;
     for (Disagreement& d : pass.disagreements) {
       attribute(k, d);
       result_.disagreements.push_back(std::move(d));
@@ -142,10 +142,10 @@ class PassComparison {
 
 }  // namespace
 
-Result compare_passes(const Drawing& drawing, std::string refuted) {
+Result compare_passes(const Drawing& drawing, const AlternativeSet& refuted) {
   const auto& [scene, policy, exact, rendered, facts] = drawing;
   Result result;
-  result.refuted = std::move(refuted);
+  result.refuted = refuted;
   PassComparison comparison(scene, result);
   for (std::size_t k = 0; k < scene.supersampling.size(); ++k) {
     const Scene pass = pass_of(scene, k);

@@ -13,6 +13,6 @@ namespace edgecase {
 // As compare_drawing, of a supersampled scene: a Result over all passes. Disagreements and evidence
 // tell which pass they belong to, and figures are moved back from it, so that they lie upon the
 // scene's own. Values are counted over all passes.
-Result compare_passes(const Drawing& drawing, std::string refuted);
+Result compare_passes(const Drawing& drawing, const AlternativeSet& refuted);
 
 }  // namespace edgecase

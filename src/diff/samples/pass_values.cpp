@@ -23,9 +23,9 @@
 namespace edgecase {
 namespace {
 
-constexpr const char* kRule = "supersample.accumulation";
+constexpr RuleId kRule = RuleId::supersample_accumulation;
 constexpr int kRuling = 36;
-constexpr const char* kBytesRule = "framebuffer.unorm8";
+constexpr RuleId kBytesRule = RuleId::framebuffer_unorm8;
 constexpr int kBytesRuling = 10;
 
 bool tells_all_colors(std::span<const Rendering> passes) {
@@ -37,13 +37,13 @@ bool tells_all_colors(std::span<const Rendering> passes) {
 // The renderer's passes, with each colour that it does not tell at one end of what it may be.
 std::vector<Rendering> with_colors(const Drawing& drawing, double Interval::*end) {
   const auto& [scene, policy, exact, rendered, facts] = drawing;
-  const RuleChoices choices = resolve(policy, scene.target.surface);
+  const RuleChoices& choices = policy.on(scene.target.surface);
   std::vector<Rendering> passes = rendered.passes;
   for (std::size_t k = 0; k < passes.size(); ++k) {
     const Scene pass = pass_of(scene, k);
     const std::vector<ScenePrimitive> primitives = primitives_of(pass);
     const ValueContext values(pass, primitives, choices,
-                              latitude_bits(facts.reported_subpixel_bits), policy.latitude);
+                              latitude_bits(facts.reported_subpixel_bits), policy.latitude());
     for (Fragment& fragment : passes[k].fragments) {
       if (fragment.has_color) continue;
       const PixelTruth truth = truth_of_fragment(values, fragment);
@@ -58,7 +58,7 @@ class AccumulationComparison {
   AccumulationComparison(const Drawing& drawing, Result& result)
       : scene_(drawing.scene),
         rendered_(drawing.rendered),
-        chosen_(resolve(drawing.policy, scene_.target.surface).samples.accumulation),
+        chosen_(drawing.policy.on(scene_.target.surface).samples.accumulation),
         is_told_(tells_all_colors(rendered_.passes)),
         result_(result) {
     if (is_told_) {
@@ -75,7 +75,7 @@ class AccumulationComparison {
   }
 
   void run() {
-    const std::string cause = is_told_ ? find_cause() : "";
+    const Cause cause = is_told_ ? find_cause() : Cause();
     ValueAggregator means("accumulated color", kRule, kRuling, cause);
     ValueAggregator bytes("accumulated pixel", kBytesRule, kBytesRuling);
     for (int y = 0; y < rendered_.height; ++y) {
@@ -106,7 +106,7 @@ class AccumulationComparison {
   // single precision; else as near as the ruling would allow.
   bool is_as(std::size_t i, std::span<const double> shown, Accumulation choice) const {
     const double told = rendered_.accumulated[i];
-    const Alternative& alternative = *find_alternative(*find_rule(kRule), name_of(choice));
+    const Alternative& alternative = *find_alternative(rule_of(kRule), name_of(choice));
     if (alternative.openness == Openness::illegal)
       return accumulation_permitted(shown, scene_.supersampling, choice).contains(told);
     return is_nearest(told, accumulated(shown, scene_.supersampling, choice));
@@ -117,9 +117,8 @@ class AccumulationComparison {
     return told == expected || told == to_float(expected);
   }
 
-  // "rule=alternative" of the first that yields the whole image; empty: none does, or the chosen
-  // one.
-  std::string find_cause() const {
+  // The first alternative that yields the whole image; none: none does, or the chosen one.
+  Cause find_cause() const {
     std::vector<Accumulation> left(values_of<Accumulation>().begin(),
                                    values_of<Accumulation>().end());
     std::size_t i = 0;
@@ -127,8 +126,8 @@ class AccumulationComparison {
       std::erase_if(left, [&](Accumulation choice) { return !is_as(i, shown, choice); });
       ++i;
     });
-    if (left.empty() || std::ranges::find(left, chosen_) != left.end()) return "";
-    return fmt::format("{}={}", kRule, name_of(left.front()));
+    if (left.empty() || std::ranges::find(left, chosen_) != left.end()) return {};
+    return alternative_id(kRule, name_of(left.front()));
   }
 
   bool is_permitted(std::size_t first) const {
@@ -144,7 +143,7 @@ class AccumulationComparison {
     return std::isinf(permitted.low) && std::isinf(permitted.high);
   }
 
-  void compare_mean(PixelPosition pixel, const std::string& cause, ValueAggregator& aggregator) {
+  void compare_mean(PixelPosition pixel, const Cause& cause, ValueAggregator& aggregator) {
     const std::size_t first = first_of(pixel);
     aggregator.count_compared(4);
     if (!is_permitted(first)) {
@@ -168,7 +167,7 @@ class AccumulationComparison {
     return std::span(rendered_.accumulated).subspan(first, 4);
   }
 
-  void report_mean(PixelPosition pixel, const std::string& cause) {
+  void report_mean(PixelPosition pixel, const Cause& cause) {
     const std::size_t first = first_of(pixel);
     Disagreement d = value_disagreement(pixel, -1, kRule, kRuling);
     d.cause = cause;

@@ -27,7 +27,7 @@
 namespace edgecase {
 namespace {
 
-constexpr const char* kAlphaRule = "sample.alpha-to-coverage";
+constexpr RuleId kAlphaRule = RuleId::sample_alpha_to_coverage;
 constexpr int kAlphaRuling = 33;
 constexpr int kProportionRuling = 52;
 
@@ -55,7 +55,7 @@ class ResolveComparison {
   }
 
  private:
-  static constexpr const char* kRule = "sample.resolve";
+  static constexpr RuleId kRule = RuleId::sample_resolve;
   static constexpr int kRuling = 31;
   static constexpr int kRulingBeyond = 51;
 
@@ -96,13 +96,13 @@ class ResolveComparison {
   }
 
   // Samples that are not told are taken to hold what is nearest before they explain anything.
-  std::string cause() const {
+  Cause cause() const {
     const auto among = [&](const std::vector<std::uint8_t>& low,
                            const std::vector<std::uint8_t>& high) {
       return cause_among(values_of<ResolveMethod>(), chosen_, kRule,
                          [&](ResolveMethod method) { return yields(method, low, high); });
     };
-    std::string found = among(samples_.nearest, samples_.nearest);
+    const Cause found = among(samples_.nearest, samples_.nearest);
     if (are_told_ || !found.empty() || yields(chosen_, samples_.low, samples_.high)) return found;
     return among(samples_.low, samples_.high);
   }
@@ -324,7 +324,7 @@ class HitComparison {
     return rendered_.hits[rendered_.sample_index(pixel.x, pixel.y, sample)];
   }
 
-  std::string cause() const {
+  Cause cause() const {
     return cause_among(
         values_of<AlphaToCoverage>(), chosen_, kAlphaRule, [&](AlphaToCoverage choice) {
           return for_each_sample(
@@ -352,13 +352,13 @@ class HitComparison {
   }
 
   // Which rule stands between what a fragment covers and what is written.
-  std::pair<const char*, int> rule_on(std::span<const Fragment> fragments) const {
+  std::pair<RuleId, int> rule_on(std::span<const Fragment> fragments) const {
     if (std::ranges::any_of(fragments, [&](const Fragment& f) { return is_thinned(context_, f); }))
       return {kAlphaRule, kAlphaRuling};
     const bool switched_off = std::ranges::any_of(fragments, [&](const Fragment& f) {
       return !context_.primitive_of(f).state->multisampling.enabled;
     });
-    return switched_off ? std::pair("sample.enable", 35) : std::pair("sample.mask", 32);
+    return switched_off ? std::pair(RuleId::sample_enable, 35) : std::pair(RuleId::sample_mask, 32);
   }
 
   void report(PixelPosition pixel, std::span<const Fragment> fragments, int sample,
@@ -383,7 +383,7 @@ class HitComparison {
   const ValueContext& context_;
   const Rendering& rendered_;
   const AlphaToCoverage chosen_;
-  std::string cause_;  // of what alpha to coverage does
+  Cause cause_;  // of what alpha to coverage does
 };
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "rules/all_rules.h"
+
 namespace edgecase {
 namespace {
 
@@ -27,8 +29,8 @@ std::optional<Invocation> invocation_if_ignored(const ValueContext& context,
 
 }  // namespace
 
-std::string cause_of(MultisampleSwitch choice) {
-  return fmt::format("sample.enable={}", name_of(choice));
+Cause cause_of(MultisampleSwitch choice) {
+  return alternative_id(RuleId::sample_enable, name_of(choice));
 }
 
 std::vector<MultisampleSwitch> switches_beside(const ValueContext& context,

@@ -14,8 +14,8 @@
 
 namespace edgecase {
 
-// "sample.enable=...".
-std::string cause_of(MultisampleSwitch choice);
+// That alternative of sample.enable.
+Cause cause_of(MultisampleSwitch choice);
 
 // The alternatives of sample.enable beside the policy's under which these fragments may write other
 // samples; none, unless the switch is off for some of them.

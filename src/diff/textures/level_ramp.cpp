@@ -8,12 +8,12 @@
 
 namespace edgecase {
 
-std::vector<Result::LevelPoint> level_ramp(const Scene& scene, const Policy& policy,
+std::vector<Result::LevelPoint> level_ramp(const Scene& scene, const ResolvedPolicy& policy,
                                            const Rendering& rendered, const RendererFacts& facts) {
-  const RuleChoices choices = resolve(policy, scene.target.surface);
+  const RuleChoices& choices = policy.on(scene.target.surface);
   const std::vector<ScenePrimitive> primitives = primitives_of(scene);
   ValueContext context(scene, primitives, choices, latitude_bits(facts.reported_subpixel_bits),
-                       policy.latitude);
+                       policy.latitude());
   context.follow_limits(facts.lookups);
   const Rendering not_drawn;  // a row is soon looked up
   TextureLookups lookups(context, not_drawn, rendered);

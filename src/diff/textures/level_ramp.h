@@ -14,7 +14,7 @@ inline constexpr const char* kRampTag = "ramp";
 
 // Of the fragments of textured draws in the lowest row that has any whose level the renderer tells,
 // in the order of their pixels; empty without any.
-std::vector<Result::LevelPoint> level_ramp(const Scene& scene, const Policy& policy,
+std::vector<Result::LevelPoint> level_ramp(const Scene& scene, const ResolvedPolicy& policy,
                                            const Rendering& rendered, const RendererFacts& facts);
 
 }  // namespace edgecase

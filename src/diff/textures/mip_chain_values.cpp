@@ -15,6 +15,7 @@
 
 #include "diff/textures/texture_values.h"
 #include "exact/interval.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -53,36 +54,34 @@ bool makes(const MipmapMethod& method, const Chain& chain, TextureFormat format)
 }
 
 // What a method has that the policy's has not.
-std::vector<std::string> changes_of(const MipmapMethod& method, const MipmapMethod& chosen) {
-  std::vector<std::string> parts;
-  if (method.filter != chosen.filter)
-    parts.push_back(fmt::format("mipmap.filter={}", name_of(method.filter)));
-  if (method.rounding != chosen.rounding)
-    parts.push_back(fmt::format("mipmap.rounding={}", name_of(method.rounding)));
-  if (method.linear_srgb != chosen.linear_srgb)
-    parts.push_back(method.linear_srgb ? "mipmap.srgb=linear" : "mipmap.srgb=codes");
-  return parts;
+Cause changes_of(const MipmapMethod& method, const MipmapMethod& chosen) {
+  Cause cause;
+  const auto add = [&](RuleId rule, auto value, auto other) {
+    if (value != other) cause.parts.push_back(alternative_id(rule, name_of(value)));
+  };
+  add(RuleId::mipmap_filter, method.filter, chosen.filter);
+  add(RuleId::mipmap_rounding, method.rounding, chosen.rounding);
+  add(RuleId::mipmap_srgb, method.srgb, chosen.srgb);
+  return cause;
 }
 
 // The catalogued way that makes exactly this chain of its level 0, as a cause of as few parts as
-// possible; none: no way does. Empty: the policy's own.
-std::optional<std::string> way_of(const Chain& chain, TextureFormat format,
-                                  const MipmapMethod& chosen) {
-  std::optional<std::vector<std::string>> fewest;
+// possible; nothing: no way does. No cause: the policy's own.
+std::optional<Cause> way_of(const Chain& chain, TextureFormat format, const MipmapMethod& chosen) {
+  std::optional<Cause> fewest;
   for (const MipmapFilter filter : values_of<MipmapFilter>())
     for (const MipmapRounding rounding : values_of<MipmapRounding>())
-      for (const bool linear_srgb : {true, false}) {
-        const MipmapMethod method{filter, rounding, linear_srgb};
-        std::vector<std::string> parts = changes_of(method, chosen);
-        if (fewest && fewest->size() <= parts.size()) continue;
-        if (makes(method, chain, format)) fewest = std::move(parts);
+      for (const MipmapSrgb srgb : values_of<MipmapSrgb>()) {
+        const MipmapMethod method{filter, rounding, srgb};
+        Cause cause = changes_of(method, chosen);
+        if (fewest && fewest->size() <= cause.size()) continue;
+        if (makes(method, chain, format)) fewest = std::move(cause);
       }
-  if (!fewest) return std::nullopt;
-  return fmt::format("{}", fmt::join(*fewest, " + "));
+  return fewest;
 }
 
 // A disagreement about a texture, which has no pixel: the first one stands for it.
-Disagreement about_texture(const char* rule) {
+Disagreement about_texture(RuleId rule) {
   Disagreement d = value_disagreement({0, 0}, -1, rule, kRuling);
   d.figure = {};
   return d;
@@ -95,7 +94,7 @@ double distance(double a, double b) {
 }
 
 void compare_texels(std::size_t texture, const Chain& exact, const Chain& told, Result& result) {
-  ValueAggregator aggregator(fmt::format("mip chain of texture {}", texture), "mipmap.filter",
+  ValueAggregator aggregator(fmt::format("mip chain of texture {}", texture), RuleId::mipmap_filter,
                              kRuling);
   for (std::size_t level = 1; level < exact.size(); ++level) {
     const TextureLevel& wanted = exact[level];
@@ -139,16 +138,16 @@ Chain sizes_for(const TextureLevel& base, LevelCount count) {
   return chain;
 }
 
-// The count that makes such sizes, as a cause; empty: none does.
-std::string count_of(const ToldChain& chain) {
+// The count that makes such sizes; no cause: none does.
+Cause count_of(const ToldChain& chain) {
   for (const LevelCount count : {LevelCount::larger_side, LevelCount::smaller_side})
     if (same_sizes(chain.told, sizes_for(chain.given.levels.front(), count)))
-      return fmt::format("mipmap.level-count={}", name_of(count));
-  return "";
+      return alternative_id(RuleId::mipmap_level_count, name_of(count));
+  return {};
 }
 
 void report_sizes(const ToldChain& chain, bool legal, Result& result) {
-  Disagreement d = about_texture("mipmap.level-count");
+  Disagreement d = about_texture(RuleId::mipmap_level_count);
   d.legality = by_letter(legal);
   d.policy_agrees = same_sizes(chain.exact, chain.told);
   d.cause = count_of(chain);
@@ -161,7 +160,7 @@ void report_sizes(const ToldChain& chain, bool legal, Result& result) {
 
 // Level 0 is what the scene gives: nothing generates it.
 void report_base(const ToldChain& chain, Result& result) {
-  Disagreement d = about_texture("mipmap.filter");
+  Disagreement d = about_texture(RuleId::mipmap_filter);
   const auto& should = chain.exact[0].texels;
   const auto& is = chain.told[0].texels;
   for (std::size_t i = 0; i < should.size() && d.exact.empty(); ++i) {
@@ -231,7 +230,7 @@ std::optional<StrayTexel> find_stray(const Chain& chain, TextureFormat format) {
 }
 
 void report_stray(const ToldChain& chain, const StrayTexel& stray, Result& result) {
-  Disagreement d = about_texture("mipmap.filter");
+  Disagreement d = about_texture(RuleId::mipmap_filter);
   if (!stray.of_one_color) d.ruling = kRulingOnHull;
   const TextureLevel& level = chain.told[stray.level];
   d.exact = {
@@ -248,14 +247,14 @@ void report_stray(const ToldChain& chain, const StrayTexel& stray, Result& resul
   result.disagreements.push_back(std::move(d));
 }
 
-void report_way(const ToldChain& chain, const std::string& way, Result& result) {
-  Disagreement d = about_texture("mipmap.filter");
-  if (way.find(" + ") == std::string::npos) d.rule = way.substr(0, way.find('='));
+void report_way(const ToldChain& chain, const Cause& way, Result& result) {
+  Disagreement d = about_texture(way.size() == 1 ? way.rule() : RuleId::mipmap_filter);
   d.legality = Legality::legal;
   d.cause = way;
   d.exact = {static_cast<double>(chain.exact.size())};
   d.rendered = {static_cast<double>(chain.told.size())};
-  d.explanation = fmt::format("the levels of texture {} are what {} makes", chain.texture, way);
+  d.explanation =
+      fmt::format("the levels of texture {} are what {} makes", chain.texture, text_of(way));
   result.disagreements.push_back(std::move(d));
 }
 
@@ -269,8 +268,7 @@ void compare_chain(const ToldChain& chain, Result& result) {
   if (std::ranges::equal(chain.exact, chain.told, same_texels)) return;
   if (const auto stray = find_stray(chain.told, chain.given.format); stray && chain.is_judged)
     report_stray(chain, *stray, result);
-  const std::optional<std::string> way =
-      way_of(chain.told, chain.given.format, chain.chosen.mipmap);
+  const std::optional<Cause> way = way_of(chain.told, chain.given.format, chain.chosen.mipmap);
   if (way && !way->empty())
     report_way(chain, *way, result);
   else

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "diff/textures/texture_ways.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -21,15 +22,15 @@ namespace {
 // What one comparison of lookups is about: the level of detail, or the colour.
 struct Subject {
   const char* attribute;
-  const char* rule;
+  RuleId rule;
   int ruling;
   const char* words;  // of an explanation: "the level of detail of …"
   bool is_query;      // of the level, by textureQueryLod
 };
 
-constexpr Subject kLevels{"level of detail", "texture.scale-factor", 19,
+constexpr Subject kLevels{"level of detail", RuleId::texture_scale_factor, 19,
                           "level accessed and lambda'", true};
-constexpr Subject kColors{"texture color", "texture.filter", 24, "looked-up colour", false};
+constexpr Subject kColors{"texture color", RuleId::texture_filter, 24, "looked-up colour", false};
 
 // One lookup that a renderer told of.
 struct Told {
@@ -120,9 +121,12 @@ class LookupComparison {
     follow_levels(levels);
     if (!others_.empty()) name_ways(result);
     aggregator_.flush(result);
-    for (auto& [cause, aggregator] : by_cause_) {
-      aggregator.count_as(aggregator_);
-      aggregator.flush(result);
+    // In the order in which people read them.
+    std::map<std::string, ValueAggregator*> by_text;
+    for (auto& [cause, aggregator] : by_cause_) by_text.emplace(text_of(cause), &aggregator);
+    for (const auto& [text, aggregator] : by_text) {
+      aggregator->count_as(aggregator_);
+      aggregator->flush(result);
     }
   }
 
@@ -185,14 +189,14 @@ class LookupComparison {
   }
 
   // The aggregate of what an open way yields; a way of one alternative is about that one's rule.
-  ValueAggregator& aggregator_of(const std::string& cause) {
-    return by_cause_.try_emplace(cause, subject_.attribute, rule_of(cause), subject_.ruling, cause)
+  ValueAggregator& aggregator_of(const Cause& cause) {
+    return by_cause_
+        .try_emplace(cause, subject_.attribute, rule_about(cause), subject_.ruling, cause)
         .first->second;
   }
 
-  std::string rule_of(const std::string& cause) const {
-    return cause.find(" + ") == std::string::npos ? cause.substr(0, cause.find('='))
-                                                  : subject_.rule;
+  RuleId rule_about(const Cause& cause) const {
+    return cause.size() == 1 ? cause.rule() : subject_.rule;
   }
 
   void aggregate(const Told& told) { aggregate(told, aggregator_); }
@@ -322,10 +326,10 @@ class LookupComparison {
     return d;
   }
 
-  void blame(Disagreement& d, const std::string& cause) const {
+  void blame(Disagreement& d, const Cause& cause) const {
     d.cause = cause;
-    d.explanation += fmt::format(", which comes of {}", cause);
-    d.rule = rule_of(cause);
+    d.explanation += fmt::format(", which comes of {}", text_of(cause));
+    d.rule = rule_about(cause);
   }
 
   void tell_permitted(const Told& told, Disagreement& d) const {
@@ -355,9 +359,9 @@ class LookupComparison {
   TextureChoice chosen_;
   bool is_judged_;              // the policy has what OpenGL forbids, and OpenGL judges
   ValueAggregator aggregator_;  // of the policy's own way
-  std::map<std::string, ValueAggregator> by_cause_;  // of open ways
-  std::vector<Told> others_;                         // that the policy's own way does not yield
-  std::vector<Told> rounded_;  // that it yields where means are rounded to codes
+  std::map<Cause, ValueAggregator> by_cause_;  // of open ways
+  std::vector<Told> others_;                   // that the policy's own way does not yield
+  std::vector<Told> rounded_;                  // that it yields where means are rounded to codes
   std::vector<const Fragment*> agreeing_;
   WaysOfLevels ways_;
 };

@@ -1,77 +1,40 @@
 // SPDX-License-Identifier: MIT
 #include "diff/textures/texture_ways.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <tuple>
 #include <utility>
 
-#include "diff/coverage/cause.h"
+#include "rules/all_rules.h"
+#include "rules/changes.h"
 
 namespace edgecase {
 namespace {
 
-struct TextureChange {
-  std::string rule;
-  std::string cause;
-  std::function<void(TextureChoice&)> apply;
-};
-using Changes = std::vector<TextureChange>;
-
-// Calls `visit` with each rule of a lookup: its name, its alternatives, and what holds the choice.
-template <class Visit>
-void for_each_rule(const Visit& visit) {
-  visit("texture.scale-factor", values_of<ScaleFactor>(), &TextureChoice::scale_factor);
-  visit("texture.log2", values_of<Log2Method>(), &TextureChoice::log2);
-  visit("texture.derivatives", all_derivative_methods(), &TextureChoice::derivatives);
-  visit("texture.nearest-level", values_of<NearestLevel>(), &TextureChoice::nearest_level);
-  visit("texture.level-weight", values_of<LevelWeight>(), &TextureChoice::level_weight);
-  visit("texture.crossover", values_of<Crossover>(), &TextureChoice::crossover);
-  visit("texture.texel-grid", values_of<TexelGrid>(), &TextureChoice::texel_grid);
-  visit("texture.lod-bias", values_of<BiasChoice>(), &TextureChoice::bias);
-  visit("texture.wrap", std::array{WrapChoice::as_set, WrapChoice::mirrored_as_repeat},
-        &TextureChoice::wrap);
-  visit("texture.anisotropy",
-        std::array{Anisotropy::extension, Anisotropy::gaussian_5, Anisotropy::none},
-        &TextureChoice::anisotropy);
+RuleChoices with_textures(const TextureChoice& choice) {
+  RuleChoices choices;
+  choices.textures = choice;
+  return choices;
 }
 
-template <class Enum>
-std::string cause_of(const char* rule, Enum value) {
-  return fmt::format("{}={}", rule, name_of(value));
-}
-
-template <class Enum>
-bool is_illegal(const char* rule, Enum value) {
-  return !is_open_choice(cause_of(rule, value));
-}
-
-// Every alternative of every rule, but for those that `chosen` holds.
-Changes changes_beside(const TextureChoice& chosen) {
+// Every alternative of every rule of a lookup, but for those that `chosen` holds.
+Changes lookup_changes(const TextureChoice& chosen) {
   Changes changes;
-  for_each_rule([&](const char* rule, const auto& values, auto member) {
-    for (const auto value : values)
-      if (value != chosen.*member)
-        changes.push_back(
-            {rule, cause_of(rule, value), [=](TextureChoice& choice) { choice.*member = value; }});
-  });
+  for (const RuleId rule : lookup_rules()) {
+    const Changes more = changes_beside(rule, with_textures(chosen));
+    changes.insert(changes.end(), more.begin(), more.end());
+  }
   return changes;
 }
 
-TextureChoice applied(TextureChoice choice, const TextureChange& change) {
-  change.apply(choice);
-  return choice;
+TextureChoice applied(const TextureChoice& choice, const Change& change) {
+  return change.applied_to(with_textures(choice)).textures;
 }
 
-TextureWay changed(const TextureWay& way, const TextureChange& change) {
-  TextureWay result = way;
-  change.apply(result.choice);
-  result.cause += (result.cause.empty() ? "" : " + ") + change.cause;
-  result.open = illegal_part(result.choice).empty();
-  return result;
+TextureWay changed(const TextureWay& way, const Change& change) {
+  const TextureChoice choice = applied(way.choice, change);
+  return {choice, way.cause + change.id, illegal_part(choice).empty()};
 }
 
 // Can any of the lookups tell the two apart?
@@ -83,7 +46,7 @@ bool differ(const TextureChoice& a, const TextureChoice& b, std::span<const Look
 
 std::vector<TextureWay> singles_beside(const TextureWay& way, const Changes& changes) {
   std::vector<TextureWay> singles;
-  for (const TextureChange& change : changes) singles.push_back(changed(way, change));
+  for (const Change& change : changes) singles.push_back(changed(way, change));
   return singles;
 }
 
@@ -93,7 +56,7 @@ std::vector<TextureWay> pairs_beside(const TextureWay& way, const Changes& chang
   std::vector<TextureWay> pairs;
   for (std::size_t i = 0; i < changes.size(); ++i)
     for (std::size_t j = i + 1; j < changes.size(); ++j) {
-      if (changes[i].rule == changes[j].rule) continue;
+      if (changes[i].id.rule == changes[j].id.rule) continue;
       TextureWay pair = changed(changed(way, changes[i]), changes[j]);
       if (differ(pair.choice, applied(way.choice, changes[i]), kinds) &&
           differ(pair.choice, applied(way.choice, changes[j]), kinds))
@@ -106,16 +69,14 @@ std::vector<TextureWay> pairs_beside(const TextureWay& way, const Changes& chang
 Changes steps_towards(const TextureChoice& chosen, const TextureChoice& profile,
                       std::span<const LookupKinship> kinds) {
   Changes steps;
-  for_each_rule([&](const char* rule, const auto&, auto member) {
-    const auto value = profile.*member;
-    if (value == chosen.*member) return;
-    TextureChange step{rule, cause_of(rule, value),
-                       [=](TextureChoice& choice) { choice.*member = value; }};
-    TextureChoice without = profile;
-    without.*member = chosen.*member;
-    if (differ(applied(chosen, step), chosen, kinds) || differ(profile, without, kinds))
-      steps.push_back(std::move(step));
-  });
+  for (const RuleId rule : lookup_rules()) {
+    const auto step = change_between(rule, with_textures(chosen), with_textures(profile));
+    if (!step) continue;
+    const auto back = change_between(rule, with_textures(profile), with_textures(chosen));
+    if (differ(applied(chosen, *step), chosen, kinds) ||
+        differ(profile, applied(profile, *back), kinds))
+      steps.push_back(*step);
+  }
   return steps;
 }
 
@@ -130,7 +91,7 @@ std::vector<TextureWay> ways_by(const Changes& steps, const TextureWay& own) {
     ways.push_back(std::move(way));
   }
   std::stable_sort(ways.begin(), ways.end(), [](const TextureWay& a, const TextureWay& b) {
-    return parts_of(a.cause).size() < parts_of(b.cause).size();
+    return a.cause.size() < b.cause.size();
   });
   return ways;
 }
@@ -226,13 +187,13 @@ class Search {
 
 }  // namespace
 
-std::string illegal_part(const TextureChoice& choice) {
-  std::string part;
-  for_each_rule([&](const char* rule, const auto&, auto member) {
-    if (is_illegal(rule, choice.*member))
-      part += (part.empty() ? "" : " + ") + cause_of(rule, choice.*member);
-  });
-  return part;
+Cause illegal_part(const TextureChoice& choice) {
+  Cause cause;
+  for (const RuleId rule : lookup_rules()) {
+    const AlternativeId id = alternative_id(rule, rule_of(rule).slot.kept(with_textures(choice)));
+    if (!is_open_choice(id)) cause.parts.push_back(id);
+  }
+  return cause;
 }
 
 std::vector<std::size_t> sample_of(std::size_t count, std::size_t most) {
@@ -249,9 +210,9 @@ std::vector<std::size_t> sample_of(std::size_t count, std::size_t most) {
 
 TextureWaySearch::TextureWaySearch(const TextureChoice& chosen, const TextureChoice* profile,
                                    std::span<const LookupKinship> kinds) {
-  const TextureWay own{chosen, "", illegal_part(chosen).empty()};
-  Changes changes = changes_beside(chosen);
-  std::erase_if(changes, [&](const TextureChange& change) {
+  const TextureWay own{chosen, {}, illegal_part(chosen).empty()};
+  Changes changes = lookup_changes(chosen);
+  std::erase_if(changes, [&](const Change& change) {
     return !differ(applied(chosen, change), chosen, kinds);
   });
   tiers_.push_back(singles_beside(own, changes));
@@ -259,10 +220,10 @@ TextureWaySearch::TextureWaySearch(const TextureChoice& chosen, const TextureCho
   if (!steps.empty()) {
     tiers_.push_back(ways_by(steps, own));
     const TextureWay whole = tiers_.back().back();
-    Changes further = changes_beside(whole.choice);
-    std::erase_if(further, [&](const TextureChange& change) {
-      return std::ranges::any_of(steps,
-                                 [&](const auto& step) { return step.rule == change.rule; }) ||
+    Changes further = lookup_changes(whole.choice);
+    std::erase_if(further, [&](const Change& change) {
+      return std::ranges::any_of(
+                 steps, [&](const auto& step) { return step.id.rule == change.id.rule; }) ||
              !differ(applied(whole.choice, change), whole.choice, kinds);
     });
     tiers_.push_back(singles_beside(whole, further));

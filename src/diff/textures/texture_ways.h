@@ -8,23 +8,23 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "diff/textures/texture_relevance.h"
+#include "model/cause.h"
 #include "rules/textures/texture_choice.h"
 
 namespace edgecase {
 
 struct TextureWay {
   TextureChoice choice;
-  std::string cause;  // "rule=alternative", several joined by " + "; empty: the policy's own way
-  bool open = true;   // the specification leaves all of it open, what the policy chooses included
+  Cause cause;       // none: the policy's own way
+  bool open = true;  // the specification leaves all of it open, what the policy chooses included
 };
 
 // The rules of a lookup in which a choice is not one that the specification leaves open, as a
-// cause; empty: there are none. Mip chains aside.
-std::string illegal_part(const TextureChoice& choice);
+// cause; none: there are none. Mip chains aside.
+Cause illegal_part(const TextureChoice& choice);
 
 // At most so many of a row's numbers, 0 with them, one from each of as many stretches: irregularly,
 // since what differs may do so in every other column.

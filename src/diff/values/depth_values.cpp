@@ -21,7 +21,7 @@
 namespace edgecase {
 namespace {
 
-constexpr const char* kRule = "framebuffer.depth";
+constexpr RuleId kRule = RuleId::framebuffer_depth;
 constexpr int kRuling = 18;
 constexpr double kClearDepth = 1;
 
@@ -184,55 +184,55 @@ class DepthComparison {
 
   // Each gets the cause that accounts for most of them.
   void blame(Result& result) const {
-    std::map<std::string, int> counts;
-    std::vector<std::vector<std::string>> causes;
+    std::map<Cause, int> counts;
+    std::vector<std::vector<Cause>> causes;
     for (const Miss& miss : misses_)
-      for (const std::string& cause : causes.emplace_back(causes_of(miss))) ++counts[cause];
+      for (const Cause& cause : causes.emplace_back(causes_of(miss))) ++counts[cause];
     for (std::size_t i = 0; i < misses_.size(); ++i) {
       Disagreement& d = result.disagreements[misses_[i].disagreement];
-      for (const std::string& cause : causes[i])
+      for (const Cause& cause : causes[i])
         if (d.cause.empty() || counts[cause] > counts[d.cause]) d.cause = cause;
-      if (d.cause.starts_with("sample.depth=")) d.rule = "sample.depth";
+      if (d.cause.rule() == RuleId::sample_depth) d.rule = RuleId::sample_depth;
       if (d.cause.empty() && is_one_code_off(misses_[i])) d.ruling = kRulingOnDepthCodes;
     }
   }
 
   // Where else samples have their depths, or what else is done without GL_MULTISAMPLE, if that
   // yields what is stored.
-  std::vector<std::string> causes_of(const Miss& miss) const {
-    std::vector<std::string> causes;
-    const LocationChoice& chosen = context_.choices.values.locations;
+  std::vector<Cause> causes_of(const Miss& miss) const {
+    std::vector<Cause> causes;
     if (miss.writer != nullptr &&
         is_multisampled(*context_.primitive_of(*miss.writer).state, context_.scene.target))
-      for (const LocationChange& change : depth_locations_beside(chosen))
-        if (stores(*miss.writer, depth_place_of(context_, *miss.writer, miss.sample, change.choice),
+      for (const Change& change : changes_beside(RuleId::sample_depth, context_.choices))
+        if (stores(*miss.writer,
+                   depth_place_of(context_, *miss.writer, miss.sample,
+                                  locations_of(change, context_.choices)),
                    miss.stored))
-          causes.push_back(change.cause);
+          causes.push_back(change.id);
     for (const MultisampleSwitch choice : switches_beside(context_, miss.fragments))
       add_causes_of_switch(miss, choice, causes);
     return causes;
   }
 
   void add_causes_of_switch(const Miss& miss, MultisampleSwitch choice,
-                            std::vector<std::string>& causes) const {
+                            std::vector<Cause>& causes) const {
     const Fragment* writer = nullptr;
     for (const Fragment& fragment : miss.fragments)
       if (covers_sample(context_, fragment, miss.sample, choice) &&
           writes_depth(context_, fragment, miss.sample, choice))
         writer = &fragment;
-    const std::string cause = cause_of(choice);
+    const Cause cause = cause_of(choice);
     if (writer == nullptr) {
       if (miss.stored == to_depth(kClearDepth, format_)) causes.push_back(cause);
       return;
     }
-    const LocationChoice& chosen = context_.choices.values.locations;
-    if (stores_under(*writer, miss, choice, chosen)) {
+    if (stores_under(*writer, miss, choice, context_.choices.values.locations)) {
       causes.push_back(cause);
       return;
     }
-    for (const LocationChange& change : depth_locations_beside(chosen))
-      if (stores_under(*writer, miss, choice, change.choice))
-        causes.push_back(fmt::format("{} + {}", change.cause, cause));
+    for (const Change& change : changes_beside(RuleId::sample_depth, context_.choices))
+      if (stores_under(*writer, miss, choice, locations_of(change, context_.choices)))
+        causes.push_back(Cause(change.id) + cause);
   }
 
   bool stores_under(const Fragment& writer, const Miss& miss, MultisampleSwitch choice,

@@ -50,7 +50,8 @@ std::vector<Way> ways_of(RowOrder chosen, const Target& target) {
     orders.push_back(chosen == RowOrder::bottom_up ? RowOrder::top_down : RowOrder::bottom_up);
   std::vector<Way> ways;
   for (const RowOrder rows : orders)
-    for (const DerivativeMethod method : all_derivative_methods()) ways.push_back({method, rows});
+    for (const DerivativeMethod method : values_of<DerivativeMethod>())
+      ways.push_back({method, rows});
   return ways;
 }
 
@@ -202,7 +203,7 @@ class DerivativeComparison {
   }
 
   bool is_open(DerivativeMethod method) const {
-    return find_alternative(*find_rule(rule_), name_of(method))->openness == Openness::open;
+    return find_alternative(rule_of(rule_), name_of(method))->openness == Openness::open;
   }
 
   // What is permitted needs no method that is not.
@@ -272,12 +273,10 @@ class DerivativeComparison {
 
   void report(const Told& told, const Way& way, Result& result) const {
     Disagreement d = disagreement(told);
-    std::vector<std::string> parts;
     if (way.method != chosen_.method)
-      parts.push_back(fmt::format("{}={}", rule_, name_of(way.method)));
+      d.cause.parts.push_back(alternative_id(rule_, name_of(way.method)));
     if (way.rows != chosen_.rows)
-      parts.push_back(fmt::format("derivative.quad-rows={}", name_of(way.rows)));
-    d.cause = fmt::format("{}", fmt::join(parts, " + "));
+      d.cause.parts.push_back(alternative_id(RuleId::derivative_quad_rows, name_of(way.rows)));
     d.legality = by_letter(is_open(way.method));
     d.explanation += fmt::format("comes of {}", name_of(way.method));
     if (way.rows != chosen_.rows)
@@ -292,7 +291,7 @@ class DerivativeComparison {
     if (is_by_major_axis(d.cause)) d.ruling = kRulingOnLineValues;
     if (d.cause.empty() && is_of_larger_area(told)) d.ruling = kRulingOnAreas;
     d.explanation += "is no difference of neighbours that the specification permits";
-    if (!d.cause.empty()) d.explanation += fmt::format(", but one under {}", d.cause);
+    if (!d.cause.empty()) d.explanation += fmt::format(", but one under {}", text_of(d.cause));
     result.disagreements.push_back(std::move(d));
   }
 
@@ -301,7 +300,7 @@ class DerivativeComparison {
   Way chosen_;
   std::vector<Way> ways_;
   std::array<Derivative, 2> kinds_;
-  const char* rule_;
+  RuleId rule_;
   std::array<ValueAggregator, 2> aggregators_;
   std::vector<Told> agreeing_;
 };

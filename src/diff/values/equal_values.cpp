@@ -19,13 +19,12 @@ bool has_offset(const Draw& draw) {
 
 }  // namespace
 
-bool has_exact_values(const Scene& scene, const Policy& policy, const Rendering& exact,
+bool has_exact_values(const Scene& scene, const ResolvedPolicy& policy, const Rendering& exact,
                       const Rendering& rendered) {
   const bool is_plain = scene.target.samples == 1 && scene.supersampling.empty() &&
                         scene.textures.empty() && !has_fragment_operations(scene) &&
                         std::ranges::none_of(scene.draws, &has_offset);
-  return is_plain && policy.rules.empty() && policy.surfaces.empty() &&
-         exact.pixels == rendered.pixels &&
+  return is_plain && policy.is_standard() && exact.pixels == rendered.pixels &&
          std::ranges::equal(exact.depths, rendered.depths, {}, bits_of, bits_of) &&
          std::ranges::equal(exact.fragments, rendered.fragments, are_equal);
 }

@@ -14,7 +14,7 @@ namespace edgecase {
 // all that exact does, bit by bit? Then every value is correct, and so permitted. Said only of what
 // is drawn at one go with one sample each, without textures, fragment operations and polygon
 // offset, and of answers without details: elsewhere false, which says nothing.
-bool has_exact_values(const Scene& scene, const Policy& policy, const Rendering& exact,
+bool has_exact_values(const Scene& scene, const ResolvedPolicy& policy, const Rendering& exact,
                       const Rendering& rendered);
 
 }  // namespace edgecase

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "rules/all_rules.h"
 #include "rules/values/flat_attribute.h"
 
 namespace edgecase {
@@ -23,13 +24,11 @@ Color flat_attribute(const ScenePrimitive& primitive, ProvokingChoice choice) {
 }
 
 // The vertex whose colour a flat fragment shows against the scene's convention, as a cause.
-std::string wrong_provoking_vertex(const ScenePrimitive& primitive, const Fragment& fragment) {
-  for (const auto& [choice, name] :
-       {std::pair{ProvokingChoice::first, "first"}, std::pair{ProvokingChoice::last, "last"}}) {
+Cause wrong_provoking_vertex(const ScenePrimitive& primitive, const Fragment& fragment) {
+  for (const ProvokingChoice choice : {ProvokingChoice::first, ProvokingChoice::last})
     if (shows(fragment, flat_attribute(primitive, choice)))
-      return fmt::format("attribute.provoking-vertex={}", name);
-  }
-  return "";
+      return alternative_id(RuleId::attribute_provoking_vertex, name_of(choice));
+  return {};
 }
 
 }  // namespace
@@ -41,7 +40,7 @@ void compare_flat_color(const ValueContext& context, const Fragment& fragment, R
   const bool agrees = shows(fragment, color);
   if (agrees && (legal || context.latitude == Latitude::none)) return;
   Disagreement d =
-      value_disagreement({fragment.x, fragment.y}, fragment.primitive, "attribute.flat", 8);
+      value_disagreement({fragment.x, fragment.y}, fragment.primitive, RuleId::attribute_flat, 8);
   d.legality = by_letter(legal);
   d.policy_agrees = agrees;
   d.exact.assign(color.begin(), color.end());

@@ -17,6 +17,7 @@
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
 #include "diff/values/value_judge.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -38,7 +39,7 @@ std::string name_of_component(const std::string& attribute, std::size_t componen
 
 Disagreement beyond_disagreement(std::span<const ValueComponent> components,
                                  const ValueComponent& beyond, const Fragment& fragment,
-                                 Point place, const char* rule, const std::string& attribute) {
+                                 Point place, RuleId rule, const std::string& attribute) {
   Disagreement d = value_disagreement({fragment.x, fragment.y}, fragment.primitive, rule, 9);
   for (const ValueComponent& c : components) {
     d.exact.push_back(c.exact);
@@ -61,7 +62,7 @@ Disagreement beyond_disagreement(std::span<const ValueComponent> components,
 // Components of one attribute of one fragment: agree, permitted (aggregated) or beyond. The
 // disagreement, if there is one.
 Disagreement* compare_components(std::span<const ValueComponent> components,
-                                 const Fragment& fragment, Point place, const char* rule,
+                                 const Fragment& fragment, Point place, RuleId rule,
                                  ValueAggregator& aggregator, Result& result) {
   aggregator.count_compared(components.size());
   const auto beyond = std::find_if(components.begin(), components.end(),
@@ -85,13 +86,12 @@ Disagreement* compare_components(std::span<const ValueComponent> components,
 }
 
 // Where a value is evaluated is a rule of its own.
-void blame(Disagreement& d, const std::string& cause) {
+void blame(Disagreement& d, const Cause& cause) {
   d.cause = cause;
   if (is_by_major_axis(cause)) d.ruling = kRulingOnLineValues;
-  if (cause.starts_with("attribute.location="))
-    std::tie(d.rule, d.ruling) = std::pair("attribute.location", 29);
-  if (cause.starts_with("attribute.centroid="))
-    std::tie(d.rule, d.ruling) = std::pair("attribute.centroid", 30);
+  const RuleId rule = cause.rule();
+  if (rule == RuleId::attribute_location || rule == RuleId::attribute_centroid)
+    std::tie(d.rule, d.ruling) = std::pair(rule, rule_of(rule).ruling);
 }
 
 // Would the depth be right if it were clamped? Then that it is not is contested (ruling 45).
@@ -128,8 +128,10 @@ void blame_depth(const ValueContext& context, const Fragment& fragment, Disagree
   if (!has_offset(context, fragment)) return;
   if (d.cause.empty())
     std::tie(d.rule, d.ruling) = std::pair(offset_rule(context, fragment), 38);
-  else if (d.cause.starts_with("offset."))
-    std::tie(d.rule, d.ruling) = std::pair(d.cause.substr(0, d.cause.find('=')), 38);
+  else if (const RuleId rule = d.cause.rule(); rule == RuleId::offset_slope ||
+                                               rule == RuleId::offset_unit ||
+                                               rule == RuleId::offset_exponent)
+    std::tie(d.rule, d.ruling) = std::pair(rule, rule_of(rule).ruling);
 }
 
 // Is another fragment of the primitive told with the same values?
@@ -153,11 +155,11 @@ Fragment interpolated(const ValueContext& context, const Rendering& rendered, Fr
 
 void compare_fragment_values(const ValueContext& context, const Rendering& rendered,
                              Result& result) {
-  ValueAggregator colors("color", "attribute.smooth", 9);
+  ValueAggregator colors("color", RuleId::attribute_smooth, 9);
   const FollowedLocation followed = followed_location(context, rendered);
   ValueAggregator elsewhere("color", followed.rule, followed.ruling, followed.cause);
-  ValueAggregator coordinates("texture coordinates", "attribute.smooth", 9);
-  ValueAggregator depths("depth", "fragment.depth", 9);
+  ValueAggregator coordinates("texture coordinates", RuleId::attribute_smooth, 9);
+  ValueAggregator depths("depth", RuleId::fragment_depth, 9);
   const FollowedDepth followed_z = followed_depth(context, rendered);
   ValueAggregator depths_elsewhere("depth", followed_z.rule, followed_z.ruling, followed_z.cause);
   const FollowedOffset followed_o = followed_offset(context, rendered);
@@ -195,7 +197,7 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
                                                       : &colors;
       Disagreement* d =
           compare_components(std::span(components).first(textured ? 2 : 4), f, judge.place(),
-                             "attribute.smooth", *correct.color, result);
+                             RuleId::attribute_smooth, *correct.color, result);
       if (d != nullptr) blame(*d, cause_of_color(context, f));
     }
     if (f.has_depth) {
@@ -204,8 +206,8 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
       correct.depth = followed_z.explains(context, f)   ? &depths_elsewhere
                       : followed_o.explains(context, f) ? &depths_offset
                                                         : &depths;
-      Disagreement* d = compare_components({&depth, 1}, f, judge.depth_place(), "fragment.depth",
-                                           *correct.depth, result);
+      Disagreement* d = compare_components({&depth, 1}, f, judge.depth_place(),
+                                           RuleId::fragment_depth, *correct.depth, result);
       if (d != nullptr) blame_depth(context, f, *d);
     }
     is_correct = is_correct && result.disagreements.size() == before;
@@ -236,7 +238,7 @@ void add_coordinates(ValueAggregator& aggregator, const Fragment& f, Point exact
 }  // namespace
 
 void compare_coordinates(const ValueContext& context, const Rendering& rendered, Result& result) {
-  constexpr const char* kRule = "fragment.coordinates";
+  constexpr RuleId kRule = RuleId::fragment_coordinates;
   const FollowedDepth followed = followed_depth(context, rendered);
   ValueAggregator depths("gl_FragCoord.z", kRule, 17);
   ValueAggregator elsewhere("gl_FragCoord.z", followed.rule, followed.ruling, followed.cause);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "diff/values/location_causes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -33,34 +33,15 @@ bool yields(const ValueContext& context, const Fragment& fragment, const Locatio
 
 }  // namespace
 
-std::vector<LocationChange> locations_beside(const LocationChoice& chosen) {
-  std::vector<LocationChange> changes;
-  for (const PlainLocation plain : values_of<PlainLocation>()) {
-    if (plain == chosen.plain) continue;
-    LocationChoice choice = chosen;
-    choice.plain = plain;
-    changes.push_back(
-        {fmt::format("attribute.location={}", name_of(plain)), "attribute.location", 29, choice});
-  }
-  for (const CentroidLocation centroid : values_of<CentroidLocation>()) {
-    if (centroid == chosen.centroid) continue;
-    LocationChoice choice = chosen;
-    choice.centroid = centroid;
-    changes.push_back({fmt::format("attribute.centroid={}", name_of(centroid)),
-                       "attribute.centroid", 30, choice});
-  }
+Changes location_changes(const RuleChoices& chosen) {
+  Changes changes = changes_beside(RuleId::attribute_location, chosen);
+  const Changes more = changes_beside(RuleId::attribute_centroid, chosen);
+  changes.insert(changes.end(), more.begin(), more.end());
   return changes;
 }
 
-std::vector<LocationChange> depth_locations_beside(const LocationChoice& chosen) {
-  std::vector<LocationChange> changes;
-  for (const DepthLocation depth : values_of<DepthLocation>()) {
-    if (depth == chosen.depth) continue;
-    LocationChoice choice = chosen;
-    choice.depth = depth;
-    changes.push_back({fmt::format("sample.depth={}", name_of(depth)), "sample.depth", 18, choice});
-  }
-  return changes;
+LocationChoice locations_of(const Change& change, const RuleChoices& chosen) {
+  return change.applied_to(chosen).values.locations;
 }
 
 bool FollowedLocation::explains(const ValueContext& context, const Fragment& fragment) const {
@@ -93,8 +74,9 @@ FollowedDepth followed_depth(const ValueContext& context, const Rendering& rende
     });
   };
   if (all(context.choices.values.locations)) return {};
-  for (const LocationChange& change : depth_locations_beside(context.choices.values.locations))
-    if (all(change.choice)) return {change.cause, change.rule, change.ruling};
+  for (const Change& change : changes_beside(RuleId::sample_depth, context.choices))
+    if (all(locations_of(change, context.choices)))
+      return {change.id, change.id.rule, rule_of(change.id.rule).ruling};
   return {};
 }
 
@@ -106,8 +88,9 @@ FollowedLocation followed_location(const ValueContext& context, const Rendering&
     });
   };
   if (all(context.choices.values.locations)) return {};
-  for (const LocationChange& change : locations_beside(context.choices.values.locations))
-    if (all(change.choice)) return {change.cause, change.rule, change.ruling};
+  for (const Change& change : location_changes(context.choices))
+    if (all(locations_of(change, context.choices)))
+      return {change.id, change.id.rule, rule_of(change.id.rule).ruling};
   return {};
 }
 

@@ -4,32 +4,22 @@
 // specification leaves open, read off all fragments of a case together.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "diff/values/value_diff.h"
+#include "rules/changes.h"
 
 namespace edgecase {
 
-// The one change of LocationChoice, with the rule that it is a choice of.
-struct LocationChange {
-  std::string cause;  // "rule=alternative"
-  const char* rule = "";
-  int ruling = 0;
-  LocationChoice choice;
-};
-
 // Every alternative of where attributes but depth are evaluated, beside what is chosen.
-std::vector<LocationChange> locations_beside(const LocationChoice& chosen);
+Changes location_changes(const RuleChoices& chosen);
 
-// Every alternative of where the depths of samples are evaluated, beside what is chosen.
-std::vector<LocationChange> depth_locations_beside(const LocationChoice& chosen);
+// Where they and depths are evaluated under a change.
+LocationChoice locations_of(const Change& change, const RuleChoices& chosen);
 
 // What all smooth colours of a case are evaluated by, where the policy's own choice does not yield
 // them; without a cause where there is no such thing.
 struct FollowedLocation {
-  std::string cause;
-  std::string rule = "attribute.smooth";
+  Cause cause;
+  RuleId rule = RuleId::attribute_smooth;
   int ruling = 9;
 
   // Is the fragment's colour another than the policy's place yields, and has it so?
@@ -40,8 +30,8 @@ FollowedLocation followed_location(const ValueContext& context, const Rendering&
 
 // The same of gl_FragCoord.z.
 struct FollowedDepth {
-  std::string cause;
-  std::string rule = "fragment.depth";
+  Cause cause;
+  RuleId rule = RuleId::fragment_depth;
   int ruling = 9;
 
   bool explains(const ValueContext& context, const Fragment& fragment) const;

@@ -1,57 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include "diff/values/offset_causes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
-#include <utility>
+
+#include "rules/all_rules.h"
+#include "rules/changes.h"
 
 namespace edgecase {
 namespace {
 
-struct OffsetChange {
-  std::string cause;
-  OffsetChoice choice;
-};
-
-template <class Choice>
-void add_beside(const OffsetChange& base, const char* rule, std::span<const Choice> all,
-                Choice OffsetChoice::*part, std::vector<OffsetChange>& changes) {
-  for (const Choice choice : all) {
-    if (choice == base.choice.*part) continue;
-    OffsetChange change = base;
-    if (!change.cause.empty()) change.cause += " + ";
-    change.cause += fmt::format("{}={}", rule, name_of(choice));
-    change.choice.*part = choice;
-    changes.push_back(std::move(change));
-  }
-}
-
-void add_units_beside(const OffsetChange& base, DepthFormat format,
-                      std::vector<OffsetChange>& changes) {
-  if (format == DepthFormat::depth32f)
-    add_beside(base, "offset.exponent", values_of<OffsetExponent>(), &OffsetChoice::exponent,
-               changes);
-  else
-    add_beside(base, "offset.unit", values_of<OffsetUnit>(), &OffsetChoice::unit, changes);
+Changes unit_changes(const RuleChoices& chosen, DepthFormat format) {
+  return changes_beside(
+      format == DepthFormat::depth32f ? RuleId::offset_exponent : RuleId::offset_unit, chosen);
 }
 
 // Every alternative beside what is chosen, and then every slope with every unit.
-std::vector<OffsetChange> offsets_beside(const OffsetChoice& chosen, DepthFormat format) {
-  std::vector<OffsetChange> slopes;
-  add_beside({"", chosen}, "offset.slope", values_of<OffsetSlope>(), &OffsetChoice::slope, slopes);
-  std::vector<OffsetChange> changes = slopes;
-  add_units_beside({"", chosen}, format, changes);
-  for (const OffsetChange& slope : slopes) add_units_beside(slope, format, changes);
-  return changes;
+std::vector<Changes> offset_changes(const RuleChoices& chosen, DepthFormat format) {
+  const Changes slopes = changes_beside(RuleId::offset_slope, chosen);
+  const Changes units = unit_changes(chosen, format);
+  std::vector<Changes> sets;
+  for (const Changes& singles : {slopes, units})
+    for (const Change& change : singles) sets.push_back({change});
+  for (const Change& slope : slopes)
+    for (const Change& unit : units) sets.push_back({slope, unit});
+  return sets;
 }
 
 PrimitiveAttributes attributes_under(const ValueContext& context, const Fragment& fragment,
-                                     const OffsetChoice& offset) {
-  RuleChoices choices = context.choices;
-  choices.values.offset = offset;
-  return attributes_of(context.primitive_of(fragment), choices, context.scene.target);
+                                     const Changes& changes) {
+  return attributes_of(context.primitive_of(fragment), applied(changes, context.choices),
+                       context.scene.target);
 }
 
 Point plain_place_of(const ValueContext& context, const Fragment& fragment) {
@@ -72,16 +51,16 @@ bool is_inexact(const ValueContext& context, const Fragment& fragment,
 
 using Test = bool (*)(const ValueContext&, const Fragment&, const PrimitiveAttributes&);
 
-// Do all fragments with an offset pass the test under a choice?
-bool all_pass(const ValueContext& context, const Rendering& rendered, const OffsetChoice& offset,
+// Do all fragments with an offset pass the test with these changes?
+bool all_pass(const ValueContext& context, const Rendering& rendered, const Changes& changes,
               Test test) {
   std::map<int, PrimitiveAttributes> attributes;
   return std::ranges::all_of(rendered.fragments, [&](const Fragment& fragment) {
     if (!fragment.has_depth || !has_offset(context, fragment)) return true;
     auto known = attributes.find(fragment.primitive);
     if (known == attributes.end())
-      known =
-          attributes.emplace(fragment.primitive, attributes_under(context, fragment, offset)).first;
+      known = attributes.emplace(fragment.primitive, attributes_under(context, fragment, changes))
+                  .first;
     return test(context, fragment, known->second);
   });
 }
@@ -93,17 +72,18 @@ bool has_offset(const ValueContext& context, const Fragment& fragment) {
   return primitive.kind == PrimitiveKind::triangle && primitive.state->polygon_offset;
 }
 
-const char* offset_rule(const ValueContext& context, const Fragment& fragment) {
-  if (context.primitive_of(fragment).state->polygon_offset->factor != 0) return "offset.slope";
-  return context.scene.target.depth == DepthFormat::depth32f ? "offset.exponent" : "offset.unit";
+RuleId offset_rule(const ValueContext& context, const Fragment& fragment) {
+  if (context.primitive_of(fragment).state->polygon_offset->factor != 0)
+    return RuleId::offset_slope;
+  return context.scene.target.depth == DepthFormat::depth32f ? RuleId::offset_exponent
+                                                             : RuleId::offset_unit;
 }
 
-std::string cause_of_offset(const ValueContext& context, const Fragment& fragment) {
-  for (const OffsetChange& change :
-       offsets_beside(context.choices.values.offset, context.scene.target.depth))
-    if (is_inexact(context, fragment, attributes_under(context, fragment, change.choice)))
-      return change.cause;
-  return "";
+Cause cause_of_offset(const ValueContext& context, const Fragment& fragment) {
+  for (const Changes& changes : offset_changes(context.choices, context.scene.target.depth))
+    if (is_inexact(context, fragment, attributes_under(context, fragment, changes)))
+      return cause_of(changes);
+  return {};
 }
 
 FollowedOffset followed_offset(const ValueContext& context, const Rendering& rendered) {
@@ -113,13 +93,14 @@ FollowedOffset followed_offset(const ValueContext& context, const Rendering& ren
     return {};
   const auto concerned = [&](const Fragment& f) { return f.has_depth && has_offset(context, f); };
   if (std::ranges::none_of(rendered.fragments, concerned)) return {};
-  const OffsetChoice& chosen = context.choices.values.offset;
   // The alternative that yields every depth to the bit, else one that inexact operations yield.
   for (const Test test : {&is_exact, &is_inexact}) {
-    if (all_pass(context, rendered, chosen, test)) return {};
-    for (const OffsetChange& change : offsets_beside(chosen, context.scene.target.depth))
-      if (all_pass(context, rendered, change.choice, test))
-        return {change.cause, change.cause.substr(0, change.cause.find('=')), 38};
+    if (all_pass(context, rendered, {}, test)) return {};
+    for (const Changes& changes : offset_changes(context.choices, context.scene.target.depth))
+      if (all_pass(context, rendered, changes, test)) {
+        const RuleId rule = changes.front().id.rule;
+        return {cause_of(changes), rule, rule_of(rule).ruling};
+      }
   }
   return {};
 }

@@ -4,9 +4,6 @@
 // renderer tells.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "diff/values/value_diff.h"
 
 namespace edgecase {
@@ -16,17 +13,17 @@ bool has_offset(const ValueContext& context, const Fragment& fragment);
 
 // The rule that the fragment's offset depends on most: of a slope, else of the unit of the depth
 // buffer's format.
-const char* offset_rule(const ValueContext& context, const Fragment& fragment);
+RuleId offset_rule(const ValueContext& context, const Fragment& fragment);
 
 // The first alternative, or two of different rules, under which the fragment's depth is what comes
 // of inexact operations; empty: none is.
-std::string cause_of_offset(const ValueContext& context, const Fragment& fragment);
+Cause cause_of_offset(const ValueContext& context, const Fragment& fragment);
 
 // What the depths of all fragments with an offset follow, where they are permitted and not the
 // policy's; without a cause where there is no such thing.
 struct FollowedOffset {
-  std::string cause;
-  std::string rule = "fragment.depth";
+  Cause cause;
+  RuleId rule = RuleId::fragment_depth;
   int ruling = 9;
 
   bool explains(const ValueContext& context, const Fragment& fragment) const {

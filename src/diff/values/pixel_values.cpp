@@ -107,7 +107,7 @@ class PixelComparison {
     report(pixel, sample, fragments, writers.front(), stored, result);
     result.disagreements.back().cause = cause_of_switch(fragments, sample, stored);
     if (std::ranges::any_of(all, holds_color_of)) {
-      result.disagreements.back().rule = "sample.alpha-to-coverage";
+      result.disagreements.back().rule = RuleId::sample_alpha_to_coverage;
       result.disagreements.back().ruling = 33;
     }
   }
@@ -134,12 +134,12 @@ class PixelComparison {
   }
 
   // What is done without GL_MULTISAMPLE, if that puts there what is stored.
-  std::string cause_of_switch(std::span<const Fragment> fragments, int sample,
-                              const std::uint8_t* stored) const {
+  Cause cause_of_switch(std::span<const Fragment> fragments, int sample,
+                        const std::uint8_t* stored) const {
     for (const MultisampleSwitch choice : switches_beside(context_, fragments))
       for (const Fragment* writer : last_writers(context_, fragments, sample, choice))
         if (is_stored(stored, truth_of(writer))) return cause_of(choice);
-    return "";
+    return {};
   }
 
   void aggregate(PixelPosition pixel, int primitive, const PixelTruth& truth,
@@ -173,8 +173,9 @@ class PixelComparison {
               const Fragment* last, const std::uint8_t* stored, Result& result) {
     const PixelTruth truth = truth_of(last);
     const Fragment* earlier = earlier_one(fragments, sample, last, stored);
-    Disagreement d = earlier != nullptr ? value_disagreement(pixel, -1, "framebuffer.order", 11)
-                                        : value_disagreement(pixel, -1, "framebuffer.unorm8", 10);
+    Disagreement d = earlier != nullptr
+                         ? value_disagreement(pixel, -1, RuleId::framebuffer_order, 11)
+                         : value_disagreement(pixel, -1, RuleId::framebuffer_unorm8, 10);
     d.sample = sample;
     for (std::size_t c = 0; c < 4; ++c) {
       d.exact.push_back(to_unorm8(truth.exact[c]));
@@ -202,7 +203,7 @@ class PixelComparison {
   std::vector<std::uint8_t> clear_row_;       // a row of it; empty where it must not be stored so
   std::array<double, 4> told_{};              // the latest colour that a pixel was to hold
   std::array<std::uint8_t, 4> told_code_{};   // and as what
-  ValueAggregator aggregator_{"pixel", "framebuffer.unorm8", 10};
+  ValueAggregator aggregator_{"pixel", RuleId::framebuffer_unorm8, 10};
 };
 
 }  // namespace

@@ -4,18 +4,17 @@
 #pragma once
 
 #include <span>
-#include <string>
+
+#include "rules/all_rules.h"
 
 namespace edgecase {
 
-// "rule=alternative" of the first alternative beside the chosen one that yields all there is;
-// empty: none does.
+// The first alternative beside the chosen one that yields all there is; no cause where none does.
 template <class Choice, class Yields>
-std::string cause_among(std::span<const Choice> all, Choice chosen, const char* rule,
-                        const Yields& yields) {
+Cause cause_among(std::span<const Choice> all, Choice chosen, RuleId rule, const Yields& yields) {
   for (const Choice choice : all)
-    if (choice != chosen && yields(choice)) return std::string(rule) + "=" + name_of(choice);
-  return "";
+    if (choice != chosen && yields(choice)) return alternative_id(rule, name_of(choice));
+  return {};
 }
 
 }  // namespace edgecase

@@ -1,41 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "diff/values/value_causes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <span>
-#include <vector>
 
 #include "diff/samples/switched_off.h"
 #include "diff/values/location_causes.h"
 #include "diff/values/offset_causes.h"
+#include "rules/all_rules.h"
+#include "rules/changes.h"
 
 namespace edgecase {
 namespace {
 
-struct ValueChange {
-  const char* cause;
-  std::function<void(ValueChoice&)> apply;
-};
-
-const std::vector<ValueChange>& all_changes() {
-  static const std::vector<ValueChange> changes = {
-      {"attribute.smooth=major-axis",
-       [](ValueChoice& c) { c.line_parameter = LineParameter::major_axis; }},
-      {"attribute.perspective=always",
-       [](ValueChoice& c) { c.perspective = PerspectiveChoice::always; }},
-      {"attribute.perspective=never",
-       [](ValueChoice& c) { c.perspective = PerspectiveChoice::never; }},
-      {"attribute.perspective=w-of-centre",
-       [](ValueChoice& c) { c.perspective = PerspectiveChoice::w_of_centre; }},
-      {"attribute.positions=snapped",
-       [](ValueChoice& c) { c.positions = AttributePositions::snapped; }}};
-  return changes;
-}
+constexpr RuleId kRules[] = {RuleId::attribute_smooth, RuleId::attribute_perspective,
+                             RuleId::attribute_positions};
 
 bool yields_color(const PrimitiveAttributes& attributes, Point place, const Fragment& fragment) {
   for (std::size_t c = 0; c < 4; ++c)
@@ -48,65 +29,66 @@ bool yields_color(const PrimitiveAttributes& attributes, Point place, const Frag
 // Does a primitive have, under these choices, what the fragment was told to have?
 using Test = std::function<bool(const PrimitiveAttributes&)>;
 
-bool passes(const ValueContext& context, const Fragment& fragment, const ValueChoice& values,
+bool passes(const ValueContext& context, const Fragment& fragment, const RuleChoices& choices,
             const Test& test) {
-  RuleChoices choices = context.choices;
-  choices.values = values;
   return test(attributes_of(context.primitive_of(fragment), choices, context.scene.target));
 }
 
 // Is the fragment's line one of which either axis may be the major one, and do its values go by the
 // shorter?
-bool goes_by_other_axis(const ValueContext& context, const Fragment& fragment, const Test& test) {
+bool goes_by_other_axis(const ValueContext& context, const Fragment& fragment, RuleChoices choices,
+                        const Test& test) {
   if (context.primitive_of(fragment).kind != PrimitiveKind::line) return false;
   const PrimitiveValues& values = context.values_of(fragment);
   if (!may_swap_axes(values.lawful.depth, values.reach)) return false;
-  ValueChoice by_minor;
-  by_minor.line_parameter = LineParameter::minor_axis;
-  return passes(context, fragment, by_minor, test);
+  choices.values.line_parameter = LineParameter::minor_axis;
+  return passes(context, fragment, choices, test);
 }
 
-// The change of how attributes are interpolated under which the test passes; empty: there is none.
-std::string first_change(const ValueContext& context, const Fragment& fragment, const Test& test) {
-  for (const ValueChange& change : all_changes()) {
-    ValueChoice values;
-    change.apply(values);
-    if (passes(context, fragment, values, test)) return change.cause;
-    if (is_by_major_axis(change.cause) && goes_by_other_axis(context, fragment, test))
-      return change.cause;
-  }
-  return "";
+// The change of how attributes are interpolated under which the test passes; none: there is none.
+Cause first_change(const ValueContext& context, const Fragment& fragment, const Test& test) {
+  RuleChoices choices = context.choices;
+  choices.values = ValueChoice{};
+  for (const RuleId rule : kRules)
+    for (const Change& change : changes_beside(rule, choices))
+      if (passes(context, fragment, change.applied_to(choices), test) ||
+          (is_by_major_axis(change.id) && goes_by_other_axis(context, fragment, choices, test)))
+        return change.id;
+  return {};
 }
 
 }  // namespace
 
-std::string cause_of_color(const ValueContext& context, const Fragment& fragment) {
+bool is_by_major_axis(const Cause& cause) {
+  return cause ==
+         Cause(alternative_id(RuleId::attribute_smooth, name_of(LineParameter::major_axis)));
+}
+
+Cause cause_of_color(const ValueContext& context, const Fragment& fragment) {
   const LocationChoice& chosen = context.choices.values.locations;
   const Point place = context.place_of(fragment, chosen);
-  const std::string cause =
-      first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
-        return yields_color(attributes, place, fragment);
-      });
+  const Cause cause = first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
+    return yields_color(attributes, place, fragment);
+  });
   if (!cause.empty()) return cause;
-  for (const LocationChange& change : locations_beside(chosen))
-    if (yields_color(context.values_of(fragment).chosen, context.place_of(fragment, change.choice),
-                     fragment))
-      return change.cause;
-  for (const LocationChange& change : locations_beside(chosen)) {
-    const Point elsewhere = context.place_of(fragment, change.choice);
-    const std::string other =
-        first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
-          return yields_color(attributes, elsewhere, fragment);
-        });
-    if (!other.empty()) return fmt::format("{} + {}", other, change.cause);
+  for (const Change& change : location_changes(context.choices))
+    if (yields_color(context.values_of(fragment).chosen,
+                     context.place_of(fragment, locations_of(change, context.choices)), fragment))
+      return change.id;
+  for (const Change& change : location_changes(context.choices)) {
+    const Point elsewhere = context.place_of(fragment, locations_of(change, context.choices));
+    const Cause other = first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
+      return yields_color(attributes, elsewhere, fragment);
+    });
+    if (!other.empty()) return other + change.id;
   }
-  return "";
+  return {};
 }
 
 namespace {
 
 // Of a draw without GL_MULTISAMPLE.
-std::string cause_of_depth_if_ignored(const ValueContext& context, const Fragment& fragment) {
+Cause cause_of_depth_if_ignored(const ValueContext& context, const Fragment& fragment) {
   const auto yields = [&](const LocationChoice& locations) {
     const auto place = depth_place_if_ignored(context, fragment, locations);
     const Interpolant& depth = context.values_of(fragment).chosen.depth;
@@ -114,33 +96,31 @@ std::string cause_of_depth_if_ignored(const ValueContext& context, const Fragmen
                                                    interpolate_inexact(depth, *place)))
                         .contains(to_float(fragment.depth));
   };
-  const std::string cause = cause_of(MultisampleSwitch::ignored);
-  const LocationChoice& chosen = context.choices.values.locations;
-  if (yields(chosen)) return cause;
-  for (const LocationChange& change : depth_locations_beside(chosen))
-    if (yields(change.choice)) return fmt::format("{} + {}", change.cause, cause);
-  return "";
+  const Cause cause = cause_of(MultisampleSwitch::ignored);
+  if (yields(context.choices.values.locations)) return cause;
+  for (const Change& change : changes_beside(RuleId::sample_depth, context.choices))
+    if (yields(locations_of(change, context.choices))) return Cause(change.id) + cause;
+  return {};
 }
 
 }  // namespace
 
-std::string cause_of_depth(const ValueContext& context, const Fragment& fragment) {
+Cause cause_of_depth(const ValueContext& context, const Fragment& fragment) {
   const LocationChoice& chosen = context.choices.values.locations;
-  const std::string cause =
-      first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
-        return yields_depth(context, fragment, attributes.depth, chosen);
-      });
+  const Cause cause = first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
+    return yields_depth(context, fragment, attributes.depth, chosen);
+  });
   if (!cause.empty()) return cause;
   const Interpolant& depth = context.values_of(fragment).chosen.depth;
-  for (const LocationChange& change : depth_locations_beside(chosen))
-    if (yields_depth(context, fragment, depth, change.choice)) return change.cause;
-  std::string ignored = cause_of_depth_if_ignored(context, fragment);
+  for (const Change& change : changes_beside(RuleId::sample_depth, context.choices))
+    if (yields_depth(context, fragment, depth, locations_of(change, context.choices)))
+      return change.id;
+  Cause ignored = cause_of_depth_if_ignored(context, fragment);
   if (!ignored.empty() || !has_offset(context, fragment)) return ignored;
   return cause_of_offset(context, fragment);
 }
 
-std::string cause_of_inverse_w(const ValueContext& context, const Fragment& fragment,
-                               double inverse_w) {
+Cause cause_of_inverse_w(const ValueContext& context, const Fragment& fragment, double inverse_w) {
   const Point place = context.depth_place_of(fragment, context.choices.values.locations);
   return first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
     return rounded_to_float(interpolate_inexact(attributes.inverse_w, place))
@@ -148,12 +128,11 @@ std::string cause_of_inverse_w(const ValueContext& context, const Fragment& frag
   });
 }
 
-std::string cause_of_derivatives(const ValueContext& context, const Fragment& fragment,
-                                 const FragmentDetail& detail,
-                                 const std::array<Derivative, 2>& along) {
+Cause cause_of_derivatives(const ValueContext& context, const Fragment& fragment,
+                           const FragmentDetail& detail, const std::array<Derivative, 2>& along) {
   const QuadPixel at = quad_place(context, fragment);
   return first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
-    return std::ranges::any_of(all_derivative_methods(), [&](DerivativeMethod method) {
+    return std::ranges::any_of(values_of<DerivativeMethod>(), [&](DerivativeMethod method) {
       return std::ranges::all_of(along, [&](Derivative derivative) {
         const auto kind = static_cast<std::size_t>(derivative);
         return !detail.has_derivative[kind] || yields_derivative(attributes.color, at, derivative,

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <string>
 
 #include "diff/values/value_diff.h"
 
@@ -14,22 +13,18 @@ namespace edgecase {
 // The ruling on values of a line that go by its major axis, or are those of another fragment of a
 // wide line's column.
 inline constexpr int kRulingOnLineValues = 46;
-inline bool is_by_major_axis(const std::string& cause) {
-  return cause == "attribute.smooth=major-axis";
-}
+bool is_by_major_axis(const Cause& cause);
 
-// "attribute.perspective=never" and the like: the first alternative in catalogue order under which
-// every component is what comes of inexact operations; of colours, where none is, the first two of
-// how and where they are interpolated. Empty when none is.
-std::string cause_of_color(const ValueContext& context, const Fragment& fragment);
-std::string cause_of_depth(const ValueContext& context, const Fragment& fragment);
-std::string cause_of_inverse_w(const ValueContext& context, const Fragment& fragment,
-                               double inverse_w);
+// The first alternative of attribute.smooth, attribute.perspective and attribute.positions under
+// which every component is what comes of inexact operations; of colours, where none is, the first
+// two of how and where they are interpolated. No cause where none is.
+Cause cause_of_color(const ValueContext& context, const Fragment& fragment);
+Cause cause_of_depth(const ValueContext& context, const Fragment& fragment);
+Cause cause_of_inverse_w(const ValueContext& context, const Fragment& fragment, double inverse_w);
 
 // The same of derivatives of the colour along x and y, both by one method, whichever.
-std::string cause_of_derivatives(const ValueContext& context, const Fragment& fragment,
-                                 const FragmentDetail& detail,
-                                 const std::array<Derivative, 2>& along);
+Cause cause_of_derivatives(const ValueContext& context, const Fragment& fragment,
+                           const FragmentDetail& detail, const std::array<Derivative, 2>& along);
 
 // The fragment's place in its quad, under the policy.
 QuadPixel quad_place(const ValueContext& context, const Fragment& fragment);

@@ -220,7 +220,7 @@ Interval permitted_within(const Interpolant& interpolant, const Interpolant& inv
   return result;
 }
 
-Disagreement value_disagreement(PixelPosition pixel, int primitive, std::string rule, int ruling) {
+Disagreement value_disagreement(PixelPosition pixel, int primitive, RuleId rule, int ruling) {
   Disagreement d;
   d.x = pixel.x;
   d.y = pixel.y;
@@ -256,8 +256,7 @@ double range_of(const Interpolant& interpolant) {
   return range > float_ulp(hull(*least, *largest).magnitude()) ? range : 0;
 }
 
-ValueAggregator::ValueAggregator(std::string attribute, std::string rule, int ruling,
-                                 std::string cause) {
+ValueAggregator::ValueAggregator(std::string attribute, RuleId rule, int ruling, Cause cause) {
   aggregate_.attribute = std::move(attribute);
   aggregate_.rule = std::move(rule);
   aggregate_.ruling = ruling;

@@ -173,7 +173,7 @@ Interval permitted_within(const Interpolant& interpolant, const Interpolant& inv
 
 // A value disagreement at a pixel, not legal, with the pixel's centre marked; of no sample until
 // one is named. primitive -1: the pixel.
-Disagreement value_disagreement(PixelPosition pixel, int primitive, std::string rule, int ruling);
+Disagreement value_disagreement(PixelPosition pixel, int primitive, RuleId rule, int ruling);
 
 // Distance between neighbouring float32 values at `value`.
 double float_ulp(double value);
@@ -187,7 +187,7 @@ double range_of(const Interpolant& interpolant);
 // Counts the values of one attribute that differ inside the permitted range, and keeps the worst.
 class ValueAggregator {
  public:
-  ValueAggregator(std::string attribute, std::string rule, int ruling, std::string cause = "");
+  ValueAggregator(std::string attribute, RuleId rule, int ruling, Cause cause = {});
 
   const std::string& attribute() const { return aggregate_.attribute; }
 

@@ -91,7 +91,7 @@ std::size_t clip_scene_count(std::size_t scenes_per_kind) {
 
 ClipFindings measure_clipping(Renderer& renderer, const ClipMeasureQuestion& question,
                               const ObservationProgress& progress, const std::atomic<bool>* stop) {
-  const std::string rule = "clip.volume";
+  const std::string rule = name_of(RuleId::clip_volume);
   SceneDrawing drawing(renderer, progress, stop, clip_scene_count(question.scenes_per_kind));
   ClipFindings findings;
   Tally all = tally_of(rule);

@@ -99,7 +99,7 @@ void add_plain_colors(std::span<const DrawnScene> told, CodeTally& tally) {
 }
 
 Trait infer_blend_method(std::span<const DrawnScene> told) {
-  Tally tally = tally_of("blend.equation");
+  Tally tally = tally_of(name_of(RuleId::blend_equation));
   for (const DrawnScene& drawn : told)
     for (const BlendedCell& cell : blended_cells(drawn)) {
       std::vector<bool> yields;
@@ -107,11 +107,11 @@ Trait infer_blend_method(std::span<const DrawnScene> told) {
         yields.push_back(is_permitted(cell, method));
       tally.add(yields);
     }
-  return tally.fitting("blend.equation");
+  return tally.fitting(name_of(RuleId::blend_equation));
 }
 
 Trait infer_blend_rounding(std::span<const DrawnScene> told, BlendMethod method) {
-  Tally tally = tally_of("blend.rounding");
+  Tally tally = tally_of(name_of(RuleId::blend_rounding));
   for (const DrawnScene& drawn : told)
     for (const BlendedCell& cell : blended_cells(drawn)) {
       std::vector<Rgba8> written;
@@ -124,7 +124,7 @@ Trait infer_blend_rounding(std::span<const DrawnScene> told, BlendMethod method)
         tally.add(yields);
       }
     }
-  return tally.fitting("blend.rounding");
+  return tally.fitting(name_of(RuleId::blend_rounding));
 }
 
 std::vector<BlendResidual> blend_residuals(std::span<const DrawnScene> told,

@@ -93,8 +93,9 @@ class OutputMeasurement {
     parse_name(rounding.alternative == kNoneFits ? rounding.runner_up : rounding.alternative,
                closest.rounding);
     findings_.profile.blending = blend_residuals(blended, closest);
-    adopt(infer_output_rule(
-        "color.mask", drawing_.told("colour mask", color_mask_scenes(seed, surface)), rules_));
+    adopt(infer_output_rule(name_of(RuleId::color_mask),
+                            drawing_.told("colour mask", color_mask_scenes(seed, surface)),
+                            rules_));
   }
 
   // Which depth formats are there, alone and beside stencil values.
@@ -142,7 +143,7 @@ class OutputMeasurement {
     for (const DepthFormat format : formats_)
       append(all, drawing_.told(fmt::format("depth test {}", name_of(format)),
                                 depth_test_scenes(question_.seed, question_.surface, format)));
-    adopt(infer_output_rule("depth.test", all, rules_));
+    adopt(infer_output_rule(name_of(RuleId::depth_test), all, rules_));
   }
 
   void find_stencil_test() {
@@ -150,7 +151,7 @@ class OutputMeasurement {
     for (const DepthFormat format : stencil_formats_)
       append(all, drawing_.told(fmt::format("stencil {}", name_of(format)),
                                 stencil_scenes(question_.seed, question_.surface, format)));
-    adopt(infer_output_rule("stencil.test", all, rules_));
+    adopt(infer_output_rule(name_of(RuleId::stencil_test), all, rules_));
   }
 
   void find_offset() {
@@ -167,16 +168,17 @@ class OutputMeasurement {
         floating = std::move(units);
         continue;
       }
-      adopt(infer_offset("offset.unit", fmt::format("offset.unit:{}", name_of(format)),
+      adopt(infer_offset(name_of(RuleId::offset_unit),
+                         fmt::format("offset.unit:{}", name_of(format)),
                          OffsetPrecision::float_steps, units, rules_));
       append(fixed, std::move(units));
     }
     const auto adopt_rule = [&](const char* rule, OffsetPrecision precision, const Drawn& told) {
       adopt(infer_offset(rule, rule, precision, told, rules_));
     };
-    adopt_rule("offset.unit", OffsetPrecision::float_steps, fixed);
-    adopt_rule("offset.exponent", OffsetPrecision::inexact, floating);
-    adopt_rule("offset.slope", OffsetPrecision::inexact, slopes);
+    adopt_rule(name_of(RuleId::offset_unit), OffsetPrecision::float_steps, fixed);
+    adopt_rule(name_of(RuleId::offset_exponent), OffsetPrecision::inexact, floating);
+    adopt_rule(name_of(RuleId::offset_slope), OffsetPrecision::inexact, slopes);
   }
 
   // The first of the formats that a kind of random scene can have; none: it cannot be drawn.

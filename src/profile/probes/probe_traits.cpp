@@ -168,7 +168,7 @@ std::vector<Trait> joint_traits(const Seen<JointProbe>& seen, const CoverageChoi
         }))
       ++turns.agreeing;
   }
-  Trait straight_trait{"line.joint", "no pixel twice, no gap", straight, "", {}, ""};
+  Trait straight_trait{name_of(RuleId::line_joint), "no pixel twice, no gap", straight, "", {}, ""};
   if (faults.twice + faults.gaps > 0) {
     straight_trait.alternative = "pixels twice or gaps";
     straight_trait.remark = fmt::format(
@@ -180,7 +180,7 @@ std::vector<Trait> joint_traits(const Seen<JointProbe>& seen, const CoverageChoi
 }
 
 Trait shared_edge_trait(std::span<const Observation> observations, int bits) {
-  Trait trait{"triangle.shared-edge", "each sample exactly once", {}, "", {}, ""};
+  Trait trait{name_of(RuleId::triangle_shared_edge), "each sample exactly once", {}, "", {}, ""};
   std::size_t holes = 0;
   std::size_t doubles = 0;
   Smallest<SharedEdgeFault> example;
@@ -267,8 +267,12 @@ Trait provoking_trait(std::span<const Scene> scenes, std::span<const Outcome> ou
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return rates[a].agreeing > rates[b].agreeing;
   });
-  return {"attribute.provoking-vertex", kChoices[order[0]].second, rates[order[0]],
-          kChoices[order[1]].second,    rates[order[1]],           ""};
+  return {name_of(RuleId::attribute_provoking_vertex),
+          kChoices[order[0]].second,
+          rates[order[0]],
+          kChoices[order[1]].second,
+          rates[order[1]],
+          ""};
 }
 
 }  // namespace edgecase

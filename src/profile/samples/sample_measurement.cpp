@@ -159,8 +159,12 @@ class SampleMeasurement {
 
   void adopt_inferred(const InferredRule& rule, const std::string& detail,
                       const std::string& single_sampled) {
-    Trait trait{rule.rule + detail, rule.alternative,    rule.rate,
-                rule.runner_up,     rule.runner_up_rate, ""};
+    Trait trait{name_of(rule.rule) + detail,
+                rule.alternative,
+                rule.rate,
+                rule.runner_up,
+                rule.runner_up_rate,
+                ""};
     if (!single_sampled.empty() && single_sampled != rule.alternative)
       trait.remark = fmt::format("not as with one sample: {}", single_sampled);
     adopt(std::move(trait));
@@ -196,7 +200,7 @@ class SampleMeasurement {
     auto triangles = random(MultisampledKind::triangle, "multisampled-triangle", kTriangleShare);
     const auto all = pointers(triangles);
     const Inference placement =
-        infer({PrimitiveKind::triangle, found().triangles, OpenRules::placement}, all);
+        infer({PrimitiveKind::triangle, found(), OpenRules::placement}, all);
     for (const InferredRule& rule : placement.rules) adopt_inferred(rule, "", "");
     const std::string swept = swept_placement();
     if (!placement.rules.empty() && swept != placement.rules[0].alternative)
@@ -205,7 +209,7 @@ class SampleMeasurement {
     const Inference inference =
         infer({PrimitiveKind::triangle, placement.choice, OpenRules::coverage}, all);
     for (const InferredRule& rule : inference.rules)
-      adopt_inferred(rule, ":multisampled", single_sampled(rule.rule));
+      adopt_inferred(rule, ":multisampled", single_sampled(name_of(rule.rule)));
     adopt(as_found("triangle.coverage:multisampled", triangles));
     keep(std::move(triangles));
   }
@@ -213,12 +217,12 @@ class SampleMeasurement {
   void find_lines() {
     auto lines = random(MultisampledKind::line, "multisampled-line", kLineShare);
     const Inference inference =
-        infer({PrimitiveKind::line, found().lines, OpenRules::coverage}, pointers(lines));
+        infer({PrimitiveKind::line, found(), OpenRules::coverage}, pointers(lines));
     for (const InferredRule& rule : inference.rules)
-      if (rule.rule == "line.multisampled")
+      if (rule.rule == RuleId::line_multisampled)
         adopt_inferred(rule, "", "");
       else
-        adopt_inferred(rule, ":multisampled-lines", single_sampled(rule.rule));
+        adopt_inferred(rule, ":multisampled-lines", single_sampled(name_of(rule.rule)));
     adopt(as_found("line.coverage:multisampled", lines));
     keep(std::move(lines));
     auto wide = random(MultisampledKind::wide_line, "multisampled-wide-line", kWideLineShare);
@@ -244,8 +248,8 @@ class SampleMeasurement {
         masked.push_back(plane_scene(question_.seed, kind, samples_, use, DepthFormat::none, i));
     }
     const auto masks = drawing_.told("sample-mask", std::move(masked));
-    adopt_sample_rule("sample.mask", "", ToldOf::invocations, masks);
-    adopt_sample_rule("sample.mask", ":writes", ToldOf::writes, masks);
+    adopt_sample_rule(name_of(RuleId::sample_mask), "", ToldOf::invocations, masks);
+    adopt_sample_rule(name_of(RuleId::sample_mask), ":writes", ToldOf::writes, masks);
   }
 
   void find_invocations() {
@@ -263,13 +267,13 @@ class SampleMeasurement {
       std::move(drawn.begin(), drawn.end(), std::back_inserter(all));
       findings_.profile.invocations.push_back(std::move(row));
     }
-    adopt_sample_rule("sample.shading-rate", "", ToldOf::invocations, all);
+    adopt_sample_rule(name_of(RuleId::sample_shading_rate), "", ToldOf::invocations, all);
     // Whether lines have their attributes elsewhere is told by lines alone.
     auto lines = drawing_.told("once line", planes(PrimitiveKind::line, {}));
     find_line_parameter(lines);
     std::move(lines.begin(), lines.end(), std::back_inserter(plain));
-    adopt_sample_rule("attribute.location", "", ToldOf::colors, plain);
-    adopt_sample_rule("attribute.centroid", "", ToldOf::colors, centroid);
+    adopt_sample_rule(name_of(RuleId::attribute_location), "", ToldOf::colors, plain);
+    adopt_sample_rule(name_of(RuleId::attribute_centroid), "", ToldOf::colors, centroid);
   }
 
   // Multisampled lines may be interpolated otherwise than those of one sample; what follows is
@@ -277,10 +281,10 @@ class SampleMeasurement {
   void find_line_parameter(std::span<const DrawnScene> lines) {
     Trait trait = infer_line_parameter(lines, rules_);
     if (trait.rate.of > 0) {
-      const std::string before = single_sampled("attribute.smooth");
+      const std::string before = single_sampled(name_of(RuleId::attribute_smooth));
       if (!before.empty() && before != trait.alternative)
         trait.remark = fmt::format("not as with one sample: {}", before);
-      rules_["attribute.smooth"] = trait.alternative;
+      rules_[name_of(RuleId::attribute_smooth)] = trait.alternative;
     }
     adopt(std::move(trait));
   }
@@ -292,8 +296,8 @@ class SampleMeasurement {
     masked.mask = mask_of_all(samples_) - 1;
     for (DrawnScene& one : told_planes("depth masked", masked, DepthFormat::depth32f))
       depths.push_back(std::move(one));
-    adopt_sample_rule("sample.depth", "", ToldOf::all_depths, depths);
-    adopt_sample_rule("sample.depth", ":fragment", ToldOf::fragment_depths, depths);
+    adopt_sample_rule(name_of(RuleId::sample_depth), "", ToldOf::all_depths, depths);
+    adopt_sample_rule(name_of(RuleId::sample_depth), ":fragment", ToldOf::fragment_depths, depths);
   }
 
   // Depths tell of it, too: where samples have theirs must be known.
@@ -301,8 +305,8 @@ class SampleMeasurement {
     Multisampling off;
     off.enabled = false;
     const auto all = told_planes("multisampling-off", off, DepthFormat::depth32f);
-    adopt_sample_rule("sample.enable", "", ToldOf::switched_off, all);
-    adopt_sample_rule("sample.enable", ":writes", ToldOf::writes, all);
+    adopt_sample_rule(name_of(RuleId::sample_enable), "", ToldOf::switched_off, all);
+    adopt_sample_rule(name_of(RuleId::sample_enable), ":writes", ToldOf::writes, all);
   }
 
   void find_alpha() {
@@ -318,7 +322,7 @@ class SampleMeasurement {
       told_alphas.push_back(std::move(one));
     const auto per_sample = drawing_.told("alpha per sample", alpha_planes(true));
     told_alphas.insert(told_alphas.end(), per_sample.begin(), per_sample.end());
-    adopt_sample_rule("sample.alpha-to-coverage", "", ToldOf::writes, told_alphas);
+    adopt_sample_rule(name_of(RuleId::sample_alpha_to_coverage), "", ToldOf::writes, told_alphas);
     adopt(own_alpha_trait(per_sample, found().samples.alpha_to_coverage));
   }
 

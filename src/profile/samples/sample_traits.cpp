@@ -128,9 +128,9 @@ Trait infer_sample_rule(const std::string& rule, std::string id, ToldOf what,
 }
 
 Trait infer_line_parameter(std::span<const DrawnScene> lines, const Choices& found) {
-  const std::string rule = "attribute.smooth";
+  const std::string rule = name_of(RuleId::attribute_smooth);
   std::vector<std::string> names = names_of_alternatives(rule);
-  const auto locations = names_of_alternatives("attribute.location");
+  const auto locations = names_of_alternatives(name_of(RuleId::attribute_location));
   Tally tally(names, 0);
   for (const DrawnScene& one : lines) {
     // facts[a]: what alternative a yields with some location.
@@ -138,7 +138,7 @@ Trait infer_line_parameter(std::span<const DrawnScene> lines, const Choices& fou
     for (std::size_t a = 0; a < names.size(); ++a)
       for (const std::string& location : locations) {
         Policy policy = policy_with(found, rule, names[a]);
-        policy.rules["attribute.location"] = location;
+        policy.rules[name_of(RuleId::attribute_location)] = location;
         const Facts more = agreement(ToldOf::colors, one.rendering,
                                      rasterize(one.scene, policy, one.rendering.sample_positions));
         facts[a].resize(more.size());
@@ -150,7 +150,7 @@ Trait infer_line_parameter(std::span<const DrawnScene> lines, const Choices& fou
 }
 
 Trait infer_resolve(std::span<const DrawnScene> told) {
-  Tally tally = tally_of("sample.resolve");
+  Tally tally = tally_of(name_of(RuleId::sample_resolve));
   for (const auto& [scene, rendering] : told) {
     const std::size_t plane = rendering.pixels.size();
     std::vector<std::uint8_t> values(static_cast<std::size_t>(rendering.samples));
@@ -164,7 +164,7 @@ Trait infer_resolve(std::span<const DrawnScene> told) {
       tally.add(yields);
     }
   }
-  return tally.trait("sample.resolve", Tally::None::counted);
+  return tally.trait(name_of(RuleId::sample_resolve), Tally::None::counted);
 }
 
 Trait own_alpha_trait(std::span<const DrawnScene> told, AlphaToCoverage choice) {

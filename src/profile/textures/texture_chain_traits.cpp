@@ -15,7 +15,7 @@ namespace edgecase {
 namespace {
 
 constexpr std::array kFormats{TextureFormat::rgba8, TextureFormat::srgb8, TextureFormat::rgba32f};
-constexpr std::array kSrgb{true, false};
+constexpr std::array kSrgb{MipmapSrgb::linear, MipmapSrgb::codes};
 
 // Methods by the indices of their parts, all of them.
 struct Parts {
@@ -112,13 +112,15 @@ std::vector<Trait> infer_mip_chains(std::span<const ToldChain> chains) {
     const Parts best = best_of(all);
     const std::string suffix =
         format == TextureFormat::rgba8 ? "" : fmt::format(":{}", name_of(format));
-    traits.push_back(trait_of<&Parts::filter>("mipmap.filter" + suffix,
+    traits.push_back(trait_of<&Parts::filter>(name_of(RuleId::mipmap_filter) + suffix,
                                               names_of(values_of<MipmapFilter>()), best, all));
     if (format != TextureFormat::rgba32f)
-      traits.push_back(trait_of<&Parts::rounding>(
-          "mipmap.rounding" + suffix, names_of(values_of<MipmapRounding>()), best, all));
+      traits.push_back(trait_of<&Parts::rounding>(name_of(RuleId::mipmap_rounding) + suffix,
+                                                  names_of(values_of<MipmapRounding>()), best,
+                                                  all));
     if (format == TextureFormat::srgb8)
-      traits.push_back(trait_of<&Parts::srgb>("mipmap.srgb", {"linear", "codes"}, best, all));
+      traits.push_back(
+          trait_of<&Parts::srgb>(name_of(RuleId::mipmap_srgb), {"linear", "codes"}, best, all));
   }
   return traits;
 }

@@ -18,9 +18,13 @@ Json to_json(const ResidualExample& example) {
                {"pixel", {example.pixel.x, example.pixel.y}},
                {"told", example.told},
                {"formula", example.formula}};
-  const CaseText text = case_text(
-      example.scene,
-      {"", "Level of detail", "Found by edgecase profile.", {"texture.log2"}, "", "", {}});
+  const CaseText text = case_text(example.scene, {"",
+                                                  "Level of detail",
+                                                  "Found by edgecase profile.",
+                                                  {name_of(RuleId::texture_log2)},
+                                                  "",
+                                                  "",
+                                                  {}});
   if (text.diagnostics.empty()) json["case"] = Json::parse(text.text);
   return json;
 }

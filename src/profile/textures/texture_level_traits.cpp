@@ -26,7 +26,7 @@ struct Combination {
 };
 
 std::size_t combination_count() {
-  return all_derivative_methods().size() * values_of<ScaleFactor>().size() *
+  return values_of<DerivativeMethod>().size() * values_of<ScaleFactor>().size() *
          values_of<Log2Method>().size();
 }
 
@@ -49,8 +49,8 @@ bool yields_level(const RampLevels& ramp, Interval scale, Log2Method log2, doubl
 Yields yields_of(const RampLevels& ramp, const ToldLookup& lookup, LevelSource source,
                  double told) {
   Yields yields(combination_count());
-  for (std::size_t d = 0; d < all_derivative_methods().size(); ++d) {
-    const Footprint footprint = ramp.rounded_footprint(lookup, all_derivative_methods()[d]);
+  for (std::size_t d = 0; d < values_of<DerivativeMethod>().size(); ++d) {
+    const Footprint footprint = ramp.rounded_footprint(lookup, values_of<DerivativeMethod>()[d]);
     for (std::size_t s = 0; s < values_of<ScaleFactor>().size(); ++s) {
       const Interval scale = scale_factor(footprint, values_of<ScaleFactor>()[s]);
       for (std::size_t l = 0; l < values_of<Log2Method>().size(); ++l)
@@ -79,7 +79,7 @@ Combination best_of(const std::vector<Yields>& all) {
   for (const Yields& yields : all)
     for (std::size_t i = 0; i < yields.size(); ++i)
       if (yields[i]) ++counts[i];
-  const auto methods = all_derivative_methods();
+  const auto methods = values_of<DerivativeMethod>();
   const auto standard = static_cast<std::size_t>(
       std::find(methods.begin(), methods.end(), TextureChoice{}.derivatives) - methods.begin());
   Combination best{0, 0, standard};
@@ -116,12 +116,12 @@ std::vector<Trait> infer_level_of_detail(std::span<const ToldScene> ramps,
                                          const RuleChoices& found) {
   const std::vector<Yields> all = all_yields(ramps, found);
   const Combination best = best_of(all);
-  return {
-      trait_of("texture.scale-factor", values_of<ScaleFactor>(), &Combination::scale_factor, best,
-               best.scale_factor, all),
-      trait_of("texture.log2", values_of<Log2Method>(), &Combination::log2, best, best.log2, all),
-      trait_of("texture.derivatives", all_derivative_methods(), &Combination::derivatives, best,
-               best.derivatives, all)};
+  return {trait_of(name_of(RuleId::texture_scale_factor), values_of<ScaleFactor>(),
+                   &Combination::scale_factor, best, best.scale_factor, all),
+          trait_of(name_of(RuleId::texture_log2), values_of<Log2Method>(), &Combination::log2, best,
+                   best.log2, all),
+          trait_of(name_of(RuleId::texture_derivatives), values_of<DerivativeMethod>(),
+                   &Combination::derivatives, best, best.derivatives, all)};
 }
 
 }  // namespace edgecase

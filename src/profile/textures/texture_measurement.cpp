@@ -58,11 +58,13 @@ class TextureMeasurement {
 
   TextureFindings run() {
     guess_bias();
-    find_formats("texture.level-weight", TextureRule::level_weight, TextureQuestion::level_weight);
-    find_formats("texture.texel-grid", TextureRule::texel_grid, TextureQuestion::texel_grid);
-    find("texture.wrap", TextureRule::wrap, TextureQuestion::wrap);
+    find_formats(name_of(RuleId::texture_level_weight), TextureRule::level_weight,
+                 TextureQuestion::level_weight);
+    find_formats(name_of(RuleId::texture_texel_grid), TextureRule::texel_grid,
+                 TextureQuestion::texel_grid);
+    find(name_of(RuleId::texture_wrap), TextureRule::wrap, TextureQuestion::wrap);
     find_level_of_detail();
-    find("texture.crossover", TextureRule::crossover, TextureQuestion::crossover);
+    find(name_of(RuleId::texture_crossover), TextureRule::crossover, TextureQuestion::crossover);
     find_nearest_level();
     find_bias();
     find_anisotropy();
@@ -173,7 +175,7 @@ class TextureMeasurement {
     for (const Trait& trait : traits)
       if (main.rate.of == 0) main = trait;
     main.remark = fmt::format("as {} has it", main.id);
-    main.id = "texture.nearest-level";
+    main.id = name_of(RuleId::texture_nearest_level);
     adopt_trait(std::move(main));
     for (Trait& trait : traits) adopt_trait(std::move(trait));
   }
@@ -182,8 +184,8 @@ class TextureMeasurement {
   // if only roughly.
   void guess_bias() {
     given_levels_ = probes("texture.lod-bias:lod", TextureQuestion::sampler_bias);
-    const Trait trait =
-        infer_texture_rule(TextureRule::bias, "texture.lod-bias", given_levels_, found_floats_);
+    const Trait trait = infer_texture_rule(TextureRule::bias, name_of(RuleId::texture_lod_bias),
+                                           given_levels_, found_floats_);
     adopt(trait, found_.textures);
     adopt(trait, found_floats_.textures);
   }
@@ -208,15 +210,16 @@ class TextureMeasurement {
         all.push_back(std::move(scene));
       }
     }
-    adopt_trait(infer_texture_rule(TextureRule::bias, "texture.lod-bias", all, found_floats_));
+    adopt_trait(infer_texture_rule(TextureRule::bias, name_of(RuleId::texture_lod_bias), all,
+                                   found_floats_));
     for (Trait& trait : traits) adopt_trait(std::move(trait));
   }
 
   // Any way to filter anisotropically is open: what fits badly is told, not followed.
   void find_anisotropy() {
-    Trait trait = infer_texture_rule(TextureRule::anisotropy, "texture.anisotropy",
-                                     probes("texture.anisotropy", TextureQuestion::anisotropy),
-                                     found_floats_);
+    Trait trait = infer_texture_rule(
+        TextureRule::anisotropy, name_of(RuleId::texture_anisotropy),
+        probes(name_of(RuleId::texture_anisotropy), TextureQuestion::anisotropy), found_floats_);
     if (2 * trait.rate.agreeing >= trait.rate.of) {
       adopt_trait(std::move(trait));
       return;

@@ -188,19 +188,19 @@ Trait infer_texture_rule(TextureRule rule, std::string id, std::span<const ToldS
 
 void adopt(const Trait& trait, TextureChoice& choice) {
   if (trait.rate.of == 0) return;
-  adopt_into(trait, "texture.wrap", choice.wrap);
-  adopt_into(trait, "texture.texel-grid", choice.texel_grid);
-  adopt_into(trait, "texture.scale-factor", choice.scale_factor);
-  adopt_into(trait, "texture.log2", choice.log2);
-  adopt_into(trait, "texture.derivatives", choice.derivatives);
-  adopt_into(trait, "texture.lod-bias", choice.bias);
-  adopt_into(trait, "texture.crossover", choice.crossover);
-  adopt_into(trait, "texture.nearest-level", choice.nearest_level);
-  adopt_into(trait, "texture.level-weight", choice.level_weight);
-  adopt_into(trait, "texture.anisotropy", choice.anisotropy);
-  adopt_into(trait, "mipmap.filter", choice.mipmap.filter);
-  adopt_into(trait, "mipmap.rounding", choice.mipmap.rounding);
-  if (trait.id == "mipmap.srgb") choice.mipmap.linear_srgb = trait.alternative == "linear";
+  adopt_into(trait, name_of(RuleId::texture_wrap), choice.wrap);
+  adopt_into(trait, name_of(RuleId::texture_texel_grid), choice.texel_grid);
+  adopt_into(trait, name_of(RuleId::texture_scale_factor), choice.scale_factor);
+  adopt_into(trait, name_of(RuleId::texture_log2), choice.log2);
+  adopt_into(trait, name_of(RuleId::texture_derivatives), choice.derivatives);
+  adopt_into(trait, name_of(RuleId::texture_lod_bias), choice.bias);
+  adopt_into(trait, name_of(RuleId::texture_crossover), choice.crossover);
+  adopt_into(trait, name_of(RuleId::texture_nearest_level), choice.nearest_level);
+  adopt_into(trait, name_of(RuleId::texture_level_weight), choice.level_weight);
+  adopt_into(trait, name_of(RuleId::texture_anisotropy), choice.anisotropy);
+  adopt_into(trait, name_of(RuleId::mipmap_filter), choice.mipmap.filter);
+  adopt_into(trait, name_of(RuleId::mipmap_rounding), choice.mipmap.rounding);
+  if (trait.id == name_of(RuleId::mipmap_srgb)) parse_name(trait.alternative, choice.mipmap.srgb);
 }
 
 }  // namespace edgecase

@@ -22,7 +22,7 @@ constexpr std::size_t kMostMethods = 16;
 using Holds = std::array<bool, kMostMethods>;
 
 std::size_t method_count() {
-  return all_derivative_methods().size();
+  return values_of<DerivativeMethod>().size();
 }
 
 // What was counted of one form of derivative, of the samples that tell methods apart.
@@ -81,7 +81,7 @@ class DerivativeForm {
                           const QuadPixel& at, Derivative derivative) {
     Holds holds{};
     for (std::size_t m = 0; m < method_count(); ++m) {
-      const DerivativeMethod method = all_derivative_methods()[m];
+      const DerivativeMethod method = values_of<DerivativeMethod>()[m];
       holds[m] = true;
       for (std::size_t c = 0; c < 4 && holds[m]; ++c) {
         const double rendered = sample.derivatives[static_cast<std::size_t>(derivative)][c];
@@ -100,7 +100,7 @@ class DerivativeForm {
 
 // What people should know of a form beside the method.
 std::string remark_of(const Counts& counts, std::size_t best) {
-  const auto method = [](std::size_t m) { return name_of(all_derivative_methods()[m]); };
+  const auto method = [](std::size_t m) { return name_of(values_of<DerivativeMethod>()[m]); };
   const std::size_t x = best_of(counts.axis[0]);
   const std::size_t y = best_of(counts.axis[1]);
   if (counts.axis[0][x] == counts.axis[0][best] && counts.axis[1][y] == counts.axis[1][best])
@@ -113,9 +113,10 @@ std::string remark_of(const Counts& counts, std::size_t best) {
 Trait trait_of(Derivative x, const Counts& counts, DerivativeMethod standard) {
   std::size_t best = best_of(counts.both);
   for (std::size_t m = 0; m < method_count(); ++m)
-    if (all_derivative_methods()[m] == standard && counts.both[m] == counts.both[best]) best = m;
-  Trait trait{derivative_rule_of(x),
-              name_of(all_derivative_methods()[best]),
+    if (values_of<DerivativeMethod>()[m] == standard && counts.both[m] == counts.both[best])
+      best = m;
+  Trait trait{name_of(derivative_rule_of(x)),
+              name_of(values_of<DerivativeMethod>()[best]),
               {counts.both[best], counts.of},
               "",
               {},
@@ -127,7 +128,7 @@ Trait trait_of(Derivative x, const Counts& counts, DerivativeMethod standard) {
   std::size_t second = best == 0 ? 1 : 0;
   for (std::size_t m = 0; m < method_count(); ++m)
     if (m != best && counts.both[m] > counts.both[second]) second = m;
-  trait.runner_up = name_of(all_derivative_methods()[second]);
+  trait.runner_up = name_of(values_of<DerivativeMethod>()[second]);
   trait.runner_up_rate = {counts.both[second], counts.of};
   trait.remark = remark_of(counts, best);
   return trait;
@@ -163,8 +164,12 @@ Reading read(const std::vector<SampledScene>& scenes, const RuleChoices& found, 
 }
 
 Trait rows_trait(const Reading& best, const Reading& other) {
-  Trait trait{"derivative.quad-rows", name_of(best.rows), best.rate(),
-              name_of(other.rows),    other.rate(),       ""};
+  Trait trait{name_of(RuleId::derivative_quad_rows),
+              name_of(best.rows),
+              best.rate(),
+              name_of(other.rows),
+              other.rate(),
+              ""};
   if (trait.rate.of == 0) trait.remark = "no derivative is told";
   return trait;
 }

@@ -13,8 +13,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* rule_of(ValueKind kind) {
-  if (kind == ValueKind::depth) return "fragment.depth";
-  return kind == ValueKind::inverse_w ? "fragment.coordinates" : "attribute.smooth";
+  if (kind == ValueKind::depth) return name_of(RuleId::fragment_depth);
+  return kind == ValueKind::inverse_w ? name_of(RuleId::fragment_coordinates)
+                                      : name_of(RuleId::attribute_smooth);
 }
 
 Json to_json(const ValueExample& example, const ValueErrors& row) {

@@ -194,13 +194,17 @@ ValueTraits infer_once(const std::vector<SampledScene>& scenes, const RuleChoice
   const std::array perspective{with_perspective(values, "as-set", PerspectiveChoice::as_set),
                                with_perspective(values, "always", PerspectiveChoice::always),
                                with_perspective(values, "never", PerspectiveChoice::never)};
-  values = perspective[decide("attribute.perspective", perspective, scenes, found, result)].values;
+  values = perspective[decide(name_of(RuleId::attribute_perspective), perspective, scenes, found,
+                              result)]
+               .values;
   const std::array parameter{with_parameter(values, "projection", LineParameter::projection),
                              with_parameter(values, "major-axis", LineParameter::major_axis)};
-  values = parameter[decide("attribute.smooth", parameter, scenes, found, result)].values;
+  values =
+      parameter[decide(name_of(RuleId::attribute_smooth), parameter, scenes, found, result)].values;
   const std::array positions{with_positions(values, "unsnapped", AttributePositions::unsnapped),
                              with_positions(values, "snapped", AttributePositions::snapped)};
-  values = positions[decide("attribute.positions", positions, scenes, found, result)].values;
+  values = positions[decide(name_of(RuleId::attribute_positions), positions, scenes, found, result)]
+               .values;
   result.values = values;
   return result;
 }

@@ -73,7 +73,7 @@ std::vector<PixelPosition> clipped_triangle_pixels(const UnclippedTriangle& tria
 
 Rule clip_volume_rule() {
   return {
-      "clip.volume",
+      RuleId::clip_volume,
       "Only the part of a primitive in the clip volume is drawn",
       "13.7 (primitive clipping)",
       "new vertices are rounded and may be moved as others are; points outside the sides of the "

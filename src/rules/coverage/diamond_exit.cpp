@@ -240,7 +240,7 @@ Explanation explain_line(const Segment& segment, int x, int y, const DiamondBoun
 
 Rule diamond_exit_rule() {
   Rule rule;
-  rule.id = "line.diamond-exit";
+  rule.id = RuleId::line_diamond_exit;
   rule.title =
       "A line produces the fragments whose diamonds it exits; a tie rule decides on their "
       "boundaries";
@@ -277,7 +277,7 @@ Rule diamond_exit_rule() {
 
 Rule interior_gap_rule() {
   Rule rule;
-  rule.id = "line.interior-gap";
+  rule.id = RuleId::line_interior_gap;
   rule.title = "A line has no gap between its fragments";
   rule.spec = "14.5.1 (basic line segment rasterization)";
   rule.latitude = "one missing fragment passes the letter of the relaxed rules";

@@ -4,7 +4,7 @@
 namespace edgecase {
 
 Rule fragment_once_rule() {
-  return {"fragment.once",
+  return {RuleId::fragment_once,
           "A primitive produces at most one fragment per pixel",
           "14.4 to 14.6",
           "none",

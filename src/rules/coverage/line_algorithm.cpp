@@ -221,7 +221,7 @@ std::span<const WideLine> all_wide_lines() {
 
 Rule line_algorithm_rule() {
   Rule rule;
-  rule.id = "line.algorithm";
+  rule.id = RuleId::line_algorithm;
   rule.title = "A line of width 1 is drawn by the diamond-exit rule or by an algorithm close to it";
   rule.spec = "14.5.1 (basic line segment rasterization)";
   rule.latitude =
@@ -236,7 +236,7 @@ Rule line_algorithm_rule() {
 
 Rule line_width_rule() {
   Rule rule;
-  rule.id = "line.width";
+  rule.id = RuleId::line_width;
   rule.title =
       "A wide line is a line of width 1 whose fragments are replicated along the minor axis";
   rule.spec = "14.5.2 (other line segment features)";

@@ -132,7 +132,7 @@ std::string broken_joint_clause(const DrawnSegment& first, std::span<const Segme
 
 Rule line_joint_rule() {
   Rule rule;
-  rule.id = "line.joint";
+  rule.id = RuleId::line_joint;
   rule.title = "Connected segments of one direction make one line: no fragment twice, no gap";
   rule.spec = "14.5.1 (basic line segment rasterization)";
   rule.latitude = "anything where connected segments differ in major axis or direction";

@@ -18,22 +18,7 @@ std::int64_t chebyshev_distance(Point vertex, Point centre) {
                   std::abs(centre.y.raw() - vertex.y.raw()));
 }
 
-constexpr PointOffset kOffsets[] = {PointOffset::none, PointOffset::right_down};
-
 }  // namespace
-
-const char* name_of(PointOffset offset) {
-  return offset == PointOffset::none ? "none" : "right-down";
-}
-
-bool parse_name(std::string_view name, PointOffset& offset) {
-  for (PointOffset candidate : kOffsets) {
-    if (name != name_of(candidate)) continue;
-    offset = candidate;
-    return true;
-  }
-  return false;
-}
 
 Point moved(Point vertex, PointOffset offset) {
   const Fixed eighth = Fixed::from_raw(Fixed::kOne / 8);
@@ -43,14 +28,12 @@ Point moved(Point vertex, PointOffset offset) {
 
 Rule point_offset_rule() {
   Rule rule;
-  rule.id = "point.offset";
+  rule.id = RuleId::point_offset;
   rule.title = "A point's square is centred on its vertex";
   rule.spec = "14.4 (points)";
   rule.latitude = "none; ruling 6 judges the result";
   rule.standard = "none";
-  rule.alternatives = {
-      {"none", Openness::mandated, "the vertex is the centre of the square"},
-      {"right-down", Openness::illegal, "the square lies 1/8 pixel to the right and below"}};
+  rule.alternatives = alternatives_of<PointOffset>();
   return rule;
 }
 
@@ -66,7 +49,7 @@ std::span<const TieRule> point_tie_rules() {
 
 Rule point_ownership_rule() {
   return {
-      "point.ownership",
+      RuleId::point_ownership,
       "A point covers the pixels whose centres lie in its square",
       "14.4 (points)",
       "a centre exactly on the boundary of the square may count or not; the vertex may be moved to "

@@ -11,8 +11,8 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 
+#include "rules/alternative_table.h"
 #include "rules/coverage/explain.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/rule.h"
@@ -25,11 +25,11 @@ Rule point_offset_rule();
 // Where the square of a point lies. Mesa's drivers without points of their own draw two triangles
 // an eighth of a pixel aside.
 enum class PointOffset { none, right_down };
-
-// "none", "right-down".
-const char* name_of(PointOffset offset);
-// False when there is none of that name.
-bool parse_name(std::string_view name, PointOffset& offset);
+template <>
+inline constexpr auto kNames<PointOffset> = std::to_array<TabledAlternative<PointOffset>>(
+    {{PointOffset::none, "none", Openness::mandated, "the vertex is the centre of the square"},
+     {PointOffset::right_down, "right-down", Openness::illegal,
+      "the square lies 1/8 pixel to the right and below"}});
 // The vertex moved so.
 Point moved(Point vertex, PointOffset offset);
 

@@ -41,7 +41,7 @@ bool is_culled(const ScenePrimitive& primitive, const std::array<HomogeneousPoin
 }
 
 Rule polygon_facing_rule() {
-  return {"polygon.facing",
+  return {RuleId::polygon_facing,
           "A polygon faces the front if its winding in the window is the one that the draw sets",
           "14.6.1 (basic polygon rasterization)",
           "that of the vertices' positions (ruling 40)",

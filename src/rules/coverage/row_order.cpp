@@ -5,32 +5,18 @@
 
 namespace edgecase {
 
-const char* name_of(RowOrder order) {
-  return order == RowOrder::bottom_up ? "bottom-up" : "top-down";
-}
-
-bool parse_name(std::string_view name, RowOrder& order) {
-  for (RowOrder candidate : {RowOrder::bottom_up, RowOrder::top_down}) {
-    if (name != name_of(candidate)) continue;
-    order = candidate;
-    return true;
-  }
-  return false;
-}
-
-Rule row_order_rule(const std::string& id) {
+Rule row_order_rule(RuleId id) {
   Rule rule;
   rule.id = id;
-  const std::string kind = id.substr(0, id.find('.'));
+  const std::string name = name_of(id);
+  const std::string kind = name.substr(0, name.find('.'));
   rule.title =
       fmt::format("Ties and rounding of {}s are decided with y up, as in window coordinates",
                   static_cast<char>(kind[0] - 'a' + 'A') + kind.substr(1));
   rule.spec = "14 (rasterization), which does not speak of memory";
   rule.latitude = "any, as long as the rulings on what is drawn hold";
   rule.standard = "bottom-up";
-  rule.alternatives = {{"bottom-up", Openness::open, "ties and rounding see y up"},
-                       {"top-down", Openness::open,
-                        "the target is seen upside down: ties, rounding and offsets see y down"}};
+  rule.alternatives = alternatives_of<RowOrder>();
   return rule;
 }
 

@@ -8,25 +8,23 @@
 // The edges that it takes for top edges are bottom edges.
 #pragma once
 
-#include <string>
-#include <string_view>
-
 #include "exact/fixed.h"
 #include "exact/homogeneous.h"
 #include "exact/pixel.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
 
 enum class RowOrder { bottom_up, top_down };
-
-// "bottom-up", "top-down".
-const char* name_of(RowOrder order);
-// False when there is none of that name.
-bool parse_name(std::string_view name, RowOrder& order);
+template <>
+inline constexpr auto kNames<RowOrder> = std::to_array<TabledAlternative<RowOrder>>(
+    {{RowOrder::bottom_up, "bottom-up", Openness::open, "ties and rounding see y up"},
+     {RowOrder::top_down, "top-down", Openness::open,
+      "the target is seen upside down: ties, rounding and offsets see y down"}});
 
 // The catalogue entry; `id` is "point.row-order", "line.row-order" or "triangle.row-order".
-Rule row_order_rule(const std::string& id);
+Rule row_order_rule(RuleId id);
 
 // A point and a rectangle of pixels upside down in a target of `height` rows.
 Point turned_over(Point point, int height);

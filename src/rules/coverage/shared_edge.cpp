@@ -31,7 +31,7 @@ bool lies_between(const SharedEdge& edge, Point sample, Fixed reach) {
 
 Rule shared_edge_rule() {
   return {
-      "triangle.shared-edge",
+      RuleId::triangle_shared_edge,
       "A sample on an edge that two triangles share is hit exactly once",
       "14.6.1 (basic polygon rasterization)",
       "none: exactly one triangle gets the sample; which of the two is open",

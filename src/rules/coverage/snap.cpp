@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "exact/fixed.h"
@@ -113,24 +114,30 @@ std::span<const Snap> all_snaps() {
 }
 
 const Snap* find_snap(std::string_view name) {
-  for (const Snap& snap : all_snaps())
-    if (name_of(snap) == name) return &snap;
-  return nullptr;
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const Snap snap : all_snaps()) list.push_back(name_of(snap));
+    return list;
+  }();
+  const auto found = std::ranges::find(names, name);
+  return found != names.end() ? &all_snaps()[static_cast<std::size_t>(found - names.begin())]
+                              : nullptr;
 }
 
-Rule snap_rule(const std::string& id) {
+Rule snap_rule(RuleId id) {
   Rule rule;
   rule.id = id;
-  rule.title = id == "subpixel.snap"
+  const std::string name = name_of(id);
+  rule.title = id == RuleId::subpixel_snap
                    ? "Vertices may be rounded to a sub-pixel grid"
                    : fmt::format("Vertices of {}s may be rounded to a sub-pixel grid",
-                                 id.substr(0, id.find('.')));
+                                 name.substr(0, name.find('.')));
   rule.spec = "14 (rasterization) and the implementation-dependent value SUBPIXEL_BITS";
   rule.latitude = "any grid of at least 4 bits, as many as SUBPIXEL_BITS reports";
   rule.standard = "none";
   for (Snap snap : all_snaps())
     rule.alternatives.push_back({name_of(snap), Openness::open, meaning_of(snap)});
-  if (id == "subpixel.snap") rule.rulings = {ruling_on_division()};
+  if (id == RuleId::subpixel_snap) rule.rulings = {ruling_on_division()};
   return rule;
 }
 

@@ -54,6 +54,6 @@ std::span<const Snap> all_snaps();
 const Snap* find_snap(std::string_view name);
 
 // The catalogue entry; `id` is "subpixel.snap" or the snap of one primitive type.
-Rule snap_rule(const std::string& id);
+Rule snap_rule(RuleId id);
 
 }  // namespace edgecase

@@ -96,7 +96,7 @@ std::vector<PixelPosition> tied_triangle_pixels(const Triangle& triangle,
 
 Rule triangle_algorithm_rule() {
   Rule rule;
-  rule.id = "triangle.algorithm";
+  rule.id = RuleId::triangle_algorithm;
   rule.title =
       "The samples inside a triangle are found exactly or by a known algorithm that rounds";
   rule.spec = "14.6.1 (basic polygon rasterization)";

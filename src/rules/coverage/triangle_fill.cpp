@@ -143,7 +143,7 @@ bool triangle_possibly_uncovered(const Triangle& triangle, Point sample, Fixed r
 
 Rule triangle_fill_rule() {
   return {
-      "triangle.fill-rule",
+      RuleId::triangle_fill_rule,
       "A triangle covers the samples inside it; samples on an edge follow one tie rule",
       "14.6.1 (basic polygon rasterization)",
       "which triangle gets a sample exactly on an edge; vertices may be moved to the sub-pixel "

@@ -20,7 +20,7 @@
 namespace edgecase {
 
 // The rule's id, and the cause of what disagrees because of it.
-inline constexpr const char* kWindowOrigin = "window.origin";
+inline constexpr RuleId kWindowOrigin = RuleId::window_origin;
 inline constexpr int kRulingOnOrigin = 43;
 
 Rule window_origin_rule();

@@ -195,7 +195,7 @@ Rgba8Range permitted_color(const FragmentOperations& operations,
 }
 
 Rule blend_equation_rule() {
-  return {"blend.equation",
+  return {RuleId::blend_equation,
           "A fragment's colour is blended with the stored one by the draw's equation and factors",
           "17.3.6 (blending), tables 17.1 and 17.2",
           "none but rounding (blend.rounding)",
@@ -205,7 +205,7 @@ Rule blend_equation_rule() {
 }
 
 Rule blend_rounding_rule() {
-  return {"blend.rounding",
+  return {RuleId::blend_rounding,
           "A blended colour is stored as the value nearest to the equation's result",
           "17.3.6.1 (blend equation), with 2.3.5.2 (conversion to normalized fixed-point)",
           "the precision of 8 bits for each intermediate number (ruling 37)",
@@ -226,7 +226,7 @@ Rule blend_rounding_rule() {
 }
 
 Rule color_mask_rule() {
-  return {"color.mask",
+  return {RuleId::color_mask,
           "Masked components are not written",
           "17.4.2 (fine control of buffer updates)",
           "none",

@@ -67,7 +67,7 @@ TestOutcomes unconverted_outcomes(CompareFunction function, Interval depth, Inte
 
 Rule depth_test_rule() {
   return {
-      "depth.test",
+      RuleId::depth_test,
       "A fragment passes if the draw's comparison of its depth with the stored one holds",
       "17.3.4 (depth buffer test), with 13.8.1 (controlling the viewport)",
       "none in the comparison; either outcome where the latitude of the depths leaves it open "
@@ -93,7 +93,7 @@ Rule depth_test_rule() {
 }
 
 Rule depth_mask_rule() {
-  return {"depth.mask",
+  return {RuleId::depth_mask,
           "Masked depths are not stored",
           "17.4.2 (fine control of buffer updates)",
           "none",

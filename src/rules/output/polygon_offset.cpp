@@ -199,7 +199,7 @@ Interval offset_permitted(const PolygonOffset& offset, const Interpolant& depth,
 }
 
 Rule offset_slope_rule() {
-  return {"offset.slope",
+  return {RuleId::offset_slope,
           "The factor of a polygon's offset multiplies the slope of its depth in the window",
           "14.6.5 (depth offset)",
           "the length of the gradient, or its larger component instead (ruling 38)",
@@ -209,7 +209,7 @@ Rule offset_slope_rule() {
 }
 
 Rule offset_unit_rule() {
-  return {"offset.unit",
+  return {RuleId::offset_unit,
           "A unit of polygon offset is the smallest difference of depths that a fixed-point buffer "
           "keeps",
           "14.6.5 (depth offset)",
@@ -235,7 +235,7 @@ Rule offset_unit_rule() {
 
 Rule offset_exponent_rule() {
   return {
-      "offset.exponent",
+      RuleId::offset_exponent,
       "In a floating-point buffer a unit of polygon offset depends on the polygon's largest depth",
       "14.6.5 (depth offset)",
       "none beyond that of the vertices' depths (ruling 38)",

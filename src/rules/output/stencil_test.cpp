@@ -61,7 +61,7 @@ std::uint8_t after(StencilOperation operation, const StencilFace& face, std::uin
 
 Rule stencil_test_rule() {
   return {
-      "stencil.test",
+      RuleId::stencil_test,
       "A fragment passes if the draw's comparison of reference and stored value holds",
       "17.3.3 (stencil test), with 17.4.2 (fine control of buffer updates)",
       "none",

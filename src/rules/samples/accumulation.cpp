@@ -142,7 +142,7 @@ Interval accumulation_permitted(std::span<const double> shown, const Supersampli
 }
 
 Rule accumulation_rule() {
-  return {"supersample.accumulation",
+  return {RuleId::supersample_accumulation,
           "A supersampled pixel is the weighted mean of its passes",
           "17.3.6 (blending); that a pixel is such a mean is our own definition, "
           "src/model/sampling.h",

@@ -67,7 +67,7 @@ bool is_proportional(double alpha, int kept, int samples) {
 
 Rule alpha_to_coverage_rule() {
   return {
-      "sample.alpha-to-coverage",
+      RuleId::sample_alpha_to_coverage,
       "Alpha to coverage keeps samples in proportion to alpha",
       "17.3.1 (alpha to coverage)",
       "which samples, which may differ from pixel to pixel; none for alpha 0, all for 1 (rulings "

@@ -114,7 +114,7 @@ bool is_at_sample(const Multisampling& use) {
 
 Rule attribute_location_rule() {
   return {
-      "attribute.location",
+      RuleId::attribute_location,
       "Attributes of a multisampled fragment are evaluated in its pixel",
       "14.3.1 (multisampling) and 14.3.1.1 (sample shading)",
       "anywhere in the pixel, unless the shader qualifies the attribute or runs for each sample",
@@ -132,7 +132,7 @@ Rule attribute_location_rule() {
 }
 
 Rule centroid_rule() {
-  return {"attribute.centroid",
+  return {RuleId::attribute_centroid,
           "A centroid attribute is evaluated where its primitive covers the pixel",
           "14.3.1 (multisampling); GLSL 4.60, 4.5 (interpolation qualifiers)",
           "any place that lies both in the pixel and in the primitive",
@@ -147,7 +147,7 @@ Rule centroid_rule() {
 }
 
 Rule sample_depth_rule() {
-  return {"sample.depth",
+  return {RuleId::sample_depth,
           "Each sample has the depth at its own location",
           "14.3.1 (multisampling)",
           "none beyond that of values (ruling 29)",

@@ -190,7 +190,7 @@ bool multisampled_line_possibly_uncovered(const Segment& segment, Fixed width, P
 
 Rule multisampled_line_rule() {
   return {
-      "line.multisampled",
+      RuleId::line_multisampled,
       "A multisampled line covers the samples in its rectangle",
       "14.5.4 (line multisample rasterization)",
       "a sample exactly on the boundary may count or not; the ends, or the corners of the "

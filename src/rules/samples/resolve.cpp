@@ -74,7 +74,7 @@ ResolvedRange resolve_permitted(std::span<const std::uint8_t> samples) {
 
 Rule resolve_rule() {
   return {
-      "sample.resolve",
+      RuleId::sample_resolve,
       "A resolved pixel is the mean of its samples",
       "18.3.1 (blitting pixel rectangles)",
       "any way to make one value of the samples (ruling 31)",

@@ -25,7 +25,7 @@ std::uint32_t writable_samples(const Multisampling& use, int samples, SampleMask
 
 Rule multisample_switch_rule() {
   return {
-      "sample.enable",
+      RuleId::sample_enable,
       "Without GL_MULTISAMPLE a multisampled target is drawn to as if it had one sample",
       "14.3.1 (multisampling)",
       "where depths and attributes are evaluated (rulings 29 and 35); single-sampled rules "
@@ -41,7 +41,7 @@ Rule multisample_switch_rule() {
 }
 
 Rule sample_mask_rule() {
-  return {"sample.mask",
+  return {RuleId::sample_mask,
           "Only samples in the sample mask are written",
           "14.9.3 (multisample fragment operations)",
           "none",

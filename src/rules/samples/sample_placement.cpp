@@ -137,7 +137,7 @@ bool parse_name(std::string_view name, SamplePlacement& placement) {
 
 Rule sample_positions_rule() {
   return {
-      "sample.positions",
+      RuleId::sample_positions,
       "A pixel's samples lie where the renderer reports them",
       "14.3.1 (multisampling)",
       "any positions within the pixel that GL_SAMPLE_POSITION reports (ruling 27)",

@@ -17,7 +17,7 @@ bool runs_per_sample(const Multisampling& use, int samples, ShadingRate choice) 
 
 Rule shading_rate_rule() {
   return {
-      "sample.shading-rate",
+      RuleId::sample_shading_rate,
       "The shader runs at least as often for a pixel as the draw asks for",
       "14.3.1.1 (sample shading)",
       "more invocations than are asked for, and which samples share one (ruling 34)",

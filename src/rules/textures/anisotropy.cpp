@@ -77,7 +77,7 @@ ProbeRow probes(const Footprint& footprint, float max_anisotropy, Anisotropy cho
 
 Rule anisotropy_rule() {
   Rule rule;
-  rule.id = "texture.anisotropy";
+  rule.id = RuleId::texture_anisotropy;
   rule.title = "Anisotropic filters look up several times along the longer vector of a footprint";
   rule.spec = "8.14.1, with EXT_texture_filter_anisotropic";
   rule.latitude = "the implementation chooses the method, on levels that it may use (ruling 23)";

@@ -145,7 +145,7 @@ Interval clamped(Interval lambda_prime, const Sampler& sampler) {
 
 Rule scale_factor_rule() {
   Rule rule;
-  rule.id = "texture.scale-factor";
+  rule.id = RuleId::texture_scale_factor;
   rule.title =
       "The scale factor is the length of the longer vector of a pixel's footprint in the texture";
   rule.spec = "8.14.1, scale factor and the conditions on its approximations";
@@ -171,7 +171,7 @@ Rule scale_factor_rule() {
 
 Rule level_derivatives_rule() {
   Rule rule = derivative_rule();
-  rule.id = "texture.derivatives";
+  rule.id = RuleId::texture_derivatives;
   rule.title = "The scale factor is computed from derivatives of the texture coordinates";
   rule.spec = "8.14.1, with GLSL 4.60, 8.14.1 (derivative functions)";
   rule.latitude = "the derivatives may be any that dFdx and dFdy may return (rulings 16 and 19)";
@@ -181,7 +181,7 @@ Rule level_derivatives_rule() {
 
 Rule lod_bias_rule() {
   Rule rule;
-  rule.id = "texture.lod-bias";
+  rule.id = RuleId::texture_lod_bias;
   rule.title = "The bias of the sampler and that of the shader are added to the level of detail";
   rule.spec = "8.14.1, level of detail";
   rule.latitude =

@@ -174,7 +174,7 @@ Interval accessed_level(Interval lambda, const Sampler& sampler, int last,
 
 Rule crossover_rule() {
   Rule rule;
-  rule.id = "texture.crossover";
+  rule.id = RuleId::texture_crossover;
   rule.title = "A texture is magnified up to a level of detail of 0 and minified beyond";
   rule.spec = "8.14, as corrected in 2018 (KhronosGroup/OpenGL-API, issue 34), and 8.15";
   rule.latitude = "none";
@@ -185,7 +185,7 @@ Rule crossover_rule() {
 
 Rule nearest_level_rule() {
   Rule rule;
-  rule.id = "texture.nearest-level";
+  rule.id = RuleId::texture_nearest_level;
   rule.title = "NEAREST_MIPMAP_NEAREST and LINEAR_MIPMAP_NEAREST take the nearest level";
   rule.spec = "8.14.3, nearest mipmap selection";
   rule.latitude = "which of two equally near levels (ruling 21)";
@@ -202,7 +202,7 @@ Rule nearest_level_rule() {
 
 Rule level_weight_rule() {
   Rule rule;
-  rule.id = "texture.level-weight";
+  rule.id = RuleId::texture_level_weight;
   rule.title = "NEAREST_MIPMAP_LINEAR and LINEAR_MIPMAP_LINEAR weigh two levels by the fraction";
   rule.spec = "8.14.3, linear mipmap filters";
   rule.latitude = "the precision of the weight: 2^-6 (rulings 22 and 50)";

@@ -77,7 +77,7 @@ Interval log2_of(Interval value, Log2Method method) {
 
 Rule log2_rule() {
   Rule rule;
-  rule.id = "texture.log2";
+  rule.id = RuleId::texture_log2;
   rule.title = "The level of detail is the base-2 logarithm of the scale factor";
   rule.spec = "8.14.1, level of detail";
   rule.latitude = "the precision, which is not stated: 2^-6 of a level (rulings 20 and 50)";

@@ -57,7 +57,7 @@ class Footing {
     const bool by_rows = method.rounding == MipmapRounding::half_up_by_rows;
     const MipmapRounding rounding = by_rows ? MipmapRounding::nearest_even : method.rounding;
     if (format == TextureFormat::rgba32f) return weighted(values, mean_of_floats, rounding);
-    if (format == TextureFormat::srgb8 && method.linear_srgb)
+    if (format == TextureFormat::srgb8 && method.srgb == MipmapSrgb::linear)
       return weighted(values, component == kAlpha ? mean_of_codes : mean_of_srgb, rounding);
     if (by_rows) return mean_of_rows(values, columns_.weights, rows_.weights);
     return weighted(values, mean_of_codes, rounding);
@@ -113,7 +113,7 @@ std::vector<TextureLevel> mip_chain(const TextureLevel& base, TextureFormat form
 }
 
 Rule level_count_rule() {
-  return {"mipmap.level-count",
+  return {RuleId::mipmap_level_count,
           "A mip chain goes down to one texel",
           "8.14.3 (mipmapping)",
           "none (ruling 25)",
@@ -124,7 +124,7 @@ Rule level_count_rule() {
 
 Rule mipmap_filter_rule() {
   return {
-      "mipmap.filter",
+      RuleId::mipmap_filter,
       "A generated level is a filtered reduction of the one before",
       "8.14.4 (manual mipmap generation)",
       "any filter; a box filter is recommended (rulings 25 and 48)",
@@ -143,7 +143,7 @@ Rule mipmap_filter_rule() {
 }
 
 Rule mipmap_rounding_rule() {
-  return {"mipmap.rounding",
+  return {RuleId::mipmap_rounding,
           "Texels of a generated level are rounded to the texture's format",
           "8.14.4 (manual mipmap generation)",
           "any rounding (ruling 25)",
@@ -153,13 +153,12 @@ Rule mipmap_rounding_rule() {
 }
 
 Rule mipmap_srgb_rule() {
-  return {"mipmap.srgb",
+  return {RuleId::mipmap_srgb,
           "sRGB texels are averaged as light",
           "8.14.4 (manual mipmap generation) and 8.24 (sRGB texture color conversion)",
           "whether texels are decoded before they are averaged (ruling 25)",
           "linear",
-          {{"linear", Openness::open, "decoded, averaged and encoded again"},
-           {"codes", Openness::open, "averaged as they are stored"}},
+          alternatives_of<MipmapSrgb>(),
           {}};
 }
 

@@ -67,12 +67,17 @@ inline constexpr auto kNames<MipmapRounding> = std::to_array<TabledAlternative<M
 
 int levels_of_chain(int width, int height, LevelCount choice);
 
-// The next smaller image. sRGB texels are decoded, averaged and coded again where `linear_srgb`,
-// else their codes are.
+enum class MipmapSrgb { linear, codes };
+template <>
+inline constexpr auto kNames<MipmapSrgb> = std::to_array<TabledAlternative<MipmapSrgb>>(
+    {{MipmapSrgb::linear, "linear", Openness::open, "decoded, averaged and encoded again"},
+     {MipmapSrgb::codes, "codes", Openness::open, "averaged as they are stored"}});
+
+// The next smaller image.
 struct MipmapMethod {
   MipmapFilter filter = MipmapFilter::box;
   MipmapRounding rounding = MipmapRounding::nearest_even;
-  bool linear_srgb = true;
+  MipmapSrgb srgb = MipmapSrgb::linear;  // texels of that format
 
   friend bool operator==(const MipmapMethod&, const MipmapMethod&) = default;
 };

@@ -266,7 +266,7 @@ std::vector<Texel> filter_level(const DecodedLevel& level, int dimensions, Textu
 
 Rule texel_filter_rule() {
   return {
-      "texture.filter",
+      RuleId::texture_filter,
       "A lookup takes the texel that holds the point, or the mean of the four around it",
       "8.14.2 (coordinate wrapping and texel selection) and 8.14.3 (mipmapping)",
       "positions within a texel have no stated precision, and neither have the weights made from "
@@ -295,7 +295,7 @@ Rule texel_filter_rule() {
 }
 
 Rule texel_grid_rule() {
-  return {"texture.texel-grid",
+  return {RuleId::texture_texel_grid,
           "Texels and weights follow from coordinates that are not rounded",
           "8.14.2 (coordinate wrapping and texel selection)",
           "coordinates in texels may be rounded to some bits (ruling 24)",

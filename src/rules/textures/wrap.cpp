@@ -41,7 +41,7 @@ std::optional<int> wrapped(std::int64_t texel, int size, Wrap wrap, WrapChoice c
 }
 
 Rule wrap_rule() {
-  return {"texture.wrap",
+  return {RuleId::texture_wrap,
           "Texels beyond the image are found as the texture's wrap mode says",
           "8.14.2 (coordinate wrapping and texel selection)",
           "none",

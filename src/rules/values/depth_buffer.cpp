@@ -85,7 +85,7 @@ bool is_within_one_code(double stored, Interval permitted, DepthFormat format) {
 
 Rule depth_buffer_rule() {
   return {
-      "framebuffer.depth",
+      RuleId::framebuffer_depth,
       "A depth is stored as the nearest value of the depth buffer's format",
       "2.3.5.2 (conversion from floating-point to normalized fixed-point)",
       "either of the two nearest integers, of which the nearest is preferred; for float32, a depth "

@@ -9,40 +9,6 @@
 namespace edgecase {
 namespace {
 
-struct Entry {
-  DerivativeMethod method;
-  const char* name;
-  const char* meaning;
-};
-
-constexpr Entry kEntries[] = {
-    {DerivativeMethod::analytic, "analytic", "the derivative itself, not a difference"},
-    {DerivativeMethod::forward, "forward", "the next pixel's value minus the pixel's own"},
-    {DerivativeMethod::fine, "quad-fine",
-     "the difference within the 2x2 quad, in the pixel's own row or column"},
-    {DerivativeMethod::fine_odd, "quad-fine-odd",
-     "the same, for quads that begin at odd columns and rows"},
-    {DerivativeMethod::coarse_bottom_left, "quad-coarse-bottom-left",
-     "one difference for the quad, along x in its bottom row, along y in its left column"},
-    {DerivativeMethod::coarse_bottom_right, "quad-coarse-bottom-right",
-     "one difference for the quad, along x in its bottom row, along y in its right column"},
-    {DerivativeMethod::coarse_top_left, "quad-coarse-top-left",
-     "one difference for the quad, along x in its top row, along y in its left column"},
-    {DerivativeMethod::coarse_top_right, "quad-coarse-top-right",
-     "one difference for the quad, along x in its top row, along y in its right column"},
-    {DerivativeMethod::other_row, "quad-other-row",
-     "the difference within the quad, in the row or column that does not hold the pixel"}};
-
-constexpr DerivativeMethod kMethods[] = {DerivativeMethod::analytic,
-                                         DerivativeMethod::forward,
-                                         DerivativeMethod::fine,
-                                         DerivativeMethod::fine_odd,
-                                         DerivativeMethod::coarse_bottom_left,
-                                         DerivativeMethod::coarse_bottom_right,
-                                         DerivativeMethod::coarse_top_left,
-                                         DerivativeMethod::coarse_top_right,
-                                         DerivativeMethod::other_row};
-
 Neighbours from(PixelPosition first, Axis axis) {
   return {first, axis == Axis::x ? PixelPosition{first.x + 1, first.y}
                                  : PixelPosition{first.x, first.y + 1}};
@@ -65,41 +31,22 @@ Interval inexact_difference(Interval second, Interval first) {
   return widened(second - first, kOperationError);
 }
 
-Rule rule_of(const char* id, const char* title, const char* latitude, const char* standard) {
+Rule rule_about(RuleId id, const char* title, const char* latitude, const char* standard) {
   Rule rule;
   rule.id = id;
   rule.title = title;
   rule.spec = "GLSL 4.60, 8.14.1 (derivative functions)";
   rule.latitude = latitude;
   rule.standard = standard;
-  for (const Entry& entry : kEntries)
-    rule.alternatives.push_back({entry.name, Openness::open, entry.meaning});
+  rule.alternatives = alternatives_of<DerivativeMethod>();
   return rule;
 }
 
 }  // namespace
 
-std::span<const DerivativeMethod> all_derivative_methods() {
-  return kMethods;
-}
-
-const char* name_of(DerivativeMethod method) {
-  for (const Entry& entry : kEntries)
-    if (entry.method == method) return entry.name;
-  return "?";
-}
-
-bool parse_name(std::string_view name, DerivativeMethod& method) {
-  for (const Entry& entry : kEntries) {
-    if (entry.name != name) continue;
-    method = entry.method;
-    return true;
-  }
-  return false;
-}
-
-const char* derivative_rule_of(Derivative derivative) {
-  constexpr std::array kRules{"derivative.plain", "derivative.fine", "derivative.coarse"};
+RuleId derivative_rule_of(Derivative derivative) {
+  constexpr std::array kRules{RuleId::derivative_plain, RuleId::derivative_fine,
+                              RuleId::derivative_coarse};
   return kRules[form_of(derivative)];
 }
 
@@ -206,11 +153,11 @@ Interval PermittedDerivatives::in_area(PixelPosition pixel, Derivative derivativ
 }
 
 Rule derivative_rule() {
-  Rule rule =
-      rule_of("derivative.plain", "dFdx and dFdy are differences of neighbouring fragments' values",
-              "which neighbours: the fine or the coarse form, or the derivative itself "
-              "(ruling 16)",
-              "quad-fine");
+  Rule rule = rule_about(RuleId::derivative_plain,
+                         "dFdx and dFdy are differences of neighbouring fragments' values",
+                         "which neighbours: the fine or the coarse form, or the derivative itself "
+                         "(ruling 16)",
+                         "quad-fine");
   rule.rulings = {
       {16,
        "Derivatives: permitted for the fine forms is the difference between the fragment and its "
@@ -226,7 +173,7 @@ Rule derivative_rule() {
 
 Rule quad_rows_rule() {
   Rule rule;
-  rule.id = "derivative.quad-rows";
+  rule.id = RuleId::derivative_quad_rows;
   rule.title = "Quads begin at even rows, counted from the bottom of the target";
   rule.spec = "GLSL 4.60, 8.14.1 (derivative functions)";
   rule.latitude = "where quads begin (ruling 16)";
@@ -239,9 +186,9 @@ Rule quad_rows_rule() {
 }
 
 Rule fine_derivative_rule() {
-  Rule rule =
-      rule_of("derivative.fine", "dFdxFine and dFdyFine take the fragment's own row or column",
-              "the neighbour on either side (ruling 16)", "quad-fine");
+  Rule rule = rule_about(RuleId::derivative_fine,
+                         "dFdxFine and dFdyFine take the fragment's own row or column",
+                         "the neighbour on either side (ruling 16)", "quad-fine");
   for (Alternative& alternative : rule.alternatives)
     if (alternative.name != "quad-fine" && alternative.name != "quad-fine-odd" &&
         alternative.name != "forward" && alternative.name != "analytic")
@@ -250,9 +197,9 @@ Rule fine_derivative_rule() {
 }
 
 Rule coarse_derivative_rule() {
-  return rule_of("derivative.coarse",
-                 "dFdxCoarse and dFdyCoarse may be the same for a whole neighbourhood",
-                 "any neighbours around the fragment (ruling 16)", "quad-coarse-bottom-left");
+  return rule_about(RuleId::derivative_coarse,
+                    "dFdxCoarse and dFdyCoarse may be the same for a whole neighbourhood",
+                    "any neighbours around the fragment (ruling 16)", "quad-coarse-bottom-left");
 }
 
 }  // namespace edgecase

@@ -25,6 +25,7 @@
 
 #include "exact/pixel.h"
 #include "model/rendering.h"
+#include "rules/alternative_table.h"
 #include "rules/coverage/row_order.h"
 #include "rules/rule.h"
 #include "rules/values/interpolation.h"
@@ -48,12 +49,28 @@ enum class DerivativeMethod {
   coarse_top_left,
   coarse_top_right,
 };
+template <>
+inline constexpr auto kNames<DerivativeMethod> = std::to_array<TabledAlternative<DerivativeMethod>>(
+    {{DerivativeMethod::analytic, "analytic", Openness::open,
+      "the derivative itself, not a difference"},
+     {DerivativeMethod::forward, "forward", Openness::open,
+      "the next pixel's value minus the pixel's own"},
+     {DerivativeMethod::fine, "quad-fine", Openness::open,
+      "the difference within the 2x2 quad, in the pixel's own row or column"},
+     {DerivativeMethod::fine_odd, "quad-fine-odd", Openness::open,
+      "the same, for quads that begin at odd columns and rows"},
+     {DerivativeMethod::coarse_bottom_left, "quad-coarse-bottom-left", Openness::open,
+      "one difference for the quad, along x in its bottom row, along y in its left column"},
+     {DerivativeMethod::coarse_bottom_right, "quad-coarse-bottom-right", Openness::open,
+      "one difference for the quad, along x in its bottom row, along y in its right column"},
+     {DerivativeMethod::coarse_top_left, "quad-coarse-top-left", Openness::open,
+      "one difference for the quad, along x in its top row, along y in its left column"},
+     {DerivativeMethod::coarse_top_right, "quad-coarse-top-right", Openness::open,
+      "one difference for the quad, along x in its top row, along y in its right column"},
+     {DerivativeMethod::other_row, "quad-other-row", Openness::open,
+      "the difference within the quad, in the row or column that does not hold the pixel"}});
 
-std::span<const DerivativeMethod> all_derivative_methods();
 // "analytic", "forward", "quad-fine", …
-const char* name_of(DerivativeMethod method);
-// False when there is none of that name.
-bool parse_name(std::string_view name, DerivativeMethod& method);
 
 // Which of the three rules a derivative falls under: 0 plain, 1 fine, 2 coarse.
 constexpr std::size_t form_of(Derivative derivative) {
@@ -62,7 +79,7 @@ constexpr std::size_t form_of(Derivative derivative) {
 constexpr Axis axis_of(Derivative derivative) {
   return static_cast<std::size_t>(derivative) % 2 == 0 ? Axis::x : Axis::y;
 }
-const char* derivative_rule_of(Derivative derivative);
+RuleId derivative_rule_of(Derivative derivative);
 // "dFdx", "dFdyFine", …
 const char* name_of(Derivative derivative);
 

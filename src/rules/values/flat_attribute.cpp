@@ -11,7 +11,7 @@ std::size_t provoking_index(const ScenePrimitive& primitive, ProvokingChoice cho
 }
 
 Rule flat_attribute_rule() {
-  return {"attribute.flat",
+  return {RuleId::attribute_flat,
           "A flat attribute has the value of the provoking vertex, unchanged",
           "13 (flat shading)",
           "none",
@@ -23,14 +23,12 @@ Rule flat_attribute_rule() {
 }
 
 Rule provoking_vertex_rule() {
-  return {"attribute.provoking-vertex",
+  return {RuleId::attribute_provoking_vertex,
           "The provoking vertex is the one that the convention in force names",
           "13 (flat shading)",
           "none where the convention can be set, as in OpenGL",
           "as-set",
-          {{"as-set", Openness::mandated, "the vertex that the scene's convention names"},
-           {"first", Openness::illegal, "the first vertex, whatever the scene says"},
-           {"last", Openness::illegal, "the last vertex, whatever the scene says"}},
+          alternatives_of<ProvokingChoice>(),
           {}};
 }
 

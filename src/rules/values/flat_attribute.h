@@ -10,6 +10,7 @@
 #include <cstddef>
 
 #include "model/scene.h"
+#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -18,6 +19,14 @@ Rule flat_attribute_rule();
 Rule provoking_vertex_rule();
 
 enum class ProvokingChoice { as_set, first, last };
+template <>
+inline constexpr auto kNames<ProvokingChoice> = std::to_array<TabledAlternative<ProvokingChoice>>(
+    {{ProvokingChoice::as_set, "as-set", Openness::mandated,
+      "the vertex that the scene's convention names"},
+     {ProvokingChoice::first, "first", Openness::illegal,
+      "the first vertex, whatever the scene says"},
+     {ProvokingChoice::last, "last", Openness::illegal,
+      "the last vertex, whatever the scene says"}});
 
 // Which of the primitive's vertices provokes, 0 to vertices_of(kind) - 1.
 std::size_t provoking_index(const ScenePrimitive& primitive, ProvokingChoice choice);

@@ -13,7 +13,7 @@ Unorm8Range unorm8_permitted(Interval value) {
 }
 
 Rule unorm8_rule() {
-  return {"framebuffer.unorm8",
+  return {RuleId::framebuffer_unorm8,
           "A colour is stored as the nearest 8-bit value",
           "2.3.5.2 (conversion from floating-point to normalized fixed-point)",
           "either of the two nearest values; the nearest is preferred",
@@ -30,7 +30,7 @@ Rule unorm8_rule() {
 }
 
 Rule order_rule() {
-  return {"framebuffer.order",
+  return {RuleId::framebuffer_order,
           "Primitives take effect in the order in which they are drawn",
           "2.1 (execution model)",
           "none",

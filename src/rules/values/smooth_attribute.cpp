@@ -3,12 +3,6 @@
 
 namespace edgecase {
 
-bool parse_name(std::string_view name, AttributePositions& choice) {
-  if (name == "unsnapped") return choice = AttributePositions::unsnapped, true;
-  if (name == "snapped") return choice = AttributePositions::snapped, true;
-  return false;
-}
-
 bool divides_by_w(Interpolation interpolation, PerspectiveChoice choice) {
   switch (choice) {
     case PerspectiveChoice::as_set:
@@ -24,18 +18,13 @@ bool divides_by_w(Interpolation interpolation, PerspectiveChoice choice) {
 
 Rule smooth_attribute_rule() {
   Rule rule;
-  rule.id = "attribute.smooth";
+  rule.id = RuleId::attribute_smooth;
   rule.title = "A smooth attribute is interpolated linearly between the vertices";
   rule.spec = "14.5.1 and 14.6.1, with the floating-point clause of 2.3";
   rule.latitude =
       "about 1 part in 10^5 per operation; vertices may have been moved to the sub-pixel grid";
   rule.standard = "projection";
-  rule.alternatives = {
-      {"projection", Openness::mandated,
-       "along a line by the sample's projection onto it, t = (p - a).(b - a) / |b - a|^2"},
-      {"major-axis", Openness::illegal,
-       "along a line by the sample's coordinate on the major axis alone; Vulkan allows it, "
-       "OpenGL's text does not"}};
+  rule.alternatives = alternatives_of<LineParameter>();
   rule.rulings = {
       {9,
        "Smooth attributes and depth: permitted is what the interpolation formula yields when every "
@@ -64,7 +53,7 @@ Rule smooth_attribute_rule() {
 
 Rule perspective_rule() {
   Rule rule;
-  rule.id = "attribute.perspective";
+  rule.id = RuleId::attribute_perspective;
   rule.title = "Smooth attributes are interpolated with perspective, noperspective ones without";
   rule.spec = "14.5.1 and 14.6.1, equations for attributes and for noperspective";
   rule.latitude = "none; where all clip w of a primitive are equal there is no difference";
@@ -75,20 +64,17 @@ Rule perspective_rule() {
 
 Rule attribute_positions_rule() {
   Rule rule;
-  rule.id = "attribute.positions";
+  rule.id = RuleId::attribute_positions;
   rule.title = "Weights of the vertices are computed from their positions in the window";
   rule.spec = "14.6.1, with the latitude of sub-pixel positions";
   rule.latitude = "vertices may have been moved to the sub-pixel grid (ruling 9)";
   rule.standard = "unsnapped";
-  rule.alternatives = {
-      {"unsnapped", Openness::open,
-       "from the vertices' own positions, whatever grid coverage uses"},
-      {"snapped", Openness::open, "from the positions that coverage has snapped them to"}};
+  rule.alternatives = alternatives_of<AttributePositions>();
   return rule;
 }
 
 Rule depth_rule() {
-  return {"fragment.depth",
+  return {RuleId::fragment_depth,
           "A fragment's depth is interpolated linearly in window space",
           "14.5.1 and 14.6.1, with the floating-point clause of 2.3",
           "as for smooth attributes (ruling 9)",
@@ -98,7 +84,7 @@ Rule depth_rule() {
 }
 
 Rule fragment_coordinates_rule() {
-  return {"fragment.coordinates",
+  return {RuleId::fragment_coordinates,
           "gl_FragCoord is the pixel's centre, the fragment's depth and the interpolated 1/w",
           "15.2.2 (shader inputs)",
           "x and y: none; z and w as smooth attributes (ruling 9)",

@@ -17,11 +17,11 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 
 #include "model/scene.h"
 #include "rules/alternative_table.h"
 #include "rules/rule.h"
+#include "rules/values/interpolation.h"
 
 namespace edgecase {
 
@@ -52,9 +52,21 @@ inline constexpr auto kNames<PerspectiveChoice> = std::to_array<
 // From where are the weights of the vertices computed: where the vertices are, or where coverage
 // has snapped them to?
 enum class AttributePositions { unsnapped, snapped };
+template <>
+inline constexpr auto kNames<AttributePositions> =
+    std::to_array<TabledAlternative<AttributePositions>>(
+        {{AttributePositions::unsnapped, "unsnapped", Openness::open,
+          "from the vertices' own positions, whatever grid coverage uses"},
+         {AttributePositions::snapped, "snapped", Openness::open,
+          "from the positions that coverage has snapped them to"}});
 
-// False when there is none of that name.
-bool parse_name(std::string_view name, AttributePositions& choice);
+template <>
+inline constexpr auto kNames<LineParameter> = std::to_array<TabledAlternative<LineParameter>>(
+    {{LineParameter::projection, "projection", Openness::mandated,
+      "along a line by the sample's projection onto it, t = (p - a).(b - a) / |b - a|^2"},
+     {LineParameter::major_axis, "major-axis", Openness::illegal,
+      "along a line by the sample's coordinate on the major axis alone; Vulkan allows it, "
+      "OpenGL's text does not"}});
 
 // Is a draw's colour divided by w under a choice? Flat ones are not interpolated at all.
 bool divides_by_w(Interpolation interpolation, PerspectiveChoice choice);

@@ -21,7 +21,7 @@ std::vector<std::string> renderer_names() {
 
 std::vector<std::string> rule_ids() {
   std::vector<std::string> ids;
-  for (const Rule& rule : all_rules()) ids.push_back(rule.id);
+  for (const Rule& rule : all_rules()) ids.push_back(name_of(rule.id));
   return ids;
 }
 

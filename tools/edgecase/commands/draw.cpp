@@ -37,7 +37,7 @@ AlternativesPicture draw_all(const Case& one, const Rule& rule, bool as_text) {
   picture.figure = scene_figure(one.scene);
   for (const Alternative& alternative : rule.alternatives) {
     Policy policy;
-    policy.rules[rule.id] = alternative.name;
+    policy.rules[name_of(rule.id)] = alternative.name;
     std::vector<int> hits = hits_of(rasterize(one.scene, policy));
     if (as_text)
       fmt::print("{}\n{}\n", alternative.name, draw_hits(hits, picture.width, picture.height));

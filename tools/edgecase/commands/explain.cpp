@@ -105,8 +105,9 @@ ExitCode draw_picture(const Case& one, const Policy& policy, const BlockSizes& s
 void print_disagreement(const Disagreement& d, int samples) {
   fmt::print("  ({}, {}){} {}, {}, {}{}\n    {}\n", d.x, d.y,
              names_sample(d, samples) ? fmt::format(" sample {}", d.sample) : "", name_of(d.kind),
-             d.rule, d.legality == Legality::illegal ? "NOT allowed" : describe(d.legality),
-             d.cause.empty() ? "" : fmt::format(", cause {}", d.cause), d.explanation);
+             name_of(d.rule),
+             d.legality == Legality::illegal ? "NOT allowed" : describe(d.legality),
+             d.cause.empty() ? "" : fmt::format(", cause {}", text_of(d.cause)), d.explanation);
   const Ruling* ruling = find_ruling(d.ruling);
   if (ruling == nullptr) return;
   fmt::print("    Ruling {}. {}\n", ruling->number, ruling->text);
@@ -119,7 +120,7 @@ void print_values(const ValueAggregate& values) {
       "  {}: {} of {} differ inside what ruling {} permits{}; worst {:.3g} ULP at ({}, {}), "
       "exactly {:.9g}, rendered {:.9g}; mean {:.3g} ULP, at most {:.3g} of the attribute's range\n",
       values.attribute, values.differing.size(), values.compared, values.ruling,
-      values.cause.empty() ? "" : ", by " + values.cause, values.worst_ulp, values.worst.x,
+      values.cause.empty() ? "" : ", by " + text_of(values.cause), values.worst_ulp, values.worst.x,
       values.worst.y, values.worst_exact, values.worst_rendered, values.mean_ulp,
       values.worst_relative);
 }

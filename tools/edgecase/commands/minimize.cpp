@@ -60,7 +60,8 @@ bool is_about(const Result& result, const Signature& signature, const std::strin
               std::optional<Pixel> pixel) {
   if (rule.empty() && !pixel) return true;
   for (const Disagreement* d : disagreements_of(result, signature))
-    if ((rule.empty() || d->rule == rule) && (!pixel || (d->x == pixel->x && d->y == pixel->y)))
+    if ((rule.empty() || name_of(d->rule) == rule) &&
+        (!pixel || (d->x == pixel->x && d->y == pixel->y)))
       return true;
   // Aggregated values have no pixels to choose them by, but a rule.
   return !pixel && !rule.empty() && signature.rule == rule && !signature.attribute.empty();
@@ -100,9 +101,9 @@ std::string why_of(const Result& result, const Signature& signature, const Rende
   const auto finds = disagreements_of(result, signature);
   if (!finds.empty()) {
     const Disagreement& d = *finds.front();
-    return fmt::format("{} ({}), pixel ({}, {}): {}, {}{}. {}", info.name, info.device, d.x, d.y,
-                       name_of(d.kind), legal,
-                       d.cause.empty() ? "" : fmt::format(", as by {}", d.cause), d.explanation);
+    return fmt::format(
+        "{} ({}), pixel ({}, {}): {}, {}{}. {}", info.name, info.device, d.x, d.y, name_of(d.kind),
+        legal, d.cause.empty() ? "" : fmt::format(", as by {}", text_of(d.cause)), d.explanation);
   }
   for (const ValueAggregate& values : result.values)
     if (!values.differing.empty() && values.attribute == signature.attribute)
@@ -120,7 +121,8 @@ std::vector<std::string> rules_of(const Minimized& minimized, const Signature& s
   std::vector<std::string> rules;
   if (!signature.rule.empty()) rules.push_back(signature.rule);
   for (const Disagreement* d : disagreements_of(minimized.result, signature))
-    if (std::ranges::find(rules, d->rule) == rules.end()) rules.push_back(d->rule);
+    if (std::ranges::find(rules, name_of(d->rule)) == rules.end())
+      rules.push_back(name_of(d->rule));
   return rules.empty() ? original.rules : rules;
 }
 

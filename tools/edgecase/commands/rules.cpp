@@ -46,7 +46,7 @@ using Rules = std::vector<const Rule*>;
 // returns nothing for a glob that matches none.
 std::optional<Rules> select_rules(const std::vector<std::string>& globs) {
   const auto matches = [](const std::string& glob, const Rule& rule) {
-    return fnmatch(glob.c_str(), rule.id.c_str(), 0) == 0;
+    return fnmatch(glob.c_str(), name_of(rule.id), 0) == 0;
   };
   for (const std::string& glob : globs)
     if (std::ranges::none_of(all_rules(), [&](const Rule& rule) { return matches(glob, rule); })) {
@@ -71,7 +71,7 @@ void print_json(const Rules& rules) {
           {{"name", a.name}, {"openness", name_of(a.openness)}, {"meaning", a.meaning}});
     nlohmann::ordered_json rulings = nlohmann::ordered_json::array();
     for (const Ruling& ruling : rule.rulings) rulings.push_back(ruling_json(ruling));
-    list.push_back({{"id", rule.id},
+    list.push_back({{"id", name_of(rule.id)},
                     {"title", rule.title},
                     {"spec", rule.spec},
                     {"latitude", rule.latitude},
@@ -85,8 +85,8 @@ void print_json(const Rules& rules) {
 void print_text(const Rules& rules) {
   for (const Rule* one : rules) {
     const Rule& rule = *one;
-    fmt::print("{}\n  {}.\n  OpenGL 4.6 core: {}. Latitude: {}.\n", rule.id, rule.title, rule.spec,
-               rule.latitude);
+    fmt::print("{}\n  {}.\n  OpenGL 4.6 core: {}. Latitude: {}.\n", name_of(rule.id), rule.title,
+               rule.spec, rule.latitude);
     for (const Alternative& a : rule.alternatives)
       fmt::print("    {} {:<14} {:<8} {}\n", a.name == rule.standard ? "*" : " ", a.name,
                  name_of(a.openness), a.meaning);

@@ -74,7 +74,7 @@ void compare_alternatives(const Scene& scene, const Rule& rule, BookScene& told)
   const auto index = static_cast<std::size_t>(told.picture.y * told.picture.width + told.picture.x);
   for (const Alternative& alternative : rule.alternatives) {
     Policy policy;
-    policy.rules[rule.id] = alternative.name;
+    policy.rules[name_of(rule.id)] = alternative.name;
     const bool is_drawn = hits_of(rasterize(scene, policy))[index] > 0;
     (is_drawn ? told.drawn_by : told.left_out_by).push_back(alternative.name);
   }
@@ -101,13 +101,13 @@ BookScene book_scene(const WorkedScene& worked, const Case& one) {
   scene.words = pixel_words(one.scene, policy, pixel);
   scene.command = command_of(worked);
   scene.picture = pixel_picture(one, policy, pixel);
-  scene.rule = worked.rule;
-  compare_alternatives(one.scene, *find_rule(worked.rule), scene);
+  scene.rule = name_of(worked.rule);
+  compare_alternatives(one.scene, rule_of(worked.rule), scene);
   return scene;
 }
 
-// The first rule of the catalogue with the same alternatives, by its id.
-std::string first_alike(const Rule& rule) {
+// The first rule of the catalogue with the same alternatives.
+RuleId first_alike(const Rule& rule) {
   const auto same = [](const Alternative& a, const Alternative& b) {
     return a.name == b.name && a.openness == b.openness && a.meaning == b.meaning;
   };
@@ -119,7 +119,7 @@ std::string first_alike(const Rule& rule) {
 }
 
 BookRule book_rule(const Rule& rule) {
-  BookRule told{rule.id, rule.title, rule.spec, rule.latitude, rule.standard, {}, "", {}};
+  BookRule told{name_of(rule.id), rule.title, rule.spec, rule.latitude, rule.standard, {}, "", {}};
   for (const Alternative& a : rule.alternatives)
     told.alternatives.push_back({a.name, name_of(a.openness), a.meaning});
   for (const Ruling& ruling : rule.rulings) {
@@ -127,8 +127,8 @@ BookRule book_rule(const Rule& rule) {
     for (RulingFact& fact : facts_of(ruling))
       told.rulings.back().facts.emplace_back(std::move(fact.name), std::move(fact.text));
   }
-  if (const std::string first = first_alike(rule); first != rule.id && !rule.alternatives.empty())
-    told.alike = first;
+  if (const RuleId first = first_alike(rule); first != rule.id && !rule.alternatives.empty())
+    told.alike = name_of(first);
   return told;
 }
 
@@ -136,7 +136,7 @@ BookSection book_section(const Section& section, const std::map<std::string, Cas
   BookSection told;
   told.title = section.title;
   told.essay = essay_of(section);
-  for (const std::string_view id : section.rules) told.rules.push_back(book_rule(*find_rule(id)));
+  for (const RuleId id : section.rules) told.rules.push_back(book_rule(rule_of(id)));
   for (const WorkedScene& scene : worked_scenes())
     if (std::ranges::find(section.rules, scene.rule) != section.rules.end())
       told.scenes.push_back(book_scene(scene, cases.at(std::string(scene.case_id))));

@@ -105,15 +105,15 @@ std::string words_at(const std::map<std::string, std::string>& words, const std:
 
 GalleryChoice choice_of(const Gallery& gallery, const Rule& rule, const std::string& name) {
   const Alternative& chosen = *find_alternative(rule, name);
-  GalleryChoice choice{rule.id,
+  GalleryChoice choice{name_of(rule.id),
                        rule.title,
-                       words_at(gallery.choices, rule.id),
+                       words_at(gallery.choices, name_of(rule.id)),
                        name,
                        chosen.meaning,
                        "",
                        "",
                        name_of(chosen.openness),
-                       words_at(gallery.not_shown, rule.id)};
+                       words_at(gallery.not_shown, name_of(rule.id))};
   if (name == rule.standard) return choice;
   choice.standard = rule.standard;
   choice.standard_meaning = find_alternative(rule, rule.standard)->meaning;
@@ -123,7 +123,8 @@ GalleryChoice choice_of(const Gallery& gallery, const Rule& rule, const std::str
 std::vector<GalleryChoice> choices_of(const LoadedPictures& loaded) {
   std::vector<GalleryChoice> choices;
   for (const Rule& rule : all_rules())
-    if (const auto chosen = loaded.policy.rules.find(rule.id); chosen != loaded.policy.rules.end())
+    if (const auto chosen = loaded.policy.rules.find(name_of(rule.id));
+        chosen != loaded.policy.rules.end())
       choices.push_back(choice_of(loaded.gallery, rule, chosen->second));
   return choices;
 }

@@ -35,7 +35,7 @@ ReportProfiles profiles_of(const Results& results) {
 ReportTexts texts_of(const Results& results, const std::optional<Comparison>& since) {
   ReportTexts texts;
   for (const Rule& rule : all_rules()) {
-    texts.rules.push_back({rule.id, rule.title, rule.spec, rule.latitude, rule.standard});
+    texts.rules.push_back({name_of(rule.id), rule.title, rule.spec, rule.latitude, rule.standard});
     for (const Ruling& ruling : rule.rulings) {
       texts.rulings.push_back({ruling.number, ruling.text, {}});
       for (RulingFact& fact : facts_of(ruling))

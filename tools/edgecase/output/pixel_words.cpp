@@ -18,7 +18,7 @@ std::string words_without_passes(const Scene& scene, const Policy& policy, Pixel
   for (const PixelExplanation& why : explain_pixel(scene, policy, pixel.x, pixel.y))
     text += fmt::format(
         "  primitive {} {} {} ({}): {}.\n", why.primitive, why.covered ? "draws" : "does not draw",
-        why.sample < 0 ? "it" : fmt::format("sample {}", why.sample), why.rule, why.text);
+        why.sample < 0 ? "it" : fmt::format("sample {}", why.sample), name_of(why.rule), why.text);
   return text;
 }
 

@@ -7,12 +7,14 @@
 #include <span>
 #include <string_view>
 
+#include "model/rule_id.h"
+
 namespace edgecase {
 
 struct WorkedScene {
-  std::string_view rule;     // in whose section it stands
-  std::string_view case_id;  // as `edgecase run --list` prints it
-  int x = 0;                 // pixel of the target, y up
+  RuleId rule = RuleId::none;  // in whose section it stands
+  std::string_view case_id;    // as `edgecase run --list` prints it
+  int x = 0;                   // pixel of the target, y up
   int y = 0;
 };
 
