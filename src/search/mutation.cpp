@@ -10,6 +10,7 @@
 
 #include "casefile/case_writer.h"
 #include "casefile/scene/viewport.h"
+#include "model/rule_id.h"
 #include "model/scene_words.h"
 
 namespace edgecase {

@@ -14,6 +14,7 @@
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/raster/random_scenes.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {

@@ -9,6 +9,7 @@
 #include "rules/values/depth_buffer.h"
 #include "tests/diff/output_judging.h"
 #include "tests/raster/operation_scenes.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {

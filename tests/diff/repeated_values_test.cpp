@@ -10,6 +10,7 @@
 #include "diff/compare.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/value_mutants.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {

@@ -13,6 +13,7 @@
 #include "rules/textures/texture_image.h"
 #include "tests/diff/texture_judging.h"
 #include "tests/raster/texture_scenes.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {

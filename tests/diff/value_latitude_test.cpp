@@ -10,7 +10,9 @@
 #include "raster/attributes.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
+#include "tests/raster/random_scenes.h"
 #include "tests/rules/support.h"
+#include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {

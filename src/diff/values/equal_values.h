@@ -4,9 +4,9 @@
 // values need be judged.
 #pragma once
 
-#include "model/policy.h"
 #include "model/rendering.h"
 #include "model/scene.h"
+#include "rules/choices.h"
 
 namespace edgecase {
 
