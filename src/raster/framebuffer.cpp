@@ -65,19 +65,26 @@ class Framebuffer::PlainWords {
  public:
   PlainWords(const ScenePrimitive& primitive, const FastScene& scene, const RuleChoices& choices,
              const Target& target)
-      : primitive_(primitive), attributes_(attributes_of(primitive, choices, target)) {
+      : primitive_(primitive),
+        choice_(choices.of(primitive.kind)),
+        target_(target),
+        attributes_(attributes_of(primitive, choices, target)) {
     if (primitive.state->texture)
       textured_.emplace(scene.textures->stage(), primitive, attributes_);
   }
 
   PixelWord at(PixelPosition pixel) {
-    if (!textured_) return word_of(shade(primitive_, attributes_, pixel).color);
-    const ExactLookup lookup = textured_->look_up(pixel);
-    return word_of(shade(primitive_, attributes_, pixel, &lookup).color);
+    std::optional<ExactLookup> lookup;
+    if (textured_) lookup = textured_->look_up(pixel);
+    return word_of(
+        shaded(primitive_, attributes_, target_, choice_, pixel, lookup ? &*lookup : nullptr)
+            .color);
   }
 
  private:
   const ScenePrimitive& primitive_;
+  const CoverageChoice& choice_;
+  const Target& target_;
   const PrimitiveAttributes attributes_;
   std::optional<TexturedPrimitive> textured_;
 };

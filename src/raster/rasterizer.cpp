@@ -54,16 +54,6 @@ void make_room(std::size_t count, std::vector<Item>& items) {
   if (needed > items.capacity()) items.reserve(std::max(needed, 2 * items.size()));
 }
 
-// One fragment: of a textured draw the colour is what was looked up.
-Fragment shaded(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
-                const Target& target, const CoverageChoice& choice, PixelPosition pixel,
-                const ExactLookup* lookup) {
-  const Point centre = pixel_centre(pixel.x, pixel.y);
-  const Point place = attribute_place(primitive, target, choice, pixel);
-  if (lookup != nullptr || place == centre) return shade(primitive, attributes, pixel, lookup);
-  return shade(primitive, attributes, pixel, {place, centre, centre});
-}
-
 // All fragments of a primitive that differ in nothing but where they are.
 void draw_alike(Rendering& rendering, const FragmentStage& stage, const ScenePrimitive& primitive,
                 const Fragment& fragment, bool front_facing,
@@ -149,6 +139,15 @@ Rendering drawn(const Scene& scene, const ResolvedPolicy& policy, const SamplePo
 }
 
 }  // namespace
+
+Fragment shaded(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
+                const Target& target, const CoverageChoice& choice, PixelPosition pixel,
+                const ExactLookup* lookup) {
+  const Point centre = pixel_centre(pixel.x, pixel.y);
+  const Point place = attribute_place(primitive, target, choice, pixel);
+  if (lookup != nullptr || place == centre) return shade(primitive, attributes, pixel, lookup);
+  return shade(primitive, attributes, pixel, {place, centre, centre});
+}
 
 Rendering rasterize(const Scene& scene, const ResolvedPolicy& policy,
                     const SamplePositions& reported) {

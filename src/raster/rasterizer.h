@@ -23,6 +23,9 @@
 
 namespace edgecase {
 
+struct ExactLookup;
+struct PrimitiveAttributes;
+
 // The pixels to which a draw can write: the target's, within the scissor rectangle. May be empty.
 PixelBounds drawable_bounds(const Draw& draw, const Target& target);
 
@@ -45,6 +48,12 @@ std::vector<PixelPosition> covered_pixels_within(const PixelBounds& part,
 // does not draw.
 Point attribute_place(const ScenePrimitive& primitive, const Target& target,
                       const CoverageChoice& choice, PixelPosition pixel);
+
+// The fragment of such a pixel, its attributes taken there. `lookup`: of a textured draw, whose
+// colour is what was looked up; else null.
+Fragment shaded(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
+                const Target& target, const CoverageChoice& choice, PixelPosition pixel,
+                const ExactLookup* lookup);
 
 // Where the samples of a target's pixels lie under a choice of rules: those that a renderer
 // reports, or, where `reported` is empty, those of the case, or the standard ones; moved as the
