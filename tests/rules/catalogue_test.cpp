@@ -158,5 +158,23 @@ TEST(Choices, ASurfaceOverridesThePolicy) {
   EXPECT_EQ(resolve(policy, Surface::fbo).triangles.ties.name, "bottom-left");
 }
 
+// What a policy names is what choices hold, and a set of alternatives has room for each.
+TEST(Catalogue, ChoicesKeepEveryAlternative) {
+  for (const RuleId id : values_of<RuleId>()) {
+    if (id == RuleId::none) continue;
+    const Rule& rule = rule_of(id);
+    EXPECT_EQ(rule.id, id);
+    EXPECT_LE(rule.alternatives.size(), AlternativeSet::kMostOfARule) << name_of(id);
+    EXPECT_EQ(rule.slot.put != nullptr, !rule.alternatives.empty()) << name_of(id);
+    for (const Alternative& alternative : rule.alternatives) {
+      RuleChoices choices = standard_choices();
+      rule.slot.put(choices, alternative.name);
+      EXPECT_EQ(rule.slot.kept(choices), alternative.name) << name_of(id);
+      EXPECT_EQ(parse_cause(text_of(alternative_id(id, alternative.name))),
+                Cause(alternative_id(id, alternative.name)));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace edgecase

@@ -26,13 +26,13 @@ struct CauseQuestion {
 };
 
 // The smallest sets of alternatives under which the primitive covers exactly `coverage.drawn`, in
-// the order of their rules' ids: all sets of one alternative
-// beside what the policy chooses; without any, of two; without any, what the profile differs in
-// from the policy, with nothing, one or two more alternatives on top of it. Where none of these
-// conforms as such, larger sets that do, all of whose alternatives the specification leaves open,
-// come with them: of two, and what the profile differs in. Sets that the profile holds wholly come
-// alone, since it is what the renderer does elsewhere. A line without any set, whose only fault is
-// one fragment missing between others, gets kInteriorGap. Empty: nothing catalogued explains it.
+// the order of their rules' ids: all sets of one alternative beside what the policy chooses;
+// without any, of two; without any, what the profile differs in from the policy, with nothing, one
+// or two more alternatives on top of it. Where none of these conforms as such, larger sets that do,
+// all of whose alternatives the specification leaves open, come with them: of two, and what the
+// profile differs in. Sets that the profile holds wholly come alone, since it is what the renderer
+// does elsewhere. A line without any set, whose only fault is one fragment missing between others,
+// gets kInteriorGap. Empty: nothing catalogued explains it.
 std::vector<Cause> find_causes(const CauseQuestion& question, const PrimitiveCoverage& coverage);
 
 // What the profile differs in from the policy, without what can be left out, where that draws the
