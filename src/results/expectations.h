@@ -5,8 +5,10 @@
 //
 // A file belongs to one renderer. An entry names a case, the verdict, the fingerprint of what
 // differs, and the reason, for people. A case without an entry is expected to agree. An entry
-// matches only if both verdict and fingerprint are what they were: a known fault that changes is as
-// red as a new one, and so is one that is gone.
+// matches only if both verdict and fingerprint are what they were, but for the two legal verdicts,
+// convention and permitted, which count as one: which of them the same difference gets depends on
+// the other cases of the run. A known fault that changes is as red as a new one, and so is one that
+// is gone.
 #pragma once
 
 #include <functional>
