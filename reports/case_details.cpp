@@ -205,8 +205,8 @@ Json outcome_json(const Judgement& answer) {
 }
 
 Json result_json(const KnownResult& result, std::size_t answer) {
-  Json json = {{"expectation", result.expectation}, {"answer", answer}};
-  if (result.expected) json["expected"] = outcome_json(*result.expected);
+  Json json = {{"standing_reason", result.standing_reason}, {"answer", answer}};
+  if (!result.faults.empty()) json["faults"] = result.faults;
   if (result.again) json["again"] = outcome_json(*result.again);
   if (!result.failure) json["pixel_counts"] = pixel_counts_json(result.pixel_counts);
   if (result.failure)

@@ -5,7 +5,7 @@
 // {"pixels", "samples", "viewport", "figure", "expect_failures", "answers", "results"}. Two
 // renderers that answered alike share one of "answers" (pixels, disagreements, values, fragments,
 // evidence); "results" adds what is each renderer's own, in their order: "answer" (its index),
-// "expectation", "expected", "again", "failure", and how many of its pixels fare how:
+// "standing_reason", "faults", "again", "failure", and how many of its pixels fare how:
 // "pixel_counts" (model/result.h). Pixels are packed as pixels.h says; an answer's are the
 // difference from exact and absent when there is none; an answer without an image of exact's size
 // is "blank". A case's "viewport", [x, y, width, height], is absent where it is the target's

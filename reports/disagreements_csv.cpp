@@ -6,6 +6,7 @@
 
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reports/text.h"
@@ -14,9 +15,12 @@
 namespace edgecase {
 namespace {
 
-// A text as one field: quoted where it holds what would end it.
+// A text as one field: quoted where it holds what would end it. What a spreadsheet would take for a
+// formula gets an apostrophe before it, which makes it a text.
 std::string field(const std::string& raw) {
-  const std::string text = xml_text(raw);
+  std::string text = xml_text(raw);
+  if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos)
+    text.insert(0, "'");
   if (text.find_first_of(",\"\n\t") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) {

@@ -40,4 +40,21 @@ std::string markdown_cell(std::string_view text, std::size_t most) {
   return cell;
 }
 
+namespace {
+
+constexpr std::string_view kLast = "\n\nThe rest does not fit here; the report has it.\n";
+
+}  // namespace
+
+void MarkdownPage::add(std::string_view lines) {
+  if (is_full_ || text_.size() + lines.size() + kLast.size() > most_)
+    is_full_ = true;
+  else
+    text_ += lines;
+}
+
+std::string MarkdownPage::text() const {
+  return is_full_ ? text_ + std::string(kLast) : text_;
+}
+
 }  // namespace edgecase

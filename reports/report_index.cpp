@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "reports/text.h"
 #include "results/clusters.h"
 #include "results/worst_first.h"
 #include "rules/all_rules.h"
@@ -276,19 +277,21 @@ void add_texts(Json& json, const ReportTexts& texts) {
 }
 
 void add_problems(Json& json, const Results& results) {
-  json["diagnostics"] = json["missing"] = Json::array();
+  json["diagnostics"] = json["faults"] = Json::array();
   for (const Diagnostic& d : results.diagnostics)
     json["diagnostics"].push_back({{"file", d.file},
                                    {"line", d.line},
                                    {"pointer", d.pointer},
                                    {"message", d.message},
                                    {"remedy", d.remedy}});
-  for (const MissingCase& missing : results.missing)
-    json["missing"].push_back({{"renderer", missing.renderer},
-                               {"case", missing.id},
-                               {"verdict", name_of(missing.expected.verdict)},
-                               {"fingerprint", missing.expected.fingerprint},
-                               {"reason", missing.reason}});
+  for (const FaultSeen& seen : results.faults)
+    json["faults"].push_back({{"renderer", seen.renderer},
+                              {"id", seen.id},
+                              {"reason", seen.reason},
+                              {"link", seen.link},
+                              {"cases", seen.cases},
+                              {"state", name_of(seen.state)},
+                              {"told", describe(seen)}});
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 // What the HTML report needs before a case is opened, as JSON: the first page and the list.
 //
 // {"tool", "policy", "interrupted", "left_out", "renderers", "rules", "rulings", "diagnostics",
-// "missing", "names", "heads", "outcomes", "cases", "order", "untrue"}. Cases are many and much
+// "faults", "names", "heads", "outcomes", "cases", "order", "untrue"}. Cases are many and much
 // alike, so that what they share stands once: "names" are ids of rules, "heads" what cases of one
 // file share, "outcomes" are [verdict, standing, [index of a rule, worst verdict by it, ...]]. A
 // case is [head, rest of its id, fragments, outcomes' indices by renderer, details or absent, 1

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/counted.h"
@@ -50,8 +52,9 @@ std::string first_line(const Results& results, std::optional<double> seconds,
   if (!results.diagnostics.empty())
     found.push_back(counted(results.diagnostics.size(), "fault", "faults") + " in case files");
   if (drawings > 0) found.push_back(counted(drawings, "drawing", "drawings") + " not met");
-  if (!results.missing.empty())
-    found.push_back(counted(results.missing.size(), "expectation", "expectations") + " of no case");
+  const auto grown = static_cast<std::size_t>(
+      std::ranges::count(results.faults, FaultState::grown, &FaultSeen::state));
+  if (grown > 0) found.push_back(counted(grown, "known fault", "known faults") + " grown");
   if (results.interrupted) found.emplace_back("interrupted");
   const bool is_good = unexpected == 0 && found.empty();
   found.insert(found.begin(), grouped(unexpected) + " unexpected");
@@ -107,11 +110,11 @@ class Table {
   std::vector<std::string> names_;
 };
 
-// Whose expectations hold for a recording's answers.
+// Whose known faults hold for a recording's answers.
 void write_recordings(const Results& results, std::ostream& out) {
   for (const RendererInfo& info : results.renderers)
     if (known_as(info) != info.name)
-      out << fmt::format("{} replays {} ({}, {}), whose expectations hold.\n", one_line(info.name),
+      out << fmt::format("{} replays {} ({}, {}), whose known faults hold.\n", one_line(info.name),
                          one_line(known_as(info)), one_line(info.device), one_line(info.version));
 }
 
@@ -133,12 +136,54 @@ std::vector<std::string> drawn_lines(const Results& results, const Painter& pain
   return lines;
 }
 
-std::vector<std::string> missing_lines(const Results& results, const Painter& paint) {
+// Known faults that are not as their files say.
+std::vector<std::string> fault_lines(const Results& results, const Painter& paint) {
   std::vector<std::string> lines;
-  for (const MissingCase& missing : results.missing)
-    lines.push_back(fmt::format("{} {}, expected {}", paint.bold(one_line(missing.id)),
-                                one_line(missing.renderer), name_of(missing.expected.verdict)));
+  for (const FaultSeen& seen : results.faults)
+    if (seen.state != FaultState::known)
+      lines.push_back(fmt::format("{} {}: {}", paint.bold(one_line(seen.id)),
+                                  one_line(seen.renderer), describe(seen)));
   return lines;
+}
+
+// "Known: 11 faults of egl:llvmpipe in 207 cases." for each renderer that has some.
+void write_known(const Results& results, std::ostream& out) {
+  for (std::size_t r = 0; r < results.renderers.size(); ++r) {
+    const std::string& name = results.renderers[r].name;
+    const auto faults =
+        static_cast<std::size_t>(std::ranges::count_if(results.faults, [&](const FaultSeen& seen) {
+          return seen.renderer == name && seen.cases > 0;
+        }));
+    const auto cases =
+        static_cast<std::size_t>(std::ranges::count_if(results.cases, [r](const CaseResults& one) {
+          return r < one.results.size() && !one.results[r].faults.empty();
+        }));
+    if (faults > 0)
+      out << fmt::format("Known: {} of {} in {}.\n", counted(faults, "fault", "faults"),
+                         one_line(name), counted(cases, "case", "cases"));
+  }
+}
+
+// "Not supported by egl:llvmpipe: 127 cases: REASON" for each of the commonest reasons.
+void write_unsupported(const Results& results, std::ostream& out) {
+  constexpr std::size_t kMostReasons = 6;
+  for (std::size_t r = 0; r < results.renderers.size(); ++r) {
+    std::map<std::string, std::size_t> counts;
+    for (const CaseResults& one : results.cases)
+      if (r < one.results.size() && one.results[r].failure &&
+          one.results[r].failure->kind == FailureKind::unsupported)
+        ++counts[one.results[r].failure->reason];
+    std::vector<std::pair<std::size_t, std::string>> reasons;
+    for (const auto& [reason, count] : counts) reasons.emplace_back(count, reason);
+    std::ranges::stable_sort(reasons, std::greater(), &std::pair<std::size_t, std::string>::first);
+    const std::string name = one_line(results.renderers[r].name);
+    for (std::size_t i = 0; i < std::min(kMostReasons, reasons.size()); ++i)
+      out << fmt::format("Not supported by {}: {}: {}.\n", name,
+                         counted(reasons[i].first, "case", "cases"), one_line(reasons[i].second));
+    if (reasons.size() > kMostReasons)
+      out << fmt::format("Not supported by {}: {}.\n", name,
+                         counted(reasons.size() - kMostReasons, "more reason", "more reasons"));
+  }
 }
 
 }  // namespace
@@ -155,16 +200,37 @@ void write_summary(const Results& results, bool color, std::ostream& out,
   write_list(out, paint.bold("Case files that cannot be loaded:"), files);
   write_list(out, paint.bold("Hand-drawn expectations that the exact side does not meet:"),
              drawn_lines(results, paint));
-  write_list(out,
-             paint.bold("Expectations of cases that the suite has no more; `edgecase bless "
-                        "--apply` removes them:"),
-             missing_lines(results, paint));
+  write_list(out, paint.bold("Known faults that are not as their files say (`edgecase bless`):"),
+             fault_lines(results, paint));
   if (results.interrupted) out << '\n' << paint.bold(words_of_interruption(results)) << '\n';
   if (results.cases.empty()) return;
   out << '\n';
   Table(results, paint).write(out);
   write_recordings(results, out);
+  write_known(results, out);
+  write_unsupported(results, out);
   write_clusters(results, paint, out);
+}
+
+void write_changes(const Comparison& comparison, bool color, std::ostream& out) {
+  constexpr std::size_t kMostGroups = 10;
+  const Painter paint(color);
+  for (const RendererComparison& renderer : comparison.renderers) {
+    out << '\n'
+        << paint.bold(fmt::format("Changed since, {}: {} of {}", one_line(renderer.after),
+                                  renderer.cases.size(),
+                                  counted(renderer.same + renderer.cases.size(), "case", "cases")))
+        << '\n';
+    for (std::size_t i = 0; i < std::min(kMostGroups, renderer.clusters.size()); ++i) {
+      const ChangeCluster& cluster = renderer.clusters[i];
+      out << fmt::format("  {}: {}{}{}: {}, first {}\n", describe(cluster.change),
+                         one_line(cluster.rule), cluster.cause.empty() ? "" : ", ",
+                         one_line(cluster.cause), counted(cluster.cases, "case", "cases"),
+                         one_line(cluster.first_case));
+    }
+    if (renderer.clusters.size() > kMostGroups)
+      out << fmt::format("  and {} more\n", renderer.clusters.size() - kMostGroups);
+  }
 }
 
 }  // namespace edgecase

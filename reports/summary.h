@@ -8,6 +8,7 @@
 #include <iosfwd>
 #include <optional>
 
+#include "results/comparison.h"
 #include "results/results.h"
 
 namespace edgecase {
@@ -18,5 +19,9 @@ namespace edgecase {
 // can steer the terminal.
 void write_summary(const Results& results, bool color, std::ostream& out,
                    std::optional<double> seconds = {});
+
+// What changed since earlier results: for each renderer how many cases, and the ten largest groups
+// by kind of change, rule and cause.
+void write_changes(const Comparison& comparison, bool color, std::ostream& out);
 
 }  // namespace edgecase

@@ -25,27 +25,9 @@ constexpr std::size_t kMostClusters = 10;
 constexpr Verdict kWorstFirst[] = {Verdict::violation,  Verdict::contested, Verdict::permitted,
                                    Verdict::convention, Verdict::agree,     Verdict::not_run};
 
-// A page that takes whole lines for as long as there is room.
-class Page {
- public:
-  void add(const std::string& lines) {
-    if (is_full_ || text_.size() + lines.size() + kLast.size() > kMostOfSummary)
-      is_full_ = true;
-    else
-      text_ += lines;
-  }
-
-  std::string text() const { return is_full_ ? text_ + std::string(kLast) : text_; }
-
- private:
-  static constexpr std::string_view kLast = "\n\nThe rest does not fit here; the report has it.\n";
-  std::string text_;
-  bool is_full_ = false;
-};
-
 // A heading, the head of a table or none, and at most `most` of the lines.
 void add_list(const std::string& heading, const std::string& head,
-              const std::vector<std::string>& lines, std::size_t most, Page& page) {
+              const std::vector<std::string>& lines, std::size_t most, MarkdownPage& page) {
   if (lines.empty()) return;
   page.add(fmt::format("\n## {}: {}\n\n{}", heading, lines.size(), head));
   for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) page.add(lines[i] + "\n");
@@ -60,7 +42,7 @@ std::size_t count_unexpected(const Results& results, std::size_t renderer) {
       std::count_if(results.cases.begin(), results.cases.end(), stands_out));
 }
 
-void add_table(const Results& results, Page& page) {
+void add_table(const Results& results, MarkdownPage& page) {
   std::string head = "\n| renderer |";
   std::string rule = "|---|";
   for (const Verdict verdict : kWorstFirst) {
@@ -90,7 +72,7 @@ std::vector<std::string> rows_of(const Results& results, const WantedAnswer& is_
   return lines;
 }
 
-void add_unexpected(const Results& results, Page& page) {
+void add_unexpected(const Results& results, MarkdownPage& page) {
   add_list(
       "Unexpected", "| case | renderer | verdict | why |\n|---|---|---|---|\n",
       rows_of(results, [](const KnownResult& result) { return is_unexpected(result.standing); }),
@@ -98,15 +80,16 @@ void add_unexpected(const Results& results, Page& page) {
 }
 
 // What is told and is not red.
-void add_tolerated(const Results& results, Page& page) {
-  add_list(
-      "Contested", "| case | renderer | verdict | why |\n|---|---|---|---|\n",
-      rows_of(results,
-              [](const KnownResult& result) { return result.standing == Standing::tolerated; }),
-      kMostListed, page);
+void add_contested(const Results& results, MarkdownPage& page) {
+  add_list("Contested", "| case | renderer | verdict | why |\n|---|---|---|---|\n",
+           rows_of(results,
+                   [](const KnownResult& result) {
+                     return result.standing == Standing::tolerated && !result.failure;
+                   }),
+           kMostListed, page);
 }
 
-void add_faults(const Results& results, Page& page) {
+void add_faults(const Results& results, MarkdownPage& page) {
   std::vector<std::string> files;
   for (const Diagnostic& diagnostic : results.diagnostics)
     files.push_back("- " + markdown_code(to_string(diagnostic)));
@@ -114,14 +97,24 @@ void add_faults(const Results& results, Page& page) {
   for (const CaseResults& one : results.cases)
     for (const std::string& failure : one.expect_failures)
       drawn.push_back(fmt::format("- {}: {}", markdown_code(one.id), markdown_code(failure)));
-  std::vector<std::string> missing;
-  for (const MissingCase& gone : results.missing)
-    missing.push_back(fmt::format("- {}, {}: {} was expected", markdown_code(gone.id),
-                                  markdown_code(gone.renderer), name_of(gone.expected.verdict)));
   add_list("Case files that cannot be loaded", "", files, kMostListed, page);
   add_list("Hand-drawn expectations that the exact side does not meet", "", drawn, kMostListed,
            page);
-  add_list("Expectations of cases that the suite has no more", "", missing, kMostListed, page);
+}
+
+// The known faults: those that are not as their files say, then all of them, folded.
+void add_known(const Results& results, MarkdownPage& page) {
+  std::vector<std::string> changed;
+  std::vector<std::string> known;
+  for (const FaultSeen& seen : results.faults) {
+    (seen.state == FaultState::known ? known : changed)
+        .push_back(fmt::format("| {} | {} | {} | {} |\n", markdown_cell(seen.id),
+                               markdown_cell(seen.renderer), describe(seen),
+                               markdown_cell(seen.reason)));
+  }
+  const std::string head = "| fault | renderer | cases | why |\n|---|---|---|---|\n";
+  add_list("Known faults that are not as their files say", head, changed, kMostListed, page);
+  add_list("Known faults", head, known, kMostListed, page);
 }
 
 std::string cluster_row(const Cluster& cluster, const std::string& renderer,
@@ -138,7 +131,7 @@ std::string cluster_row(const Cluster& cluster, const std::string& renderer,
 }
 
 // Folded: what is known and expected is among it.
-void add_clusters(const Results& results, std::size_t renderer, Page& page) {
+void add_clusters(const Results& results, std::size_t renderer, MarkdownPage& page) {
   const std::vector<Cluster> clusters = clusters_of(results, renderer);
   if (clusters.empty()) return;
   const std::string& name = results.renderers[renderer].name;
@@ -156,7 +149,7 @@ void add_clusters(const Results& results, std::size_t renderer, Page& page) {
 }  // namespace
 
 void write_markdown_summary(const Results& results, std::ostream& out) {
-  Page page;
+  MarkdownPage page(kMostOfSummary);
   page.add(fmt::format("# {}\n\n{}, policy {}\n", one_line(shortened(results.tool, 100)),
                        counted(results.cases.size(), "case", "cases"),
                        markdown_code(results.policy)));
@@ -164,7 +157,8 @@ void write_markdown_summary(const Results& results, std::ostream& out) {
   add_table(results, page);
   add_unexpected(results, page);
   add_faults(results, page);
-  add_tolerated(results, page);
+  add_known(results, page);
+  add_contested(results, page);
   for (std::size_t r = 0; r < results.renderers.size(); ++r) add_clusters(results, r, page);
   out << page.text();
 }

@@ -44,7 +44,7 @@ std::string ending_of(const CaseResults& one, const Result& result, const Result
   std::string text;
   for (const ValueAggregate& values : result.values)
     if (!values.differing.empty()) text += line_of(describe(values));
-  if (!result.expectation.empty()) text += line_of("expectation: " + result.expectation);
+  if (!result.standing_reason.empty()) text += line_of("standing: " + result.standing_reason);
   ExplainCommand command{one.file, one.id, renderer, results.policy, {}};
   if (!result.disagreements.empty()) {
     const Disagreement& worst = *worst_first(result).front();
@@ -83,6 +83,11 @@ void append_folders(const std::string& id, std::vector<std::string>& suite) {
   }
 }
 
+// Has it something to tell? What is expected or known has not.
+bool is_told(const KnownResult& result) {
+  return result.standing != Standing::expected && result.standing != Standing::known;
+}
+
 // The line that "FILE:LINE: …" names, or 0.
 int line_named(const std::string& text, const std::string& file) {
   if (!text.starts_with(file + ":")) return 0;
@@ -101,7 +106,7 @@ class Visit {
     for (std::size_t r = 0; r < results_.renderers.size(); ++r) visit_renderer(r);
     visit_diagnostics();
     visit_expect_failures();
-    visit_missing();
+    visit_grown_faults();
     if (results_.interrupted) visit_interruption();
   }
 
@@ -153,27 +158,21 @@ class Visit {
       if (place.renderer == renderer) order.push_back(place.one);
     for (std::size_t i = 0; i < results_.cases.size(); ++i) {
       const auto& answers = results_.cases[i].results;
-      if (renderer < answers.size() && answers[renderer].standing == Standing::expected)
-        order.push_back(i);
+      if (renderer < answers.size() && !is_told(answers[renderer])) order.push_back(i);
     }
     return order;
   }
 
   void describe_result(const std::string& renderer, TestOutcome& outcome) const {
     const Result& result = *outcome.result;
-    const bool is_expected = !is_unexpected(result.standing);
-    const bool was_run = result.verdict != Verdict::not_run;
-    if (is_expected && was_run && result.standing != Standing::tolerated) return;
+    const bool was_run = !result.failure;
+    if (was_run && result.standing <= Standing::known) return;
     outcome.message = one_line(headline(result));
-    if (result.standing == Standing::tolerated) {
-      const std::string why = first_explanation(result, outcome.one->samples.samples);
+    if (!is_unexpected(result.standing)) {
+      if (!was_run) outcome.status = TestStatus::skipped;
+      const std::string why = was_run ? first_explanation(result, outcome.one->samples.samples)
+                                      : result.failure->reason;
       outcome.message += ": " + one_line(shortened(why, kMostOfLine));
-      return;
-    }
-    if (is_expected) {
-      const std::string reason = result.failure ? result.failure->reason : "no reason given";
-      outcome.status = TestStatus::skipped;
-      outcome.message += ": " + one_line(shortened(reason, kMostOfLine));
       return;
     }
     outcome.status = was_run ? TestStatus::failed : TestStatus::error;
@@ -213,17 +212,15 @@ class Visit {
       }
   }
 
-  void visit_missing() {
-    begin("expectations");
-    for (const MissingCase& missing : results_.missing) {
-      const std::string renderer = one_line(missing.renderer);
-      TestOutcome outcome = test(missing.id);
-      outcome.suite.push_back(renderer);
+  void visit_grown_faults() {
+    begin("known faults");
+    for (const FaultSeen& seen : results_.faults) {
+      if (seen.state != FaultState::grown) continue;
+      TestOutcome outcome = test(seen.id);
+      outcome.suite.push_back(one_line(seen.renderer));
       outcome.status = TestStatus::failed;
-      outcome.message = fmt::format("missing: {} is expected of {}, and the suite has no such case",
-                                    name_of(missing.expected.verdict), renderer);
-      outcome.details =
-          line_of("`edgecase bless --apply` removes the expectation: " + missing.reason);
+      outcome.message = describe(seen);
+      outcome.details = line_of(seen.reason);
       sink_(outcome);
     }
   }
@@ -240,8 +237,7 @@ class Visit {
   const Results& results_;
   std::size_t most_;
   const TestSink& sink_;
-  const std::vector<AnswerPlace> told_ = worst_first(
-      results_, [](const KnownResult& result) { return result.standing != Standing::expected; });
+  const std::vector<AnswerPlace> told_ = worst_first(results_, is_told);
   std::string suite_;
   std::set<std::string> suites_;
   std::set<std::string> names_;  // of the suite

@@ -3,12 +3,12 @@
 // A run as tests, as CI systems know them: what JUnit XML, CTRF and annotations tell of it.
 //
 // One suite per renderer and in it one test per case, named by the case's id. A result that stands
-// as expected passes, whatever its verdict; one that is contested and tolerated passes with a
+// as expected or is known passes, whatever its verdict; one that is contested passes with a
 // message; everything else is a failure, and a renderer that did not answer is an error. Those with
 // something to tell come first, the worst before the others (results/worst_first.h). `skipped` says
-// one thing only: not run, and known not to run. Case files that could not be loaded, hand-drawn
-// truths that exact does not meet, expectations of cases that are no more, and a run that was
-// stopped have suites of their own.
+// one thing only: not run, and not supported or known not to run. Case files that could not be
+// loaded, hand-drawn truths that exact does not meet, known faults that have grown, and a run that
+// was stopped have suites of their own.
 #pragma once
 
 #include <functional>

@@ -166,6 +166,51 @@ std::string describe(const ValueAggregate& values) {
       values.mean_ulp, values.worst_relative);
 }
 
+std::string describe(const FaultSeen& seen) {
+  const std::string cases = counted(seen.cases, "case", "cases");
+  switch (seen.state) {
+    case FaultState::known:
+      return cases;
+    case FaultState::grown:
+      return fmt::format("it has grown: {}, and {} known on this release", cases,
+                         *seen.before == 1 ? "1 is" : fmt::format("{} are", *seen.before));
+    case FaultState::shrunk:
+      return fmt::format("it has shrunk: {} of {} that are known on this release", cases,
+                         *seen.before);
+    case FaultState::fixed:
+      return seen.before
+                 ? fmt::format("it is fixed: none of {}", counted(*seen.before, "case", "cases"))
+                 : "it does not show on this release";
+    case FaultState::uncounted:
+      return fmt::format("{}, of a release without a count", cases);
+  }
+  return "";
+}
+
+const char* describe(ChangeKind change) {
+  switch (change) {
+    case ChangeKind::new_disagreement:
+      return "new disagreements";
+    case ChangeKind::worse:
+      return "worse";
+    case ChangeKind::not_run:
+      return "not run any more";
+    case ChangeKind::changed:
+      return "changed";
+    case ChangeKind::appeared:
+      return "cases that appeared";
+    case ChangeKind::disappeared:
+      return "cases that disappeared";
+    case ChangeKind::runs:
+      return "run now";
+    case ChangeKind::better:
+      return "better";
+    case ChangeKind::fixed:
+      return "fixed";
+  }
+  return "?";
+}
+
 std::string first_explanation(const Result& result, int samples) {
   if (result.failure) return result.failure->reason;
   if (!result.disagreements.empty()) {
@@ -174,7 +219,7 @@ std::string first_explanation(const Result& result, int samples) {
   }
   for (const ValueAggregate& values : result.values)
     if (!values.differing.empty()) return describe(values);
-  return result.expectation;
+  return result.standing_reason;
 }
 
 }  // namespace edgecase

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "results/comparison.h"
 #include "results/results.h"
 
 namespace edgecase {
@@ -46,8 +47,14 @@ std::string describe(const Disagreement& disagreement, int samples);
 // 0.50000006 rendered".
 std::string describe(const ValueAggregate& values);
 
+// "98 cases, 96 are known on this release": what a run shows of a known fault.
+std::string describe(const FaultSeen& seen);
+
+// What a change means, as a heading says it: "new disagreements", "not run any more".
+const char* describe(ChangeKind change);
+
 // Why a result is what it is, as its first sentence: the failure's reason, the first disagreement
-// or the first value that differs, else the expectation's reason; may be empty.
+// or the first value that differs, else the standing's reason; may be empty.
 std::string first_explanation(const Result& result, int samples);
 
 }  // namespace edgecase

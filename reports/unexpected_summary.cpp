@@ -49,12 +49,6 @@ std::string cause_of(const CaseResults& one, const Result& result) {
   return "";
 }
 
-std::string expected_of(const KnownResult& result) {
-  if (!result.expected) return name_of(Verdict::agree);
-  const bool same = result.expected->verdict == result.verdict;
-  return fmt::format("{}{}", same ? "another " : "", name_of(result.expected->verdict));
-}
-
 int urgency_of(Verdict verdict) {
   if (verdict == Verdict::violation) return 0;
   if (verdict == Verdict::not_run) return 1;
@@ -64,14 +58,14 @@ int urgency_of(Verdict verdict) {
 bool comes_before(const UnexpectedGroup& a, const UnexpectedGroup& b) {
   const auto order = [](const UnexpectedGroup& group) {
     return std::tuple(urgency_of(group.verdict), -static_cast<long>(group.cases),
-                      std::tie(group.cause, group.expected, group.renderer, group.standing));
+                      std::tie(group.cause, group.is_partly_known, group.renderer, group.standing));
   };
   return order(a) < order(b);
 }
 
 // Where to look, and what is there: a sentence.
 std::string evidence_of(const CaseResults& one, const KnownResult& result) {
-  if (result.standing == Standing::flake) return result.expectation;
+  if (result.standing == Standing::flake) return result.standing_reason;
   if (const Disagreement* d = leading(result))
     return fmt::format("{}: {}", place_of(*d, one.samples.samples), d->explanation);
   return first_explanation(result, one.samples.samples);
@@ -90,10 +84,11 @@ void write_group(const UnexpectedGroup& group, const Results& results, const Pai
   const KnownResult& result = one.results[group.renderer];
   const std::string name =
       group.renderer < results.renderers.size() ? results.renderers[group.renderer].name : "?";
-  out << fmt::format("  {}, {}: expected {}, got {}{}\n", counted(group.cases, "case", "cases"),
-                     one_line(name), group.expected,
+  out << fmt::format("  {}, {}: {}, {}\n", counted(group.cases, "case", "cases"), one_line(name),
                      paint(style_of(group.verdict), name_of(group.verdict)),
-                     group.standing == Standing::flake ? ", and then another answer" : "");
+                     group.standing == Standing::flake ? "and then another answer"
+                     : group.is_partly_known           ? "known in part"
+                                                       : "not known");
   if (!group.cause.empty()) out << "    " << paint.bold(one_line(group.cause)) << '\n';
   const std::string evidence = one_line(evidence_of(one, result));
   out << fmt::format("    {}{}{}\n", one_line(one.id), evidence.empty() ? "" : ": ", evidence);
@@ -103,16 +98,16 @@ void write_group(const UnexpectedGroup& group, const Results& results, const Pai
 }  // namespace
 
 std::vector<UnexpectedGroup> unexpected_groups(const Results& results) {
-  using Key = std::tuple<std::size_t, Standing, Verdict, std::string, std::string>;
+  using Key = std::tuple<std::size_t, Standing, Verdict, bool, std::string>;
   std::map<Key, UnexpectedGroup> groups;
   for (const CaseResults& one : results.cases)
     for (std::size_t r = 0; r < one.results.size(); ++r) {
       const KnownResult& result = one.results[r];
       if (!is_unexpected(result.standing)) continue;
-      const std::string expected = expected_of(result);
+      const bool partly = !result.faults.empty();
       const std::string cause = cause_of(one, result);
-      UnexpectedGroup& group = groups[{r, result.standing, result.verdict, expected, cause}];
-      if (group.cases == 0) group = {r, result.standing, result.verdict, expected, cause, 0, &one};
+      UnexpectedGroup& group = groups[{r, result.standing, result.verdict, partly, cause}];
+      if (group.cases == 0) group = {r, result.standing, result.verdict, partly, cause, 0, &one};
       ++group.cases;
       if (is_simpler(one, *group.simplest)) group.simplest = &one;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The unexpected answers of a run on the terminal: those of one renderer that share cause, verdict
-// and expectation are one entry, with the command that reproduces its simplest case.
+// The unexpected answers of a run on the terminal: those of one renderer that share cause and
+// verdict are one entry, with the command that reproduces its simplest case.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct UnexpectedGroup {
   std::size_t renderer = 0;  // index
   Standing standing = Standing::unexpected;
   Verdict verdict = Verdict::violation;
-  std::string expected;  // "agree", or "another violation" where only what differs is another
+  bool is_partly_known = false;  // known faults account for some of its differences
   // Of a failure its kind; else what title_of(Cluster) says of the worst difference; empty where
   // nothing differs.
   std::string cause;
@@ -27,7 +27,7 @@ struct UnexpectedGroup {
 };
 
 // Violations first, then answers that did not come, then the rest by verdict; within each the
-// groups of most cases first, ties by cause, expectation and renderer. Points into `results`.
+// groups of most cases first, ties by cause and renderer. Points into `results`.
 std::vector<UnexpectedGroup> unexpected_groups(const Results& results);
 
 // Answers that are not as expected, flakes included.

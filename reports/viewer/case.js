@@ -190,7 +190,7 @@ function nothingFound(one, result, pixel) {
 
 function resultLine(result, steps) {
   return h("div.result-line", {}, verdictBadge(result.verdict), standingBadge(result.standing),
-    h("span.reason", {dir: "auto"}, result.expectation), steps);
+    h("span.reason", {dir: "auto"}, result.standing_reason), steps);
 }
 
 function rendererTabs(one, chosen) {

@@ -98,7 +98,7 @@ async function loadDetails(one) {
   one.expect_failures = details.expect_failures || [];
   one.results.forEach((result, r) => {
     const own = details.results?.[r];
-    Object.assign(result, own || {expectation: ""});
+    Object.assign(result, own || {standing_reason: ""});
     result.answer = own ? details.answers[own.answer] : NO_ANSWER;
   });
   one.loaded = true;

@@ -5,21 +5,23 @@ function headlineOf() {
   const results = Cases.flatMap((one) => one.results);
   const surprises = results.filter(isSurprise).length;
   const tolerated = results.filter((result) => result.standing === "tolerated").length;
+  const known = results.filter((result) => result.standing === "known").length;
   const broken = new Set(Data.diagnostics.map((d) => d.file)).size;
   const drawn = Data.untrue.reduce((sum, [, texts]) => sum + texts.length, 0);
   const parts = [];
   if (surprises) parts.push(plural(surprises, "result is", "results are") + " not as expected");
   if (broken) parts.push(plural(broken, "case file", "case files") + " cannot be loaded");
   if (drawn) parts.push(plural(drawn, "hand-drawn truth is", "hand-drawn truths are") + " not met");
-  if (Data.missing.length)
-    parts.push(plural(Data.missing.length, "expectation has", "expectations have") + " no case");
+  const grown = Data.faults.filter((fault) => fault.state === "grown").length;
+  if (grown) parts.push(plural(grown, "known fault has", "known faults have") + " grown");
   if (Data.interrupted)
     parts.push("the run was interrupted" + (Data.left_out
       ? "; " + plural(Data.left_out, "case is", "cases are") + " missing" : ""));
   if (!parts.length)
     return h("p.headline.good", {}, icon(VERDICTS.agree.path),
       !results.length ? "Nothing was run." : "Every result is as expected" +
-        (tolerated ? ", or contested and tolerated: " + tolerated.toLocaleString("en") : "") + ".");
+        (known ? ", or a known fault: " + known.toLocaleString("en") : "") +
+        (tolerated ? ", or tolerated: " + tolerated.toLocaleString("en") : "") + ".");
   return h("p.headline.alarm", {}, icon(BANG), parts.join("; ") + ".");
 }
 
@@ -87,6 +89,11 @@ function diagnosticItem(d) {
     h("div", {}, d.message, d.remedy && h("span.remedy", {}, " \u2192 " + d.remedy)));
 }
 
+function faultItem(fault) {
+  return h("li", {}, h("code", {}, fault.id), " " + fault.renderer + ": " + fault.told,
+    h("div", {dir: "auto"}, fault.reason));
+}
+
 function problems() {
   const drawn = Data.untrue.flatMap(([number, texts]) => texts.map((text) => h("li", {},
     h("a", {href: Route.href({case: Cases[number].id})}, Cases[number].title || Cases[number].id),
@@ -96,9 +103,9 @@ function problems() {
   return h("div.problems", {},
     box("Case files that cannot be loaded", Data.diagnostics.map(diagnosticItem)),
     box("Hand-drawn truths that the exact side does not meet", drawn),
-    box("Expectations of cases that the suite has no more; edgecase bless --apply removes them",
-      Data.missing.map((m) => h("li", {}, h("code", {}, m.case), " " + m.renderer,
-        h("div", {}, m.verdict + ": " + m.reason)))));
+    box("Known faults that are not as their files say; edgecase bless --apply renews these",
+      Data.faults.filter((fault) => fault.state !== "known").map(faultItem)),
+    box("Known faults", Data.faults.filter((fault) => fault.state === "known").map(faultItem)));
 }
 
 // Which sections were opened or closed; kept while the page lives.

@@ -31,16 +31,15 @@ const VERDICTS = {
 const WORST_FIRST = Object.keys(VERDICTS);
 
 const STANDINGS = {
-  unexpected: {label: "unexpected", means: "It differs, and no expectation says so."},
-  changed: {label: "changed", means: "It differs, but not as its expectation says."},
-  "unexpected-agreement": {
-    label: "now agrees", means: "It agrees, although an expectation says that it differs.",
+  unexpected: {
+    label: "unexpected", means: "It differs as nothing allows, and no known fault accounts for it.",
   },
+  known: {label: "known", means: "Known faults account for all that the specification forbids."},
   tolerated: {
-    label: "tolerated", means: "It is contested, and no expectation says so: told, and not red.",
+    label: "tolerated", means: "It is contested or not supported: told, and not red.",
   },
   flake: {label: "flake", means: "Asked a second time, the renderer answered otherwise."},
-  expected: {label: "expected", means: "It agrees, or differs exactly as an expectation says."},
+  expected: {label: "expected", means: "It agrees, or differs as the specification allows."},
 };
 
 // Of a difference or a cluster of them.
@@ -62,8 +61,8 @@ const KINDS = {
 
 const BANG = "M8 2.5v7M8 12.4v1";
 
-// Is it told as something that nobody expects? What is tolerated is not.
-const isRed = (standing) => standing !== "expected" && standing !== "tolerated";
+// Is it told as something that nobody expects?
+const isRed = (standing) => standing === "unexpected" || standing === "flake";
 
 const verdictIcon = (verdict) => icon(VERDICTS[verdict].path, "v-" + verdict);
 const kindIcon = (kind) => icon(KINDS[kind].path, "k-" + kind);

@@ -21,7 +21,7 @@ bool is_case_file(const fs::path& file) {
 
 bool is_skipped(const fs::path& folder) {
   const std::string name = folder.filename().string();
-  for (const char* other : {"expectations", "policies", "profiles", "galleries"})
+  for (const char* other : {"known", "policies", "profiles", "galleries"})
     if (name == other) return true;
   return name.starts_with('.');
 }

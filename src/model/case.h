@@ -53,11 +53,16 @@ struct Diagnostic {
 };
 
 // "FILE:LINE: POINTER: message; remedy", the parts that exist.
+// A pointer through names of great length is cut.
 inline std::string to_string(const Diagnostic& diagnostic) {
+  constexpr std::size_t kMostOfPointer = 200;  // bytes
   std::string text = diagnostic.file;
   if (diagnostic.line > 0) text += ":" + std::to_string(diagnostic.line);
   text += ": ";
-  if (!diagnostic.pointer.empty()) text += diagnostic.pointer + ": ";
+  if (diagnostic.pointer.size() > kMostOfPointer)
+    text += diagnostic.pointer.substr(0, kMostOfPointer) + "...: ";
+  else if (!diagnostic.pointer.empty())
+    text += diagnostic.pointer + ": ";
   text += diagnostic.message;
   if (!diagnostic.remedy.empty()) text += "; " + diagnostic.remedy;
   return text;

@@ -78,7 +78,7 @@ constexpr std::string_view kRecordingPrefix = "recording:";
 // The trait by which they tell the name of the renderer that was recorded.
 constexpr const char* kRecordedTrait = "recorded";
 
-// The name under which expectations and profiles know a renderer: its own, or that of the renderer
+// The name under which known faults and profiles know a renderer: its own, or that of the renderer
 // which was recorded. Of others than recordings, the trait means nothing.
 const std::string& known_as(const RendererInfo& info);
 

@@ -4,7 +4,7 @@
 //
 // src/diff fills it in two steps: compare() what can be said of one case alone, judge() what
 // depends on a whole run (which catalogued snap its lines are read with, which of several causes
-// explains most). Expectations then say how it stands to what is known.
+// explains most). Known faults then say how it stands to what is known.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "model/names.h"
 #include "model/renderer.h"
 #include "model/storage.h"
 #include "model/verdict.h"
@@ -21,19 +22,24 @@ namespace edgecase {
 
 // How a result stands to what is known of the renderer.
 enum class Standing {
-  expected,              // agrees, or differs exactly as an expectation says
-  unexpected,            // differs, and no expectation says so
-  changed,               // differs, but not as its expectation says
-  unexpected_agreement,  // agrees, although an expectation says that it differs
-  tolerated,             // is contested, and no expectation says so: told, and nobody is accused
-  flake,                 // asked again, the renderer answered otherwise: no answer can be expected
+  expected,    // agrees, or differs as the specification allows
+  known,       // known faults account for all that the specification forbids
+  unexpected,  // no known fault accounts for something that the specification forbids
+  tolerated,   // is contested or not supported: told, and nobody is accused
+  flake,       // asked again, the renderer answered otherwise: no answer can be expected
 };
 
-const char* name_of(Standing);
+template <>
+inline constexpr auto kNames<Standing> =
+    std::to_array<Named<Standing>>({{Standing::expected, "expected"},
+                                    {Standing::known, "known"},
+                                    {Standing::unexpected, "unexpected"},
+                                    {Standing::tolerated, "tolerated"},
+                                    {Standing::flake, "flake"}});
 
-// Is it red? What is tolerated is not.
+// Is it red?
 constexpr bool is_unexpected(Standing standing) {
-  return standing != Standing::expected && standing != Standing::tolerated;
+  return standing == Standing::unexpected || standing == Standing::flake;
 }
 
 // How many pixels of the target fare how. Each counts once, by the worst that was found at it: in
@@ -102,7 +108,8 @@ struct Result {
   SampleImage samples;        // of the renderer, where the case is multisampled
   SampleImage exact_samples;  // of exact, where exact_pixels is set
   Standing standing = Standing::expected;
-  std::string expectation;  // the reason that the matching expectation gives, or why none matches
+  std::string
+      standing_reason;  // the reasons of the known faults, or why it is unexpected or tolerated
 };
 
 }  // namespace edgecase

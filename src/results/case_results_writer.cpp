@@ -134,8 +134,8 @@ void CaseWriter::write_judgement(const KnownResult& result) {
   json_.member("verdict", name_of(result.verdict));
   json_.member("fingerprint", result.fingerprint);
   json_.member("standing", name_of(result.standing));
-  if (!result.expectation.empty()) json_.member("expectation", result.expectation);
-  if (result.expected) write_answer(json_.key("expected"), *result.expected);
+  if (!result.standing_reason.empty()) json_.member("standing_reason", result.standing_reason);
+  if (!result.faults.empty()) json_.member("faults", result.faults);
   if (result.again) write_answer(json_.key("again"), *result.again);
   if (result.failure)
     write_failure(json_.key("failure"), *result.failure);

@@ -2,13 +2,13 @@
 #include "results/decisions.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "results/shallow_json.h"
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 
 void check_keys(const Json& object, const std::set<std::string>& known) {
   if (!object.is_object()) throw std::runtime_error("this is no object");
@@ -52,18 +52,13 @@ Judgement to_answer(const Json& object) {
 }
 
 Decision to_decision(const Json& object, const std::string& renderer) {
-  check_keys(object, {"case", "renderer", "verdict", "fingerprint", "expected", "decision",
-                      "reason", "link"});
+  check_keys(object, {"case", "renderer", "verdict", "fingerprint", "decision", "reason", "link"});
   Decision decision;
   decision.id = text_of(object, "case");
   decision.renderer = object.contains("renderer") ? text_of(object, "renderer") : renderer;
   if (decision.renderer.empty())
     throw std::runtime_error("\"renderer\" is missing, here and of the file");
   decision.seen = to_answer(object);
-  if (object.contains("expected") && !object.at("expected").is_null()) {
-    check_keys(object.at("expected"), {"verdict", "fingerprint"});
-    decision.expected = to_answer(object.at("expected"));
-  }
   const std::string word = text_of(object, "decision");
   if (word != "accept" && word != "reject")
     throw std::runtime_error(fmt::format("\"{}\" is no decision; write accept or reject", word));
@@ -79,30 +74,6 @@ std::string words_of(const Judgement& answer) {
              : fmt::format("{} {}", name_of(answer.verdict), answer.fingerprint);
 }
 
-std::string words_of(const std::optional<Judgement>& entry) {
-  return entry ? words_of(*entry) : "nothing";
-}
-
-// The entry that a decision leaves.
-std::optional<Expectation> entry_after(const Decision& decision, const Expectation* before) {
-  if (decision.accepts) {
-    if (decision.seen.verdict == Verdict::agree) return std::nullopt;
-    std::string link = decision.link;
-    if (link.empty() && before != nullptr) link = before->link;
-    return Expectation{decision.seen.verdict, decision.seen.fingerprint, decision.reason,
-                       std::move(link)};
-  }
-  if (before == nullptr) return std::nullopt;
-  if (Judgement{before->verdict, before->fingerprint} == decision.seen) return std::nullopt;
-  return *before;
-}
-
-bool is_same(const std::optional<Expectation>& a, const Expectation* b) {
-  if (!a || b == nullptr) return !a && b == nullptr;
-  return std::tie(a->verdict, a->fingerprint, a->reason, a->link) ==
-         std::tie(b->verdict, b->fingerprint, b->reason, b->link);
-}
-
 const KnownResult* find_result(const Results& results, std::size_t index, const std::string& id) {
   const auto found = std::ranges::find(results.cases, id, &CaseResults::id);
   return found != results.cases.end() ? &found->results[index] : nullptr;
@@ -115,26 +86,11 @@ std::string refusal_of(const Decision& decision, const KnownResult* result) {
   if (judgement_of(*result) != decision.seen)
     return fmt::format("it was made on {}, and the results have {}", words_of(decision.seen),
                        words_of(judgement_of(*result)));
+  if (decision.accepts && result->standing == Standing::known)
+    return fmt::format("it is known by now: {}", fmt::join(result->faults, ", "));
+  if (decision.accepts && result->standing != Standing::unexpected)
+    return fmt::format("a result that is {} needs no known fault", name_of(result->standing));
   return "";
-}
-
-DecisionOutcome outcome_of(const Decision& decision, const KnownResult* result,
-                           const Expectations& current) {
-  DecisionOutcome outcome{&decision, refusal_of(decision, result), std::nullopt};
-  if (!outcome.refusal.empty()) return outcome;
-  const auto found = current.cases.find(decision.id);
-  const Expectation* before = found != current.cases.end() ? &found->second : nullptr;
-  std::optional<Expectation> after = entry_after(decision, before);
-  if (is_same(after, before)) return outcome;
-  std::optional<Judgement> entry;
-  if (before != nullptr) entry = Judgement{before->verdict, before->fingerprint};
-  if (entry != decision.expected) {
-    outcome.refusal = fmt::format("it was made when {} was expected, and now {} is",
-                                  words_of(decision.expected), words_of(entry));
-    return outcome;
-  }
-  outcome.change = ExpectationChange{decision.id, before, std::move(after)};
-  return outcome;
 }
 
 }  // namespace
@@ -169,14 +125,33 @@ std::variant<std::vector<Decision>, std::string> parse_decisions(const std::stri
   }
 }
 
-std::vector<DecisionOutcome> apply_decisions(const Results& results, std::size_t index,
-                                             const Expectations& current,
+std::vector<DecisionOutcome> weigh_decisions(const Results& results, std::size_t index,
                                              std::span<const Decision> decisions) {
   std::vector<DecisionOutcome> outcomes;
   for (const Decision& decision : decisions)
     if (decision.renderer == results.renderers[index].name)
-      outcomes.push_back(outcome_of(decision, find_result(results, index, decision.id), current));
+      outcomes.push_back(
+          {&decision, refusal_of(decision, find_result(results, index, decision.id))});
   return outcomes;
+}
+
+std::vector<FaultChange> plan_decisions(const Results& results, std::size_t index,
+                                        const KnownFaults& current,
+                                        std::span<const DecisionOutcome> outcomes) {
+  std::map<std::pair<std::string, std::string>, std::set<std::string>> accepted;
+  for (const DecisionOutcome& outcome : outcomes)
+    if (outcome.refusal.empty() && outcome.decision->accepts)
+      accepted[{outcome.decision->reason, outcome.decision->link}].insert(outcome.decision->id);
+  KnownFaults known = current;
+  std::vector<FaultChange> changes;
+  for (const auto& [words, ids] : accepted) {
+    const auto is_wanted = [&ids](const std::string& id) { return ids.contains(id); };
+    const auto planned =
+        plan_blessing(results, index, known, {is_wanted, words.first, words.second});
+    known = with_changes(known, planned);
+    changes.insert(changes.end(), planned.begin(), planned.end());
+  }
+  return changes;
 }
 
 }  // namespace edgecase

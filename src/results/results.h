@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Results: everything that one run found, in memory. results/results_json.h writes it; reports draw
-// it. Nothing here is computed: src/diff fills verdicts, results/expectations.h fills expectations.
+// it. Nothing here is computed: src/diff fills verdicts, results/known_faults.h what is known.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +14,7 @@
 
 #include "model/case.h"
 #include "model/figure.h"
+#include "model/names.h"
 #include "model/policy.h"
 #include "model/renderer.h"
 #include "model/result.h"
@@ -26,7 +27,7 @@ constexpr const char* name_of(Latitude latitude) {
   return latitude == Latitude::none ? "none" : "opengl";
 }
 
-// What judging makes of an answer: two that are equal in this are the same to expectations.
+// What judging makes of an answer. Two answers that are equal in this show the same.
 struct Judgement {
   Verdict verdict = Verdict::agree;
   std::string fingerprint;
@@ -39,7 +40,7 @@ inline Judgement judgement_of(const Result& result) {
 
 // A result, and what is known of the renderer's other answers to the case.
 struct KnownResult : Result {
-  std::optional<Judgement> expected;  // what the expectations' entry says, where there is one
+  std::vector<std::string> faults;  // ids of the known faults that account for something in it
   // Of an unexpected answer that was asked for a second time, what came then, where it was another.
   std::optional<Judgement> again;
 
@@ -80,13 +81,33 @@ struct ShareOfRun {
   friend bool operator==(const ShareOfRun&, const ShareOfRun&) = default;
 };
 
-// An expectation whose case is not in the suite any more.
-struct MissingCase {
-  std::string renderer;
+// How a known fault stands to what its file says of the release (KnownFault::cases_on).
+enum class FaultState {
+  known,      // as many cases as the file says, or it says nothing and the suite was not run whole
+  grown,      // more cases: red
+  shrunk,     // fewer cases
+  fixed,      // none
+  uncounted,  // the file has no count of this release
+};
+
+template <>
+inline constexpr auto kNames<FaultState> =
+    std::to_array<Named<FaultState>>({{FaultState::known, "known"},
+                                      {FaultState::grown, "grown"},
+                                      {FaultState::shrunk, "shrunk"},
+                                      {FaultState::fixed, "fixed"},
+                                      {FaultState::uncounted, "uncounted"}});
+
+// What a run shows of one known fault of a renderer's driver.
+struct FaultSeen {
+  std::string renderer;  // name
   std::string id;
-  Judgement expected;
-  std::string reason;  // that the entry gives
-  friend bool operator==(const MissingCase&, const MissingCase&) = default;
+  std::string reason;
+  std::string link;                   // or empty
+  std::size_t cases = 0;              // of the results, for which it accounts at least in part
+  std::optional<std::size_t> before;  // the file's count of this release, where it has one
+  FaultState state = FaultState::known;
+  friend bool operator==(const FaultSeen&, const FaultSeen&) = default;
 };
 
 struct Results {
@@ -102,8 +123,9 @@ struct Results {
   // All files of the suite's folder were asked for, and no case of theirs left out on purpose.
   bool whole_suite = false;
   std::optional<ShareOfRun> shard;  // of a run that was divided among several
-  // By renderer, then by id; known only where results are whole.
-  std::vector<MissingCase> missing;
+  // By renderer, then in the order of its driver's file. Where results are not whole, only those
+  // that were seen, and none is grown, shrunk or fixed.
+  std::vector<FaultSeen> faults;
 };
 
 // Do the results hold every case that the suite has?

@@ -10,16 +10,17 @@
 //    "shard", "renderers": [{"name", "vendor", "version", "device", "subpixel_bits", "traits"}],
 //    "cases": [{"id", "title", …, "results": {RENDERER: {"verdict", "fingerprint",
 //    "pixel_counts", "disagreements": […], "values": […], …}}}], "diagnostics": […],
-//    "missing": [{"renderer", "case", "verdict", "fingerprint", "reason"}], "summary",
+//    "faults": [{"renderer", "id", "reason", "link", "cases", "state", "before"}], "summary",
 //    "clusters": {RENDERER: […]}}
 //
 // "shard", absent but for a run that was divided, is {"index": from 1, "count", "cases": of the
 // whole run, "selection": digest of them}; `edgecase merge` joins the shards. "left_out", absent
 // where it is 0, says how many cases are missing since the run ended before them.
 //
-// A result's "expected", absent where expectations have no entry, is {"verdict", "fingerprint"} of
-// the entry; "again", absent but for flakes, the same of the answer that came when the renderer was
-// asked a second time. "missing" are entries of cases that the suite has no more.
+// A result's "faults", absent where there are none, are the ids of the known faults that account
+// for something in it; "again", absent but for flakes, is {"verdict", "fingerprint"} of the answer
+// that came when the renderer was asked a second time. "faults" of the file are what the run shows
+// of the known faults (FaultSeen); "before" is absent where the release has no count.
 //
 // A result's "pixel_counts", absent where it is not run, are {"agree", "convention", "permitted",
 // "contested", "violation", "same"} (model/result.h).

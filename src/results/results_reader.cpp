@@ -208,8 +208,16 @@ Judgement to_answer(const Json& json) {
   return {to_enum(json.at("verdict"), Verdict::agree, Verdict::not_run), json.at("fingerprint")};
 }
 
-MissingCase to_missing(const Json& json) {
-  return {json.at("renderer"), json.at("case"), to_answer(json), json.at("reason")};
+FaultSeen to_fault(const Json& json) {
+  FaultSeen seen{json.at("renderer"),
+                 json.at("id"),
+                 json.at("reason"),
+                 json.at("link"),
+                 json.at("cases"),
+                 std::nullopt,
+                 to_enum(json.at("state"), FaultState::known, FaultState::uncounted)};
+  if (json.contains("before")) seen.before = json.at("before").get<std::size_t>();
+  return seen;
 }
 
 KnownResult to_result(const Json& json, const CaseResults& exact) {
@@ -217,8 +225,8 @@ KnownResult to_result(const Json& json, const CaseResults& exact) {
   result.verdict = to_enum(json.at("verdict"), Verdict::agree, Verdict::not_run);
   result.fingerprint = json.at("fingerprint");
   result.standing = to_enum(json.at("standing"), Standing::expected, Standing::flake);
-  result.expectation = json.value("expectation", "");
-  if (json.contains("expected")) result.expected = to_answer(json.at("expected"));
+  result.standing_reason = json.value("standing_reason", "");
+  if (json.contains("faults")) result.faults = json.at("faults").get<std::vector<std::string>>();
   if (json.contains("again")) result.again = to_answer(json.at("again"));
   if (json.contains("failure")) {
     const Json& failure = json.at("failure");
@@ -321,7 +329,7 @@ std::variant<Results, std::string> read_results(const std::string& text) {
     if (json.contains("shard")) results.shard = to_shard(json.at("shard"));
     results.renderers = to_list<RendererInfo>(json.at("renderers"), to_renderer);
     results.diagnostics = to_list<Diagnostic>(json.at("diagnostics"), to_diagnostic);
-    results.missing = to_list<MissingCase>(json.at("missing"), to_missing);
+    results.faults = to_list<FaultSeen>(json.at("faults"), to_fault);
     results.cases = to_list<CaseResults>(json.at("cases"), [&](const Json& one) {
       where = fmt::format("case {}: ", one.at("id").get<std::string>());
       return to_case(one, results.renderers);

@@ -48,12 +48,11 @@ Json shard_json(const ShareOfRun& shard) {
           {"selection", shard.selection}};
 }
 
-Json missing_json(const MissingCase& missing) {
-  return {{"renderer", missing.renderer},
-          {"case", missing.id},
-          {"verdict", name_of(missing.expected.verdict)},
-          {"fingerprint", missing.expected.fingerprint},
-          {"reason", missing.reason}};
+Json fault_json(const FaultSeen& seen) {
+  Json json = {{"renderer", seen.renderer}, {"id", seen.id},       {"reason", seen.reason},
+               {"link", seen.link},         {"cases", seen.cases}, {"state", name_of(seen.state)}};
+  if (seen.before) json["before"] = *seen.before;
+  return json;
 }
 
 // renderer -> verdict -> number of cases.
@@ -150,7 +149,7 @@ void write_results(const Results& results, std::ostream& out) {
   if (results.shard) out << ",\n\"shard\":" << dump(shard_json(*results.shard));
   out << ",\n\"renderers\":" << dump(list(results.renderers, renderer_json))
       << ",\n\"diagnostics\":" << dump(list(results.diagnostics, diagnostic_json))
-      << ",\n\"missing\":" << dump(list(results.missing, missing_json))
+      << ",\n\"faults\":" << dump(list(results.faults, fault_json))
       << ",\n\"summary\":" << dump(summary_json(results))
       << ",\n\"clusters\":" << dump(clusters_json(results)) << ",\n\"cases\":[";
   write_cases(results, out);

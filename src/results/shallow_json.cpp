@@ -41,6 +41,9 @@ std::size_t levels_of(std::string_view text) {
 }  // namespace
 
 nlohmann::json parse_shallow(std::string_view text) {
+  // The parser would take it for the end of the text.
+  if (const auto nul = text.find('\0'); nul != text.npos)
+    throw std::runtime_error(fmt::format("byte {} is NUL, which no JSON holds", nul));
   if (levels_of(text) > kMostLevels)
     throw std::runtime_error(fmt::format("it is nested deeper than {} levels", kMostLevels));
   return nlohmann::json::parse(text);

@@ -3,27 +3,26 @@
 
 #include <algorithm>
 
-#include "diff/judge.h"
+#include "diff/coverage/legality.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {
 
-bool is_surely_unexpected(const Result& result, Latitude latitude, const Expectation* entry) {
-  const bool agrees = !result.failure && result.disagreements.empty() && result.values.empty();
-  // What is contested is tolerated, and whether it is may hang on the reading.
-  const auto is_contested = [](const Disagreement& d) {
-    return !is_legal(d) && legality_against(d.ruling) == Legality::contested;
+bool is_surely_unexpected(const Case& one, const Result& result, Latitude latitude,
+                          std::span<const KnownFault* const> faults) {
+  const std::string surface = name_of(one.scene.target.surface);
+  const auto is_known = [&](const auto&... what) {
+    return std::ranges::any_of(faults, [&](const KnownFault* fault) {
+      return accounts_for(*fault, one.id, surface, what...);
+    });
   };
-  if (std::ranges::any_of(result.disagreements, is_contested)) return false;
-  if (entry == nullptr) return !agrees;
-  if (agrees || entry->verdict == Verdict::agree)
-    return agrees != (entry->verdict == Verdict::agree);
-  Result alone = result;
-  Result* const only = &alone;
-  judge({&only, 1}, latitude);
-  if (alone.fingerprint == entry->fingerprint) return false;
-  // A fingerprint leaves values out of a violation, and the reading of lines may make it one.
-  return result.illegal_line_snaps.empty();
+  if (result.failure)
+    return result.failure->kind != FailureKind::unsupported && !is_known(*result.failure);
+  if (latitude == Latitude::none) return !result.disagreements.empty() || !result.values.empty();
+  return std::ranges::any_of(result.disagreements, [&](const Disagreement& d) {
+    return !is_legal(d) && !is_about_a_line(d) && legality_against(d.ruling) == Legality::illegal &&
+           !is_known(result, d);
+  });
 }
 
 }  // namespace edgecase

@@ -20,7 +20,7 @@ namespace edgecase {
 // Merges at least one part. A sentence instead where parts do not belong together: another version
 // of the tool, policy, renderer or suite, a case or a share that two of them have. A share that is
 // missing is such a sentence too, unless `partial`: then the results are interrupted ones.
-// Expectations are not applied, and case files' texts are not known.
+// Known faults are not applied, and case files' texts are not known.
 std::variant<Results, std::string> merge_results(std::vector<MergePart> parts, bool partial);
 
 }  // namespace edgecase

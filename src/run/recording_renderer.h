@@ -19,7 +19,7 @@ namespace edgecase {
 
 bool is_recording(const std::string& renderer);
 
-// The name under which expectations and profiles know a renderer: of a recording that can be read,
+// The name under which known faults and profiles know a renderer: of a recording that can be read,
 // that of the renderer which was recorded; else the name itself.
 std::string known_name_of(const std::string& renderer);
 

@@ -24,8 +24,8 @@ struct RerunCounts {
   bool stopped = false;       // by options.stop, before all were asked
 };
 
-// `results` are those of the suite under the same options, judged, expectations applied. Standings
-// stay as they are: the caller applies expectations again.
+// `results` are those of the suite under the same options, judged, known faults applied. Standings
+// stay as they are: the caller applies known faults again.
 RerunCounts rerun_unexpected(const Suite& suite, const RunOptions& options, Results& results);
 
 }  // namespace edgecase

@@ -58,7 +58,7 @@ std::variant<Resumption, std::string> resume(const Suite& suite, MergePart earli
   Results& held = resumed.held = std::move(earlier.results);
   held.cases.clear();
   held.diagnostics.clear();
-  held.missing.clear();
+  held.faults.clear();
   held.shard.reset();
   held.interrupted = false;
   held.left_out = 0;

@@ -13,6 +13,7 @@
 #include <variant>
 
 #include "model/digest.h"
+#include "results/standing.h"
 #include "run/case_slices.h"
 #include "run/comparing.h"
 #include "run/early_judgement.h"
@@ -158,7 +159,7 @@ class Run {
         std::unique_ptr<Result>& result = results_[cases[i]][index];
         result = std::make_unique<Result>(
             comparison_.compare_outcome(cases[i], std::move(outcome), renderer.info()));
-        count_unexpected(cases[i], index, *result);
+        count_unexpected(cases[i], renderer.info(), *result);
         if (--unanswered_[cases[i]] == 0) complete(cases[i]);
         report_progress();
         if (stopped() || (enough_ && !is_finishing_)) throw Stopped{};
@@ -177,15 +178,12 @@ class Run {
   }
 
   // Counts a case once, however many renderers answer it unexpectedly.
-  void count_unexpected(std::size_t at, std::size_t renderer, const Result& result) {
+  void count_unexpected(std::size_t at, const RendererInfo& info, const Result& result) {
     if (options_.max_unexpected == 0 || enough_) return;
-    const Expectation* entry = nullptr;
-    for (const Expectations& candidate : options_.expectations)
-      if (candidate.renderer == options_.renderers[renderer])
-        if (const auto found = candidate.cases.find(suite_.cases[at].id);
-            found != candidate.cases.end())
-          entry = &found->second;
-    if (!is_surely_unexpected(result, options_.policy.latitude, entry)) return;
+    std::vector<const KnownFault*> faults;
+    if (const KnownFaults* known = faults_about(options_.known, info))
+      faults = faults_of(*known, info);
+    if (!is_surely_unexpected(suite_.cases[at], result, options_.policy.latitude, faults)) return;
     const std::lock_guard lock(mutex_);
     unexpected_.insert(at);
     if (unexpected_.size() >= options_.max_unexpected) enough_ = true;

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "results/expectations.h"
+#include "results/known_faults.h"
 #include "results/results.h"
 #include "run/renderers.h"
 #include "run/selection.h"
@@ -34,13 +34,13 @@ struct RunOptions {
   // hangs is waited for.
   const std::atomic<bool>* stop = nullptr;
   // End when so many cases are unexpected however the run is read (run/early_judgement.h), by
-  // `expectations`; the cases that some renderer has answered by then are finished. 0: never.
+  // `known`; the cases that some renderer has answered by then are finished. 0: never.
   std::size_t max_unexpected = 0;
-  std::vector<Expectations> expectations;
+  std::vector<KnownFaults> known;
 };
 
 // Runs and judges. Renderer names must be known. Cases that were left out when the run ended early
-// are not in the results, which count them. Expectations are not applied.
+// are not in the results, which count them. Known faults are not applied.
 Results run_suite(const Suite& suite, const RunOptions& options);
 
 }  // namespace edgecase

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The HTML report in a browser: what it weighs, how much of it the browser holds, that it asks for
 nothing, shows every text as text, can be read and worked by everyone, and that what reviewers decide
-comes back as expectations. How long it takes is not a matter of these tests: tools/bench."""
+comes back as known faults. How long it takes is not a matter of these tests: tools/bench."""
 import json
 import pathlib
 import re
@@ -93,7 +93,7 @@ class Report(ReportTest):
                                 tags=[HOSTILE], id="lines/" + HOSTILE)
         for found in one["results"][synthetic.RENDERERS[0]]["disagreements"]:
             found["explanation"] = found["situation"] = HOSTILE
-        one["results"][synthetic.RENDERERS[0]]["expectation"] = HOSTILE
+        one["results"][synthetic.RENDERERS[0]]["standing_reason"] = HOSTILE
         page = self.report(synthetic.results_with([one]))
         self.browser.open(page)
         self.assertEqual(self.browser.ask("document.title"), "Edgecase report")
@@ -262,7 +262,7 @@ class Report(ReportTest):
         self.browser.press("/")
         self.browser.wait("document.activeElement.id === 'search'")
 
-    def test_decisions_come_back_as_expectations(self):
+    def test_decisions_come_back_as_known_faults(self):
         results = synthetic.make(60, 600)
         page = self.report(results)
         self.browser.open(page)
@@ -294,14 +294,15 @@ class Report(ReportTest):
         self.assertEqual([d["decision"] for d in sorted(decisions, key=lambda d: d["reason"])],
                          ["reject", "accept"])
         run = self.command("bless", self.folder / "results.json", "--from", exported,
-                           "--folder", "expectations", "--apply")
+                           "--folder", "known", "--apply")
         self.assertIn("rejected, and stays unexpected: A fault", run.stdout)
         name = re.sub(r"[^A-Za-z0-9]+", "-", seen[1]).strip("-")
-        files = list((self.folder / "expectations").glob("*.json"))
+        files = list((self.folder / "known").glob("*.json"))
         self.assertEqual(len(files), 1, (name, files))
-        (entry,) = json.loads(files[0].read_text(encoding="utf-8"))["expectations"]
-        self.assertEqual([entry["case"], entry["verdict"], entry["fingerprint"], entry["reason"]],
-                         [seen[0], seen[2], seen[3], "Known"])
+        faults = json.loads(files[0].read_text(encoding="utf-8"))["faults"]
+        self.assertTrue(faults)
+        for fault in faults:
+            self.assertEqual([fault["cases"], fault["reason"]], [[seen[0]], "Known"])
         exported.unlink()
 
     def test_what_changed_since_earlier_results(self):

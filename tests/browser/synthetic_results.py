@@ -88,9 +88,9 @@ def result_of(number, count, first):
     places = {tuple(d["pixel"]) for d in found}
     result = {
         "verdict": verdict, "fingerprint": f"{number * 2654435761 % 2**64:016x}" if found else "",
-        "standing": ("expected" if not found or number % 10
+        "standing": ("expected" if not found else "known" if number % 10
                      else "tolerated" if verdict == "contested" else "unexpected"),
-        "expectation": "known since 22.3" if found and number % 10 else "",
+        "standing_reason": "known since 22.3" if found and number % 10 else "",
         "pixel_counts": {"agree": SIZE * SIZE - len(places), "convention": 0, "permitted": 0,
                          "contested": len(places) if verdict == "contested" else 0,
                          "violation": 0 if verdict == "contested" else len(places),
@@ -130,7 +130,7 @@ def results_with(cases):
         "interrupted": False, "whole_suite": False,
         "renderers": [{"name": name, "vendor": "Mesa", "version": "4.5", "device": name,
                        "subpixel_bits": 8, "traits": {}} for name in RENDERERS],
-        "diagnostics": [], "missing": [], "cases": sorted(cases, key=lambda case: case["id"]),
+        "diagnostics": [], "faults": [], "cases": sorted(cases, key=lambda case: case["id"]),
     }
 
 

@@ -19,7 +19,7 @@ class Suite : public testing::Test {
     fs::remove_all(root_);
     for (const char* file :
          {"cases/lines/b.json", "cases/lines/a.json", "cases/c.json", "cases/case.schema.json",
-          "cases/policies/p.json", "cases/expectations/e.json", "cases/lines/rows.txt",
+          "cases/policies/p.json", "cases/known/e.json", "cases/lines/rows.txt",
           "cases/.hidden/h.json", "other/x.y.json", "other/deep/z.json"}) {
       fs::create_directories((root_ / file).parent_path());
       std::ofstream(root_ / file) << "{}";

@@ -35,7 +35,7 @@ END_SIZE = 26  # of a recording: size and checksum of its index
 
 
 def edgecase(*arguments, cwd):
-    """Runs the command; what it says of renderers and expectations does not matter here."""
+    """Runs the command; what it says of renderers and known faults does not matter here."""
     run = subprocess.run([BIN / "edgecase", *arguments], cwd=cwd, capture_output=True)
     if run.returncode in (2, 3):
         raise SystemExit(f"{arguments}: {run.stderr.decode()}")
@@ -57,13 +57,8 @@ def policy_seeds(_):
     return files("cases/policies/*.json", "cases/profiles/*.json", "cases/galleries/*.json")
 
 
-def expectation_seeds(_):
-    seeds = []
-    for path in sorted(ROOT.glob("cases/expectations/*.json")):
-        whole = json.loads(path.read_text(encoding="utf-8"))
-        whole["expectations"] = whole["expectations"][:3]
-        seeds.append(json.dumps(whole, indent=1).encode())
-    return seeds
+def known_fault_seeds(_):
+    return files("cases/known/*.json")
 
 
 def decision_seeds(_):
@@ -71,7 +66,7 @@ def decision_seeds(_):
                         (ROOT / "reports/pages/reviewing.md").read_text(encoding="utf-8"),
                         re.DOTALL)[1]
     other = json.loads(example)
-    other["decisions"][0].update(decision="reject", expected=None, renderer="egl:softpipe")
+    other["decisions"][0].update(decision="reject", renderer="egl:softpipe")
     return [example.encode(), json.dumps(other).encode()]
 
 
@@ -122,7 +117,7 @@ def image_seeds(folder):
     return rendered + files("tests/**/*.png", "tests/**/*.exr", most=8192)
 
 
-SEEDS = {"case_file": case_seeds, "policy": policy_seeds, "expectations": expectation_seeds,
+SEEDS = {"case_file": case_seeds, "policy": policy_seeds, "known_faults": known_fault_seeds,
          "decisions": decision_seeds, "results": result_seeds, "recording": recording_seeds,
          "answer": answer_seeds, "mesh": mesh_seeds, "image": image_seeds}
 

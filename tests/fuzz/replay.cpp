@@ -29,7 +29,7 @@ extern "C" {
 int edgecase_fuzz_answer(const std::uint8_t* data, std::size_t size);
 int edgecase_fuzz_case_file(const std::uint8_t* data, std::size_t size);
 int edgecase_fuzz_decisions(const std::uint8_t* data, std::size_t size);
-int edgecase_fuzz_expectations(const std::uint8_t* data, std::size_t size);
+int edgecase_fuzz_known_faults(const std::uint8_t* data, std::size_t size);
 int edgecase_fuzz_image(const std::uint8_t* data, std::size_t size);
 int edgecase_fuzz_mesh(const std::uint8_t* data, std::size_t size);
 int edgecase_fuzz_policy(const std::uint8_t* data, std::size_t size);
@@ -62,7 +62,7 @@ const std::map<std::string, Target*> kTargets{{"answer", edgecase_fuzz_answer},
                                               {"balanced", balanced},
                                               {"case_file", edgecase_fuzz_case_file},
                                               {"decisions", edgecase_fuzz_decisions},
-                                              {"expectations", edgecase_fuzz_expectations},
+                                              {"known_faults", edgecase_fuzz_known_faults},
                                               {"image", edgecase_fuzz_image},
                                               {"mesh", edgecase_fuzz_mesh},
                                               {"policy", edgecase_fuzz_policy},

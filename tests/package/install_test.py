@@ -30,7 +30,7 @@ class Installed(InstalledTest):
             (here / "mine.json").unlink()
             here.rmdir()
 
-    def test_renderers_and_expectations_are_found(self):
+    def test_renderers_and_known_faults_are_found(self):
         """A renderer whose every difference is known is as expected: exit code 0."""
         self.command("run", "--filter", "lines/short/*", "--against", "osmesa:softpipe",
                      "--against", "egl:llvmpipe", "--json", "results.json", "--html", "report.html")
@@ -38,6 +38,20 @@ class Installed(InstalledTest):
         verdicts = {one["results"]["osmesa:softpipe"]["verdict"] for one in results["cases"]}
         self.assertIn("violation", verdicts)
         self.assertGreater((self.folder / "report.html").stat().st_size, 100000)
+
+    def test_blessing_writes_beside_the_work(self):
+        """What is installed is not written to, and a folder known here counts beside it."""
+        softpipe = ["--filter", "lines/short/*", "--against", "osmesa:softpipe", "--json", "r.json"]
+        (self.folder / "nothing").mkdir()
+        self.command("run", *softpipe, "--known", "nothing", expect=1)
+        self.command("bless", "r.json", "--apply")
+        self.assertTrue((self.folder / "known/softpipe.json").is_file())
+        installed = self.prefix / "share/edgecase/cases/known/softpipe.json"
+        away = installed.rename(installed.with_name("away"))
+        try:
+            self.command("run", *softpipe)
+        finally:
+            away.rename(installed)
 
     def test_pictures_need_the_image_library(self):
         self.command("render", "--filter", "triangles/ties/flat-top", "--png", "pictures")

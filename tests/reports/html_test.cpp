@@ -172,7 +172,7 @@ TEST(Html, CasesInWhichAllAgreesAreALineOfTheList) {
   one.results.resize(2);
   for (KnownResult& result : one.results) result.verdict = Verdict::agree;
   EXPECT_TRUE(report_data(results, {}).blocks.empty());
-  one.results[1].standing = Standing::unexpected_agreement;
+  one.results[1].standing = Standing::flake;
   EXPECT_EQ(report_data(results, {}).blocks.size(), 1u);
   one.results[1].standing = Standing::expected;
   one.expect_failures = {"drawn otherwise"};

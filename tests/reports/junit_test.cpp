@@ -9,7 +9,6 @@
 #include <string>
 
 #include "tests/reports/sample.h"
-#include "tests/results/missing_case.h"
 
 namespace edgecase {
 namespace {
@@ -83,16 +82,15 @@ TEST(Junit, ParsesWithUniqueNamesAndRightCounts) {
 TEST(Junit, ExpectedResultsPassWhateverTheirVerdict) {
   for (Verdict verdict :
        {Verdict::agree, Verdict::convention, Verdict::permitted, Verdict::violation}) {
-    const auto document = parse(junit_of(single(result_of(verdict, Standing::expected))));
+    const auto document = parse(junit_of(single(
+        result_of(verdict, verdict == Verdict::violation ? Standing::known : Standing::expected))));
     EXPECT_TRUE(first_test(document).first_child().empty()) << name_of(verdict);
   }
 }
 
-TEST(Junit, EverythingElseFailsAgreementIncluded) {
-  for (Standing standing :
-       {Standing::unexpected, Standing::changed, Standing::unexpected_agreement}) {
-    const Verdict verdict =
-        standing == Standing::unexpected_agreement ? Verdict::agree : Verdict::permitted;
+TEST(Junit, EverythingElseFails) {
+  for (Standing standing : {Standing::unexpected, Standing::flake}) {
+    const Verdict verdict = Verdict::violation;
     const auto document = parse(junit_of(single(result_of(verdict, standing))));
     const std::string message =
         first_test(document).child("failure").attribute("message").as_string();
@@ -101,11 +99,13 @@ TEST(Junit, EverythingElseFailsAgreementIncluded) {
   }
 }
 
-TEST(Junit, SkippedOnlyWhenKnownNotToRun) {
-  const auto known = parse(junit_of(single(result_of(Verdict::not_run, Standing::expected))));
-  const std::string reason = first_test(known).child("skipped").attribute("message").as_string();
-  EXPECT_NE(reason.find("no answer in 5 s"), std::string::npos) << reason;
-  for (Standing standing : {Standing::unexpected, Standing::changed}) {
+TEST(Junit, SkippedOnlyWhenNotSupportedOrKnownNotToRun) {
+  for (Standing standing : {Standing::known, Standing::tolerated}) {
+    const auto known = parse(junit_of(single(result_of(Verdict::not_run, standing))));
+    const std::string reason = first_test(known).child("skipped").attribute("message").as_string();
+    EXPECT_NE(reason.find("no answer in 5 s"), std::string::npos) << reason;
+  }
+  for (Standing standing : {Standing::unexpected, Standing::flake}) {
     const auto document = parse(junit_of(single(result_of(Verdict::not_run, standing))));
     EXPECT_TRUE(first_test(document).child("skipped").empty());
     EXPECT_NE(std::string(first_test(document).child("error").text().get()).find("no answer"),
@@ -160,16 +160,16 @@ TEST(Junit, AFlakeIsAFailureOrAnError) {
   }
 }
 
-TEST(Junit, AnExpectationWithoutACaseIsAFailure) {
+TEST(Junit, AKnownFaultThatHasGrownIsAFailure) {
   Results results = single(result_of(Verdict::agree, Standing::expected));
-  results.missing.push_back(
-      missing_case("osmesa:llvmpipe", "lines/gone", {Verdict::permitted, "p"}, "was so"));
+  results.faults = {{"osmesa:llvmpipe", "joints", "why", "", 3, 2, FaultState::grown},
+                    {"osmesa:llvmpipe", "others", "why", "", 1, 2, FaultState::shrunk}};
   const pugi::xml_document document = parse(junit_of(results));
   const pugi::xml_node root = document.child("testsuites");
   EXPECT_EQ(root.attribute("failures").as_int(), 1);
   const pugi::xml_node test = root.last_child().child("testcase");
-  EXPECT_STREQ(test.attribute("name").as_string(), "lines/gone");
-  EXPECT_STREQ(test.attribute("classname").as_string(), "expectations.osmesa:llvmpipe");
+  EXPECT_STREQ(test.attribute("name").as_string(), "joints");
+  EXPECT_STREQ(test.attribute("classname").as_string(), "known faults.osmesa:llvmpipe");
 }
 
 TEST(Junit, SameResultsSameBytes) {

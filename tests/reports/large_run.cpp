@@ -32,7 +32,7 @@ Results large_run(std::size_t cases, int disagreements) {
     result.verdict = Verdict::violation;
     result.standing = Standing::unexpected;
     result.fingerprint = "0123456789abcdef";
-    result.expectation = "no expectation names this case";
+    result.standing_reason = "no known fault accounts for this";
     for (int x = 0; x < disagreements; ++x) {
       result.disagreements.push_back(disagreement(x, 0, DisagreementKind::extra, false));
       result.disagreements.back().explanation = sentence;

@@ -10,7 +10,6 @@
 
 #include "reports/explain_command.h"
 #include "tests/reports/sample.h"
-#include "tests/results/missing_case.h"
 #include "tests/support/causes.h"
 
 namespace edgecase {
@@ -61,11 +60,12 @@ TEST(Summary, TheFirstLineSaysHowTheRunEnded) {
   results.cases[1].results[1].standing = Standing::flake;
   results.cases[0].expect_failures = {"drawn", "otherwise"};
   results.diagnostics.resize(1);
-  results.missing.resize(2);
+  results.faults.resize(3);
+  results.faults[1].state = results.faults[2].state = FaultState::grown;
   results.interrupted = true;
   EXPECT_EQ(first_line_of(results, 9.96),
             "2 cases, 2 renderers: 2 unexpected, 1 fault in case files, 2 drawings not met, "
-            "2 expectations of no case, interrupted, 10 s");
+            "2 known faults grown, interrupted, 10 s");
 }
 
 TEST(Summary, TheFirstLineHasTheColourOfTheOutcome) {
@@ -97,11 +97,6 @@ TEST(Summary, WithoutColourThereIsNoEscape) {
 
 TEST(Summary, SaysWhatIsMissing) {
   Results results = sample::results();
-  EXPECT_THAT(summary_of(results, false), Not(HasSubstr("has no more")));
-  results.missing.push_back(
-      missing_case("osmesa:softpipe", "lines/gone", {Verdict::permitted, "p"}, "was so"));
-  EXPECT_THAT(summary_of(results, false),
-              HasSubstr("  lines/gone osmesa:softpipe, expected permitted"));
   results.interrupted = true;
   EXPECT_THAT(summary_of(results, false), HasSubstr("The run was interrupted.\n"));
   results.left_out = 1;
@@ -113,11 +108,42 @@ TEST(Summary, TellsBothAnswersOfAFlake) {
   results.renderers[0].name = "exec:./mine";
   results.cases[0].id = "a";
   results.cases[0].results[0].standing = Standing::flake;
-  results.cases[0].results[0].expectation = "it answered this, and then that";
-  EXPECT_THAT(
-      summary_of(results, false),
-      HasSubstr("  1 case, exec:./mine: expected agree, got agree, and then another answer\n"
-                "    a: it answered this, and then that\n"));
+  results.cases[0].results[0].standing_reason = "it answered this, and then that";
+  EXPECT_THAT(summary_of(results, false),
+              HasSubstr("  1 case, exec:./mine: agree, and then another answer\n"
+                        "    a: it answered this, and then that\n"));
+}
+
+TEST(Summary, TellsWhatTheRunShowsOfKnownFaults) {
+  Results results = agreeing(2, 1);
+  results.renderers[0].name = "egl:llvmpipe";
+  const auto text = [&](FaultState state, std::size_t cases, std::optional<std::size_t> before) {
+    results.faults = {{"egl:llvmpipe", "joints", "why", "", cases, before, state}};
+    results.cases[0].results[0].faults = {"joints"};
+    return summary_of(results, false);
+  };
+  const std::string known = text(FaultState::known, 1, 1);
+  EXPECT_THAT(known, HasSubstr("\nKnown: 1 fault of egl:llvmpipe in 1 case.\n"));
+  EXPECT_THAT(known, Not(HasSubstr("joints")));
+  EXPECT_THAT(text(FaultState::grown, 2, 1),
+              HasSubstr("  joints egl:llvmpipe: it has grown: 2 cases, and 1 is known on this "
+                        "release\n"));
+  EXPECT_THAT(text(FaultState::shrunk, 1, 2), HasSubstr("it has shrunk: 1 case of 2 that"));
+  EXPECT_THAT(text(FaultState::fixed, 0, 2), HasSubstr("it is fixed: none of 2 cases\n"));
+  EXPECT_THAT(text(FaultState::fixed, 0, {}), HasSubstr("it does not show on this release\n"));
+  EXPECT_THAT(text(FaultState::uncounted, 1, {}), HasSubstr("1 case, of a release without a"));
+}
+
+TEST(Summary, TellsWhatIsNotSupportedByReason) {
+  Results results = agreeing(10, 1);
+  results.renderers[0].name = "egl:llvmpipe";
+  for (std::size_t i = 0; i < 9; ++i)
+    results.cases[i].results[0].failure =
+        Failure{FailureKind::unsupported, i < 2 ? "no blending" : std::to_string(i)};
+  const std::string text = summary_of(results, false);
+  EXPECT_THAT(text, HasSubstr("\nNot supported by egl:llvmpipe: 2 cases: no blending.\n"
+                              "Not supported by egl:llvmpipe: 1 case: 2.\n"));
+  EXPECT_THAT(text, HasSubstr("\nNot supported by egl:llvmpipe: 2 more reasons.\n"));
 }
 
 // A case in which one pixel is wrong.
@@ -142,13 +168,8 @@ TEST(Summary, GroupsWhatIsUnexpectedByCause) {
   for (int i = 0; i < 12; ++i)
     results.cases.push_back(wrong_case("case-" + std::to_string(i), i, false));
   results.cases.push_back(wrong_case("allowed", 3, true));
-  results.cases.back().results[0].expected = Judgement{Verdict::convention, "0123"};
-  results.cases.push_back(wrong_case("gone", 3, false));
-  KnownResult& gone = results.cases.back().results[0];
-  gone.disagreements.clear();
-  gone.verdict = Verdict::agree;
-  gone.standing = Standing::unexpected_agreement;
-  gone.expected = Judgement{Verdict::violation, "0123"};
+  results.cases.push_back(wrong_case("partly", 3, false));
+  results.cases.back().results[0].faults = {"joints"};
   results.cases.push_back(wrong_case("dies", 3, false));
   KnownResult& dies = results.cases.back().results[0];
   dies.disagreements.clear();
@@ -156,21 +177,22 @@ TEST(Summary, GroupsWhatIsUnexpectedByCause) {
   dies.failure = Failure{FailureKind::crashed, "exit status 7"};
   EXPECT_THAT(summary_of(results, false), HasSubstr(R"(
 Unexpected, by cause:
-  12 cases, exec:./mine: expected agree, got violation
+  12 cases, exec:./mine: violation, not known
     line.diamond-exit extra, fbo
     case-0: pixel (0, 0): Pixel (0, 0) differs.
     edgecase explain cases/case-0.json --against exec:./mine --pixel 0,0
-  1 case, exec:./mine: expected agree, got not-run
+  1 case, exec:./mine: violation, known in part
+    line.diamond-exit extra, fbo
+    partly: pixel (3, 0): Pixel (3, 0) differs.
+    edgecase explain cases/partly.json --against exec:./mine --pixel 3,0
+  1 case, exec:./mine: not-run, not known
     crashed
     dies: exit status 7
     edgecase explain cases/dies.json --against exec:./mine
-  1 case, exec:./mine: expected another convention, got convention
+  1 case, exec:./mine: convention, not known
     line.diamond-exit extra, fbo
     allowed: pixel (3, 0): Pixel (3, 0) differs.
     edgecase explain cases/allowed.json --against exec:./mine --pixel 3,0
-  1 case, exec:./mine: expected violation, got agree
-    gone
-    edgecase explain cases/gone.json --against exec:./mine
 
 )"));
 }
@@ -194,7 +216,7 @@ TEST(Summary, ListsTenCausesAndTheSimplestCaseOfEach) {
     results.cases.back().width = 100 - i;
   }
   const std::string text = summary_of(results, false);
-  EXPECT_THAT(text, HasSubstr("  2 cases, : expected agree, got violation\n"
+  EXPECT_THAT(text, HasSubstr("  2 cases, : violation, not known\n"
                               "    line.diamond-exit extra, place 0, fbo\n    case-12: "));
   EXPECT_THAT(text, HasSubstr("\n  and 2 more causes\n"));
   EXPECT_THAT(text, Not(HasSubstr("case-11: ")));  // the only one of its cause, which comes last
@@ -281,7 +303,7 @@ TEST(Summary, WhatIsContestedIsCountedAndNotUnexpected) {
               testing::StartsWith("1 case, 1 renderer: 0 unexpected\n"));
   EXPECT_THAT(summary_of(results, false), Not(HasSubstr("Unexpected")));
   result.standing = Standing::unexpected;
-  EXPECT_THAT(summary_of(results, false), HasSubstr("expected agree, got contested\n"));
+  EXPECT_THAT(summary_of(results, false), HasSubstr("contested, not known\n"));
 }
 
 TEST(Summary, UnexpectedOnesAreListedWorstFirst) {
@@ -292,11 +314,11 @@ TEST(Summary, UnexpectedOnesAreListedWorstFirst) {
     results.cases[i].results[0].standing = Standing::unexpected;
   }
   const std::string text = summary_of(results, false);
-  const std::size_t violation = text.find("got violation\n");
-  const std::size_t contested = text.find("got contested\n");
+  const std::size_t violation = text.find("violation, not known");
+  const std::size_t contested = text.find("contested, not known");
   ASSERT_NE(contested, std::string::npos);
   EXPECT_LT(violation, contested);
-  EXPECT_LT(contested, text.find("got permitted\n"));
+  EXPECT_LT(contested, text.find("permitted, not known"));
 }
 
 TEST(Summary, CommandsNameAPolicyOfTheirOwnAndNoFilterWithoutNeed) {

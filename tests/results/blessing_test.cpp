@@ -1,124 +1,148 @@
 // SPDX-License-Identifier: MIT
 //
-// What blessing would change: new, changed and gone entries, and nothing else.
+// What blessing would change in a driver's known faults, and nothing else.
+#include "results/blessing.h"
+
 #include <gtest/gtest.h>
 
-#include "results/expectations.h"
+#include "results/standing.h"
 #include "tests/results/sample_results.h"
 #include "tests/support/causes.h"
 
 namespace edgecase {
 namespace {
 
-TEST(PlanBlessing, NamesNewChangedAndGoneEntriesOnly) {
-  // a new, b changed in its fingerprint, c gone, d unchanged, e agrees as before, f changed in its
-  // verdict; "other" is not among the results, since they were filtered.
-  const Results results = results_with({Verdict::violation, Verdict::violation, Verdict::agree,
-                                        Verdict::permitted, Verdict::agree, Verdict::not_run});
-  Expectations current;
-  current.cases = {{"b", {Verdict::violation, "old", "known", "https://example.org/2"}},
-                   {"c", {Verdict::violation, "print-c", "was wrong", ""}},
-                   {"d", {Verdict::permitted, "print-d", "stays", ""}},
-                   {"f", {Verdict::violation, "print-f", "was drawn", ""}},
-                   {"other", {Verdict::violation, "print-other", "elsewhere", ""}}};
-  const auto changes = plan_blessing(results, 0, current, "because");
-  ASSERT_EQ(changes.size(), 4u);
-
-  EXPECT_EQ(changes[0].id, "a");
-  EXPECT_EQ(changes[0].before, nullptr);
-  ASSERT_TRUE(changes[0].after);
-  EXPECT_EQ(changes[0].after->verdict, Verdict::violation);
-  EXPECT_EQ(changes[0].after->fingerprint, "print-a");
-  EXPECT_EQ(changes[0].after->reason, "because");
-
-  EXPECT_EQ(changes[1].id, "b");
-  EXPECT_EQ(changes[1].before, &current.cases.at("b"));
-  ASSERT_TRUE(changes[1].after);
-  EXPECT_EQ(changes[1].after->fingerprint, "print-b");
-  EXPECT_EQ(changes[1].after->link, "https://example.org/2") << "the link of a known fault is kept";
-
-  EXPECT_EQ(changes[2].id, "c");
-  EXPECT_EQ(changes[2].before, &current.cases.at("c"));
-  EXPECT_FALSE(changes[2].after);
-
-  EXPECT_EQ(changes[3].id, "f");
-  ASSERT_TRUE(changes[3].after);
-  EXPECT_EQ(changes[3].after->verdict, Verdict::not_run);
-}
-
-TEST(PlanBlessing, TakesAwayMissingCasesAndLeavesFlakesAlone) {
-  Results results = results_with({Verdict::violation, Verdict::violation});
+// Whole results of the release "Fake 2.0".
+Results results_of(const std::vector<Verdict>& verdicts) {
+  Results results = results_with(verdicts);
+  results.renderers[0].version = "Fake 2.0";
   results.whole_suite = true;
-  results.cases[0].results[0].again = {Verdict::agree, ""};
-  Expectations current;
-  current.cases = {{"a", {Verdict::permitted, "old", "known", ""}},
-                   {"aa", {Verdict::permitted, "gone", "known", ""}}};
-  const auto changes = plan_blessing(results, 0, current, "because");
-  ASSERT_EQ(changes.size(), 2u);
-  EXPECT_EQ(changes[0].id, "aa");
-  EXPECT_EQ(changes[0].before, &current.cases.at("aa"));
-  EXPECT_FALSE(changes[0].after);
-  EXPECT_EQ(changes[1].id, "b");
-  EXPECT_TRUE(changes[1].after);
+  return results;
 }
 
-TEST(PlanBlessing, MakesAReasonOfWhatWasFound) {
-  Results results =
-      results_with({Verdict::convention, Verdict::permitted, Verdict::not_run, Verdict::permitted});
-  for (Disagreement& d : results.cases[0].results[0].disagreements) {
+std::vector<FaultChange> plan(Results& results, const KnownFaults& current,
+                              const BlessingOptions& options = {}) {
+  apply_known_faults(results, {&current, 1});
+  return plan_blessing(results, 0, current, options);
+}
+
+KnownFaults blessed(Results& results, const KnownFaults& current = {"fake", {}}) {
+  return with_changes(current, plan(results, current));
+}
+
+TEST(Blessing, MakesOneFaultOfACauseAndOneOfARuleWithoutACause) {
+  Results results = results_of({Verdict::violation, Verdict::violation, Verdict::violation,
+                                Verdict::convention, Verdict::not_run});
+  results.cases[0].id = "lines/short:dx=1";
+  results.cases[1].id = "lines/short:dx=2";
+  results.cases[1].results[0].disagreements[0].kind = DisagreementKind::extra;
+  for (Disagreement& d : results.cases[2].results[0].disagreements)
     d.cause = cause_named("triangle.fill-rule=left-bottom");
-    d.legality = Legality::legal;
+  results.cases[2].results[0].disagreements[1].rule = RuleId::triangle_shared_edge;
+  const auto changes = plan(results, {"fake", {}}, {{}, "because", "https://example.org"});
+  ASSERT_EQ(changes.size(), 3u);
+  for (const FaultChange& change : changes) {
+    EXPECT_FALSE(change.before);
+    EXPECT_EQ(change.after->reason, "because");
+    EXPECT_EQ(change.after->link, "https://example.org");
+    EXPECT_EQ(text_of(*change.after->versions), "Fake >=2.0");
   }
-  results.cases[1].results[0].disagreements.resize(1);
-  results.cases[1].results[0].disagreements[0].legality = Legality::illegal;
-  results.cases[1].results[0].disagreements[0].ruling = 4;
-  results.cases[3].results[0].disagreements.clear();
-  results.cases[3].results[0].values.resize(1);
-  results.cases[3].results[0].values[0].attribute = "color";
-  const auto changes = plan_blessing(results, 0, {}, "");
-  ASSERT_EQ(changes.size(), 4u);
-  EXPECT_EQ(changes[0].after->reason,
-            "2 differences by triangle.fill-rule; it follows triangle.fill-rule=left-bottom");
-  EXPECT_EQ(changes[1].after->reason,
-            "one difference by triangle.fill-rule, against ruling 4; no catalogued alternative "
-            "draws this");
-  EXPECT_EQ(changes[2].after->reason, "crashed: signal 11");
-  EXPECT_EQ(changes[3].after->reason,
-            "color rounded otherwise than exactly, within what is permitted");
-  results.cases[3].results[0].values[0].cause = cause_named("texture.log2=mantissa-8");
-  EXPECT_EQ(plan_blessing(results, 0, {}, "")[3].after->reason, "color by texture.log2=mantissa-8");
+  EXPECT_EQ(changes[0].after->id, "triangle.fill-rule") << "that of most cases comes first";
+  EXPECT_EQ(changes[0].after->kinds, (std::vector<std::string>{"extra", "missing"}));
+  EXPECT_EQ(changes[0].after->cases, std::vector<std::string>{"lines/short"});
+  EXPECT_TRUE(changes[0].after->cause->empty());
+  EXPECT_EQ(changes[0].after->cases_on.at("Fake 2.0"), 2u);
+  EXPECT_EQ(changes[1].after->id, "crashed");
+  EXPECT_FALSE(changes[1].after->cause);
+  EXPECT_EQ(changes[2].after->id, "triangle.fill-rule=left-bottom");
+  EXPECT_EQ(changes[2].after->rules,
+            (std::vector{RuleId::triangle_fill_rule, RuleId::triangle_shared_edge}));
+  EXPECT_EQ(*changes[2].after->cause, cause_named("triangle.fill-rule=left-bottom"));
 }
 
-// Blessed and read back, the same results are expected; blessing again changes nothing.
-// A renderer that could not be asked, as a recording that lacks the case, says nothing of it.
-TEST(PlanBlessing, LeavesOutWhatWasNotAsked) {
-  Results results = results_with({Verdict::not_run, Verdict::not_run});
-  results.cases[0].results[0].failure = Failure{FailureKind::unavailable, "not recorded"};
-  results.cases[1].results[0].failure = Failure{FailureKind::unsupported, "too large"};
-  const auto changes = plan_blessing(results, 0, {}, "because");
-  ASSERT_EQ(changes.size(), 1u);
-  EXPECT_EQ(changes[0].id, "b");
-}
-
-TEST(PlanBlessing, WhatWasBlessedIsExpected) {
-  Results results =
-      results_with({Verdict::agree, Verdict::convention, Verdict::violation, Verdict::not_run});
-  Expectations expectations;
-  expectations.renderer = "fake";
-  expectations.cases["a"] = {Verdict::violation, "print-a", "gone", ""};
-  for (const ExpectationChange& change : plan_blessing(results, 0, expectations, "")) {
-    if (change.after)
-      expectations.cases[change.id] = *change.after;
-    else
-      expectations.cases.erase(change.id);
-  }
-  const auto outcome = parse_expectations(expectations_text(expectations));
-  ASSERT_TRUE(std::holds_alternative<Expectations>(outcome)) << std::get<std::string>(outcome);
-  const auto& read = std::get<Expectations>(outcome);
-  apply_expectations(results, 0, &read);
+TEST(Blessing, WhatWasBlessedIsKnown) {
+  Results results = results_of({Verdict::agree, Verdict::convention, Verdict::violation,
+                                Verdict::not_run, Verdict::violation});
+  const KnownFaults known = blessed(results);
+  const auto again = parse_known_faults(known_faults_text(known));
+  ASSERT_TRUE(std::holds_alternative<KnownFaults>(again)) << std::get<std::string>(again);
+  EXPECT_TRUE(plan(results, std::get<KnownFaults>(again)).empty());
   for (const CaseResults& one : results.cases)
-    EXPECT_EQ(one.results[0].standing, Standing::expected) << one.id;
-  EXPECT_TRUE(plan_blessing(results, 0, read, "again").empty());
+    EXPECT_FALSE(is_unexpected(one.results[0].standing)) << one.id;
+  for (const FaultSeen& seen : results.faults) EXPECT_EQ(seen.state, FaultState::known);
+}
+
+TEST(Blessing, LeavesOutWhatWasNotAskedAndFlakes) {
+  Results results = results_of({Verdict::not_run, Verdict::not_run, Verdict::violation});
+  results.cases[0].results[0].failure = Failure{FailureKind::unsupported, "too large"};
+  results.cases[1].results[0].failure = Failure{FailureKind::unavailable, "not recorded"};
+  results.cases[2].results[0].again = Judgement{Verdict::agree, ""};
+  EXPECT_TRUE(plan(results, {"fake", {}}).empty());
+}
+
+TEST(Blessing, OfSomeCasesLeavesTheOthersOfTheirFile) {
+  Results results = results_of({Verdict::violation, Verdict::violation, Verdict::violation});
+  results.cases[0].id = "lines/short:dx=1";
+  results.cases[1].id = "lines/short:dx=2";
+  results.cases[2].id = "lines/long";
+  const auto changes =
+      plan(results, {"fake", {}},
+           {[](const std::string& id) { return id != "lines/short:dx=2"; }, "", ""});
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].after->cases, (std::vector<std::string>{"lines/long", "lines/short:dx=1"}));
+}
+
+TEST(Blessing, CountsWhatWholeResultsShow) {
+  Results results = results_of({Verdict::violation, Verdict::violation});
+  KnownFaults known = blessed(results);
+  known.faults[0].cases_on["Fake 2.0"] = 1;
+  known.faults[0].cases_on["Fake 1.0"] = 7;
+  const auto changes = plan(results, known);
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].after->cases_on,
+            (std::map<std::string, std::size_t>{{"Fake 1.0", 7}, {"Fake 2.0", 2}}));
+  results.whole_suite = false;
+  EXPECT_TRUE(plan(results, known).empty()) << "a part of the suite cannot be counted";
+}
+
+TEST(Blessing, ClosesWhatDoesNotShow) {
+  Results results = results_of({Verdict::violation});
+  KnownFaults known = blessed(results);
+  Results fixed = results_of({Verdict::agree});
+  auto changes = plan(fixed, known);
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_FALSE(changes[0].after) << "no other release has it";
+  EXPECT_TRUE(with_changes(known, changes).faults.empty());
+
+  known.faults[0].versions->low = {1};
+  known.faults[0].cases_on["Fake 1.0"] = 3;
+  changes = plan(fixed, known);
+  ASSERT_EQ(changes.size(), 1u);
+  ASSERT_TRUE(changes[0].after) << "an earlier release has it";
+  EXPECT_EQ(text_of(*changes[0].after->versions), "Fake >=1 <2.0");
+  EXPECT_FALSE(changes[0].after->cases_on.contains("Fake 2.0"));
+
+  fixed.renderers[0] = {"fake", "", "OpenGL ES 3.2 Fake 2.0", "", 8, {}};
+  fixed.whole_suite = false;
+  EXPECT_TRUE(plan(fixed, known).empty());
+}
+
+TEST(Blessing, WidensTheVersionsOfTheSameFault) {
+  Results results = results_of({Verdict::violation});
+  KnownFaults known = blessed(results);
+  const auto release = [&](const char* version) {
+    Results other = results;
+    other.renderers[0].version = version;
+    const auto changes = plan(other, known);
+    EXPECT_EQ(changes.size(), 1u);
+    EXPECT_TRUE(changes[0].before && changes[0].after);
+    return changes[0].after ? *changes[0].after : KnownFault();
+  };
+  KnownFault earlier = release("Fake 1.5");
+  EXPECT_EQ(text_of(*earlier.versions), "Fake >=1.5");
+  EXPECT_EQ(earlier.cases_on.size(), 2u);
+  known.faults[0].versions->high = {2, 1};
+  EXPECT_EQ(text_of(*release("Fake 3.0").versions), "Fake >=2.0");
 }
 
 }  // namespace

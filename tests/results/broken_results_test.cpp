@@ -62,7 +62,7 @@ TEST(BrokenResults, DamageIsNamedWithItsCase) {
       {"\"kind\":\"timed-out\"", "\"kind\":\"tired\"", "\"tired\""},
       {"\"standing\":\"flake\"", "\"standing\":7", "string"},
       {"\"again\":{\"verdict\":\"agree\"", "\"again\":{\"verdict\":\"fine\"", "\"fine\""},
-      {"\"expected\":{\"verdict\"", "\"expected\":{\"versed\"", "verdict"},
+      {"\"again\":{\"verdict\"", "\"again\":{\"versed\"", "verdict"},
       {"\"role\":\"edge\"", "\"role\":\"ledge\"", "\"ledge\""},
       {"\"legality\":\"legal\"", "\"legality\":\"yes\"", "not known"},
       {"\"situation\":\"", "\"situation\":7,\"x\":\"", "string"},
@@ -115,7 +115,7 @@ TEST(BrokenResults, DamageOutsideCasesIsRefusedToo) {
         std::pair{"\"whole_suite\":true", "\"whole_suite\":7"},
         std::pair{"\"left_out\":12", "\"left_out\":\"12\""},
         std::pair{"\"index\":3", "\"index\":5"}, std::pair{"\"index\":3", "\"index\":0"},
-        std::pair{"\"missing\":[", "\"missing\":7,\"x\":["},
+        std::pair{"\"faults\":[{", "\"faults\":7,\"x\":[{"},
         std::pair{"\"remedy\":\"\"", "\"cure\":\"\""}})
     EXPECT_NE(refusal(damaged(from, to)), "") << to;
 }

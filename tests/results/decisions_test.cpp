@@ -6,13 +6,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "results/standing.h"
 #include "tests/results/sample_results.h"
 
 namespace edgecase {
 namespace {
 
 std::string file_of(const std::string& decisions) {
-  return R"({"edgecase_decisions": 1, "renderer": "fake", "decisions": [)" + decisions + "]}";
+  return R"({"edgecase_decisions": 2, "renderer": "fake", "decisions": [)" + decisions + "]}";
 }
 
 // A well-formed decision on case a, with more members.
@@ -35,19 +36,16 @@ std::vector<Decision> decisions(const std::string& text) {
 }
 
 TEST(ParseDecisions, ReadsAllMembers) {
-  const auto read = decisions(on_a(R"(, "renderer": "other", "link": "https://example.org",
-      "expected": {"verdict": "permitted", "fingerprint": "old"})"));
+  const auto read = decisions(on_a(R"(, "renderer": "other", "link": "https://example.org")"));
   ASSERT_EQ(read.size(), 1u);
   EXPECT_EQ(read[0].id, "a");
   EXPECT_EQ(read[0].renderer, "other");
   EXPECT_EQ(read[0].seen, (Judgement{Verdict::violation, "print-a"}));
-  EXPECT_EQ(read[0].expected, (Judgement{Verdict::permitted, "old"}));
   EXPECT_TRUE(read[0].accepts);
   EXPECT_EQ(read[0].reason, "known");
   EXPECT_EQ(read[0].link, "https://example.org");
-  const auto plain = decisions(on_a(R"(, "expected": null)", "reject"));
+  const auto plain = decisions(on_a("", "reject"));
   EXPECT_EQ(plain[0].renderer, "fake");
-  EXPECT_FALSE(plain[0].expected);
   EXPECT_FALSE(plain[0].accepts);
 }
 
@@ -59,10 +57,10 @@ TEST(ParseDecisions, RefusesWithThePlace) {
   const std::pair<std::string, const char*> faults[] = {
       {"", "the file"},
       {"[]", "no object"},
-      {R"({"edgecase_decisions": 2, "decisions": []})", "\"edgecase_decisions\" must be 1"},
-      {R"({"edgecase_decisions": 1})", "\"decisions\" is no list"},
-      {R"({"edgecase_decisions": 1, "decisions": [], "more": 1})", "unknown key \"more\""},
-      {R"({"edgecase_decisions": 1, "decisions": [)" + on_a() + "]}",
+      {R"({"edgecase_decisions": 1, "decisions": []})", "\"edgecase_decisions\" must be 2"},
+      {R"({"edgecase_decisions": 2})", "\"decisions\" is no list"},
+      {R"({"edgecase_decisions": 2, "decisions": [], "more": 1})", "unknown key \"more\""},
+      {R"({"edgecase_decisions": 2, "decisions": [)" + on_a() + "]}",
        "/decisions/0 (case a): \"renderer\" is missing"},
       {file_of(on_a() + "," + on_a("", "reject")), "/decisions/1 (case a): /decisions/0 is on"},
       {file_of(on_a(R"(, "note": "x")")), "/decisions/0 (case a): unknown key \"note\""},
@@ -72,7 +70,7 @@ TEST(ParseDecisions, RefusesWithThePlace) {
       {file_of(replaced("violation", "fine")), "\"fine\" is no verdict"},
       {file_of(replaced(R"("fingerprint": "print-a",)", "")), "\"fingerprint\" is missing"},
       {file_of(replaced(R"("case": "a")", R"("case": 7)")), "/decisions/0: \"case\" is no text"},
-      {file_of(on_a(R"(, "expected": {"verdict": "agree"})")), "\"fingerprint\" is missing"},
+      {file_of(on_a(R"(, "expected": null)")), "unknown key \"expected\""},
       {file_of("7"), "/decisions/0: this is no object"},
   };
   for (const auto& [text, said] : faults)
@@ -81,82 +79,65 @@ TEST(ParseDecisions, RefusesWithThePlace) {
 
 // One decision on the results' case a, whose answer is violation print-a.
 struct Trial {
-  Results results = results_with({Verdict::violation, Verdict::agree});
-  Expectations current;
+  Results results = results_with({Verdict::violation, Verdict::agree, Verdict::violation});
+  KnownFaults known{"fake", {}};
   std::vector<Decision> list;
 
   DecisionOutcome outcome(const std::string& text) {
     list = decisions(text);
-    const auto outcomes = apply_decisions(results, 0, current, list);
+    apply_known_faults(results, {&known, 1});
+    const auto outcomes = weigh_decisions(results, 0, list);
     EXPECT_EQ(outcomes.size(), 1u);
     return outcomes.front();
   }
-  void expect_of_a(Verdict verdict, const std::string& fingerprint) {
-    current.cases["a"] = {verdict, fingerprint, "before", "https://example.org/1"};
+  std::vector<FaultChange> changes(const std::string& text) {
+    list = decisions(text);
+    apply_known_faults(results, {&known, 1});
+    return plan_decisions(results, 0, known, weigh_decisions(results, 0, list));
   }
 };
 
-constexpr const char* kSawOld = R"(, "expected": {"verdict": "permitted", "fingerprint": "old"})";
-constexpr const char* kSawSame =
-    R"(, "expected": {"verdict": "violation", "fingerprint": "print-a"})";
-
-TEST(ApplyDecisions, AcceptedAnswersBecomeEntries) {
+TEST(Decisions, AcceptedAnswersBecomeKnown) {
   Trial trial;
-  const auto fresh = trial.outcome(on_a());
-  EXPECT_EQ(fresh.refusal, "");
-  ASSERT_TRUE(fresh.change && fresh.change->after);
-  EXPECT_EQ(fresh.change->before, nullptr);
-  EXPECT_EQ(fresh.change->after->fingerprint, "print-a");
-  EXPECT_EQ(fresh.change->after->reason, "known");
-
-  trial.expect_of_a(Verdict::permitted, "old");
-  const auto changed = trial.outcome(on_a(kSawOld));
-  ASSERT_TRUE(changed.change && changed.change->after);
-  EXPECT_EQ(changed.change->before, &trial.current.cases.at("a"));
-  EXPECT_EQ(changed.change->after->link, "https://example.org/1") << "a link that is known is kept";
+  EXPECT_EQ(trial.outcome(on_a()).refusal, "");
+  const auto changes = trial.changes(on_a(R"(, "link": "https://example.org/1")"));
+  ASSERT_EQ(changes.size(), 1u);
+  ASSERT_TRUE(changes[0].after);
+  EXPECT_EQ(changes[0].after->reason, "known");
+  EXPECT_EQ(changes[0].after->link, "https://example.org/1");
+  EXPECT_EQ(changes[0].after->cases, std::vector<std::string>{"a"});
+  trial.known = with_changes(trial.known, changes);
+  apply_known_faults(trial.results, {&trial.known, 1});
+  EXPECT_EQ(trial.results.cases[0].results[0].standing, Standing::known);
+  EXPECT_EQ(trial.results.cases[2].results[0].standing, Standing::unexpected);
+  EXPECT_EQ(trial.outcome(on_a()).refusal, "it is known by now: triangle.fill-rule");
 }
 
-TEST(ApplyDecisions, AcceptedAgreementTakesTheEntryAway) {
+// One reason is one fault, whatever the number of decisions.
+TEST(Decisions, ForOneReasonBecomeOneFault) {
   Trial trial;
-  const std::string on_b =
-      R"({"case": "b", "verdict": "agree", "fingerprint": "", "decision": "accept",
-          "reason": "fixed", "expected": {"verdict": "permitted", "fingerprint": "old"}})";
-  trial.current.cases["b"] = {Verdict::permitted, "old", "before", ""};
-  const auto outcome = trial.outcome(on_b);
-  ASSERT_TRUE(outcome.change);
-  EXPECT_FALSE(outcome.change->after);
-  trial.current.cases.clear();
-  const auto done = trial.outcome(on_b);
-  EXPECT_EQ(done.refusal, "") << "what is done already is not refused";
-  EXPECT_FALSE(done.change);
+  const std::string on_c =
+      R"({"case": "c", "verdict": "violation", "fingerprint": "print-c",
+          "decision": "accept", "reason": ")";
+  EXPECT_EQ(trial.changes(on_a() + "," + on_c + "known\"}").size(), 1u);
+  const auto two = trial.changes(on_a() + "," + on_c + "another\"}");
+  ASSERT_EQ(two.size(), 2u);
+  EXPECT_EQ(two[0].after->id, "triangle.fill-rule");
+  EXPECT_EQ(two[1].after->id, "triangle.fill-rule-2");
 }
 
-TEST(ApplyDecisions, RejectionWritesNothingAndTakesAwayOnlyWhatItRejects) {
+TEST(Decisions, RejectionWritesNothing) {
   Trial trial;
-  EXPECT_FALSE(trial.outcome(on_a("", "reject")).change);
   EXPECT_EQ(trial.outcome(on_a("", "reject")).refusal, "");
-  trial.expect_of_a(Verdict::permitted, "old");
-  EXPECT_FALSE(trial.outcome(on_a(kSawOld, "reject")).change) << "another entry stays";
-  trial.expect_of_a(Verdict::violation, "print-a");
-  const auto gone = trial.outcome(on_a(kSawSame, "reject"));
-  ASSERT_TRUE(gone.change);
-  EXPECT_FALSE(gone.change->after);
+  EXPECT_TRUE(trial.changes(on_a("", "reject")).empty());
 }
 
-TEST(ApplyDecisions, WhatHasChangedSinceIsRefused) {
+TEST(Decisions, OnWhatHasChangedSinceAreRefused) {
   const auto refused = [](Trial& trial, const std::string& text, const std::string& said) {
-    const auto outcome = trial.outcome(text);
-    EXPECT_FALSE(outcome.change);
-    EXPECT_NE(outcome.refusal.find(said), std::string::npos) << outcome.refusal;
+    EXPECT_NE(trial.outcome(text).refusal.find(said), std::string::npos)
+        << trial.outcome(text).refusal;
+    EXPECT_TRUE(trial.changes(text).empty());
   };
-  Trial trial;
-  refused(trial, on_a(kSawOld), "when permitted old was expected, and now nothing is");
-  trial.expect_of_a(Verdict::permitted, "newer");
-  refused(trial, on_a(kSawOld), "and now permitted newer is");
-  refused(trial, on_a(), "when nothing was expected");
-  trial.expect_of_a(Verdict::violation, "print-a");
-  refused(trial, on_a("", "reject"), "when nothing was expected");
-
   Trial answers;
   answers.results.cases[0].results[0].fingerprint = "print-z";
   refused(answers, on_a(),
@@ -164,6 +145,11 @@ TEST(ApplyDecisions, WhatHasChangedSinceIsRefused) {
   answers.results.cases[0].results[0].fingerprint = "print-a";
   answers.results.cases[0].results[0].verdict = Verdict::permitted;
   refused(answers, on_a(), "the results have permitted print-a");
+  Trial legal;
+  refused(legal,
+          R"({"case": "b", "verdict": "agree", "fingerprint": "", "decision": "accept",
+              "reason": "fixed"})",
+          "a result that is expected needs no known fault");
   Trial flake;
   flake.results.cases[0].results[0].again = {Verdict::agree, ""};
   refused(flake, on_a(), "changes when it is asked for again");
@@ -172,10 +158,10 @@ TEST(ApplyDecisions, WhatHasChangedSinceIsRefused) {
   refused(gone, on_a(), "no such case");
 }
 
-TEST(ApplyDecisions, OnOtherRenderersAreLeftToThem) {
+TEST(Decisions, OnOtherRenderersAreLeftToThem) {
   Trial trial;
   trial.list = decisions(on_a(R"(, "renderer": "other")"));
-  EXPECT_TRUE(apply_decisions(trial.results, 0, trial.current, trial.list).empty());
+  EXPECT_TRUE(weigh_decisions(trial.results, 0, trial.list).empty());
 }
 
 }  // namespace

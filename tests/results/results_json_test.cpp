@@ -115,12 +115,12 @@ void expect_result(const KnownResult& a, const KnownResult& b) {
   expect_ramp(a.ramp, b.ramp);
   expect_fragments(a.exact_fragments, b.exact_fragments);
   expect_fragments(a.rendered_fragments, b.rendered_fragments);
-  EXPECT_EQ(a.expected, b.expected);
+  EXPECT_EQ(a.faults, b.faults);
   EXPECT_EQ(a.again, b.again);
-  EXPECT_EQ(
-      std::tie(a.verdict, a.fingerprint, a.illegal_line_snaps, a.pixels, a.standing, a.expectation),
-      std::tie(b.verdict, b.fingerprint, b.illegal_line_snaps, b.pixels, b.standing,
-               b.expectation));
+  EXPECT_EQ(std::tie(a.verdict, a.fingerprint, a.illegal_line_snaps, a.pixels, a.standing,
+                     a.standing_reason),
+            std::tie(b.verdict, b.fingerprint, b.illegal_line_snaps, b.pixels, b.standing,
+                     b.standing_reason));
   ASSERT_EQ(a.failure.has_value(), b.failure.has_value());
   if (a.failure) {
     EXPECT_EQ(a.failure->kind, b.failure->kind);
@@ -159,9 +159,9 @@ void expect_case(const CaseResults& a, const CaseResults& b) {
 
 void expect_results(const Results& a, const Results& b) {
   EXPECT_EQ(std::tie(a.tool, a.policy, a.latitude, a.policy_digest, a.interrupted, a.left_out,
-                     a.whole_suite, a.shard, a.missing),
+                     a.whole_suite, a.shard, a.faults),
             std::tie(b.tool, b.policy, b.latitude, b.policy_digest, b.interrupted, b.left_out,
-                     b.whole_suite, b.shard, b.missing));
+                     b.whole_suite, b.shard, b.faults));
   ASSERT_EQ(a.renderers.size(), b.renderers.size());
   for (std::size_t i = 0; i < a.renderers.size(); ++i) {
     const auto &r = a.renderers[i], &s = b.renderers[i];
@@ -183,10 +183,11 @@ TEST(ResultsJson, EveryFieldReadsBack) {
 TEST(ResultsJson, EveryNameReadsBack) {
   Results results = results_with({Verdict::agree, Verdict::convention, Verdict::permitted,
                                   Verdict::violation, Verdict::not_run});
-  const Standing standings[] = {Standing::expected,  Standing::unexpected,
-                                Standing::changed,   Standing::unexpected_agreement,
-                                Standing::tolerated, Standing::flake};
-  for (std::size_t i = 0; i < 4; ++i) results.cases[i].results[0].standing = standings[i];
+  constexpr auto standings = kValues<Standing>;
+  for (std::size_t i = 0; i < standings.size(); ++i)
+    results.cases.at(i).results[0].standing = standings[i];
+  for (const FaultState state : kValues<FaultState>)
+    results.faults.push_back({"fake", "fault", "why", "", 1, 2, state});
   expect_results(results, read(written(results)));
 }
 
@@ -205,16 +206,16 @@ TEST(ResultsJson, EmptyResultsReadBack) {
 TEST(ResultsJson, WhatIsOnlyOfSomeRunsIsAbsentFromOthers) {
   Results results = full_results();
   for (const char* member : {"\"shard\":{\"index\":3,\"count\":4,\"cases\":123,", "\"left_out\":12",
-                             "\"again\":{", "\"expected\":{"})
+                             "\"again\":{", "\"faults\":[\"fill\""})
     EXPECT_NE(written(results).find(member), std::string::npos) << member;
   results.shard.reset();
   results.left_out = 0;
   for (CaseResults& one : results.cases)
     for (KnownResult& result : one.results) {
       result.again.reset();
-      result.expected.reset();
+      result.faults.clear();
     }
-  for (const char* member : {"\"shard\"", "\"left_out\"", "\"again\"", "\"expected\":"})
+  for (const char* member : {"\"shard\"", "\"left_out\"", "\"again\"", "\"faults\":[\"fill"})
     EXPECT_EQ(written(results).find(member), std::string::npos) << member;
 }
 

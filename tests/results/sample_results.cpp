@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/results/sample_results.h"
-#include "tests/results/missing_case.h"
 #include "tests/support/causes.h"
 
 #include <limits>
@@ -112,8 +111,8 @@ KnownResult full_result() {
   result.exact_samples.positions.clear();
   result.exact_pixels = std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6, 7, 8};
   result.standing = Standing::flake;
-  result.expectation = kHostile;
-  result.expected = {Verdict::violation, "fedcba9876543210"};
+  result.standing_reason = kHostile;
+  result.faults = {"fill", kHostile};
   result.again = {Verdict::agree, ""};
   return result;
 }
@@ -123,7 +122,7 @@ Result failed() {
   result.failure = Failure{FailureKind::timed_out, kHostile};
   result.fingerprint = "timed-out";
   result.standing = Standing::unexpected;
-  result.expectation = "none";
+  result.standing_reason = "none";
   return result;
 }
 
@@ -162,10 +161,9 @@ Results full_results() {
   results.left_out = 12;
   results.whole_suite = true;
   results.shard = {2, 4, 123, "8899aabbccddeeff"};
-  results.missing.push_back(
-      missing_case("osmesa:llvmpipe", "gone/a", {Verdict::permitted, "0f"}, kHostile));
-  results.missing.push_back(
-      missing_case("exec:./a \"b\"", "gone/b", {Verdict::not_run, "crashed"}, "why"));
+  results.faults = {
+      {"osmesa:llvmpipe", "fill", kHostile, "https://example.org", 7, 6, FaultState::grown},
+      {"exec:./a \"b\"", kHostile, "why", "", 0, std::nullopt, FaultState::fixed}};
   results.renderers = {
       {"osmesa:llvmpipe", "Mesa", "4.5", "llvmpipe", 8, {{"a", "b"}, {"c d", kHostile}}},
       {"exec:./a \"b\"", "", "", "", 4, {}}};
@@ -194,6 +192,7 @@ Results results_with(const std::vector<Verdict>& verdicts) {
     else if (verdict != Verdict::agree)
       result.disagreements.resize(2);
     for (Disagreement& d : result.disagreements) d.rule = rule_named("triangle.fill-rule");
+    one.surface = "fbo";
     one.results = {result};
     results.cases.push_back(one);
   }

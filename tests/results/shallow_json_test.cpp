@@ -14,8 +14,8 @@
 #include "results/base64.h"
 #include "results/decisions.h"
 #include "results/deflate.h"
-#include "results/expectations.h"
 #include "results/folding.h"
+#include "results/known_faults.h"
 #include "results/results_json.h"
 
 namespace edgecase {
@@ -72,11 +72,10 @@ TEST(ShallowJson, NoReaderGoesDeeper) {
   EXPECT_THAT(std::get<std::string>(results), HasSubstr("deeper"));
   const auto decisions = parse_decisions("{\"edgecase_decisions\":" + deep + "}");
   EXPECT_THAT(std::get<std::string>(decisions), HasSubstr("deeper"));
-  for (const char* key : {"case", "reason", "renderer"}) {
-    const auto expectations =
-        parse_expectations("{\"renderer\":\"a\",\"measured\":\"b\",\"expectations\":[{\"" +
-                           std::string(key) + "\":" + deep + "}]}");
-    EXPECT_TRUE(std::holds_alternative<std::string>(expectations)) << key;
+  for (const char* key : {"id", "reason", "rule"}) {
+    const auto known = parse_known_faults("{\"driver\":\"a\",\"faults\":[{\"" + std::string(key) +
+                                          "\":" + deep + "}]}");
+    EXPECT_TRUE(std::holds_alternative<std::string>(known)) << key;
   }
   const nlohmann::json fold = "zlib:" + to_base64(deflated(deep));
   EXPECT_THROW(unfolded(fold), std::runtime_error);

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "diff/judge.h"
 #include "rules/all_rules.h"
 #include "tests/support/causes.h"
 
@@ -29,23 +28,44 @@ Result differing(bool of_a_line, int x = 3) {
   return result;
 }
 
-Expectation entry_of(Result result) {
-  Result* const only = &result;
-  judge({&only, 1}, Latitude::opengl);
-  return {result.verdict, result.fingerprint, "known", ""};
+KnownFault fault_of(const Result& result) {
+  KnownFault fault;
+  fault.id = "known";
+  if (!result.failure) fault.rules = {result.disagreements.at(0).rule};
+  fault.kinds = {result.failure ? name_of(result.failure->kind) : "missing"};
+  fault.cases = {"folder"};
+  fault.reason = "known";
+  return fault;
 }
 
-bool surely(const Result& result, const Expectation* entry) {
-  return is_surely_unexpected(result, Latitude::opengl, entry);
+bool surely(const Result& result, const KnownFault* fault = nullptr,
+            Latitude latitude = Latitude::opengl) {
+  Case one;
+  one.id = "folder/case";
+  std::vector<const KnownFault*> faults;
+  if (fault != nullptr) faults.push_back(fault);
+  return is_surely_unexpected(one, result, latitude, faults);
 }
 
-TEST(EarlyJudgement, OfCasesWithoutAnEntry) {
-  EXPECT_FALSE(surely(Result{}, nullptr));
-  EXPECT_TRUE(surely(differing(false), nullptr));
-  EXPECT_TRUE(surely(differing(true), nullptr));
-  Result failed;
-  failed.failure = Failure{FailureKind::crashed, "signal 11"};
-  EXPECT_TRUE(surely(failed, nullptr));
+Result forbidden(int x = 3) {
+  Result result = differing(false, x);
+  result.disagreements[0].legality = Legality::illegal;
+  result.disagreements[0].ruling = 4;
+  return result;
+}
+
+Result failed(FailureKind kind = FailureKind::crashed) {
+  Result result;
+  result.failure = Failure{kind, "signal 11"};
+  return result;
+}
+
+TEST(EarlyJudgement, OfWhatNothingAccountsFor) {
+  EXPECT_FALSE(surely(Result{}));
+  EXPECT_FALSE(surely(differing(false))) << "it is legal";
+  EXPECT_TRUE(surely(forbidden()));
+  EXPECT_TRUE(surely(failed()));
+  EXPECT_FALSE(surely(failed(FailureKind::unsupported)));
 }
 
 // The number of some contested ruling.
@@ -58,35 +78,36 @@ int contested_ruling() {
 
 // It may be tolerated.
 TEST(EarlyJudgement, OfWhatMayBeContestedNothingIsSure) {
-  Result result = differing(false);
-  result.disagreements[0].legality = Legality::illegal;
-  result.disagreements[0].ruling = 4;
-  EXPECT_TRUE(surely(result, nullptr));
+  Result result = forbidden();
   result.disagreements[0].ruling = contested_ruling();
-  EXPECT_FALSE(surely(result, nullptr));
+  EXPECT_FALSE(surely(result));
 }
 
-TEST(EarlyJudgement, OfCasesWithOne) {
-  const Expectation known = entry_of(differing(false));
-  EXPECT_FALSE(surely(differing(false), &known));
-  EXPECT_TRUE(surely(differing(false, 4), &known));
-  EXPECT_TRUE(surely(Result{}, &known)) << "an agreement that nobody expects";
-  Result failed;
-  failed.failure = Failure{FailureKind::crashed, "signal 11"};
-  EXPECT_TRUE(surely(failed, &known));
-  const Expectation crash = entry_of(failed);
-  EXPECT_FALSE(surely(failed, &crash));
+TEST(EarlyJudgement, OfWhatIsKnown) {
+  const KnownFault fault = fault_of(forbidden());
+  EXPECT_FALSE(surely(forbidden(), &fault));
+  Result other = forbidden();
+  other.disagreements[0].kind = DisagreementKind::extra;
+  EXPECT_TRUE(surely(other, &fault));
+  EXPECT_TRUE(surely(failed(), &fault));
+  const KnownFault crash = fault_of(failed());
+  EXPECT_FALSE(surely(failed(), &crash));
+  EXPECT_TRUE(surely(failed(FailureKind::garbage), &crash));
 }
 
-// The verdict, and with it whether values count in the fingerprint, is the run's to say.
+// What a line's verdict is depends on the reading of all lines of the run.
 TEST(EarlyJudgement, LinesAreLeftToTheRunsReading) {
-  const Expectation legal = entry_of(differing(true));
-  Result result = differing(true);
-  result.illegal_line_snaps = result.evidence[0].illegal_line_snaps = {};
-  EXPECT_FALSE(surely(differing(true), &legal));
-  const Expectation other = {Verdict::violation, "0123456789abcdef", "known", ""};
-  EXPECT_FALSE(surely(differing(true), &other));
-  EXPECT_TRUE(surely(result, &other)) << "legal under every reading";
+  Result line = differing(true);
+  line.disagreements[0].legality = Legality::illegal;
+  line.disagreements[0].ruling = 1;
+  EXPECT_FALSE(surely(line));
+}
+
+// Without latitude every difference is a violation, and nothing is known.
+TEST(EarlyJudgement, WithoutLatitude) {
+  const KnownFault fault = fault_of(forbidden());
+  EXPECT_TRUE(surely(differing(false), &fault, Latitude::none));
+  EXPECT_FALSE(surely(Result{}, &fault, Latitude::none));
 }
 
 }  // namespace

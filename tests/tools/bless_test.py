@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Expectations: known faults are green, new, changed and vanished ones are red; `bless` shows what
-it would change and writes only when asked."""
+"""Known faults: what is known is green, what is new or has grown is red; `bless` shows what it would
+change and writes only when asked."""
 import json
 import unittest
 
@@ -8,7 +8,7 @@ from support import AS_EXPECTED, INTERNAL, UNEXPECTED, USAGE, CommandTest, only_
 
 RENDERER = "osmesa:softpipe"
 AGAINST = ["--against", RENDERER]
-FILE = "cases/expectations/osmesa-softpipe.json"
+FILE = "cases/known/softpipe.json"
 
 
 class Bless(CommandTest):
@@ -16,124 +16,117 @@ class Bless(CommandTest):
         super().setUp()
         self.copy_suite("points", "surfaces")
 
-    def expectations(self):
-        return json.loads((self.folder / FILE).read_text(encoding="utf-8"))
+    def faults(self):
+        return {fault["id"]: fault for fault in
+                json.loads((self.folder / FILE).read_text(encoding="utf-8"))["faults"]}
+
+    def write_faults(self, *faults):
+        self.write(FILE, {"driver": "softpipe", "faults": faults})
 
     def standings(self, expect, *options):
         results = self.results("cases", *AGAINST, *options, expect=expect)
         return {case["id"]: only_result(case)["standing"] for case in results["cases"]}
 
-    def run_and_bless(self, *options, expect):
-        self.results("cases", *AGAINST, expect=expect)
-        return self.command("bless", "results.json", *options).stdout
-
-    def test_nothing_to_bless(self):
-        before = (self.folder / FILE).read_bytes()
-        out = self.run_and_bless("--apply", expect=AS_EXPECTED)
-        self.assertIn(f"{FILE}: 0 changes", out)
-        self.assertEqual((self.folder / FILE).read_bytes(), before)
-
-    def test_shows_then_writes_then_as_expected(self):
+    def blessed(self):
+        """The file that holds what these folders show, and nothing more."""
         (self.folder / FILE).unlink()
-        standings = self.standings(UNEXPECTED)
-        new = sorted(name for name, standing in standings.items() if standing == "unexpected")
+        self.results("cases", *AGAINST, expect=UNEXPECTED)
+        return self.command("bless", "results.json", "--apply", "--reason", "since long").stdout
+
+    def test_what_is_known_of_the_whole_suite_is_green(self):
+        standings = self.standings(AS_EXPECTED)
+        self.assertEqual(set(standings.values()), {"expected", "known"})
+
+    def test_shows_then_writes_then_is_known(self):
+        (self.folder / FILE).unlink()
+        new = {name for name, standing in self.standings(UNEXPECTED).items()
+               if standing == "unexpected"}
         self.assertGreater(len(new), 10)
         out = self.command("bless", "results.json").stdout
-        self.assertIn(f"{FILE}: {len(new)} changes", out)
-        for name in new:
-            self.assertIn(f"\n+ {name}: ", out)
+        self.assertIn('\n+     {"id": "', "\n" + out)
         self.assertIn("Nothing is written. Run again with --apply", out)
         self.assertFalse((self.folder / FILE).exists())
 
-        self.command("bless", "results.json", "--apply", "--reason", "known since the first day")
-        written = self.expectations()
-        self.assertEqual([entry["case"] for entry in written["expectations"]], new)
-        self.assertEqual({e["reason"] for e in written["expectations"]},
-                         {"known since the first day"})
-        self.assertEqual(written["renderer"], RENDERER)
-        self.assertIn("softpipe", written["measured"])
-        self.assertEqual(set(self.standings(AS_EXPECTED).values()), {"expected"})
+        self.command("bless", "results.json", "--apply", "--reason", "since the first day",
+                     "--link", "https://example.org/1")
+        faults = self.faults()
+        self.assertLess(len(faults), len(new))
+        self.assertEqual({(f["reason"], f["link"]) for f in faults.values()},
+                         {("since the first day", "https://example.org/1")})
+        standings = self.standings(AS_EXPECTED)
+        self.assertEqual({name for name, standing in standings.items() if standing == "known"}, new)
+        out = self.command("bless", "results.json").stdout
+        self.assertIn(f"{FILE}: 0 changes", out)
 
-    def test_an_entry_that_now_agrees_is_red(self):
-        content = self.expectations()
-        agreeing = next(name for name, _ in self.standings(AS_EXPECTED).items()
-                        if name not in {e["case"] for e in content["expectations"]})
-        content["expectations"].append({"case": agreeing, "verdict": "violation",
-                                        "fingerprint": "0123456789abcdef", "reason": "was so"})
-        self.write(FILE, content)
-        red = {name: standing for name, standing in self.standings(UNEXPECTED).items()
-               if standing != "expected"}
-        self.assertEqual(red, {agreeing: "unexpected-agreement"})
-        out = self.command("bless", "results.json", "--apply").stdout
-        self.assertIn(f"- {agreeing}: ", out)
-        self.assertNotIn(agreeing, (self.folder / FILE).read_text(encoding="utf-8"))
-        self.standings(AS_EXPECTED)
-
-    def test_a_changed_fingerprint_or_verdict_is_red(self):
-        for key, value in (("fingerprint", "0123456789abcdef"), ("verdict", "not-run")):
-            content = self.expectations()
-            entry = content["expectations"][0]
-            original = dict(entry)
-            entry[key] = value
-            self.write(FILE, content)
-            red = {name: standing for name, standing in self.standings(UNEXPECTED).items()
-                   if standing != "expected"}
-            self.assertEqual(red, {entry["case"]: "changed"}, key)
-            out = self.command("bless", "results.json", "--apply").stdout
-            self.assertIn(f"\n- {entry['case']}: ", out)
-            self.assertIn(f"\n+ {entry['case']}: ", out)
-            now = self.expectations()["expectations"][0]
-            self.assertEqual({k: now[k] for k in ("verdict", "fingerprint")},
-                             {k: original[k] for k in ("verdict", "fingerprint")})
-
-    def test_reasons_and_links_of_others_stay(self):
-        content = self.expectations()
-        content["expectations"][0].update(reason="mine", link="https://example.org/1")
-        content["expectations"][-1]["fingerprint"] = "0123456789abcdef"
-        self.write(FILE, content)
-        self.run_and_bless("--apply", expect=UNEXPECTED)
-        first = self.expectations()["expectations"][0]
-        self.assertEqual((first["reason"], first["link"]), ("mine", "https://example.org/1"))
-
-    def test_only_what_the_filter_names(self):
-        (self.folder / FILE).unlink()
-        self.run_and_bless("--apply", "--filter", "points/*", expect=UNEXPECTED)
-        names = [entry["case"] for entry in self.expectations()["expectations"]]
-        self.assertTrue(names)
-        self.assertTrue(all(name.startswith("points/") for name in names))
-        out = self.command("bless", "results.json", "--against", "exact").stdout
-        self.assertNotIn("changes", out)
-
-    def test_entries_of_cases_that_are_gone(self):
-        content = self.expectations()
-        content["expectations"].append({"case": "points/gone", "verdict": "violation",
-                                        "fingerprint": "0123456789abcdef", "reason": "was so"})
-        self.write(FILE, content)
+    def test_a_fault_that_has_grown_is_red(self):
+        self.blessed()
+        faults = self.faults()
+        name, fault = next(iter(faults.items()))
+        ((release, count),) = fault["cases_on"].items()
+        fault["cases_on"][release] = count - 1
+        self.write_faults(*faults.values())
+        run = self.command("run", "cases", *AGAINST, "--json", "results.json", "--junit",
+                           "junit.xml", expect=UNEXPECTED)
+        self.assertIn("0 unexpected, 1 known fault grown", run.stdout)
+        self.assertIn(f"{name} {RENDERER}: it has grown: {count} cases", run.stdout)
+        self.assertIn("it has grown", (self.folder / "junit.xml").read_text("utf-8"))
         self.standings(AS_EXPECTED, "--filter", "*")
-        out = self.command("bless", "results.json", "--apply").stdout
-        self.assertIn(f"{FILE}: 0 changes", out, "a filter may have left the case out")
-        results = self.results("cases", *AGAINST, "--junit", "junit.xml", expect=UNEXPECTED)
-        self.assertTrue(results["whole_suite"])
-        self.assertEqual(results["missing"],
-                         [{"renderer": RENDERER, "case": "points/gone", "verdict": "violation",
-                           "fingerprint": "0123456789abcdef", "reason": "was so"}])
-        self.assertIn("points/gone", (self.folder / "junit.xml").read_text("utf-8"))
-        out = self.command("run", "cases", *AGAINST, "--json", "results.json",
-                           expect=UNEXPECTED).stdout
-        self.assertIn("`edgecase bless --apply` removes them", out)
-        self.assertIn("points/gone", out)
         for i in (1, 2):
             self.command("run", "cases", *AGAINST, "--shard", f"{i}/2", "--json", f"{i}.json")
         self.command("merge", "1.json", "2.json", "--json", "merged.json", expect=UNEXPECTED)
-        self.assertEqual(json.loads((self.folder / "merged.json").read_text("utf-8")), results)
 
-        out = self.command("bless", "results.json", "--apply").stdout
-        self.assertIn("\n- points/gone: ", out)
-        self.assertNotIn("points/gone", (self.folder / FILE).read_text("utf-8"))
+        fault["cases_on"][release] = count + 1
+        self.write_faults(*faults.values())
+        run = self.command("run", "cases", *AGAINST, "--json", "results.json")
+        self.assertIn("it has shrunk", run.stdout)
+        self.command("bless", "results.json", "--apply")
+        self.assertEqual(self.faults()[name]["cases_on"], {release: count})
+
+    def test_a_fault_that_does_not_show_is_told_and_closed(self):
+        self.blessed()
+        gone = {"id": "gone", "rule": "line.joint", "kind": "missing", "cases": ["points"],
+                "versions": "Mesa >=1", "cases_on": {"Mesa 1.0": 3, "Mesa 22.3.6": 2},
+                "reason": "was so"}
+        self.write_faults(*self.faults().values(), gone)
+        run = self.command("run", "cases", *AGAINST, "--json", "results.json")
+        self.assertIn(f"gone {RENDERER}: it is fixed: none of 2 cases", run.stdout)
+        self.command("bless", "results.json", "--apply")
+        self.assertRegex(self.faults()["gone"]["versions"], r"^Mesa >=1 <\d+\.\d+")
+        self.assertEqual(self.faults()["gone"]["cases_on"], {"Mesa 1.0": 3})
+
+    def test_faults_of_other_releases_say_nothing(self):
+        self.blessed()
+        faults = self.faults()
+        for fault in faults.values():
+            fault["versions"] = "Mesa <1"
+        self.write_faults(*faults.values())
+        self.assertIn("unexpected", self.standings(UNEXPECTED).values())
+        self.command("bless", "results.json", "--apply")
+        self.assertEqual({f["versions"] for f in self.faults().values()}, {"Mesa"})
         self.standings(AS_EXPECTED)
 
+    def test_only_what_the_filter_names(self):
+        (self.folder / FILE).unlink()
+        self.results("cases", *AGAINST, expect=UNEXPECTED)
+        self.command("bless", "results.json", "--apply", "--filter", "points/*")
+        names = [name for fault in self.faults().values() for name in fault["cases"]]
+        self.assertTrue(names)
+        self.assertTrue(all(name.startswith("points/") for name in names))
+
+    def test_known_faults_elsewhere(self):
+        self.blessed()
+        (self.folder / FILE).rename(self.folder / "mine.json")
+        self.standings(UNEXPECTED)
+        for known in ("mine.json", self.folder):
+            for path in self.folder.glob("results.json"):
+                path.unlink()
+            self.standings(AS_EXPECTED, "--known", known)
+        run = self.command("run", "cases", *AGAINST, "--known", "mine.json", "--known", self.folder,
+                           expect=USAGE)
+        self.assertIn("stands in another file, too", run.stderr)
+
     def decide(self, *decisions, expect=AS_EXPECTED):
-        self.write("decisions.json", {"edgecase_decisions": 1, "renderer": RENDERER,
+        self.write("decisions.json", {"edgecase_decisions": 2, "renderer": RENDERER,
                                       "decisions": decisions})
         return self.command("bless", "results.json", "--from", "decisions.json", "--apply",
                             expect=expect)
@@ -145,7 +138,7 @@ class Bless(CommandTest):
             {"case": case["id"], "verdict": result["verdict"], "reason": "seen",
              "fingerprint": result["fingerprint"], "decision": "accept"}
             for case in results["cases"] for result in [only_result(case)]
-            if result["verdict"] != "agree"][:3]
+            if result["verdict"] == "violation"][:3]
         late = {**other, "fingerprint": "0123456789abcdef"}
         elsewhere = {**third, "renderer": "egl:softpipe"}
         run = self.decide({**one, "link": "https://example.org/3"}, late,
@@ -153,27 +146,11 @@ class Bless(CommandTest):
         self.assertIn(f"! {other['case']} {RENDERER}: refused: it was made on", run.stdout)
         self.assertIn(f"! {third['case']} egl:softpipe: refused", run.stdout)
         self.assertIn(f"{third['case']} {RENDERER}: rejected, and stays unexpected", run.stdout)
-        self.assertEqual(self.expectations()["expectations"],
-                         [{"case": one["case"], "verdict": one["verdict"],
-                           "fingerprint": one["fingerprint"], "reason": "seen",
-                           "link": "https://example.org/3"}])
-        # The same again changes nothing; made on no entry, a rejection comes too late.
-        self.assertIn(": 0 changes", self.decide({**one, "link": "https://example.org/3"}).stdout)
-        self.assertIn("refused: it was made when nothing was expected",
-                      self.decide({**one, "decision": "reject"}, expect=UNEXPECTED).stdout)
-        seen = {"verdict": one["verdict"], "fingerprint": one["fingerprint"]}
-        self.decide({**one, "decision": "reject", "expected": seen})
-        self.assertEqual(self.expectations()["expectations"], [])
-
-    def test_results_say_what_was_expected(self):
-        content = self.expectations()
-        content["expectations"][0]["fingerprint"] = "0123456789abcdef"
-        self.write(FILE, content)
-        results = self.results("cases", *AGAINST, expect=UNEXPECTED)
-        entry = content["expectations"][0]
-        (case,) = [case for case in results["cases"] if case["id"] == entry["case"]]
-        self.assertEqual(only_result(case)["expected"],
-                         {"verdict": entry["verdict"], "fingerprint": "0123456789abcdef"})
+        for fault in self.faults().values():
+            self.assertEqual((fault["cases"], fault["reason"], fault["link"]),
+                             ([one["case"]], "seen", "https://example.org/3"))
+        self.assertIn("refused: it is known by now", self.decide(one, expect=UNEXPECTED).stdout)
+        self.assertEqual(self.standings(UNEXPECTED)[one["case"]], "known")
 
     def test_broken_decisions(self):
         self.results("cases", *AGAINST)
@@ -190,14 +167,16 @@ class Bless(CommandTest):
         self.command("bless", "results.json", "--from", "decisions.json", "--filter", "*",
                      expect=USAGE)
 
-    def test_a_failure_can_be_expected(self):
+    def test_a_crash_can_be_known_and_a_refusal_needs_not_be(self):
         self.write("small/a.json", (self.folder / "cases/points/centres.json").read_text("utf-8"))
         refuser = self.odd_renderer("refuse", "", "small")
-        self.results("small", "--against", refuser, expect=UNEXPECTED)
-        self.command("bless", "results.json", "--folder", "expected", "--apply")
-        (path,) = (self.folder / "expected").iterdir()
-        results = self.results("small", "--against", refuser, "--expectations", path)
-        self.assertEqual(only_result(results["cases"][0])["verdict"], "not-run")
+        results = self.results("small", "--against", refuser)
+        self.assertEqual(only_result(results["cases"][0])["standing"], "tolerated")
+        dies = self.odd_renderer("die", "a", "small")
+        self.results("small", "--against", dies, expect=None)
+        self.command("bless", "results.json", "--folder", "known", "--apply")
+        results = self.results("small", "--against", dies, "--known", "known")
+        self.assertEqual(only_result(results["cases"][0])["standing"], "known")
 
 
 if __name__ == "__main__":

@@ -99,7 +99,7 @@ class Slurm(Example):
         self.check_joined(self.checkout / "joined", whole)
 
     def test_its_exit_code_is_that_of_the_run(self):
-        (self.checkout / "cases/expectations/osmesa-softpipe.json").unlink()
+        (self.checkout / "cases/known/softpipe.json").unlink()
         whole = self.whole("osmesa:softpipe", expect=UNEXPECTED)
         self.submit("--against", "osmesa:softpipe", expect=UNEXPECTED)
         self.check_joined(self.checkout / "joined", whole)

@@ -60,6 +60,45 @@ class Compare(CommandTest):
                           comparison["renderers"][0]["cases"]],
                          [("a", "disappeared"), ("d", "appeared")])
 
+    def test_a_run_tells_what_changed_since(self):
+        bad = self.odd_renderer("mirror-of", "b", "cases")
+        worse = self.odd_renderer("mirror", "", "cases")
+        def since(renderer, *options, expect):
+            return self.command("run", "cases", "--against", renderer, "--since", "bad.json",
+                                "--json", "new.json", "--html", "new.html", *options,
+                                expect=expect).stdout
+        out = since(bad, expect=UNEXPECTED)
+        self.assertIn(f"Changed since, {bad}: 0 of 3 cases", out)
+        since(bad, "--fail-on", "changes", expect=AS_EXPECTED)
+        since(bad, "--fail-on", "nothing", expect=AS_EXPECTED)
+        out = since(worse, "--fail-on", "changes", expect=UNEXPECTED)
+        self.assertIn("2 of 3 cases\n  new disagreements: ", out)
+        self.assertIn('"since":{', (self.folder / "new.html").read_text("utf-8"))
+        since(worse, "--fail-on", "nothing", expect=AS_EXPECTED)
+        # Of a part of the suite, cases that were not asked have not disappeared.
+        out = since(bad, "--filter", "a", "--fail-on", "changes", expect=AS_EXPECTED)
+        self.assertIn("0 of 1 case\n", out)
+        run = self.command("run", "cases", "--fail-on", "changes", expect=USAGE)
+        self.assertIn("name them with --since", run.stderr)
+        self.command("run", "cases", "--against", bad, "--since", "gone.json", expect=INTERNAL)
+
+    def test_markdown_fits_a_comment(self):
+        """However much changed and however long the words are."""
+        for name in ("good.json", "bad.json"):
+            results = json.loads((self.folder / name).read_text("utf-8"))
+            (case,) = [case for case in results["cases"] if case["id"] == "b"]
+            (renderer,) = results["renderers"]
+            results["cases"] = [{**case, "id": f"{i:03}" + "\u00e4" * 900} for i in range(300)]
+            renderers = [{**renderer, "name": f"renderer {i}"} for i in range(9)]
+            for one in results["cases"]:
+                (answer,) = one["results"].values()
+                one["results"] = {r["name"]: answer for r in renderers}
+            self.write(name, {**results, "renderers": renderers})
+        out = self.command("compare", "good.json", "bad.json", expect=UNEXPECTED).stdout
+        self.assertLess(len(out.encode()), 64001)
+        self.assertIn("The rest does not fit here", out)
+        self.assertEqual(out.count("<details>"), out.count("</details>"))
+
     def test_bad_input(self):
         for files in (("good.json", "gone.json"), ("gone.json", "good.json")):
             told = self.command("compare", *files, expect=INTERNAL).stderr

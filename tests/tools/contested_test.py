@@ -60,13 +60,15 @@ class Contested(CommandTest):
             suites = ET.parse(self.folder / "junit.xml").getroot()
             self.assertEqual(suites.get("failures"), failures)
 
-    def test_an_expectation_may_say_it(self):
+    def test_it_may_be_known(self):
         self.plant(CONTESTED)
         self.merged(expect=AS_EXPECTED)
-        shown = self.command("bless", "merged.json", "--apply", "--reason", "it is open").stdout
-        self.assertIn(f"+ {CONTESTED}: contested ", shown)
+        shown = self.command("bless", "merged.json", "--strict", "--apply", "--reason",
+                             "it is open").stdout
+        self.assertIn(f'"cases": ["{CONTESTED}"]', shown)
         found = self.merged("--strict", expect=AS_EXPECTED)[CONTESTED]
-        self.assertEqual((found["standing"], found["expectation"]), ("expected", "it is open"))
+        self.assertEqual(found["standing"], "known")
+        self.assertIn("it is open (triangle.fill-rule)", found["standing_reason"])
 
     def test_each_output_tells_the_violation_first(self):
         self.plant(CONTESTED, VIOLATION)

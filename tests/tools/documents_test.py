@@ -196,14 +196,7 @@ class Documents(CommandTest):
             path = cls.checkout / f"cases/{name}.json"
             path.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / f"cases/{name}.json", path)
-        (cls.checkout / "cases/expectations").mkdir()
-        for path in (ROOT / "cases/expectations").glob("*.json"):
-            known = json.loads(path.read_text(encoding="utf-8"))
-            known["expectations"] = [
-                entry for entry in known["expectations"]
-                if (cls.checkout / f"cases/{entry['case'].partition(':')[0]}.json").is_file()]
-            (cls.checkout / f"cases/expectations/{path.name}").write_text(json.dumps(known),
-                                                                          encoding="utf-8")
+        shutil.copytree(ROOT / "cases/known", cls.checkout / "cases/known")
 
     @classmethod
     def make_files_of_a_reader(cls):

@@ -134,8 +134,8 @@ class BadRenderers(CommandTest):
     def test_a_failure_costs_its_case_alone(self):
         for behaviour, (kind, words) in FAILING.items():
             with self.subTest(behaviour):
-                # A renderer that says what it cannot do has not failed: that is unexpected at most.
-                code = UNEXPECTED if kind == "unsupported" else RENDERER
+                # A renderer that says what it cannot do has not failed.
+                code = AS_EXPECTED if kind == "unsupported" else RENDERER
                 results = self.run_against(self.odd_renderer(behaviour, "c", "cases"), expect=code)
                 expected = dict.fromkeys(NAMES, "agree")
                 expected["c"] = "not-run"
@@ -184,13 +184,13 @@ class BadRenderers(CommandTest):
     def test_known_failures_are_as_expected(self):
         """A crash that is expected leaves nothing unexpected, and one that is not there does."""
         renderer = self.odd_renderer("die", "c", "cases")
-        known = {"renderer": renderer, "measured": "", "expectations": [
-            {"case": "c", "verdict": "not-run", "fingerprint": "crashed", "reason": "dies of it"}]}
+        known = {"driver": renderer, "faults": [
+            {"id": "dies", "kind": "crashed", "cases": ["c"], "reason": "dies of it"}]}
         path = self.write("known.json", known)
-        self.command("run", "cases", "--against", renderer, "--expectations", path)
-        known["expectations"][0]["case"] = "d"
+        self.command("run", "cases", "--against", renderer, "--known", path)
+        known["faults"][0]["cases"] = ["d"]
         path = self.write("known.json", known)
-        self.command("run", "cases", "--against", renderer, "--expectations", path,
+        self.command("run", "cases", "--against", renderer, "--known", path,
                      expect=RENDERER)
 
     def test_infinite_depths_are_a_violation(self):
@@ -296,18 +296,18 @@ class BadSurroundings(CommandTest):
             for word in words:
                 self.assertIn(word, told)
 
-    def test_broken_expectations_file(self):
-        good = {"renderer": "exact", "measured": "", "expectations": []}
-        entry = {"case": "a", "verdict": "fine", "fingerprint": "", "reason": "because"}
-        for content, words in (("{", ["expectations.json", "edgecase bless"]),
-                               ({**good, "expectations": [entry]}, ["a", '"fine" is no verdict']),
-                               ({"measured": ""}, ["renderer"])):
-            self.write("expectations.json", content)
-            told = self.complaint("run", "cases", "--expectations", "expectations.json")
+    def test_broken_file_of_known_faults(self):
+        fault = {"id": "a", "rule": "fine", "cases": ["a"], "reason": "because"}
+        for content, words in (("{", ["known.json", "edgecase bless"]),
+                               ({"driver": "exact", "faults": [fault]},
+                                ['fault "a"', 'there is no rule "fine"']),
+                               ({"faults": []}, ["driver"])):
+            self.write("known.json", content)
+            told = self.complaint("run", "cases", "--known", "known.json")
             for word in words:
                 self.assertIn(word, told)
         self.assertIn("cannot read none.json: No such file",
-                      self.complaint("run", "cases", "--expectations", "none.json"))
+                      self.complaint("run", "cases", "--known", "none.json"))
 
     def test_results_files(self):
         self.write("other.json", "{}")
@@ -320,7 +320,7 @@ class BadSurroundings(CommandTest):
         """A device as input is an error soon, in bounded memory."""
         for expect, arguments in (
                 (INTERNAL, ["report", "/dev/zero"]), (INTERNAL, ["bless", "/dev/zero"]),
-                (USAGE, ["run", "cases", "--against", "exact", "--expectations", "/dev/zero"])):
+                (USAGE, ["run", "cases", "--against", "exact", "--known", "/dev/zero"])):
             self.assertIn("cannot read /dev/zero: it has more than 2 GiB",
                           self.complaint(*arguments, expect=expect))
         self.assertIn("cannot read the recording /dev/zero: it is a pipe or a device",

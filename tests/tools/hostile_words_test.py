@@ -2,13 +2,17 @@
 """What a renderer, a file or its name says that is no line of text: bytes that are no UTF-8,
 control characters, too much. None of it reaches a terminal as it is, and none keeps a file from
 being written that can be read again."""
+import csv
+import io
 import json
 import re
 import shlex
+import subprocess
 import sys
 import unittest
 
-from support import INTERNAL, RENDERER, USAGE, CommandTest, triangle_case
+from support import (EDGECASE, INTERNAL, PATIENCE, RENDERER, UNEXPECTED, USAGE, CommandTest,
+                     triangle_case)
 
 # Clears a terminal in two ways, and rings; JSON carries it.
 HOSTILE = "clear \x1b[2J \x9b2J\n\x07 end"
@@ -87,6 +91,47 @@ class HostileWords(CommandTest):
         self.write("cases/small.json", case)
         self.told("validate", "cases/small.json", expect=0)
 
+    def test_names_of_files(self):
+        name = "a\x1b[2Jb.json"
+        self.write(f"odd/{name}", SMALL)
+        self.assertIn("a\u241b[2Jb", self.told("run", "odd", "--list", expect=0))
+        self.told("explain", f"odd/{name}", expect=0)
+        self.told("validate", "odd", expect=0)
+
+    def test_a_key_of_ten_megabytes_is_cut(self):
+        self.write("cases/long.json", '{"title": "t", "' + "k" * 10_000_000 + '": 1}')
+        told = self.told("validate", "cases/long.json", expect=USAGE)
+        self.assertLess(len(told), 2000)
+        self.assertIn("kkk...", told)
+
+    def test_nothing_hides_behind_a_nul(self):
+        text = json.dumps(SMALL)
+        self.write("cases/nul.json", text + "\0" + text)
+        self.assertIn("byte", self.told("validate", "cases/nul.json", expect=USAGE))
+        self.command("run", "cases/refused.json", "--against", "exact", "--json", "r.json")
+        results = (self.folder / "r.json").read_text("utf-8")
+        self.write("r.json", results + "\0 more")
+        self.assertIn("NUL", self.told("report", "r.json", expect=USAGE))
+        self.write("known.json", '{"driver": "exact", "faults": []}\0')
+        self.assertIn("NUL", self.told("run", "cases/refused.json", "--against", "exact", "--known",
+                                       "known.json", expect=USAGE))
+
+    def test_what_begins_like_a_formula_is_a_text(self):
+        for name in ("=1+1", "+a", "-a", "@a"):
+            self.write(f"formulas/{name}.json", SMALL)
+        self.command("run", "formulas", "--against", self.odd_renderer("black", "", "formulas"),
+                     "--csv", "found.csv", "--json", "r.json", expect=UNEXPECTED)
+        rows = list(csv.reader(io.StringIO((self.folder / "found.csv").read_text("utf-8"))))
+        self.assertEqual({row[0] for row in rows[1:]}, {"'=1+1", "'+a", "'-a", "'@a"})
+
+    def test_standard_error_that_cannot_be_written(self):
+        for arguments in (["run", "--against", "nonsense"], ["bless", "gone.json"],
+                          ["fuzz", "--against", "nonsense"], ["nonsense"]):
+            with open("/dev/full", "wb") as full:
+                run = subprocess.run([EDGECASE, *arguments], cwd=self.folder, stderr=full,
+                                     stdout=subprocess.DEVNULL, timeout=PATIENCE)
+            self.assertEqual(run.returncode, INTERNAL, arguments)
+
     def test_files_that_speak_to_a_terminal(self):
         self.write("cases/key.json", {**SMALL, "\x1b[31m\n": 1, "title": HOSTILE})
         self.write("cases/name\x1b[2J.json", SMALL)
@@ -96,8 +141,9 @@ class HostileWords(CommandTest):
         for words in ("is no key", "title holds a control character"):
             self.assertIn(words, text)
         told = self.told("run", "cases", "--against", self.renderer, "--no-rerun")
-        self.assertIn("refused", told)
-        told = self.told("run", "cases/name\x1b[2J.json", "--against", self.renderer, "--no-rerun")
+        self.assertIn("Not supported by", told)
+        told = self.told("run", "cases/name\x1b[2J.json", "--against",
+                         self.odd_renderer("die", "", "cases"), "--no-rerun")
         self.assertIn("name\u241b[2J: ", told)
 
 

@@ -70,7 +70,7 @@ class Merge(CommandTest):
         parts = self.shards(*arguments)
         self.merge_to("merged", *parts, expect=UNEXPECTED)
 
-    def test_expectations_are_those_of_the_suite(self):
+    def test_known_faults_are_those_of_the_suite(self):
         renderer = self.small_suite()
         parts = self.shards("cases", "--against", renderer)
         self.merge_to("merged", *parts, expect=UNEXPECTED)

@@ -74,7 +74,7 @@ class New(CommandTest):
         path = "cases/lines/short/between-diamonds.json"
         self.assertIn("between diamonds".replace(" ", "-"), self.new("-", "--from", path).stdout)
 
-    def test_a_find_is_in_the_next_run_and_its_expectations(self):
+    def test_a_find_is_in_the_next_run_and_becomes_known(self):
         results = self.results("cases/lines/short", *SOFTPIPE, expect=None)
         found = next(case for case in results["cases"]
                      if only_result(case)["verdict"] == "violation")

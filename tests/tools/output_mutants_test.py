@@ -92,7 +92,7 @@ class OutputMutants(CommandTest):
 
     def test_a_blended_colour_that_is_cut_off_is_permitted(self):
         """By ruling 37: with a precision of 8 bits it may come out so."""
-        results = self.judged("truncated")
+        results = self.judged("truncated", expect=AS_EXPECTED)
         verdicts = collections.Counter(result["verdict"] for result in results)
         self.assertGreater(verdicts["permitted"] + verdicts["convention"], 10)
         self.assertNotIn("violation", verdicts)

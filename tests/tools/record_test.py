@@ -47,7 +47,7 @@ class Record(CommandTest):
         for renderer in in_share(("osmesa:llvmpipe", "osmesa:softpipe")):
             with self.subTest(renderer):
                 self.record(renderer, *some)
-                # Green: its expectations are those of the renderer.
+                # Green: its known faults are those of the driver.
                 live = json.loads(self.results_text(renderer, *some, expect=AS_EXPECTED))
                 text = self.results_text("recording:one.rec", *some, expect=AS_EXPECTED)
                 (info,) = json.loads(text)["renderers"]
@@ -77,16 +77,14 @@ class Record(CommandTest):
             live = self.command(*command, "osmesa:softpipe").stdout
             replayed = self.command(*command, "recording:one.rec").stdout
             self.assertEqual(replayed.replace("recording:one.rec", "osmesa:softpipe"), live)
-        # What is expected of one renderer, instead of a look through that of all.
         run = self.command("run", case, "--against", "recording:one.rec", "--json", "r.json",
-                           "--junit", "j.xml", "--html", "r.html", "--expectations",
-                           f"{SUITE}/expectations/osmesa-softpipe.json")
+                           "--junit", "j.xml", "--html", "r.html")
         self.assertRegex(run.stdout, r"recording:one.rec replays osmesa:softpipe \(softpipe, .*\), "
-                                     r"whose expectations hold")
+                                     r"whose known faults hold")
         self.command("report", "r.json", "--html", "again.html")
         self.assertIn("recording:one.rec", (self.folder / "again.html").read_text("utf-8"))
-        bless = self.command("bless", "r.json", "--folder", f"{SUITE}/expectations")
-        self.assertIn("osmesa-softpipe.json: 0 changes", bless.stdout)
+        bless = self.command("bless", "r.json", "--folder", f"{SUITE}/known")
+        self.assertIn("softpipe.json: 0 changes", bless.stdout)
         profile = self.command("run", case, "--policy", "profile", "--against", "recording:one.rec",
                                "--json", "r.json", "--junit", "j.xml", "--html", "r.html",
                                expect=None)
@@ -108,18 +106,16 @@ class Record(CommandTest):
         changed["draws"][0]["vertices"][1] = [6.5, 1]
         self.write("cases/moved.json", changed)
         self.write_cases("new")
-        # What an expectation says of the renderer, that it does not run, is no excuse.
-        self.write("cases/expectations/osmesa-llvmpipe.json", {
-            "renderer": "osmesa:llvmpipe", "measured": "",
-            "expectations": [{"case": "new", "verdict": "not-run", "fingerprint": "unsupported",
-                              "reason": "known"}]})
+        # That the driver is known to crash is no excuse.
+        self.write("cases/known/llvmpipe.json", {"driver": "llvmpipe", "faults": [
+            {"id": "crash", "kind": "crashed", "cases": ["new"], "reason": "known"}]})
         results = json.loads(self.results_text("recording:one.rec", expect=RENDERER))
         found = {case["id"]: only_result(case) for case in results["cases"]}
         self.assertEqual(found["kept"]["verdict"], "agree")
         self.assertIn("recorded from another scene: the case has changed since",
                       found["moved"]["failure"]["reason"])
         self.assertIn("not recorded", found["new"]["failure"]["reason"])
-        self.assertEqual(found["new"]["standing"], "changed")
+        self.assertEqual(found["new"]["standing"], "unexpected")
         self.assertEqual(found["moved"]["standing"], "unexpected")
         bless = self.command("bless", "results.json")
         self.assertNotIn("+ ", bless.stdout)

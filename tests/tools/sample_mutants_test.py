@@ -108,7 +108,7 @@ class SampleMutants(CommandTest):
         """Which the specification leaves open: a convention, told by name."""
         for omitted in UNTOLD:
             with self.subTest(omitted=omitted):
-                result = self.run_fault("truncated", case(), UNEXPECTED, *omitted)
+                result = self.run_fault("truncated", case(), AS_EXPECTED, *omitted)
                 self.assertEqual(result["verdict"], "convention")
                 self.assertEqual(result["disagreements"], [])
                 self.assertEqual({(v["rule"], v["cause"]) for v in result["values"]},
@@ -123,7 +123,7 @@ class SampleMutants(CommandTest):
                 self.assertEqual({(d["rule"], d["cause"]) for d in result["disagreements"]},
                                  {("sample.resolve", "")})
                 # Between the samples, but nobody's mean.
-                result = self.run_fault("twice-the-first", case(), UNEXPECTED, *omitted)
+                result = self.run_fault("twice-the-first", case(), AS_EXPECTED, *omitted)
                 self.assertEqual(result["verdict"], "permitted")
                 self.assertEqual({(v["rule"], v.get("cause", "")) for v in result["values"]},
                                  {("sample.resolve", "")})
@@ -177,7 +177,7 @@ class SampleMutants(CommandTest):
         self.assertEqual(result["verdict"], "contested", result.get("failure"))
 
     def test_samples_that_are_refused(self):
-        result = self.run_fault("refused", case(), UNEXPECTED)
+        result = self.run_fault("refused", case(), AS_EXPECTED)
         self.assertEqual(result["verdict"], "not-run")
         self.assertEqual(result["failure"], {"kind": "unsupported",
                                              "reason": "one sample per pixel is all there is"})

@@ -121,6 +121,19 @@ class Full(StorageTest):
 
 
 class Replaced(StorageTest):
+    @unittest.skipUnless(may_mount(), "needs a file system of its own")
+    def test_a_folder_that_may_not_be_written(self):
+        """The reason is told, and not that a file which nobody made is missing."""
+        out = self.folder / "out"
+        out.mkdir()
+        script = 'mount -t tmpfs -o ro none "$1" && shift && exec "$@"'
+        run = subprocess.run(["unshare", "--mount", "--map-root-user", "sh", "-c", script, "sh",
+                              out, EDGECASE, *RUN, "--json", "out/new/results.json"],
+                             cwd=self.folder, capture_output=True, text=True, env=environment())
+        self.assertEqual(run.returncode, INTERNAL)
+        self.assertEqual(run.stderr, "edgecase: cannot write out/new/results.json: Read-only file "
+                                     "system; name a file that may be written\n")
+
     def test_links_and_permissions_stay(self):
         path = self.write("kept/results.json", EARLIER)
         path.chmod(0o640)

@@ -27,7 +27,7 @@ from share import COUNT, IS_QUICK, NUMBER, in_full_tier, in_share, least_of  # n
 KEPT = pathlib.Path(os.environ.get("EDGECASE_BUILD", BIN.parent)) / "suite-data"
 SHARE = f"{NUMBER}-of-{COUNT}"
 AGAINST_MESA = [word for renderer in MESA for word in ("--against", renderer)] + UNHURRIED
-NO_CASES = {"expectations", "galleries", "meshes", "policies", "profiles"}
+NO_CASES = {"galleries", "known", "meshes", "policies", "profiles"}
 # How the line of a rendering or of a result begins; ids hold nothing that JSON escapes.
 ID = re.compile(r'\{"id":"([^"\\]+)"')
 

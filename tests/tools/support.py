@@ -5,7 +5,6 @@ A test owns a temporary folder and runs the command there; it never touches the 
 program is the built one (EDGECASE_BIN), the suite that of the checkout (EDGECASE_ROOT), both set by
 tests/tools/CMakeLists.txt.
 """
-import functools
 import json
 import os
 import pathlib
@@ -101,12 +100,6 @@ def known_not_run(renderer, name, samples):
     return None if samples == 4 else f"asked for {samples} samples, this driver makes 4"
 
 
-@functools.lru_cache(maxsize=None)
-def expected_of_suite(path):
-    """What a file of expectations holds."""
-    return json.loads(path.read_text(encoding="utf-8"))
-
-
 class CommandTest(unittest.TestCase):
     """A test with a folder of its own, `self.folder`, in which the command runs."""
 
@@ -150,28 +143,21 @@ class CommandTest(unittest.TestCase):
         """These folders of the suite's cases, with what is known of renderers."""
         for folder in folders:
             shutil.copytree(f"{SUITE}/{folder}", self.folder / "cases" / folder)
-        self.copy_knowledge(lambda case: case.split("/")[0] in folders)
+        self.copy_knowledge()
 
     def copy_cases(self, files):
-        """These files of the suite, with what is known of renderers: a run that holds results
-        against the whole suite's expectations reads 25 MB of them each time."""
-        names = set()
+        """These files of the suite, with what is known of renderers."""
         for file in files:
             place = pathlib.Path(file).relative_to(SUITE)
-            names.add(str(place.with_suffix("")))
             (self.folder / "cases" / place).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(file, self.folder / "cases" / place)
         shutil.copytree(f"{SUITE}/meshes", self.folder / "cases/meshes")
-        self.copy_knowledge(lambda case: case.split(":")[0] in names)
+        self.copy_knowledge()
 
-    def copy_knowledge(self, is_wanted):
-        """Policies, profiles, and what is expected of the cases that are wanted."""
-        for folder in ("policies", "profiles"):
+    def copy_knowledge(self):
+        """Policies, profiles and known faults."""
+        for folder in ("known", "policies", "profiles"):
             shutil.copytree(f"{SUITE}/{folder}", self.folder / "cases" / folder)
-        for path in pathlib.Path(SUITE, "expectations").glob("*.json"):
-            content = expected_of_suite(path)
-            entries = [entry for entry in content["expectations"] if is_wanted(entry["case"])]
-            self.write(f"cases/expectations/{path.name}", {**content, "expectations": entries})
 
     def odd_renderer(self, behaviour, victim="", cases=SUITE):
         """exec: name of a program that answers as exact does, save for an odd behaviour."""

@@ -10,7 +10,7 @@ enum class ExitCode {
   unexpected = 1,  // anything unexpected, an unexpected agreement included
   usage = 2,       // usage or case error
   internal = 3,    // input, output or internal error
-  renderer = 4,    // a renderer missing, crashed or timed out beyond the expectations
+  renderer = 4,    // a renderer missing, crashed or timed out and not known to
   nothing_selected = 5,
 };
 

@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
     if (error.get_exit_code() == 0) {
       app.exit(error);
     } else {
-      fmt::print(stderr, "{}", edgecase::usage_error(app, error));
+      edgecase::print_to_stderr(edgecase::usage_error(app, error));
       exit = ExitCode::usage;
     }
   } catch (const std::exception& error) {
@@ -95,5 +95,7 @@ int main(int argc, char** argv) {
     edgecase::print_error(std::string("cannot write standard output: ") + std::strerror(errno));
     exit = edgecase::worse(exit, ExitCode::internal);
   }
+  if (std::fflush(stderr) != 0 || std::ferror(stderr) != 0)
+    exit = edgecase::worse(exit, ExitCode::internal);
   return static_cast<int>(exit);
 }

@@ -16,7 +16,7 @@
 #include "casefile/json/text.h"
 #include "casefile/policy_reader.h"
 #include "reports/text.h"
-#include "results/expectations.h"
+#include "results/known_faults.h"
 #include "rules/all_rules.h"
 #include "run/recording_renderer.h"
 #include "run/sharding.h"
@@ -99,8 +99,8 @@ std::optional<std::filesystem::path> policy_file(const std::string& policy,
 
 // Where the profile of a renderer is kept.
 std::filesystem::path profile_file(const std::string& renderer, const Selection& selection) {
-  return suite_file(selection, std::filesystem::path("profiles") /
-                                   expectations_file_name(known_name_of(renderer)));
+  return suite_file(selection,
+                    std::filesystem::path("profiles") / file_name_about(known_name_of(renderer)));
 }
 
 std::optional<Policy> read_policy(const std::filesystem::path& file) {
@@ -202,6 +202,12 @@ void add_strict_option(CLI::App& command, bool& strict) {
       "Count contested differences as unexpected, like violations, unless they are known");
 }
 
+void add_known_option(CLI::App& command, std::vector<std::string>& paths) {
+  add_repeatable(command, "--known", paths,
+                 "File of known faults, or folder of them, repeatable (default: the suite's folder "
+                 "known)");
+}
+
 std::optional<Policy> PolicyOptions::load(const Selection& selection,
                                           const std::vector<std::string>& renderers) const {
   Policy result;
@@ -253,11 +259,16 @@ bool is_whole_suite(const Selection& selection) {
 
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics)
-    fmt::print(stderr, "{}\n", one_line(to_string(diagnostic)));
+    print_to_stderr(one_line(to_string(diagnostic)) + "\n");
+}
+
+void print_to_stderr(const std::string& text) {
+  // What cannot be written there has nowhere to go; main() turns it into an exit code.
+  std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
 void print_error(const std::string& message) {
-  fmt::print(stderr, "edgecase: {}\n", xml_text(message));
+  print_to_stderr(fmt::format("edgecase: {}\n", xml_text(message)));
 }
 
 void print_nothing_selected() {

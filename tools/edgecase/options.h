@@ -69,20 +69,27 @@ struct PolicyOptions {
 std::optional<std::map<std::string, Policy>> load_profiles(
     const Selection& selection, const std::vector<std::string>& renderers);
 
-// The folder whose expectations and policies belong to these paths: the nearest `cases`, or the
+// The folder of known faults, below the suite's.
+constexpr const char* kKnownFolder = "known";
+
+// The folder whose known faults and policies belong to these paths: the nearest `cases`, or the
 // first folder given.
 std::filesystem::path suite_folder(const Selection& selection);
 
 // Are these all cases of the suite's folder, or a shard of them, with nothing filtered out?
 bool is_whole_suite(const Selection& selection);
 
+// --strict and --known, of commands that say what is unexpected.
+void add_strict_option(CLI::App& command, bool& strict);
+void add_known_option(CLI::App& command, std::vector<std::string>& paths);
+
 // Prints diagnostics, one a line, to standard error. Here and below control characters are shown
 // as one_line() and xml_text() show them: files and programs that others wrote must not speak to a
 // terminal.
-// --strict, of commands that say what is unexpected.
-void add_strict_option(CLI::App& command, bool& strict);
-
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics);
+
+// Prints a text to standard error. Never throws: an exit code says that it could not be written.
+void print_to_stderr(const std::string& text);
 
 // Prints "edgecase: message" to standard error.
 void print_error(const std::string& message);

@@ -6,17 +6,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iterator>
 #include <set>
 #include <thread>
 
 #include "model/counted.h"
 #include "model/renderer.h"
+#include "results/standing.h"
 #include "run/merge.h"
 #include "run/renderer_names.h"
 #include "run/rerun.h"
 #include "run/resume.h"
 #include "run/run.h"
+#include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/output/progress_line.h"
 
@@ -35,7 +36,7 @@ bool is_known(const std::string& renderer) {
 ExitCode exit_code_of(const Result& result) {
   if (!is_unexpected(result.standing)) return ExitCode::as_expected;
   if (result.standing == Standing::flake) return ExitCode::unexpected;
-  if (result.failure && result.failure->kind != FailureKind::unsupported) return ExitCode::renderer;
+  if (result.failure) return ExitCode::renderer;
   return ExitCode::unexpected;
 }
 
@@ -145,25 +146,29 @@ std::optional<Results> run_against(const Suite& suite, const Policy& policy,
   return run_with_progress(suite, run, options);
 }
 
-std::optional<Results> run_expecting(const Suite& suite, const Policy& policy,
-                                     const std::map<std::string, Policy>& profiles,
-                                     SuiteRunOptions options, ExpectantRun expectant) {
+std::optional<Results> run_judged(const Suite& suite, const Policy& policy,
+                                  const std::map<std::string, Policy>& profiles,
+                                  SuiteRunOptions options, JudgedRun judged) {
   options.renderers = options.named();
   if (!are_known(options.renderers)) return std::nullopt;
   RunOptions run = run_options(policy, profiles, options);
-  run.max_unexpected = expectant.max_unexpected;
-  if (run.max_unexpected > 0) run.expectations = expectant.expectations;
+  run.max_unexpected = judged.max_unexpected;
+  if (run.max_unexpected > 0) run.known = judged.known;
   const InterruptGuard guard;
-  auto ran = expectant.earlier ? run_rest(suite, run, options, std::move(*expectant.earlier))
-                               : run_with_progress(suite, run, options);
+  auto ran = judged.earlier ? run_rest(suite, run, options, std::move(*judged.earlier))
+                            : run_with_progress(suite, run, options);
   if (const auto* fault = std::get_if<std::string>(&ran)) {
     print_error(*fault);
     return std::nullopt;
   }
   Results results = std::move(std::get<Results>(ran));
-  results.whole_suite = expectant.whole_suite;
-  apply_all_expectations(expectant.expectations, expectant.strict, results);
-  if (!expectant.reruns || interrupted()) return results;
+  results.whole_suite = judged.whole_suite;
+  const auto apply = [&] {
+    apply_known_faults(results, judged.known);
+    if (judged.strict) hold_contested(results);
+  };
+  apply();
+  if (!judged.reruns || interrupted()) return results;
   const RerunCounts counts = rerun_unexpected(suite, run, results);
   if (counts.not_asked > 0)
     print_error(
@@ -171,60 +176,76 @@ std::optional<Results> run_expecting(const Suite& suite, const Policy& policy,
                     "those that came too late {}",
                     counts.not_asked, kMostReruns, kMostTimeoutReruns));
   results.interrupted = results.interrupted || counts.stopped;
-  apply_all_expectations(expectant.expectations, expectant.strict, results);
+  apply();
   return results;
 }
 
-std::optional<std::vector<Expectations>> load_expectations(
-    const std::filesystem::path& folder, const std::vector<std::string>& files,
-    const std::vector<std::string>& renderers) {
-  // What a recording was made of is known when it is opened.
-  const bool all = std::ranges::any_of(
-      renderers, [](const std::string& name) { return name.starts_with(kRecordingPrefix); });
-  const WantedRenderer is_wanted = [&](const std::string& renderer) {
-    return all || std::ranges::find(renderers, renderer) != renderers.end();
-  };
-  std::vector<std::filesystem::path> paths(files.begin(), files.end());
+namespace {
+
+// The JSON files of a folder, in order of their names; of a file itself that.
+std::vector<std::filesystem::path> json_files_of(const std::filesystem::path& path) {
   std::error_code error;
-  if (files.empty())
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-      if (entry.path().extension() == ".json") paths.push_back(entry.path());
-  std::vector<Expectations> result;
-  for (const auto& path : paths) {
-    const auto text = read_file(path);
-    if (!text) return std::nullopt;
-    // What somebody names is read to its end, whomever it is about.
-    auto parsed = parse_expectations(*text, files.empty() ? is_wanted : WantedRenderer());
-    if (const auto* message = std::get_if<std::string>(&parsed)) {
-      print_error(fmt::format("{}: {}; put it right, or make it anew with `edgecase bless`",
-                              path.string(), *message));
-      return std::nullopt;
-    }
-    auto& expectations = std::get<Expectations>(parsed);
-    if (is_wanted(expectations.renderer)) result.push_back(std::move(expectations));
-  }
-  return result;
+  if (!std::filesystem::is_directory(path, error)) return {path};
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(path, error))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
 }
 
-void apply_all_expectations(const std::vector<Expectations>& expectations, bool strict,
-                            Results& results) {
-  results.missing.clear();
-  for (std::size_t r = 0; r < results.renderers.size(); ++r) {
-    const Expectations* own = nullptr;
-    for (const Expectations& candidate : expectations)
-      if (candidate.renderer == known_as(results.renderers[r])) own = &candidate;
-    apply_expectations(results, r, own);
-    if (own != nullptr)
-      std::ranges::move(missing_cases(results, *own), std::back_inserter(results.missing));
+// Adds what a file holds to what is known of its driver. False, with the error printed, where it
+// cannot be.
+bool add_known_faults(const std::filesystem::path& path, std::vector<KnownFaults>& known) {
+  const auto text = read_file(path);
+  if (!text) return false;
+  auto parsed = parse_known_faults(*text);
+  if (const auto* message = std::get_if<std::string>(&parsed)) {
+    print_error(fmt::format("{}: {}; put it right, or write it anew with `edgecase bless`",
+                            path.string(), *message));
+    return false;
   }
-  if (strict) hold_contested(results);
+  auto& added = std::get<KnownFaults>(parsed);
+  const auto found = std::ranges::find(known, added.driver, &KnownFaults::driver);
+  if (found == known.end()) {
+    known.push_back(std::move(added));
+    return true;
+  }
+  for (KnownFault& fault : added.faults) {
+    if (std::ranges::find(found->faults, fault.id, &KnownFault::id) != found->faults.end()) {
+      print_error(
+          fmt::format("{}: fault \"{}\" of {} stands in another file, too; give it another id",
+                      path.string(), fault.id, added.driver));
+      return false;
+    }
+    found->faults.push_back(std::move(fault));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::vector<KnownFaults>> load_known_faults(const std::filesystem::path& folder,
+                                                          const std::vector<std::string>& paths) {
+  std::vector<std::filesystem::path> named(paths.begin(), paths.end());
+  std::error_code error;
+  if (named.empty()) {
+    if (std::filesystem::is_directory(folder, error)) named.push_back(folder);
+    const bool is_installed = folder.parent_path() == installed_suite();
+    if (is_installed && std::filesystem::is_directory(kKnownFolder, error))
+      named.emplace_back(kKnownFolder);
+  }
+  std::vector<KnownFaults> known;
+  for (const auto& path : named)
+    for (const auto& file : json_files_of(path))
+      if (!add_known_faults(file, known)) return std::nullopt;
+  return known;
 }
 
 ExitCode exit_code_of(const Results& results) {
   ExitCode exit = ExitCode::as_expected;
   if (!results.diagnostics.empty()) exit = worse(exit, ExitCode::usage);
   if (results.cases.empty() && results.diagnostics.empty()) exit = ExitCode::nothing_selected;
-  if (results.interrupted || !results.missing.empty()) exit = worse(exit, ExitCode::unexpected);
+  if (results.interrupted || has_grown(results)) exit = worse(exit, ExitCode::unexpected);
   for (const CaseResults& one : results.cases) {
     if (!one.expect_failures.empty()) exit = worse(exit, ExitCode::unexpected);
     for (const Result& result : one.results) exit = worse(exit, exit_code_of(result));

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "results/expectations.h"
+#include "results/known_faults.h"
 #include "results/results.h"
 #include "run/run_difference.h"
 #include "run/selection.h"
@@ -42,9 +42,9 @@ std::optional<Results> run_against(const Suite& suite, const Policy& policy,
                                    const std::map<std::string, Policy>& profiles,
                                    SuiteRunOptions options);
 
-// What `run` does beyond drawing: expectations, and what hangs on them.
-struct ExpectantRun {
-  std::vector<Expectations> expectations;
+// What `run` does beyond drawing: known faults, and what hangs on them.
+struct JudgedRun {
+  std::vector<KnownFaults> known;
   std::size_t max_unexpected = 0;    // RunOptions has it
   bool reruns = true;                // ask for unexpected answers again (run/rerun.h)
   bool whole_suite = false;          // as Results have it
@@ -52,26 +52,20 @@ struct ExpectantRun {
   std::optional<MergePart> earlier;  // a run to go on with (run/resume.h)
 };
 
-// The same, with the expectations applied. Says on standard error where not all unexpected answers
+// The same, with the known faults applied. Says on standard error where not all unexpected answers
 // were asked for again, and of an earlier run how much was taken over; one that is not the same in
 // policy, renderers or selection is an error, printed.
-std::optional<Results> run_expecting(const Suite& suite, const Policy& policy,
-                                     const std::map<std::string, Policy>& profiles,
-                                     SuiteRunOptions options, ExpectantRun expectant);
+std::optional<Results> run_judged(const Suite& suite, const Policy& policy,
+                                  const std::map<std::string, Policy>& profiles,
+                                  SuiteRunOptions options, JudgedRun judged);
 
-// The expectations of these renderers, read from `folder` or from the files named; a file that is
-// missing in the folder is no error, and one of another renderer is not read. Nothing, with the
-// error printed, when one is broken.
-std::optional<std::vector<Expectations>> load_expectations(
-    const std::filesystem::path& folder, const std::vector<std::string>& files,
-    const std::vector<std::string>& renderers);
+// The known faults in `folder`, which may be missing, or in the files and folders named; those of
+// one driver are joined. Beside those of the installed suite, the folder `known` here counts.
+// Nothing, with the error printed, when a file is broken or two faults of a driver have one id.
+std::optional<std::vector<KnownFaults>> load_known_faults(const std::filesystem::path& folder,
+                                                          const std::vector<std::string>& paths);
 
-// Applies the expectations to the renderers that they belong to, and finds their missing cases.
-// `strict`: what is contested is unexpected, too.
-void apply_all_expectations(const std::vector<Expectations>& expectations, bool strict,
-                            Results& results);
-
-// The exit code that results deserve, expectations having been applied.
+// The exit code that results deserve, known faults having been applied.
 ExitCode exit_code_of(const Results& results);
 
 }  // namespace edgecase

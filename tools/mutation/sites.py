@@ -171,7 +171,10 @@ class Finder:
         for body in bodies:
             self.add_deletion(body, place)
         if kind in {Kind.IF_STMT, Kind.WHILE_STMT}:
-            self.add_negation(cursor, parts, len(bodies), place)
+            if self.is_for_the_compiler(cursor, parts, len(bodies)):
+                parts = parts[len(parts) - len(bodies):]
+            else:
+                self.add_negation(cursor, parts, len(bodies), place)
         for part in parts:
             self.visit(part, place.within(cursor))
 
@@ -191,13 +194,17 @@ class Finder:
         self.add(cursor, place, 3, "SDL", [(start, end, "")],
                  [(start, start, "{{ if (!{}::is({})) "), (semicolon + 1, semicolon + 1, " }}")])
 
-    def add_negation(self, cursor, parts, bodies, place):
+    def is_for_the_compiler(self, cursor, parts, bodies):
+        """Whether it is an `if constexpr`: what it decides is done while compiling."""
         start, _ = span(cursor)
+        condition = parts[-bodies - 1] if len(parts) > bodies else cursor
+        end = condition.extent.start.offset
+        return self.source.find("constexpr", start, end) is not None
+
+    def add_negation(self, cursor, parts, bodies, place):
         if len(parts) <= bodies or any(p.kind == Kind.VAR_DECL for p in parts[:-bodies]):
             return
-        condition = parts[-bodies - 1]
-        if self.source.find("constexpr", start, condition.extent.start.offset) is None:
-            self.negate(condition, place)
+        self.negate(parts[-bodies - 1], place)
 
     def negate(self, condition, place):
         inner = unwrapped(condition)

@@ -226,6 +226,13 @@ std::optional<Diagnostic> check_bytes(std::string_view text, const std::string& 
                       fmt::format("byte {} of the file is not UTF-8", *offset),
                       "save the file as UTF-8"};
   }
+  // The parser would take it for the end of the file.
+  if (const auto nul = text.find('\0'); nul != text.npos) {
+    const auto breaks = std::count(text.begin(), text.begin() + static_cast<long>(nul), '\n');
+    return Diagnostic{file, static_cast<int>(breaks) + 1, "",
+                      fmt::format("byte {} of the file is NUL, which no JSON holds", nul),
+                      "take it out, and what follows it if that is no JSON"};
+  }
   return std::nullopt;
 }
 

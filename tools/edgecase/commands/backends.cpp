@@ -175,7 +175,7 @@ ExitCode run_backends(const BackendsCommand& command) {
   for (const std::string& name : command.names.empty() ? default_names() : command.names) {
     auto found = find_renderer(name, worker_directory());
     if (const auto* unknown = std::get_if<UnknownRenderer>(&found)) {
-      fmt::print(stderr, "edgecase: {}\n", unknown->message);
+      print_error(unknown->message);
       return ExitCode::usage;
     }
     specs.push_back(std::move(std::get<ProcessSpec>(found)));

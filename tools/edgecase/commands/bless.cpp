@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase bless: from results, and from decisions on them, to expectations. Shows what would
-// change;
-// --apply changes it.
+// edgecase bless: from results, and from decisions on them, to known faults. Shows what would
+// change; --apply changes it.
 #include <fmt/format.h>
-
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <iostream>
+#include <map>
 #include <memory>
 
+#include "model/counted.h"
 #include "model/renderer.h"
 #include "reports/text.h"
 #include "results/decisions.h"
-#include "results/expectations.h"
+#include "results/standing.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/options.h"
@@ -22,18 +23,34 @@
 namespace edgecase {
 namespace {
 
+// Beside the cases here. What is installed is not written to: without cases here, `known` here.
+std::string default_folder() {
+  const std::filesystem::path suite = default_suite();
+  return suite == installed_suite() ? kKnownFolder : (suite / kKnownFolder).string();
+}
+
 struct BlessCommand {
   std::string results = "out/results.json";
-  std::string folder = default_suite() + "/expectations";
+  std::string folder = default_folder();
   std::vector<std::string> filters;
   std::vector<std::string> renderers;
   std::string reason;
+  std::string link;
   std::string decisions;  // file
+  bool strict = false;
   bool apply = false;
 };
 
-std::string expectation_words(const Expectation& entry) {
-  return fmt::format("{} {}: {}", name_of(entry.verdict), entry.fingerprint, entry.reason);
+// The file of one driver, as it is and as it is going to be.
+struct DriverFile {
+  KnownFaults known;
+  std::size_t changes = 0;
+};
+
+bool selected(const std::vector<std::string>& globs, const std::string& name) {
+  return globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
+           return fnmatch(glob.c_str(), name.c_str(), 0) == 0;
+         });
 }
 
 // Results and decisions are files that others may have written: what they hold is printed as
@@ -42,162 +59,204 @@ std::string decision_words(const Decision& decision) {
   return one_line(fmt::format("{} {}", decision.id, decision.renderer));
 }
 
-void print_change(const ExpectationChange& change) {
-  const auto print = [&](char sign, const Expectation& entry) {
-    fmt::print("{} {}\n", sign,
-               one_line(fmt::format("{}: {}", change.id, expectation_words(entry))));
-  };
-  if (change.before != nullptr) print('-', *change.before);
-  if (change.after) print('+', *change.after);
-}
-
-bool selected(const std::vector<std::string>& globs, const std::string& name) {
-  return globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
-           return fnmatch(glob.c_str(), name.c_str(), 0) == 0;
-         });
-}
-
-// The entries as they stand; none where there is no file yet.
-std::optional<Expectations> load_current(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return Expectations{};
-  const auto text = read_file(path);
-  if (!text) return std::nullopt;
-  auto parsed = parse_expectations(*text);
-  if (auto* current = std::get_if<Expectations>(&parsed)) return std::move(*current);
-  print_error(fmt::format("{}: {}", path.string(), std::get<std::string>(parsed)));
-  return std::nullopt;
-}
-
-// Of a recording: those of what was recorded.
-std::filesystem::path expectations_path(const BlessCommand& command, const RendererInfo& info) {
-  return std::filesystem::path(command.folder) / expectations_file_name(known_as(info));
-}
-
-// Prints the changes of one renderer's file, and makes them where that is asked for.
-ExitCode make_changes(const BlessCommand& command, const RendererInfo& info,
-                      const Expectations& current, const std::vector<ExpectationChange>& changes) {
-  const auto path = expectations_path(command, info);
-  fmt::print("{}: {} change{}\n", path.string(), changes.size(), changes.size() == 1 ? "" : "s");
-  for (const ExpectationChange& change : changes) print_change(change);
-  if (!command.apply || changes.empty()) return ExitCode::as_expected;
-
-  Expectations updated = current;
-  updated.renderer = known_as(info);
-  updated.measured = info.device + ", " + info.version;
-  for (const ExpectationChange& change : changes) {
-    if (change.after)
-      updated.cases[change.id] = *change.after;
-    else
-      updated.cases.erase(change.id);
+// The entry as the file has it, each line with a sign before it.
+std::string entry_lines(char sign, const KnownFault& fault) {
+  std::string text = known_faults_text({"", {fault}});
+  const std::size_t begin = text.find("    {");
+  text = text.substr(begin, text.rfind("\n  ]") - begin);
+  std::string lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines += fmt::format("{} {}\n", sign, one_line(text.substr(at, end - at)));
+    at = end + 1;
   }
-  return write_file(path, expectations_text(updated)) ? ExitCode::as_expected : ExitCode::internal;
+  return lines;
 }
 
-// Flakes are left as they are; whoever blesses should know.
-void print_flakes(const BlessCommand& command, const Results& results, std::size_t index) {
-  for (const CaseResults& one : results.cases)
-    if (one.results[index].again && selected(command.filters, one.id))
-      fmt::print("! {}: {}; such an answer cannot be expected\n", one_line(one.id),
-                 one_line(one.results[index].expectation));
+std::string lines_of(const FaultChange& change) {
+  return (change.before ? entry_lines('-', *change.before) : "") +
+         (change.after ? entry_lines('+', *change.after) : "");
 }
 
-ExitCode bless_renderer(const BlessCommand& command, const Results& results, std::size_t index) {
-  const RendererInfo& info = results.renderers[index];
-  const auto current = load_current(expectations_path(command, info));
-  if (!current) return ExitCode::usage;
-  auto changes = plan_blessing(results, index, *current, command.reason);
-  std::erase_if(changes, [&](const ExpectationChange& change) {
-    return !selected(command.filters, change.id);
-  });
-  print_flakes(command, results, index);
-  return make_changes(command, info, *current, changes);
-}
+// All that one call of the command changes.
+class Blessing {
+ public:
+  Blessing(const BlessCommand& command, Results& results) : command_(command), results_(results) {}
 
-// The decisions on one renderer's cases.
-ExitCode decide_renderer(const BlessCommand& command, const Results& results, std::size_t index,
-                         const std::vector<Decision>& decisions) {
-  const RendererInfo& info = results.renderers[index];
-  const auto current = load_current(expectations_path(command, info));
-  if (!current) return ExitCode::usage;
-  const auto outcomes = apply_decisions(results, index, *current, decisions);
-  if (outcomes.empty()) return ExitCode::as_expected;
-  ExitCode exit = ExitCode::as_expected;
-  std::vector<ExpectationChange> changes;
-  for (const DecisionOutcome& outcome : outcomes) {
-    const Decision& decision = *outcome.decision;
-    if (outcome.change) changes.push_back(*outcome.change);
-    if (!outcome.refusal.empty()) {
-      exit = ExitCode::unexpected;
-      fmt::print("! {}: refused: {}\n", decision_words(decision), one_line(outcome.refusal));
-    } else if (!decision.accepts) {
-      fmt::print("  {}: rejected, and stays unexpected: {}\n", decision_words(decision),
-                 one_line(decision.reason));
+  // Reads the files of the renderers' drivers.
+  ExitCode load() {
+    for (const RendererInfo& info : results_.renderers) {
+      const std::string driver = driver_of(info);
+      const auto path = path_of(driver);
+      DriverFile& file = files_[driver];
+      file.known.driver = driver;
+      std::error_code error;
+      if (!std::filesystem::exists(path, error)) continue;
+      const auto text = read_file(path);
+      if (!text) return ExitCode::internal;
+      auto parsed = parse_known_faults(*text);
+      if (const auto* sentence = std::get_if<std::string>(&parsed)) {
+        print_error(fmt::format("{}: {}", path.string(), *sentence));
+        return ExitCode::usage;
+      }
+      file.known = std::move(std::get<KnownFaults>(parsed));
+    }
+    return ExitCode::as_expected;
+  }
+
+  void bless_all() {
+    for (std::size_t r = 0; r < results_.renderers.size(); ++r) {
+      if (!selected(command_.renderers, results_.renderers[r].name)) continue;
+      apply_current();
+      add_flakes(r);
+      BlessingOptions options{{}, command_.reason, command_.link};
+      if (!command_.filters.empty())
+        options.is_wanted = [this](const std::string& id) {
+          return selected(command_.filters, id);
+        };
+      DriverFile& file = file_of(r);
+      take(file, plan_blessing(results_, r, file.known, options));
     }
   }
-  return worse(exit, make_changes(command, info, *current, changes));
-}
 
-ExitCode decide(const BlessCommand& command, const Results& results) {
-  const auto text = read_file(command.decisions);
-  if (!text) return ExitCode::internal;
-  const auto parsed = parse_decisions(*text);
-  if (const auto* fault = std::get_if<std::string>(&parsed)) {
-    print_error(fmt::format("{}: {}", command.decisions, *fault));
-    return ExitCode::usage;
+  ExitCode decide(const std::vector<Decision>& decisions) {
+    ExitCode exit = ExitCode::as_expected;
+    for (const Decision& decision : decisions) {
+      if (std::ranges::find(results_.renderers, decision.renderer, &RendererInfo::name) !=
+          results_.renderers.end())
+        continue;
+      text_ += fmt::format("! {}: refused: the results have no such renderer\n",
+                           decision_words(decision));
+      exit = ExitCode::unexpected;
+    }
+    for (std::size_t r = 0; r < results_.renderers.size(); ++r) {
+      apply_current();
+      const auto outcomes = weigh_decisions(results_, r, decisions);
+      for (const DecisionOutcome& outcome : outcomes) {
+        add_outcome(outcome);
+        if (!outcome.refusal.empty()) exit = ExitCode::unexpected;
+      }
+      DriverFile& file = file_of(r);
+      take(file, plan_decisions(results_, r, file.known, outcomes));
+    }
+    return exit;
   }
-  const auto& decisions = std::get<std::vector<Decision>>(parsed);
-  ExitCode exit = ExitCode::as_expected;
-  for (const Decision& decision : decisions) {
-    if (std::ranges::find(results.renderers, decision.renderer, &RendererInfo::name) !=
-        results.renderers.end())
-      continue;
-    fmt::print("! {}: refused: the results have no such renderer\n", decision_words(decision));
-    exit = ExitCode::unexpected;
-  }
-  for (std::size_t r = 0; r < results.renderers.size(); ++r)
-    exit = worse(exit, decide_renderer(command, results, r, decisions));
-  return exit;
-}
 
-ExitCode bless_all(const BlessCommand& command, const Results& results) {
-  ExitCode exit = ExitCode::as_expected;
-  for (std::size_t r = 0; r < results.renderers.size(); ++r)
-    if (selected(command.renderers, results.renderers[r].name))
-      exit = worse(exit, bless_renderer(command, results, r));
-  return exit;
+  // Writes the files where that is asked for, and then tells what changed.
+  ExitCode finish() {
+    ExitCode exit = ExitCode::as_expected;
+    for (const auto& [driver, file] : files_) {
+      text_ += fmt::format("{}: {}\n", path_of(driver).string(),
+                           counted(file.changes, "change", "changes"));
+      if (command_.apply && file.changes > 0 &&
+          !write_file(path_of(driver), known_faults_text(file.known)))
+        exit = ExitCode::internal;
+    }
+    if (!command_.apply) text_ += "Nothing is written. Run again with --apply to write this.\n";
+    fmt::print("{}", text_);
+    return exit;
+  }
+
+ private:
+  std::filesystem::path path_of(const std::string& driver) const {
+    return std::filesystem::path(command_.folder) / file_name_about(driver);
+  }
+
+  DriverFile& file_of(std::size_t renderer) {
+    return files_.at(driver_of(results_.renderers[renderer]));
+  }
+
+  // How results stand to the files as they are by now: what one renderer added holds for another of
+  // the same driver.
+  void apply_current() {
+    std::vector<KnownFaults> known;
+    for (const auto& [driver, file] : files_) known.push_back(file.known);
+    apply_known_faults(results_, known);
+    if (command_.strict) hold_contested(results_);
+  }
+
+  void take(DriverFile& file, const std::vector<FaultChange>& changes) {
+    for (const FaultChange& change : changes) text_ += lines_of(change);
+    file.known = with_changes(file.known, changes);
+    file.changes += changes.size();
+  }
+
+  // Flakes are left as they are; whoever blesses should know.
+  void add_flakes(std::size_t renderer) {
+    for (const CaseResults& one : results_.cases)
+      if (one.results[renderer].again && selected(command_.filters, one.id))
+        text_ += fmt::format("! {}: {}; such an answer cannot be known\n", one_line(one.id),
+                             one_line(one.results[renderer].standing_reason));
+  }
+
+  void add_outcome(const DecisionOutcome& outcome) {
+    const Decision& decision = *outcome.decision;
+    if (!outcome.refusal.empty())
+      text_ +=
+          fmt::format("! {}: refused: {}\n", decision_words(decision), one_line(outcome.refusal));
+    else if (!decision.accepts)
+      text_ += fmt::format("  {}: rejected, and stays unexpected: {}\n", decision_words(decision),
+                           one_line(decision.reason));
+  }
+
+  const BlessCommand& command_;
+  Results& results_;
+  std::map<std::string, DriverFile> files_;  // by driver
+  std::string text_;                         // printed at the end
+};
+
+std::optional<std::vector<Decision>> load_decisions(const std::string& path, ExitCode& exit) {
+  const auto text = read_file(path);
+  exit = ExitCode::internal;
+  if (!text) return std::nullopt;
+  auto parsed = parse_decisions(*text);
+  exit = ExitCode::usage;
+  if (auto* decisions = std::get_if<std::vector<Decision>>(&parsed)) return std::move(*decisions);
+  print_error(fmt::format("{}: {}", path, std::get<std::string>(parsed)));
+  return std::nullopt;
 }
 
 ExitCode bless(const BlessCommand& command) {
   ExitCode exit = ExitCode::as_expected;
-  const auto results = load_results(command.results, exit);
+  auto results = load_results(command.results, exit);
   if (!results) return exit;
-  exit = command.decisions.empty() ? bless_all(command, *results) : decide(command, *results);
-  if (!command.apply) fmt::print("Nothing is written. Run again with --apply to write this.\n");
-  return exit;
+  Blessing blessing(command, *results);
+  exit = blessing.load();
+  if (exit != ExitCode::as_expected) return exit;
+  if (command.decisions.empty()) {
+    blessing.bless_all();
+    return blessing.finish();
+  }
+  const auto decisions = load_decisions(command.decisions, exit);
+  if (!decisions) return exit;
+  exit = blessing.decide(*decisions);
+  return worse(exit, blessing.finish());
 }
 
 }  // namespace
 
 void add_bless_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand(
-      "bless", "Show how expectations would change to match results; write them with --apply");
+      "bless", "Show how known faults would change to match results; write them with --apply");
   auto options = std::make_shared<BlessCommand>();
   command->add_option("results", options->results, "Results file of `edgecase run`")
       ->capture_default_str();
-  command->add_option("--folder", options->folder, "Folder of the expectations files")
+  command->add_option("--folder", options->folder, "Folder of the known faults")
       ->capture_default_str();
   add_repeatable(*command, "--filter", options->filters, "Only cases whose id matches; repeatable");
   add_repeatable(*command, "--against", options->renderers, "Only this renderer; repeatable");
   command->add_option("--reason", options->reason,
-                      "Reason for new and changed entries (default: made from the causes found)");
+                      "Reason of new faults (default: made of what was found)");
+  command->add_option("--link", options->link, "Where new faults are reported");
   command
       ->add_option("--from", options->decisions,
                    "File of decisions on single cases; only what they accept is changed, and only "
                    "where nothing has changed since")
       ->excludes("--filter")
       ->excludes("--against")
-      ->excludes("--reason");
+      ->excludes("--reason")
+      ->excludes("--link");
+  add_strict_option(*command, options->strict);
   command->add_flag("--apply", options->apply, "Write the files");
   command->callback([options, &exit] { exit = bless(*options); });
 }

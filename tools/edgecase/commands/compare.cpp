@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <sstream>
 
 #include "reports/comparison_markdown.h"
 #include "results/comparison.h"
@@ -41,12 +40,11 @@ ExitCode compare(const CompareCommand& command) {
     return ExitCode::usage;
   }
   const auto& comparison = std::get<Comparison>(compared);
-  std::ostringstream markdown;
-  write_comparison(comparison, markdown);
   // What nobody sends elsewhere is printed, unless JSON is.
   const bool print = command.markdown.empty() && command.json != "-";
   const bool wrote_json = deliver(command.json, comparison_json(comparison));
-  const bool wrote_markdown = deliver(print ? "-" : command.markdown, markdown.str());
+  const bool wrote_markdown =
+      deliver(print ? "-" : command.markdown, comparison_markdown(comparison));
   if (!wrote_json || !wrote_markdown) return ExitCode::internal;
   return differs(comparison) ? ExitCode::unexpected : ExitCode::as_expected;
 }

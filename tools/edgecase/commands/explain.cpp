@@ -190,7 +190,7 @@ ExitCode explain(const ExplainCommand& command) {
       pixel = parse_pixel(command.pixel, one.scene.target);
       if (!pixel) continue;
     }
-    fmt::print("{}: {}\n{}\n", one.id, one.title, one.why);
+    fmt::print("{}: {}\n{}\n", one_line(one.id), one_line(one.title), xml_text(one.why));
     print_coverage(one.scene, *policy);
     if (command.has_blocks) print_blocks(one.scene, *policy, *sizes);
     if (pixel) fmt::print("{}", pixel_words(one.scene, *policy, *pixel));

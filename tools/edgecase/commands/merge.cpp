@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/renderer.h"
+#include "results/standing.h"
 #include "run/merge.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/output/delivery.h"
@@ -20,7 +20,7 @@ namespace {
 struct MergeCommand {
   std::vector<std::string> paths;
   ReportFiles files;
-  std::vector<std::string> expectations;
+  std::vector<std::string> known;
   std::string color = "auto";
   bool partial = false;
   bool strict = false;
@@ -51,13 +51,11 @@ ExitCode merge(const MergeCommand& command) {
     return ExitCode::usage;
   }
   Results& results = std::get<Results>(merged);
-  std::vector<std::string> renderers;
-  for (const RendererInfo& info : results.renderers) renderers.push_back(known_as(info));
-  const auto expectations =
-      load_expectations(suite_folder_of(results) / "expectations", command.expectations, renderers);
-  if (!expectations) return ExitCode::usage;
+  const auto known = load_known_faults(suite_folder_of(results) / kKnownFolder, command.known);
+  if (!known) return ExitCode::usage;
   load_sources(results);
-  apply_all_expectations(*expectations, command.strict, results);
+  apply_known_faults(results, *known);
+  if (command.strict) hold_contested(results);
   print_diagnostics(results.diagnostics);
   return deliver_results(results, command.files, command.color);
 }
@@ -71,9 +69,7 @@ void add_merge_command(CLI::App& app, ExitCode& exit) {
   command->add_option("results", options->paths, "Results files of `edgecase run`, of all shards")
       ->required();
   options->files.add_to(*command, "-o,--json");
-  add_repeatable(*command, "--expectations", options->expectations,
-                 "Expectations file, repeatable (default: those in the suite's folder "
-                 "expectations)");
+  add_known_option(*command, options->known);
   add_strict_option(*command, options->strict);
   command->add_flag("--partial", options->partial,
                     "Merge although shards are missing; the results count as interrupted");

@@ -14,6 +14,7 @@
 #include "casefile/json/text.h"
 #include "model/counted.h"
 #include "model/scene_words.h"
+#include "reports/text.h"
 #include "rules/all_rules.h"
 #include "run/renderer_names.h"
 #include "run/renderers.h"
@@ -195,10 +196,10 @@ ExitCode deliver(const MinimizeCommand& command, const Case& original, const Min
     print_error("no case file can say the minimised scene");
     return ExitCode::usage;
   }
-  fmt::print(stderr, "{}: {}\n  from {}\n  to {}: {}\n  {}{}\n", original.id, title_of(signature),
-             words_of_size(original.scene), words_of_size(minimized.scene),
-             scene_words(minimized.scene), counted(minimized.asks, "scene asked", "scenes asked"),
-             ending_words(minimized.end));
+  print_to_stderr(fmt::format(
+      "{}: {}\n  from {}\n  to {}: {}\n  {}{}\n", one_line(original.id), title_of(signature),
+      words_of_size(original.scene), words_of_size(minimized.scene), scene_words(minimized.scene),
+      counted(minimized.asks, "scene asked", "scenes asked"), ending_words(minimized.end)));
   const std::string text =
       command.json ? json_text(minimized, signature, original, info, written.text) : written.text;
   if (command.output.empty())

@@ -4,11 +4,8 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <optional>
-#include <utility>
-#include <variant>
 
-#include "results/expectations.h"
+#include "results/standing.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/options.h"
 #include "tools/edgecase/output/report_files.h"
@@ -23,19 +20,6 @@ struct ReportCommand {
   ReportFiles files;
   bool strict = false;
 };
-
-// What changed from the results file at `path`; nothing, with the error printed and the exit code
-// that it deserves, where that cannot be said.
-std::optional<Comparison> changes_since(const std::string& path, const Results& results,
-                                        ExitCode& exit) {
-  const auto before = load_results(path, exit);
-  if (!before) return std::nullopt;
-  exit = ExitCode::usage;
-  auto compared = compare_results(*before, results);
-  if (auto* comparison = std::get_if<Comparison>(&compared)) return std::move(*comparison);
-  print_error(std::get<std::string>(compared));
-  return std::nullopt;
-}
 
 ExitCode report(const ReportCommand& command) {
   ExitCode exit = ExitCode::as_expected;

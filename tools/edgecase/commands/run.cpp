@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase run: the suite against renderers, judged, held against expectations, reported.
+// edgecase run: the suite against renderers, judged, held against known faults, reported.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "model/counted.h"
+#include "reports/text.h"
 #include "run/last_failed.h"
 #include "run/recording_renderer.h"
 #include "tools/edgecase/commands/commands.h"
@@ -26,7 +27,7 @@ struct RunCommand {
   PolicyOptions policy;
   SuiteRunOptions run;
   ReportFiles files;
-  std::vector<std::string> expectations;
+  std::vector<std::string> known;
   std::string color = "auto";
   bool list = false;
   bool last_failed = false;
@@ -34,6 +35,8 @@ struct RunCommand {
   bool no_rerun = false;
   bool strict = false;
   std::size_t max_failures = 0;
+  std::string since;
+  std::string fail_on = "violations";
 };
 
 // Narrows the selection to what was not as expected in the last results; otherwise the exit code
@@ -91,11 +94,21 @@ void print_way_on(const RunCommand& command, const Results& results) {
 }
 
 ExitCode print_list(const Suite& suite) {
-  for (const Case& one : suite.cases) fmt::print("{}\n", one.id);
+  for (const Case& one : suite.cases) fmt::print("{}\n", one_line(one.id));
   if (!suite.diagnostics.empty()) return ExitCode::usage;
   if (!suite.cases.empty()) return ExitCode::as_expected;
   print_nothing_selected();
   return ExitCode::nothing_selected;
+}
+
+// What --fail-on makes of the exit code that the results deserve. What could not be done stays.
+ExitCode failing_on(const RunCommand& command, const Results& results, ExitCode exit,
+                    const std::optional<Comparison>& since) {
+  const bool is_about_answers =
+      exit == ExitCode::as_expected || exit == ExitCode::unexpected || exit == ExitCode::renderer;
+  if (command.fail_on == "violations" || !is_about_answers || results.interrupted) return exit;
+  const bool fails = command.fail_on == "changes" && differs(*since);
+  return fails ? ExitCode::unexpected : ExitCode::as_expected;
 }
 
 // A recording is opened when it is asked, since that may take long.
@@ -107,6 +120,10 @@ bool are_renderers_known(const SuiteRunOptions& options) {
 
 ExitCode run(const RunCommand& command) {
   const auto start = std::chrono::steady_clock::now();
+  if (command.fail_on == "changes" && command.since.empty()) {
+    print_error("--fail-on changes needs earlier results; name them with --since");
+    return ExitCode::usage;
+  }
   Selection selection = command.selection.selection();
   // A misspelt name is told before thousands of cases are loaded.
   if (!command.list && !are_renderers_known(command.run)) return ExitCode::usage;
@@ -120,24 +137,28 @@ ExitCode run(const RunCommand& command) {
   if (command.list) return print_list(suite);
   // Of what was asked for nothing is there: what an earlier run wrote stays.
   if (suite.is_misspelt) return ExitCode::usage;
-  // Which renderer is taken where none is named shows only when OpenGL is loaded.
-  auto expectations = load_expectations(suite_folder(selection) / "expectations",
-                                        command.expectations, command.run.named());
-  if (!expectations) return ExitCode::usage;
+  auto known = load_known_faults(suite_folder(selection) / kKnownFolder, command.known);
+  if (!known) return ExitCode::usage;
   const auto profiles = load_profiles(selection, command.run.named());
   if (!profiles) return ExitCode::usage;
   auto earlier = earlier_run(command);
   if (const auto* exit = std::get_if<ExitCode>(&earlier)) return *exit;
-  ExpectantRun expectant{
-      std::move(*expectations), command.max_failures,
-      !command.no_rerun,        is_whole_suite(selection),
-      command.strict,           std::move(std::get<std::optional<MergePart>>(earlier))};
+  JudgedRun judged{std::move(*known), command.max_failures,
+                   !command.no_rerun, is_whole_suite(selection),
+                   command.strict,    std::move(std::get<std::optional<MergePart>>(earlier))};
   // What was found is written although somebody asks to stop meanwhile.
   const InterruptGuard guard;
-  const auto results = run_expecting(suite, *policy, *profiles, command.run, std::move(expectant));
+  const auto results = run_judged(suite, *policy, *profiles, command.run, std::move(judged));
   if (!results) return ExitCode::usage;
+  ReportFiles files = command.files;
+  if (!command.since.empty()) {
+    ExitCode exit = ExitCode::as_expected;
+    files.since = changes_since(command.since, *results, exit);
+    if (!files.since) return exit;
+  }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  const ExitCode exit = deliver_results(*results, command.files, command.color, took.count());
+  const ExitCode delivered = deliver_results(*results, files, command.color, took.count());
+  const ExitCode exit = failing_on(command, *results, delivered, files.since);
   if (exit != ExitCode::internal) print_way_on(command, *results);
   return exit;
 }
@@ -153,9 +174,16 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
   add_strict_option(*command, options->strict);
   options->run.add_to(*command);
   options->files.add_to(*command);
-  add_repeatable(*command, "--expectations", options->expectations,
-                 "Expectations file, repeatable (default: those in the suite's folder "
-                 "expectations)");
+  add_known_option(*command, options->known);
+  command->add_option("--since", options->since,
+                      "Earlier results file: the summary and the HTML report tell every change "
+                      "against it, legal ones too");
+  command
+      ->add_option("--fail-on", options->fail_on,
+                   "What ends with exit code 1: unexpected violations, any change since the "
+                   "results of --since, or nothing")
+      ->check(CLI::IsMember({"violations", "changes", "nothing"}))
+      ->capture_default_str();
   command->add_option("--color", options->color, "Colours in the summary")
       ->check(CLI::IsMember({"auto", "always", "never"}));
   command->add_flag("--last-failed", options->last_failed,

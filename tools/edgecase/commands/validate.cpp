@@ -57,7 +57,7 @@ std::size_t print_unmet(const Suite& suite) {
     const Policy policy;
     for (const std::string& drawing :
          unmet_drawings(one, policy.name, rasterize(one.scene, policy))) {
-      fmt::print(stderr, "{}", drawing);
+      print_to_stderr(drawing);
       ++unmet;
     }
   }

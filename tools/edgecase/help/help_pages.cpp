@@ -33,11 +33,12 @@ constexpr const char* kMaintain = "Maintain";
 constexpr HelpPage kPages[] = {
     {"run", kRun,
      "Every case is rendered exactly and by each renderer. The two renderings are compared, and "
-     "the differences are judged by the specification. Each answer is compared with the "
-     "expectations that are committed for its renderer. If no option names a file, results.json, "
+     "the differences are judged by the specification. What the "
+     "specification forbids is held against the known faults of the driver. If no option names a "
+     "file, results.json, "
      "junit.xml and report.html go to out/. An interrupted run keeps the finished cases, and "
      "--resume runs the rest.",
-     "012345", "an answer is not as expected, an unexpected agreement included",
+     "012345", "an answer is unexpected, or a known fault has grown",
      "edgecase run\n"
      "edgecase run lines --against osmesa:softpipe --html lines.html\n"
      "edgecase run \"triangles/*\" --against \"exec:python3 my_rasterizer.py\" --open\n"
@@ -140,8 +141,9 @@ constexpr HelpPage kPages[] = {
      "012345", "interrupted; the smallest scene so far is printed",
      "edgecase minimize lines/diagonals/two-in-a-column --against osmesa:softpipe"},
     {"bless", kMaintain,
-     "Each change makes a result expected and states a reason. The changes are printed, and "
-     "--apply writes them. --from takes the decisions that a reviewer exported from the HTML "
+     "Unexpected violations become known faults, with a reason, and faults that do not show any "
+     "more are closed. The changes are printed, and --apply writes them. --from takes the "
+     "decisions that a reviewer exported from the HTML "
      "report.",
      "0123", "a decision is refused because something has changed since it was made",
      "edgecase bless out/results.json --against osmesa:softpipe\n"

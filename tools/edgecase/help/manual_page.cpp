@@ -93,7 +93,7 @@ std::string manual_page(const std::string& description, std::span<const CommandW
       ".SH ENVIRONMENT\n.TP\nEDGECASE_KERNELS\nThe SIMD target of the fast kernels; none turns "
       "them off. Results are the same.\n"
       ".SH FILES\n.TP\nPREFIX/share/edgecase/cases\nThe suite, with its schema, policies, profiles "
-      "and expectations.\n.TP\nPREFIX/share/doc/edgecase\nHow cases are written, and the protocol "
+      "and known faults.\n.TP\nPREFIX/share/doc/edgecase\nHow cases are written, and the protocol "
       "of exec: programs.\n";
   return text;
 }

@@ -22,6 +22,9 @@ ExitCode deliver_results(const Results& results, const ReportFiles& files, const
   const bool to_stdout = files.use_standard_output();
   write_summary(results, use_color(color, to_stdout ? STDERR_FILENO : STDOUT_FILENO),
                 to_stdout ? std::cerr : std::cout, seconds);
+  if (files.since)
+    write_changes(*files.since, use_color(color, to_stdout ? STDERR_FILENO : STDOUT_FILENO),
+                  to_stdout ? std::cerr : std::cout);
   if (!files.write(results)) return worse(exit, ExitCode::internal);
   const std::string html = files.html_path();
   if (!to_stdout && !html.empty()) fmt::print("\nReport: {}\n", html);

@@ -9,6 +9,15 @@
 #include <utility>
 
 namespace edgecase {
+namespace {
+
+// A terminal may be gone by now: progress that cannot be shown is lost.
+void show(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace
 
 ProgressLine::ProgressLine(const std::string& choice, std::string noun)
     : enabled_(choice == "auto" && isatty(STDERR_FILENO) != 0), noun_(std::move(noun)) {}
@@ -27,9 +36,8 @@ void ProgressLine::update(std::size_t done, std::size_t total) {
   const auto seconds = due();
   if (!seconds) return;
   const double rate = static_cast<double>(done) / *seconds;
-  fmt::print(stderr, "\r\x1b[K{} of {} {}, {:.0f} per second, {:.0f} s left", done, total, noun_,
-             rate, static_cast<double>(total - done) / std::max(rate, 1e-3));
-  std::fflush(stderr);
+  show(fmt::format("\r\x1b[K{} of {} {}, {:.0f} per second, {:.0f} s left", done, total, noun_,
+                   rate, static_cast<double>(total - done) / std::max(rate, 1e-3)));
 }
 
 void ProgressLine::update(std::size_t done, const std::string& more) {
@@ -37,14 +45,13 @@ void ProgressLine::update(std::size_t done, const std::string& more) {
   const std::lock_guard lock(mutex_);
   const auto seconds = due();
   if (!seconds) return;
-  fmt::print(stderr, "\r\x1b[K{} {}, {:.0f} per second{}", done, noun_,
-             static_cast<double>(done) / *seconds, more);
-  std::fflush(stderr);
+  show(fmt::format("\r\x1b[K{} {}, {:.0f} per second{}", done, noun_,
+                   static_cast<double>(done) / *seconds, more));
 }
 
 void ProgressLine::clear() {
   const std::lock_guard lock(mutex_);
-  if (shown_) fmt::print(stderr, "\r\x1b[K");
+  if (shown_) show("\r\x1b[K");
   shown_ = false;
 }
 

@@ -76,6 +76,22 @@ void load_sources(Results& results) {
   }
 }
 
+std::optional<Comparison> changes_since(const std::string& path, const Results& results,
+                                        ExitCode& exit) {
+  auto before = load_results(path, exit);
+  if (!before) return std::nullopt;
+  if (!is_whole(results)) {
+    std::set<std::string> ids;
+    for (const CaseResults& one : results.cases) ids.insert(one.id);
+    std::erase_if(before->cases, [&](const CaseResults& one) { return !ids.contains(one.id); });
+  }
+  exit = ExitCode::usage;
+  auto compared = compare_results(*before, results);
+  if (auto* comparison = std::get_if<Comparison>(&compared)) return std::move(*comparison);
+  print_error(std::get<std::string>(compared));
+  return std::nullopt;
+}
+
 void ReportFiles::add_to(CLI::App& command, const std::string& json_names) {
   command.add_option(json_names, json, "File for the results as JSON, - for standard output");
   command.add_option("--junit", junit, "File for JUnit XML");

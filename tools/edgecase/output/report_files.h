@@ -23,6 +23,12 @@ std::optional<Results> load_results(const std::string& path, ExitCode& exit);
 // that was changed since the run is left out, and said to be.
 void load_sources(Results& results);
 
+// What changed from the results file at `path` to these. Of results that are not of a whole suite,
+// only the cases that they hold count. Nothing, with the error printed and the exit code that it
+// deserves, where that cannot be said.
+std::optional<Comparison> changes_since(const std::string& path, const Results& results,
+                                        ExitCode& exit);
+
 // --json, --junit, --html and the others; where none is given, results.json, junit.xml and
 // report.html in out/.
 struct ReportFiles {

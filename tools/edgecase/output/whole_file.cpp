@@ -100,10 +100,12 @@ bool can_be_replaced(const fs::path& path) {
 
 std::string write_whole_file(const fs::path& path,
                              const std::function<void(std::ostream&)>& write) {
-  std::error_code ignored;
-  if (path.has_parent_path()) fs::create_directories(path.parent_path(), ignored);
-  fs::path file = fs::canonical(path, ignored);
-  if (ignored) file = path;
+  std::error_code error_code;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error_code);
+  if (error_code && !fs::is_directory(path.parent_path()))
+    return fault_of(path, error_code.value());
+  fs::path file = fs::canonical(path, error_code);
+  if (error_code) file = path;
   const int error = can_be_replaced(file) ? replace(file, write) : write_as_it_is(file, write);
   return error == 0 ? "" : fault_of(path, error);
 }

@@ -61,6 +61,19 @@ std::array<int, 2 + 1> multiples(int n) {
   return result;
 }
 
+// What the compiler decides cannot be a mutant's.
+template <int... kNumbers>
+int product_of() {
+  if constexpr (sizeof...(kNumbers) == 0)
+    return 1;
+  else
+    return (kNumbers * ...);
+}
+
+int product() {
+  return product_of<2, 3>() + product_of<>();
+}
+
 std::string greeting(const std::string& name) {
   return "hello " + name;
 }

@@ -28,6 +28,7 @@ int count_down(int n);
 int never_called(int n);
 int every_operator(int n, bool flag);
 std::array<int, 2 + 1> multiples(int n);
+int product();  // 7
 std::string greeting(const std::string& name);
 
 }  // namespace toy

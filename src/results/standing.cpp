@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "results/standing.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "model/counted.h"
+#include "rules/all_rules.h"
+
+namespace edgecase {
+namespace {
+
+using Faults = std::span<const KnownFault* const>;
+
+std::string words_of(const Judgement& answer) {
+  return answer.fingerprint.empty()
+             ? std::string(name_of(answer.verdict))
+             : fmt::format("{} {}", name_of(answer.verdict), answer.fingerprint);
+}
+
+// What of an answer its driver's faults account for.
+struct Accounted {
+  std::vector<const KnownFault*> by;  // in the file's order
+  std::size_t differences = 0;        // that need a fault
+  std::size_t open = 0;               // of them, without one
+};
+
+// Is it an answer for which something must account?
+bool is_forbidden(const KnownResult& result) {
+  if (result.again) return false;
+  if (result.failure) return result.failure->kind != FailureKind::unsupported;
+  return result.verdict >= Verdict::contested;
+}
+
+// One fault is enough for a difference, and the first of the file that fits is it.
+Accounted account(const CaseResults& one, const KnownResult& result, Faults faults) {
+  Accounted accounted;
+  const auto take = [&](const auto& difference_fits) {
+    ++accounted.differences;
+    const auto found = std::ranges::find_if(faults, difference_fits);
+    if (found == faults.end())
+      ++accounted.open;
+    else if (std::ranges::find(accounted.by, *found) == accounted.by.end())
+      accounted.by.push_back(*found);
+  };
+  if (result.failure)
+    take([&](const KnownFault* fault) {
+      return accounts_for(*fault, one.id, one.surface, *result.failure);
+    });
+  for (const Disagreement& d : result.disagreements)
+    if (needs_fault(result, d))
+      take([&](const KnownFault* fault) {
+        return accounts_for(*fault, one.id, one.surface, result, d);
+      });
+  return accounted;
+}
+
+void set_standing(KnownResult& result, Standing standing, std::string standing_reason) {
+  result.standing = standing;
+  result.standing_reason = std::move(standing_reason);
+}
+
+// Of an answer for which something must account.
+void set_by_faults(KnownResult& result, const Accounted& accounted) {
+  std::vector<std::string> reasons;
+  for (const KnownFault* fault : accounted.by) {
+    result.faults.push_back(fault->id);
+    reasons.push_back(fmt::format("{} ({})", fault->reason, fault->id));
+  }
+  const std::string known = fmt::format("{}", fmt::join(reasons, "; "));
+  if (accounted.open == 0 && !known.empty()) return set_standing(result, Standing::known, known);
+  if (result.failure) return set_standing(result, Standing::unexpected, "no known fault is this");
+  std::string text = fmt::format("no known fault accounts for {} of {}", accounted.open,
+                                 counted(accounted.differences, "difference", "differences"));
+  if (accounted.open == accounted.differences) text = "no known fault accounts for this";
+  set_standing(result, Standing::unexpected, known.empty() ? text : text + "; known: " + known);
+}
+
+void set_standing(const CaseResults& one, Faults faults, Latitude latitude, KnownResult& result) {
+  result.faults.clear();
+  if (result.again)
+    return set_standing(result, Standing::flake,
+                        fmt::format("it answered {}, and when asked again {}",
+                                    words_of(judgement_of(result)), words_of(*result.again)));
+  if (!is_forbidden(result))
+    return result.failure ? set_standing(result, Standing::tolerated, "not supported")
+                          : set_standing(result, Standing::expected, "");
+  if (latitude == Latitude::none && !result.failure)
+    return set_standing(result, Standing::unexpected, "no latitude is granted");
+  set_by_faults(result, account(one, result, faults));
+  if (result.verdict == Verdict::contested && result.standing == Standing::unexpected)
+    result.standing = Standing::tolerated;
+}
+
+FaultState state_of(const FaultSeen& seen) {
+  if (seen.cases == 0) return FaultState::fixed;
+  if (!seen.before) return FaultState::uncounted;
+  if (seen.cases == *seen.before) return FaultState::known;
+  return seen.cases > *seen.before ? FaultState::grown : FaultState::shrunk;
+}
+
+void add_faults_seen(Faults faults, std::size_t index, Results& results) {
+  const RendererInfo& info = results.renderers[index];
+  const Release release = release_of(info);
+  for (const KnownFault* fault : faults) {
+    FaultSeen seen{info.name, fault->id,    fault->reason,    fault->link,
+                   0,         std::nullopt, FaultState::known};
+    for (const CaseResults& one : results.cases)
+      if (std::ranges::find(one.results[index].faults, fault->id) !=
+          one.results[index].faults.end())
+        ++seen.cases;
+    if (const auto found = fault->cases_on.find(text_of(release)); found != fault->cases_on.end())
+      seen.before = found->second;
+    if (is_whole(results)) seen.state = state_of(seen);
+    // Through OpenGL ES many cases cannot be asked.
+    const bool is_missed =
+        seen.cases == 0 && (!is_whole(results) || (release.is_es && !seen.before));
+    if (!is_missed) results.faults.push_back(std::move(seen));
+  }
+}
+
+}  // namespace
+
+void apply_known_faults(Results& results, std::span<const KnownFaults> known) {
+  results.faults.clear();
+  for (std::size_t r = 0; r < results.renderers.size(); ++r) {
+    const KnownFaults* own = faults_about(known, results.renderers[r]);
+    std::vector<const KnownFault*> faults;
+    if (own != nullptr) faults = faults_of(*own, results.renderers[r]);
+    for (CaseResults& one : results.cases)
+      set_standing(one, faults, results.latitude, one.results[r]);
+    if (results.latitude == Latitude::opengl) add_faults_seen(faults, r, results);
+  }
+}
+
+void hold_contested(Results& results) {
+  for (CaseResults& one : results.cases)
+    for (KnownResult& result : one.results)
+      if (result.verdict == Verdict::contested && result.standing == Standing::tolerated)
+        result.standing = Standing::unexpected;
+}
+
+std::vector<const KnownFault*> faults_behind(const CaseResults& one, const KnownResult& result,
+                                             Faults faults) {
+  return is_forbidden(result) ? account(one, result, faults).by : std::vector<const KnownFault*>();
+}
+
+bool has_grown(const Results& results) {
+  return std::ranges::any_of(results.faults,
+                             [](const FaultSeen& seen) { return seen.state == FaultState::grown; });
+}
+
+const KnownFaults* faults_about(std::span<const KnownFaults> known, const RendererInfo& info) {
+  const auto found = std::ranges::find(known, driver_of(info), &KnownFaults::driver);
+  return found != known.end() ? &*found : nullptr;
+}
+
+bool needs_fault(const Result& result, const Disagreement& d) {
+  return d.legality == Legality::illegal ||
+         (result.verdict == Verdict::contested && d.legality == Legality::contested);
+}
+
+std::string reason_from(const Result& result) {
+  if (result.failure)
+    return fmt::format("{}: {}", name_of(result.failure->kind), result.failure->reason);
+  std::set<std::string> rules;
+  std::set<std::string> causes;
+  std::set<int> broken;
+  for (const Disagreement& d : result.disagreements) {
+    rules.insert(name_of(d.rule));
+    causes.insert(text_of(d.cause));
+    if (!is_legal(d)) broken.insert(d.ruling);
+  }
+  const bool unexplained = causes.erase("") > 0;
+  std::string text;
+  if (!rules.empty())
+    text = fmt::format("{} by {}",
+                       result.disagreements.size() == 1
+                           ? "one difference"
+                           : fmt::format("{} differences", result.disagreements.size()),
+                       fmt::join(rules, ", "));
+  if (!broken.empty()) text += fmt::format(", against ruling {}", fmt::join(broken, ", "));
+  if (!causes.empty()) text += fmt::format("; it follows {}", fmt::join(causes, " and "));
+  if (unexplained)
+    text += causes.empty() ? "; no catalogued alternative draws this"
+                           : "; some follow no catalogued alternative";
+  for (const ValueAggregate& values : result.values)
+    text += values.cause.empty()
+                ? fmt::format("{}{} rounded otherwise than exactly, within what is permitted",
+                              text.empty() ? "" : "; ", values.attribute)
+                : fmt::format("{}{} by {}", text.empty() ? "" : "; ", values.attribute,
+                              text_of(values.cause));
+  return text;
+}
+
+}  // namespace edgecase
