@@ -13,7 +13,7 @@
 #include "casefile/scene/fragment_operations.h"
 #include "generate/grids.h"
 #include "generate/random_scenes.h"
-#include "profile/clipping/clip_measurement.h"
+#include "profile/clipping/clipping.h"
 #include "profile/textures/texture_scenes.h"
 #include "profile/values/value_scenes.h"
 #include "rules/samples/sample_placement.h"
@@ -59,7 +59,7 @@ Scene sample_scene(std::uint64_t seed, Surface, std::uint64_t index) {
 Scene level_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
   constexpr std::array kQuestions{TextureQuestion::implicit_tie, TextureQuestion::bias_tie,
                                   TextureQuestion::explicit_tie, TextureQuestion::crossover};
-  const std::span<const RampKind> ramps = all_ramp_kinds();
+  const std::span<const RampKind> ramps = values_of<RampKind>();
   const Turn turn = turn_of(index, kQuestions.size() + ramps.size());
   if (turn.kind < kQuestions.size())
     return texture_probe({seed, surface, kQuestions[turn.kind]}, turn.index);
@@ -98,7 +98,7 @@ Scene output_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
 }
 
 Scene clipping_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
-  const Turn place = turn_of(index, kClipPlaces);
+  const Turn place = turn_of(index, values_of<ClipPlace>().size());
   return clip_scene(seed, surface, static_cast<ClipPlace>(place.kind), place.index);
 }
 

@@ -56,7 +56,4 @@ Scene derivative_scene(std::uint64_t seed, Surface surface, std::uint64_t index)
 // A large triangle whose depths are spread over 0 to 1, on a target with a depth buffer.
 Scene depth_scene(std::uint64_t seed, Surface surface, DepthFormat format, std::uint64_t index);
 
-// The scene of one of a scene's primitives alone.
-Scene only_primitive(const Scene& scene, int primitive);
-
 }  // namespace edgecase
