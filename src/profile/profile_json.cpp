@@ -304,7 +304,7 @@ std::string other_ways_of(const std::vector<Trait>& traits) {
   return text;
 }
 
-// "line" of line.snap, "line.width"; empty: its rate is not told.
+// "line" of line.snap, "line.width"; empty: its rate is left out.
 std::string rate_name_of(const TraitId& id) {
   switch (id.is_rule() ? id.rule : RuleId::none) {
     case RuleId::point_snap:

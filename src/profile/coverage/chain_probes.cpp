@@ -15,7 +15,7 @@ namespace edgecase {
 
 // Chains of segments. Their first joint lies at every place of a diamond, for every direction that
 // they go on in; then joints lie anywhere, at places of diamonds and close together; last, chains
-// turn. What is not enumerated comes from a generator with a fixed seed.
+// turn. Chains that are not enumerated come from a generator with a fixed seed.
 
 namespace {
 

@@ -28,7 +28,7 @@ struct DiamondProbe {
   LineDirection direction = LineDirection::right;
   bool at_start = true;
   DiamondPlace place = DiamondPlace::inside;
-  // Do other pixels hang on ties, too, beside the one that has the same corner? So it is where the
+  // Do pixels other than the one with the same corner depend on ties, too? They do where the
   // line runs along boundaries: rightward from a bottom corner, diagonally from some edges.
   bool tied_elsewhere = false;
 };

@@ -3,7 +3,7 @@
 // Findings: what is measured of one surface, subject by subject, and the question that each subject
 // is asked with.
 //
-// Traits say which rules are followed. The numbers behind them stand beside: errors of values,
+// Traits say which rules are followed. The numbers behind them are kept as well: errors of values,
 // residuals of levels of detail, sample positions, stored codes.
 #pragma once
 
@@ -243,7 +243,7 @@ struct OutputProfile {
 
 // -------------------------------------------------------------------------------------- the whole
 
-// What is found of one surface. Every subject adds its own.
+// The findings of one surface. Every subject adds its own.
 struct SurfaceFindings {
   DrawnCounts drawn;
   std::size_t random_scenes = 0;  // of coverage of one sample

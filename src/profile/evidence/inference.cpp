@@ -35,7 +35,7 @@ OpenRules openness_of(RuleId rule) {
   return rule == RuleId::sample_positions ? OpenRules::placement : OpenRules::coverage;
 }
 
-// The rules that have a say, each with its alternatives beside the start's.
+// The rules that have a say, each with its alternatives other than the start's.
 std::vector<Changes> open_rules(const InferenceQuestion& question, const Observation& observation) {
   const auto primitives = primitives_of(observation.scene);
   std::vector<Changes> rules =

@@ -23,7 +23,7 @@ struct Rate {
 // "100 %" for all, else rounded down, so that one scene of many still shows: "99.99 %".
 std::string percent(const Rate& rate);
 
-// What a trait is about: a rule of the catalogue, or something beside it, and how it was asked.
+// What a trait is about: a rule of the catalogue, or a question of no rule, and how it was asked.
 struct TraitId {
   RuleId rule = RuleId::none;  // none: the question is of no rule
   std::string probe = {};      // "depth16", "multisampled"; empty: the rule itself

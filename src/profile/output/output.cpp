@@ -76,7 +76,7 @@ class OutputMeasurement {
         findings_.choices));
   }
 
-  // Which depth formats are there, alone and beside stencil values.
+  // The depth formats that the surface has, alone and together with stencil values.
   void find_formats() {
     for (const DepthFormat format : kDepthFormats) {
       const std::string refusal =

@@ -28,8 +28,8 @@ inline constexpr std::array kDepthFormats{DepthFormat::depth16, DepthFormat::dep
 
 // ---------------------------------------------------------------------------------------- colours
 
-// Plain colours: the float32 numbers beside every border between two codes, multiples of 1/256, and
-// numbers beyond 0 to 1.
+// Plain colours: the float32 numbers next to every border between two codes, multiples of 1/256,
+// and numbers beyond 0 to 1.
 std::vector<Scene> plain_color_scenes(Surface surface);
 
 // Every set of masked components, over codes of every kind.

@@ -36,7 +36,7 @@ struct InvocationsAsked {
 // and for centroid ones; and `sample`.
 std::vector<InvocationsAsked> ways_to_ask_for_invocations();
 
-// Alphas from 0 to 1: multiples of 1/256, and the float32 numbers beside the thresholds of the
+// Alphas from 0 to 1: multiples of 1/256, and the float32 numbers next to the thresholds of the
 // catalogue's alternatives. Sorted.
 std::vector<float> probing_alphas(int samples);
 

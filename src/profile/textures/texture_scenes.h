@@ -105,7 +105,7 @@ constexpr float full(TextureFormat format) {
   return format == TextureFormat::rgba32f ? 1.0f : 255.0f;
 }
 
-// A target with one texture, without draws; what lookups are is told.
+// A target with one texture, without draws; details of lookups are asked for.
 Scene textured_scene(Surface surface, ImageSize target, Texture texture);
 
 Draw textured_draw(Primitive primitive, const Sampler& sampler, const Lookup& lookup);

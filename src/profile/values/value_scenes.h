@@ -22,7 +22,7 @@
 
 namespace edgecase {
 
-// What is drawn, and how: errors are counted for each apart.
+// A primitive and how it is interpolated: errors are counted for each mode apart.
 struct ValueMode {
   PrimitiveKind kind = PrimitiveKind::triangle;  // a triangle or lines
   Interpolation interpolation = Interpolation::smooth;
