@@ -12,20 +12,6 @@ namespace {
 
 constexpr std::int64_t kHalf = Fixed::kOne / 2;
 
-constexpr const char* kDirectionNames[kLineDirections] = {
-    "right", "x-major right, rising",  "diagonal right, rising",  "y-major right, rising",
-    "up",    "y-major left, rising",   "diagonal left, rising",   "x-major left, rising",
-    "left",  "x-major left, falling",  "diagonal left, falling",  "y-major left, falling",
-    "down",  "y-major right, falling", "diagonal right, falling", "x-major right, falling",
-};
-
-constexpr const char* kPlaceNames[kDiamondPlaces] = {
-    "left corner",         "right corner",         "bottom corner",
-    "top corner",          "lower left edge",      "lower right edge",
-    "upper left edge",     "upper right edge",     "inside",
-    "outside, lower left", "outside, lower right", "outside, upper left",
-    "outside, upper right"};
-
 // The quarter that a slanting edge or an outside place lies in, as signs of x and y.
 struct Quarter {
   std::int64_t x;
@@ -42,14 +28,6 @@ Point at_offset(std::int64_t dx, std::int64_t dy) {
 }
 
 }  // namespace
-
-const char* name_of(LineDirection direction) {
-  return kDirectionNames[static_cast<std::size_t>(direction)];
-}
-
-const char* name_of(DiamondPlace place) {
-  return kPlaceNames[static_cast<std::size_t>(place)];
-}
 
 LineDirection direction_of(const Segment& segment) {
   const std::int64_t dx = segment.b.x.raw() - segment.a.x.raw();

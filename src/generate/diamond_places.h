@@ -10,6 +10,7 @@
 #include "exact/pixel.h"
 #include "generate/random_source.h"
 #include "generate/scene_parts.h"
+#include "model/names.h"
 #include "rules/coverage/segment.h"
 
 namespace edgecase {
@@ -36,8 +37,24 @@ enum class LineDirection {
 };
 constexpr int kLineDirections = 16;
 
-// "right", "x-major right, rising", "diagonal left, falling", …
-const char* name_of(LineDirection direction);
+template <>
+inline constexpr auto kNames<LineDirection> = std::to_array<Named<LineDirection>>(
+    {{LineDirection::right, "right"},
+     {LineDirection::x_major_right_rising, "x-major right, rising"},
+     {LineDirection::diagonal_right_rising, "diagonal right, rising"},
+     {LineDirection::y_major_right_rising, "y-major right, rising"},
+     {LineDirection::up, "up"},
+     {LineDirection::y_major_left_rising, "y-major left, rising"},
+     {LineDirection::diagonal_left_rising, "diagonal left, rising"},
+     {LineDirection::x_major_left_rising, "x-major left, rising"},
+     {LineDirection::left, "left"},
+     {LineDirection::x_major_left_falling, "x-major left, falling"},
+     {LineDirection::diagonal_left_falling, "diagonal left, falling"},
+     {LineDirection::y_major_left_falling, "y-major left, falling"},
+     {LineDirection::down, "down"},
+     {LineDirection::y_major_right_falling, "y-major right, falling"},
+     {LineDirection::diagonal_right_falling, "diagonal right, falling"},
+     {LineDirection::x_major_right_falling, "x-major right, falling"}});
 
 // The segment must have a length.
 LineDirection direction_of(const Segment& segment);
@@ -67,8 +84,21 @@ enum class DiamondPlace {
 };
 constexpr int kDiamondPlaces = 13;
 
-// "left corner", "lower left edge", "inside", "outside, lower left", …
-const char* name_of(DiamondPlace place);
+template <>
+inline constexpr auto kNames<DiamondPlace> = std::to_array<Named<DiamondPlace>>(
+    {{DiamondPlace::left_corner, "left corner"},
+     {DiamondPlace::right_corner, "right corner"},
+     {DiamondPlace::bottom_corner, "bottom corner"},
+     {DiamondPlace::top_corner, "top corner"},
+     {DiamondPlace::lower_left_edge, "lower left edge"},
+     {DiamondPlace::lower_right_edge, "lower right edge"},
+     {DiamondPlace::upper_left_edge, "upper left edge"},
+     {DiamondPlace::upper_right_edge, "upper right edge"},
+     {DiamondPlace::inside, "inside"},
+     {DiamondPlace::lower_left_outside, "outside, lower left"},
+     {DiamondPlace::lower_right_outside, "outside, lower right"},
+     {DiamondPlace::upper_left_outside, "outside, upper left"},
+     {DiamondPlace::upper_right_outside, "outside, upper right"}});
 
 // Where in a pixel a point lies; none on the border of the pixel's square outside its four corners
 // of the diamond, or beyond it.

@@ -33,7 +33,7 @@ Scene scene_of_lines(std::uint64_t seed, Surface surface, std::uint64_t first,
 
 }  // namespace
 
-// All pairs of places, without those of which neither lies in the first pixel.
+// All pairs of places of which at least one lies in the first pixel.
 std::uint64_t GridLines::pairs() const {
   const auto places = static_cast<std::uint64_t>(size_) * static_cast<std::uint64_t>(steps_) - 1;
   const std::uint64_t beyond = places - static_cast<std::uint64_t>(steps_);

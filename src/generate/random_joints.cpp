@@ -24,7 +24,7 @@ enum class Course {
 };
 
 // A direction of the same major axis and sign; 45 degrees counts as x-major.
-LineDirection beside(RandomSource& random, LineDirection direction) {
+LineDirection neighbour_of(RandomSource& random, LineDirection direction) {
   const int axis = (static_cast<int>(direction) + 2) / 4 * 4;
   const int most = axis % 8 == 0 ? 2 : 1;
   return static_cast<LineDirection>((axis + random.between(-most, most) + kLineDirections) %
@@ -36,7 +36,7 @@ LineDirection next_direction(RandomSource& random, Course course, LineDirection 
     case Course::straight:
       return direction;
     case Course::wandering:
-      return beside(random, direction);
+      return neighbour_of(random, direction);
     case Course::turning:
       return static_cast<LineDirection>(random.below(kLineDirections));
     case Course::back:
@@ -72,7 +72,7 @@ Chain random_chain(RandomSource& random, const Frame& frame, std::int64_t step) 
     return random.one_in(4) ? random.between(kOne / 8, kOne) : random.between(1, most);
   };
   auto direction = static_cast<LineDirection>(random.below(kLineDirections));
-  if (course == Course::wandering) direction = beside(random, direction);
+  if (course == Course::wandering) direction = neighbour_of(random, direction);
   Chain chain{joint - random_along(random, direction, length(), step), joint};
   while (static_cast<std::int64_t>(chain.size()) <= segments) {
     direction = next_direction(random, course, direction);

@@ -48,7 +48,7 @@ Scene random_wide_line(std::uint64_t seed, Surface surface, std::uint64_t index)
 // the scenes or more passes through pixel centres.
 Scene shared_edge_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
 
-// What is drawn to a multisampled target.
+// The primitives drawn to a multisampled target.
 enum class MultisampledKind { triangle, line, wide_line };
 
 // One triangle, line of width 1, or line of other width (1.25 to 16 pixels, a multiple of 1/4), on
@@ -63,7 +63,7 @@ Scene random_multisampled_scene(std::uint64_t seed, MultisampledKind kind,
 bool has_tie(const Scene& scene, const SamplePositions& samples = {});
 
 // Random scenes of primitives that share vertices, and of vertices round the steps of sub-pixel
-// grids: what a search looks at beside the single primitives above.
+// grids: a search looks at them as well as at the single primitives above.
 //
 // Each is a function of its seed and index alone, on the same targets, with coordinates that reach
 // OpenGL unrounded. Most are built round a tie, many of them nudged off it.

@@ -14,7 +14,7 @@ constexpr std::uint64_t kStream = 0x6300;
 constexpr std::int64_t kOne = Fixed::kOne;
 constexpr int kMostTarget = 16;  // pixels
 
-// Distances from a multiple of `step`: what lies on it, halfway to the next, or beside either.
+// Distances from a multiple of `step`: on it, halfway to the next, or close to either.
 std::int64_t random_offset(RandomSource& random, std::int64_t step) {
   if (random.one_in(3)) return 0;
   const std::int64_t place = random.between(-3, 3) * (step / 2);
@@ -38,7 +38,7 @@ class Places {
     const Fixed x = coordinate(on_centre);
     return {x, coordinate(on_centre)};
   }
-  // Any multiple of the step, or halfway, or beside.
+  // Any multiple of the step, a point halfway, or a point close to either.
   Fixed anywhere() {
     const std::int64_t steps = random_.between(1, (target_ - 1) * (kOne / step_) - 1);
     return Fixed::from_raw(steps * step_ + random_offset(random_, step_));

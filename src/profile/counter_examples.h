@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "model/policy.h"
-#include "profile/observation.h"
+#include "profile/evidence/drawing.h"
 #include "profile/profile.h"
 #include "results/results.h"
 

@@ -19,7 +19,7 @@ namespace edgecase {
 class CentreColors;
 struct ExactLookup;
 
-// What is interpolated over one primitive.
+// The attributes that are interpolated over one primitive.
 struct PrimitiveAttributes {
   // A flat colour is the same at all vertices, that of the provoking one. A textured draw has s, t,
   // 0 and 1 in the colour's place.

@@ -55,7 +55,7 @@ Segment centred(const Segment& line, Point within) {
   return {centred(line.a, within), centred(line.b, within)};
 }
 
-// Pixels of which a point can lie in a point primitive's square, and some around it.
+// All pixels that may have a point in a point primitive's square, and some around them.
 PixelBounds bounds_near(Point vertex, Fixed size, const PixelBounds& all) {
   const std::int64_t margin = size.ceil() / 2 + 1;
   const auto low = [&](int bound, Fixed at) {
@@ -175,7 +175,7 @@ Pixels snapped_pixels(const ScenePrimitive& primitive, const std::array<Homogene
                            choice);
 }
 
-// The pixels of a primitive some vertices of which lie outside the clip volume. A point has one.
+// The pixels of a primitive that has vertices outside the clip volume. A point has one vertex.
 Pixels clipped_pixels_of(const ScenePrimitive& primitive,
                          const std::array<HomogeneousPoint, 3>& positions, const Viewport& viewport,
                          const View& view, const CoverageChoice& choice) {

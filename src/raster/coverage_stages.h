@@ -43,7 +43,7 @@ bool covers_just(std::span<const PixelPosition> pixels, const Triangle& triangle
 
 // The exact rasterizer's coverage stage where a vertex lies outside the clip volume.
 
-// What is rasterized of a triangle, and through which viewport: as they are, or turned upside down.
+// The triangle to rasterize and its viewport: as they are, or turned upside down.
 struct ClippedTriangle {
   UnclippedTriangle triangle;
   Viewport viewport;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What is asked of single primitives before their pixels are: which way they face, whether they are
-// culled, and by which blocks they would be found.
+// Questions about single primitives that come before their pixels: which way they face, whether
+// they are culled, and by which blocks they would be found.
 #pragma once
 
 #include <optional>

@@ -78,7 +78,7 @@ Rendering rasterize(const Scene& scene, const ResolvedPolicy& policy,
                     const SamplePositions& reported = {});
 
 // The same, and nothing in Rendering::details, which may take four times the fragments' memory:
-// whoever compares a renderer's works out what they may be.
+// a comparison derives the permitted details itself.
 Rendering rasterize_without_details(const Scene& scene, const ResolvedPolicy& policy,
                                     const SamplePositions& reported = {});
 

@@ -13,7 +13,7 @@ namespace edgecase {
 
 namespace {
 
-// From here on a double beside a number may lie in another texel.
+// From here on the next double may lie in another texel.
 constexpr int kFar = 1 << 20;
 constexpr double kNarrow = 0x1p-40;
 
@@ -22,7 +22,7 @@ bool touches(Interval value, int size, TexelBorders borders) {
   return borders.parts > 0 && std::ceil(scaled.low) <= scaled.high;
 }
 
-// What is wider than rounding makes it is open as well.
+// An interval that is wider than rounding makes it is open as well.
 bool is_open(Interval value, TexelBorders borders, std::span<const int> sizes) {
   if (!(value.high - value.low < kNarrow)) return true;
   return std::ranges::any_of(sizes, [&](int size) { return touches(value, size, borders); });

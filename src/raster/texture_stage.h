@@ -61,10 +61,10 @@ std::vector<Texel> sample(const DecodedTexture& decoded, const Texture& texture,
                           const Sampler& sampler, const TextureChoice& choice,
                           const TextureSample& at, const SampleLatitude& latitude = {});
 
-// (1 - weight) a + weight b, of a weight of 0 to 1. Where both are the same, so is what comes out.
+// (1 - weight) a + weight b, of a weight of 0 to 1. Equal operands give that same value.
 Texel mixed(const Texel& a, const Texel& b, Interval weight);
 bool same_box(const Texel& a, const Texel& b);
-// The smallest box that holds all, of which there is one at least.
+// The smallest box that holds all of them; there must be at least one.
 Texel hull_of(const std::vector<Texel>& boxes);
 
 // The exact rasterizer's texture stage: what the fragments of textured draws look up, under a

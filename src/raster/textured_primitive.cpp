@@ -21,7 +21,7 @@ RationalPair rational_of(const std::array<float, 2>& vector) {
   return {edgecase::rational_of(vector[0]), edgecase::rational_of(vector[1])};
 }
 
-// What a lookup takes, beside the point.
+// The arguments of a lookup, apart from the point.
 struct Level {
   Footprint footprint;
   ProbeRow row;  // without probes where the shader gives the level itself

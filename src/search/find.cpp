@@ -72,8 +72,8 @@ std::vector<Shown> shown_by(const Scene& scene, const Result& result, Latitude l
   return shown;
 }
 
-std::string words_of(const Result& result) {
-  constexpr std::size_t kMost = 4;  // places that are told
+std::string describe(const Result& result) {
+  constexpr std::size_t kMost = 4;  // pixels that are named
   std::string words = name_of(result.verdict);
   if (result.failure) return fmt::format("{}, {}", words, result.failure->reason);
   const std::size_t count = result.disagreements.size();

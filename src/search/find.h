@@ -44,7 +44,7 @@ struct FindAnswer {
 };
 
 // In words: the verdict, and what differs where.
-std::string words_of(const Result& result);
+std::string describe(const Result& result);
 
 struct Find {
   std::string renderer;  // as the command line names it

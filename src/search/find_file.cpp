@@ -2,16 +2,20 @@
 #include "search/find_file.h"
 
 #include <fmt/format.h>
-
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "casefile/case_writer.h"
 #include "casefile/json/text.h"
 #include "rules/all_rules.h"
-#include "search/grid_search.h"
+#include "search/scene_size.h"
+#include "search/steps.h"
 
 namespace edgecase {
+
+// -------------------------------------------------------------------------------------- case files
+
 namespace {
 
 constexpr std::size_t kMostWords = 500;  // bytes that a renderer says of one answer
@@ -71,7 +75,7 @@ std::string why_of(const Find& find, std::uint64_t seed) {
   std::string why = explanation_of(find) + " " + judgement_of(find);
   for (const FindAnswer& answer : find.answers)
     why += fmt::format("{}: {}. ", words_for_file(answer.renderer), words_for_file(answer.words));
-  return why + fmt::format("Found by edgecase fuzz: {}. {}{}", words_of(find.origin, seed),
+  return why + fmt::format("Found by edgecase fuzz: {}. {}{}", describe(find.origin, seed),
                            sentence_of_end(find), sentence_of_bits(find));
 }
 
@@ -98,6 +102,120 @@ FindFile find_file(const Find& find, std::uint64_t seed, const std::string& sche
   file.text = std::move(text.text);
   file.diagnostics = std::move(text.diagnostics);
   return file;
+}
+
+// ----------------------------------------------------------------------------------------- reports
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name_of(MinimizeEnd end) {
+  switch (end) {
+    case MinimizeEnd::finished:
+      return "finished";
+    case MinimizeEnd::exhausted:
+      return "exhausted";
+    case MinimizeEnd::stopped:
+      return "stopped";
+    case MinimizeEnd::not_reproduced:
+      return "not-reproduced";
+  }
+  return "";
+}
+
+// The words of a signature, with the names that JSON gives them.
+constexpr std::pair<const char*, std::string Signature::*> kWords[] = {
+    {"cause", &Signature::cause},         {"rule", &Signature::rule},
+    {"kind", &Signature::kind},           {"surface", &Signature::surface},
+    {"situation", &Signature::situation}, {"attribute", &Signature::attribute},
+    {"failure", &Signature::failure}};
+
+Json signature_json(const Signature& signature) {
+  Json json = Json::object();
+  for (const auto& [name, member] : kWords)
+    if (!(signature.*member).empty()) json[name] = signature.*member;
+  json["legality"] = edgecase::name_of(signature.legality);
+  return json;
+}
+
+Json find_json(const Find& find, std::uint64_t seed, const std::string& path) {
+  const SceneSize size = size_of(find.scene);
+  Json answers = Json::object();
+  for (const FindAnswer& answer : find.answers) answers[answer.renderer] = answer.words;
+  Json json = {{"renderer", find.renderer},
+               {"verdict", edgecase::name_of(find.verdict)},
+               {"title", title_of(find)},
+               {"rule", rule_of(find)},
+               {"signature", signature_json(find.key.signature)},
+               {"geometry", find.key.geometry},
+               {"primitives", size.primitives},
+               {"target", {find.scene.target.width, find.scene.target.height}},
+               {"bits", size.fraction_bits},
+               {"least_bits", find.least_bits},
+               {"scenes", find.scenes},
+               {"asks", find.asks},
+               {"minimized", name_of(find.end)},
+               {"origin", describe(find.origin, seed)},
+               {"answers", std::move(answers)}};
+  if (!path.empty()) json["file"] = path;
+  const FindFile file = find_file(find, seed, "");
+  if (file.diagnostics.empty()) json["case"] = Json::parse(file.text);
+  return json;
+}
+
+FindKey key_from(const nlohmann::json& find) {
+  FindKey key;
+  const nlohmann::json& signature = find.at("signature");
+  for (const auto& [name, member] : kWords)
+    if (signature.contains(name)) key.signature.*member = signature.at(name).get<std::string>();
+  const auto legality = signature.at("legality").get<std::string>();
+  if (!parse_name(legality, key.signature.legality))
+    throw std::runtime_error(fmt::format("\"{}\" is no legality", legality));
+  key.geometry = find.at("geometry").get<std::string>();
+  return key;
+}
+
+}  // namespace
+
+std::string fuzz_json(const FuzzReport& report, const FuzzWords& words) {
+  Json renderers = Json::array();
+  for (std::size_t r = 0; r < report.renderers.size(); ++r) {
+    const FuzzedRenderer& renderer = report.renderers[r];
+    renderers.push_back({{"name", words.renderers.at(r)},
+                         {"version", renderer.info.version},
+                         {"drawn", renderer.drawn},
+                         {"not_drawn", renderer.not_drawn},
+                         {"known", renderer.known}});
+    if (renderer.failure) renderers.back()["first_failure"] = renderer.failure->reason;
+  }
+  Json families = Json::object();
+  for (const auto& [name, scenes] : report.by_family) families[name] = scenes;
+  Json finds = Json::array();
+  for (std::size_t i = 0; i < report.finds.size(); ++i)
+    finds.push_back(
+        find_json(report.finds[i], words.seed, i < words.files.size() ? words.files[i] : ""));
+  const Json json = {{"tool", words.tool},
+                     {"policy", words.policy},
+                     {"seed", words.seed},
+                     {"scenes", report.scenes},
+                     {"families", std::move(families)},
+                     {"renderers", std::move(renderers)},
+                     {"finds", std::move(finds)}};
+  // Renderers are named on the command line: bytes that are no UTF-8 are replaced, never fatal.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::variant<KnownKeys, std::string> read_known_finds(const std::string& text) {
+  try {
+    KnownKeys known;
+    const nlohmann::json json = nlohmann::json::parse(text);
+    for (const nlohmann::json& find : json.at("finds"))
+      known[find.at("renderer").get<std::string>()].push_back(key_from(find));
+    return known;
+  } catch (const nlohmann::json::exception& error) {
+    return fmt::format("no finds of `edgecase fuzz --json` ({})", error.what());
+  }
 }
 
 }  // namespace edgecase

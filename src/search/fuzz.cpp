@@ -310,7 +310,7 @@ class Search {
   }
 
   void add(std::size_t r, Find find) {
-    const std::string name = "a find of " + words_of(find.origin, options_.seed);
+    const std::string name = "a find of " + describe(find.origin, options_.seed);
     const CorpusScene scene{name, find.scene};
     const Verdict verdict = find.verdict;
     if (!ledgers_[r].add_find(std::move(find))) return;
@@ -327,7 +327,7 @@ class Search {
       Trial trial = trial_of(r, 0);
       const std::vector<TrialAnswer> answers = trial.ask(scenes);
       for (std::size_t i = 0; i < finds.size(); ++i)
-        finds[i].answers.push_back({renderers_[r].name, words_of(answers[i].result)});
+        finds[i].answers.push_back({renderers_[r].name, describe(answers[i].result)});
     }
   }
 

@@ -39,7 +39,7 @@ struct FuzzRenderer {
   std::optional<Policy> profile;                    // what it is measured to follow
 };
 
-// What is known beforehand.
+// Finds that are known beforehand.
 struct KnownFinds {
   std::map<std::string, std::vector<FindKey>> keys;  // by renderer
   std::vector<Scene> scenes;                         // whatever they show is known

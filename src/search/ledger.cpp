@@ -7,15 +7,15 @@
 #include <tuple>
 #include <utility>
 
-#include "search/grid_search.h"
 #include "search/scene_size.h"
+#include "search/steps.h"
 
 namespace edgecase {
 namespace {
 
 constexpr std::size_t kMostRead = 4096;  // results of a surface: then the reading stands
 constexpr std::size_t kReadablePrimitives = 2;
-constexpr std::size_t kMostOthers = 16;  // scenes of a find that are kept beside the one taken
+constexpr std::size_t kMostOthers = 16;  // further scenes of a find that are kept
 
 void judge_one(Result& result, Latitude latitude, const RunReading* reading) {
   const std::array<Result* const, 1> one{&result};

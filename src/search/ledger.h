@@ -36,8 +36,8 @@ class Ledger {
   // `least`: what is no worse than it is not looked at; convention or worse.
   Ledger(Latitude latitude, Verdict least) : latitude_(latitude), least_(least) {}
 
-  // What is known beforehand: it is counted and no more. The result must have been compared, and
-  // is judged by itself, and as the run reads it.
+  // Finds that are known beforehand are counted and no more. The result must have been compared,
+  // and is judged by itself, and as the run reads it.
   void know(FindKey key) { known_keys_.insert(std::move(key)); }
   void know(Scene scene, Result result);
 

@@ -4,12 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "search/coordinate_steps.h"
-#include "search/grid_search.h"
-#include "search/primitive_steps.h"
-#include "search/settings.h"
+#include "search/scene_size.h"
 #include "search/shrinking.h"
-#include "search/target_steps.h"
+#include "search/steps.h"
 
 namespace edgecase {
 namespace {

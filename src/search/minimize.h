@@ -39,7 +39,7 @@ struct Minimized {
   MinimizeEnd end = MinimizeEnd::finished;
   std::size_t asks = 0;   // scenes asked for it
   int fraction_bits = 0;  // least found: fraction_bits_of the scene
-  int least_bits = 0;     // none like it shows the find with fewer (search/snap_limit.h)
+  int least_bits = 0;     // none like it shows the find with fewer (least_fraction_bits)
 };
 
 // Every scene that is kept can be written as a case file (casefile/case_writer.h), unless the input

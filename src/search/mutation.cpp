@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "search/mutation.h"
+#include "search/scene_source.h"
 
 #include <algorithm>
 #include <array>
@@ -36,7 +36,7 @@ std::size_t any_place(const Draw& draw, RandomSource& random) {
   return static_cast<std::size_t>(random.below(static_cast<std::int64_t>(draw.vertices.size())));
 }
 
-// Vertices that are one stay one, mostly: joints and shared edges are told by equal bits.
+// Shared vertices mostly stay shared: joints and shared edges need equal bits.
 void move(Draw& draw, std::size_t place, Point to, RandomSource& random) {
   const Point from = draw.vertices[place].position;
   if (random.one_in(4)) {

@@ -2,12 +2,19 @@
 #include "search/scene_size.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <memory>
 #include <set>
+#include <utility>
 
-#include "search/settings.h"
+#include "casefile/scene/viewport.h"
+#include "model/scene_words.h"
 
 namespace edgecase {
+
+// -------------------------------------------------------------------------------------------- size
+
 namespace {
 
 std::int64_t magnitude(Fixed value) {
@@ -84,6 +91,283 @@ SceneSize size_of(const Scene& scene) {
   size.sides = scene.target.width + scene.target.height;
   add_coordinates(scene, size);
   return size;
+}
+
+// ---------------------------------------------------------------------------------------- settings
+
+namespace {
+
+// Sets a value; was it another?
+template <class T>
+bool put(T& value, const T& standard) {
+  if (value == standard) return false;
+  value = standard;
+  return true;
+}
+
+// Keeps the textures that are looked up, numbered anew; and asks of them only where there are any.
+void drop_unused_textures(Scene& scene) {
+  std::vector<std::shared_ptr<const Texture>> kept;
+  std::vector<std::size_t> places(scene.textures.size(), scene.textures.size());
+  for (Draw& draw : scene.draws) {
+    if (!draw.texture) continue;
+    std::size_t& place = places[draw.texture->texture];
+    if (place == scene.textures.size()) {
+      place = kept.size();
+      kept.push_back(scene.textures[draw.texture->texture]);
+    }
+    draw.texture->texture = place;
+  }
+  scene.textures = std::move(kept);
+  scene.details.texture = !scene.textures.empty();
+}
+
+bool reset_texture(Scene& scene, std::size_t d) {
+  Draw& draw = scene.draws[d];
+  if (!draw.texture) return false;
+  draw.texture.reset();
+  draw.interpolation = Interpolation::flat;
+  for (Vertex& vertex : draw.vertices) vertex.texture_coordinates = {0, 0};
+  drop_unused_textures(scene);
+  return true;
+}
+
+// Textured draws interpolate by default.
+bool reset_interpolation(Scene& scene, std::size_t d) {
+  Draw& draw = scene.draws[d];
+  return put(draw.interpolation, draw.texture ? Interpolation::smooth : Interpolation::flat);
+}
+
+bool reset_colors(Scene& scene, std::size_t d) {
+  bool changed = false;
+  for (Vertex& vertex : scene.draws[d].vertices)
+    changed = put(vertex.color, Vertex().color) || changed;
+  return changed;
+}
+
+bool reset_depths(Scene& scene, std::size_t d) {
+  bool changed = false;
+  for (Vertex& vertex : scene.draws[d].vertices)
+    if (!vertex.clip) changed = put(vertex.z, Fixed()) || changed;
+  return changed;
+}
+
+bool reset_w(Scene& scene, std::size_t d) {
+  bool changed = false;
+  for (Vertex& vertex : scene.draws[d].vertices)
+    if (!vertex.clip) changed = put(vertex.w, 1.0F) || changed;
+  return changed;
+}
+
+// Vertices are given by where they land in the window, as nearly as that can be said.
+bool reset_clip(Scene& scene, std::size_t d) {
+  bool changed = false;
+  for (Vertex& vertex : scene.draws[d].vertices) {
+    if (!vertex.clip) continue;
+    vertex.clip.reset();
+    vertex.w = 1;
+    changed = true;
+  }
+  return changed;
+}
+
+bool reset_scissor(Scene& scene, std::size_t d) {
+  std::optional<Viewport>& scissor = scene.draws[d].scissor;
+  const bool changed = scissor.has_value();
+  scissor.reset();
+  return changed;
+}
+
+bool reset_samples(Scene& scene, std::size_t) {
+  if (scene.target.samples == 1) return false;
+  scene.target.samples = 1;
+  scene.target.sample_positions.clear();
+  for (Draw& draw : scene.draws) draw.multisampling = {};
+  return true;
+}
+
+// A test needs its buffer, and so does the value that it is cleared to.
+bool reset_depth_buffer(Scene& scene, std::size_t) {
+  if (scene.target.depth == DepthFormat::none) return false;
+  scene.target.depth = DepthFormat::none;
+  scene.target.clear_depth = Target().clear_depth;
+  for (Draw& draw : scene.draws) {
+    draw.operations.depth = {};
+    draw.polygon_offset.reset();
+  }
+  return true;
+}
+
+bool reset_stencil_buffer(Scene& scene, std::size_t) {
+  if (scene.target.stencil == StencilFormat::none) return false;
+  scene.target.stencil = StencilFormat::none;
+  scene.target.clear_stencil = Target().clear_stencil;
+  for (Draw& draw : scene.draws) draw.operations.stencil.reset();
+  return true;
+}
+
+bool reset_viewport(Scene& scene, std::size_t) {
+  const auto chosen = choose_viewport(scene.target, scene.draws, scene.supersampling);
+  const Viewport& own = scene.viewport;
+  if (!chosen || (chosen->x == own.x && chosen->y == own.y && chosen->width == own.width &&
+                  chosen->height == own.height))
+    return false;
+  scene.viewport = *chosen;
+  for (Draw& draw : scene.draws)
+    for (Vertex& vertex : draw.vertices)
+      if (vertex.clip) place_clip_vertex(scene.viewport, vertex);
+  return true;
+}
+
+bool reset_details(Scene& scene, std::size_t) {
+  Details standard;
+  standard.texture = scene.details.texture;
+  return put(scene.details, standard);
+}
+
+bool reset_supersampling(Scene& scene, std::size_t) {
+  const bool changed = !scene.supersampling.empty();
+  scene.supersampling.clear();
+  return changed;
+}
+
+// A member of the scene's draws that is put back by itself.
+template <auto Member>
+bool reset_member(Scene& scene, std::size_t d) {
+  return put(scene.draws[d].*Member, Draw().*Member);
+}
+template <auto Member>
+bool reset_operation(Scene& scene, std::size_t d) {
+  return put(scene.draws[d].operations.*Member, FragmentOperations().*Member);
+}
+template <auto Member>
+bool reset_sampling(Scene& scene, std::size_t d) {
+  return put(scene.draws[d].multisampling.*Member, Multisampling().*Member);
+}
+template <auto Member>
+bool reset_target(Scene& scene, std::size_t) {
+  return put(scene.target.*Member, Target().*Member);
+}
+
+// What takes most away comes first.
+constexpr std::array kSettings{
+    Setting{"supersampling", reset_supersampling, false},
+    Setting{"samples", reset_samples, false},
+    Setting{"depth buffer", reset_depth_buffer, false},
+    Setting{"stencil buffer", reset_stencil_buffer, false},
+    Setting{"texture", reset_texture, true},
+    Setting{"clip coordinates", reset_clip, true},
+    Setting{"details", reset_details, false},
+    Setting{"viewport", reset_viewport, false},
+    Setting{"depth range",
+            [](Scene& scene, std::size_t) { return put(scene.depth_range, DepthRange()); }, false},
+    Setting{"sample positions", reset_target<&Target::sample_positions>, false},
+    Setting{"clear colour", reset_target<&Target::clear>, false},
+    Setting{"clear depth", reset_target<&Target::clear_depth>, false},
+    Setting{"clear stencil", reset_target<&Target::clear_stencil>, false},
+    Setting{"stencil test", reset_operation<&FragmentOperations::stencil>, true},
+    Setting{"depth test", reset_operation<&FragmentOperations::depth>, true},
+    Setting{"blending", reset_operation<&FragmentOperations::blending>, true},
+    Setting{"colour mask", reset_operation<&FragmentOperations::color_mask>, true},
+    Setting{"polygon offset", reset_member<&Draw::polygon_offset>, true},
+    Setting{"culling", reset_member<&Draw::cull>, true},
+    Setting{"front face", reset_member<&Draw::front_face>, true},
+    Setting{"scissor", reset_scissor, true},
+    Setting{"line width", reset_member<&Draw::line_width>, true},
+    Setting{"point size", reset_member<&Draw::point_size>, true},
+    Setting{"interpolation", reset_interpolation, true},
+    Setting{"provoking vertex", reset_member<&Draw::provoking_vertex>, true},
+    Setting{"multisampling", reset_sampling<&Multisampling::enabled>, true},
+    Setting{"attribute location", reset_sampling<&Multisampling::location>, true},
+    Setting{"sample shading", reset_sampling<&Multisampling::min_sample_shading>, true},
+    Setting{"sample mask", reset_sampling<&Multisampling::mask>, true},
+    Setting{"alpha to coverage", reset_sampling<&Multisampling::alpha_to_coverage>, true},
+    Setting{"w", reset_w, true},
+    Setting{"z", reset_depths, true},
+    Setting{"colours", reset_colors, true},
+};
+
+// Puts a setting back wherever it is no default; how often was it not?
+std::int64_t reset_everywhere(const Setting& setting, Scene& scene) {
+  if (!setting.of_draws) return setting.reset(scene, 0) ? 1 : 0;
+  std::int64_t count = 0;
+  for (std::size_t d = 0; d < scene.draws.size(); ++d) count += setting.reset(scene, d) ? 1 : 0;
+  return count;
+}
+
+// Widths and sizes that are smaller and rounder, smallest first.
+void add_smaller_sizes(const Scene& scene, std::size_t d, Fixed Draw::*size,
+                       std::vector<Scene>& simpler) {
+  const Fixed own = scene.draws[d].*size;
+  if (own == Fixed::from_integer(1)) return;
+  for (const std::int64_t half_steps : {1, 3, 4, 6, 8}) {
+    const Fixed smaller = Fixed::from_raw(half_steps * Fixed::kOne / 2);
+    if (smaller == Fixed::from_integer(1) || smaller >= own) continue;
+    simpler.push_back(scene);
+    simpler.back().draws[d].*size = smaller;
+  }
+  if (fraction_bits_of(own) == 0) return;
+  for (const std::int64_t whole : {own.floor(), own.ceil()}) {
+    if (whole < 1) continue;
+    simpler.push_back(scene);
+    simpler.back().draws[d].*size = Fixed::from_integer(whole);
+  }
+}
+
+// Colours of one draw that are all alike.
+void add_one_color(const Scene& scene, std::size_t d, std::vector<Scene>& simpler) {
+  Scene one = scene;
+  for (Vertex& vertex : one.draws[d].vertices) vertex.color = one.draws[d].vertices[0].color;
+  if (!same_scene(one, scene)) simpler.push_back(std::move(one));
+}
+
+void add_fewer_passes(const Scene& scene, std::vector<Scene>& simpler) {
+  if (scene.supersampling.size() < 2) return;
+  for (const ShadingPass& pass : scene.supersampling) {
+    simpler.push_back(scene);
+    simpler.back().supersampling = {{pass.at, 1}};
+  }
+}
+
+}  // namespace
+
+std::span<const Setting> all_settings() {
+  return kSettings;
+}
+
+std::int64_t count_settings(const Scene& scene) {
+  // From the last on: what a buffer takes away with it is counted before the buffer.
+  Scene copy = scene;
+  std::int64_t count = 0;
+  for (auto setting = kSettings.rbegin(); setting != kSettings.rend(); ++setting)
+    count += reset_everywhere(*setting, copy);
+  return count;
+}
+
+std::vector<Scene> simpler_settings(const Scene& scene) {
+  std::vector<Scene> simpler;
+  Scene plain = scene;
+  std::int64_t changes = 0;
+  for (const Setting& setting : kSettings) changes += reset_everywhere(setting, plain);
+  if (changes > 0) simpler.push_back(std::move(plain));
+  for (const Setting& setting : kSettings) {
+    Scene one = scene;
+    if (reset_everywhere(setting, one) > 0) simpler.push_back(std::move(one));
+  }
+  for (const Setting& setting : kSettings) {
+    if (!setting.of_draws || scene.draws.size() < 2) continue;
+    for (std::size_t d = 0; d < scene.draws.size(); ++d) {
+      Scene one = scene;
+      if (setting.reset(one, d)) simpler.push_back(std::move(one));
+    }
+  }
+  add_fewer_passes(scene, simpler);
+  for (std::size_t d = 0; d < scene.draws.size(); ++d) {
+    add_smaller_sizes(scene, d, &Draw::line_width, simpler);
+    add_smaller_sizes(scene, d, &Draw::point_size, simpler);
+    add_one_color(scene, d, simpler);
+  }
+  return simpler;
 }
 
 }  // namespace edgecase

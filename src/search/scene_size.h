@@ -10,17 +10,22 @@
 
 #include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "model/scene.h"
 
 namespace edgecase {
 
+// -------------------------------------------------------------------------------------------- size
+
 struct SceneSize {
   std::int64_t primitives = 0;
   std::int64_t draws = 0;
   std::int64_t joined = 0;    // draws of strips, loops and fans
-  std::int64_t settings = 0;  // that are no default: count_settings of search/settings.h
+  std::int64_t settings = 0;  // that are no default: count_settings
   // Of what is many or large among the settings: passes, samples, texels, widths, colours.
   std::int64_t extent = 0;
   std::int64_t fraction_bits = 0;  // of the finest coordinate
@@ -40,5 +45,28 @@ int fraction_bits_of(Fixed value);
 // Of the finest x, y or z that a vertex has. Clip coordinates count by the window coordinates
 // nearest to where they land.
 int fraction_bits_of(const Scene& scene);
+
+// ---------------------------------------------------------------------------------------- settings
+
+// Settings: what a scene says beside its primitives, their coordinates and the target's size, and
+// how each is put back to its default. The surface stays: it is part of what a find is about.
+
+// One setting of a scene, or of each of its draws.
+struct Setting {
+  const char* name;  // for tests and messages: "blending"
+  // Puts it back to its default, of the draw at `draw` where it is one of draws; false, the scene
+  // untouched, where it is there already.
+  bool (*reset)(Scene& scene, std::size_t draw);
+  bool of_draws;
+};
+
+std::span<const Setting> all_settings();
+
+// Settings that are no default, those of draws counted for each draw.
+std::int64_t count_settings(const Scene& scene);
+
+// Simpler settings than a scene's own, most of it gone first: all defaults, each setting put back
+// in all draws at once, then in one, then numbers and lists that are made smaller only.
+std::vector<Scene> simpler_settings(const Scene& scene);
 
 }  // namespace edgecase

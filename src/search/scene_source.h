@@ -13,11 +13,57 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "search/families.h"
+#include "generate/random_source.h"
+#include "model/rule_id.h"
+#include "model/scene.h"
 
 namespace edgecase {
+
+// ---------------------------------------------------------------------------------------- families
+
+// A kind of random scenes among which a search looks for disagreements.
+//
+// A family is about some rules. Each of its scenes is a function of seed, surface and index alone,
+// on every machine, built round ties and boundaries where it can be; so a find is named by these
+// three. Most generators are those by which renderers are measured (src/generate, src/profile).
+struct Family {
+  const char* name;   // "shared-edges"
+  const char* about;  // a phrase
+  std::vector<RuleId> rules;
+  // What its scenes are about is coverage: nothing else is asked of the renderer.
+  bool coverage_only;
+  bool has_windows;  // else its scenes are of framebuffer objects, whatever surface is given
+  Scene (*scene)(std::uint64_t seed, Surface surface, std::uint64_t index);
+  std::uint64_t scenes = 0;  // how many there are, on each surface; 0: there is no end of them
+};
+
+std::span<const Family> all_families();
+
+// Null when there is none of that name.
+const Family* find_family(const std::string& name);
+
+// The families that names or rule ids mean, shell globs allowed, in the order of all_families and
+// each once; none given: all. A sentence with all that is known where one means nothing.
+std::variant<std::vector<const Family*>, std::string> select_families(
+    std::span<const std::string> patterns);
+
+// ---------------------------------------------------------------------------------------- mutation
+
+// Mutation: a scene that is another one but for a small change.
+//
+// Scenes near to one that shows something often show more: a vertex a sub-pixel step
+// further on, or upon the next tie; a primitive less, or twice; another order, width, number of
+// samples; the whole transposed, mirrored or moved by whole pixels.
+
+// One to three changes. The scene is what a case file can say, so that all of its coordinates reach
+// OpenGL unrounded; none where no such scene was found in a few tries. A function of the scene and
+// the numbers alone. Vertices given as clip coordinates stay where they are.
+std::optional<Scene> mutated(const Scene& scene, RandomSource& random);
+
+// ------------------------------------------------------------------------------------------ source
 
 // Where a scene came from, so that it can be made again.
 struct SceneOrigin {
@@ -28,7 +74,7 @@ struct SceneOrigin {
 };
 
 // "lines, seed 1, index 123, window"; "mutated from lines/short/between-diamonds, seed 1, index 7".
-std::string words_of(const SceneOrigin& origin, std::uint64_t seed);
+std::string describe(const SceneOrigin& origin, std::uint64_t seed);
 
 struct CorpusScene {
   std::string name;  // id of a case, or words of a find

@@ -5,7 +5,7 @@
 // Most scenes show nothing. So of scenes that are about coverage only that is asked for, and only
 // primitives that differ are looked at closely; nothing is explained of those that agree. What
 // remains has results as compare() makes them, but for what is alike, and not judged yet: a run's
-// reading is for whoever knows the run (search/ledger.h).
+// reading belongs to the caller, who knows the run (search/ledger.h).
 #pragma once
 
 #include <atomic>

@@ -3,9 +3,8 @@
 // Shrinking: the state of one minimisation: the simplest scene so far that shows the find, and the
 // one way to replace it.
 //
-// Steps (search/primitive_steps.h, target_steps.h, coordinate_steps.h, grid_search.h) only propose.
-// What is not simpler, cannot be written as a case file, is too coarse to show the find
-// (search/snap_limit.h), or was proposed before, is never asked.
+// Steps (search/steps.h) only propose. What is not simpler, cannot be written as a case file, is
+// too coarse to show the find (least_fraction_bits), or was proposed before, is never asked.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/policy.h"
 #include "model/result.h"
 #include "model/scene.h"
 #include "search/scene_size.h"
@@ -21,6 +21,23 @@
 #include "search/trial.h"
 
 namespace edgecase {
+
+// ----------------------------------------------------------------------------- least fraction bits
+
+// How fine the coordinates of a scene must be at least for a find to show at all.
+//
+// A grid of b bits leaves a coordinate of at most b fraction bits where it is. So where the cause
+// of a find is another snapping than the policy's, the two treat coarser scenes alike: nothing is
+// explained there by that cause, and no such scene can show the find. No search is needed to know.
+// Vertices are all that snap rules snap: the corners of wide lines, of points and of multisampled
+// lines are made of snapped vertices, and those that implementations round have rules of their own.
+//
+// Fraction bits, 0 to 16; 0 where nothing is known: the cause does not speak of snapping, or what
+// is snapped is other than the vertices that are given: clip coordinates, and passes that are
+// shifted.
+int least_fraction_bits(const Signature& signature, const Policy& policy, const Scene& scene);
+
+// --------------------------------------------------------------------------------------- shrinking
 
 // Thrown when another scene would be one more than may be asked.
 struct AsksExhausted {};

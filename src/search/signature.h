@@ -6,7 +6,7 @@
 // is one, and otherwise rule, kind and situation; surface and legality always. Where a cause breaks
 // a rule, rule and kind count beside it: lines that leave a gap where they meet and lines that draw
 // a pixel twice there are two finds, though one algorithm does both. A renderer that fails where it
-// should answer is a find too, told by how it fails.
+// should answer is a find too, identified by how it fails.
 #pragma once
 
 #include <compare>

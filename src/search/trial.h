@@ -5,7 +5,7 @@
 //   scenes -> {renderer, exact} -> compare -> judge, each scene alone or as a run reads it ->
 //   TrialAnswer
 //
-// It keeps no scene and knows no case: whoever searches says what to ask next.
+// It keeps no scene and knows no case: its caller decides what to ask next.
 #pragma once
 
 #include <atomic>

@@ -39,7 +39,10 @@ ALLOWED = {
 }
 
 # The folders within a module, lowest first; "" is its top. Each may include from those before it.
-ROOMS = {"casefile": ("json", "mesh", "scene", "sweep", "")}
+ROOMS = {
+    "casefile": ("json", "mesh", "scene", "sweep", ""),
+    "profile": ("evidence", "coverage", "clipping", "values", "textures", "samples", "output", ""),
+}
 
 # A library's headers -> modules that may include them.
 LIBRARIES = [

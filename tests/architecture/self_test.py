@@ -42,6 +42,8 @@ CLEAN |= {
     "src/casefile/json/a.h": '#include "casefile/json/b.h"\n',
     "src/casefile/sweep/a.cpp": '#include "casefile/scene/a.h"\n#include "casefile/json/a.h"\n',
     "src/casefile/a.cpp": '#include "casefile/a.h"\n#include "casefile/sweep/a.h"\n',
+    "src/profile/textures/a.cpp": '#include "profile/values/a.h"\n#include "profile/evidence/a.h"\n',
+    "src/profile/a.cpp": '#include "profile/output/a.h"\n#include "profile/a.h"\n',
 }
 
 # A file, what stands in it, and what must be said of it.
@@ -61,6 +63,9 @@ FAULTS = [
     ("src/casefile/scene/z.cpp", '#include "casefile/sweep/a.h"', "lies above scene"),
     ("src/casefile/sweep/z.cpp", '#include "casefile/loader.h"', "lies above sweep"),
     ("src/casefile/z.cpp", '#include "casefile/other/a.h"', "no such folder"),
+    ("src/profile/evidence/z.h", '#include "profile/values/a.h"', "lies above evidence"),
+    ("src/profile/values/z.cpp", '#include "profile/textures/a.h"', "lies above values"),
+    ("src/profile/output/z.cpp", '#include "profile/profile.h"', "lies above output"),
     ("src/diff/a.cpp", '#include "results/results.h"', "diff may not use results"),
     ("src/run/a.cpp", '#include "reports/html.h"', "run may not use reports"),
     ("reports/a.cpp", '#include "raster/rasterizer.h"', "reports may not use raster"),

@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "profile/probes/probe_scenes.h"
+#include "profile/coverage/probes.h"
 #include "rules/coverage/line_joints.h"
 #include "rules/coverage/shared_edge.h"
 #include "rules/coverage/snap.h"

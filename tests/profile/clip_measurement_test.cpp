@@ -4,35 +4,33 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
-#include "profile/clipping/clip_measurement.h"
-#include "profile/rule_tally.h"
+#include "profile/clipping/clipping.h"
+#include "profile/evidence/tally.h"
 #include "tests/profile/altered_renderer.h"
+#include "tests/profile/found_traits.h"
 
 namespace edgecase {
 namespace {
 
-ClipFindings findings_of(const Choices& rules, const Alter& alter = {}) {
-  Policy policy;
-  policy.rules = rules;
-  AlteredRenderer renderer(policy, alter);
-  ClipMeasureQuestion question;
+SurfaceFindings findings_of(const Choices& rules, const Alter& alter = {}) {
+  AlteredRenderer renderer(policy_of(rules), alter);
+  Question question;
   question.scenes_per_kind = 10'000;
-  question.triangles = resolve(policy, Surface::fbo).triangles;
-  std::size_t told = 0;
-  ClipFindings findings = measure_clipping(
-      renderer, question, [&](std::size_t more) { told += more; }, nullptr);
-  EXPECT_EQ(told, clip_scene_count(question.scenes_per_kind));
+  SurfaceFindings before;
+  before.found.triangles = resolve(policy_of(rules), Surface::fbo).triangles;
+  SurfaceFindings findings = measured(kClippingSubject, renderer, question, std::move(before));
   EXPECT_EQ(findings.drawn.not_drawn, 0u);
   return findings;
 }
 
 TEST(ClipMeasurement, FindsEveryAlternative) {
-  for (const std::string& name : names_of_alternatives("clip.volume")) {
-    const ClipFindings findings =
+  for (const std::string& name : names_of_alternatives(RuleId::clip_volume)) {
+    const SurfaceFindings findings =
         findings_of({{"clip.volume", name}, {"triangle.snap", "4-half-even"}});
     const Trait& trait = findings.traits.back();
-    EXPECT_EQ(trait.id, "clip.volume");
+    EXPECT_EQ(trait.id, TraitId(RuleId::clip_volume));
     EXPECT_EQ(trait.alternative, name) << trait.remark;
     EXPECT_GT(trait.rate.of, 100u);
     EXPECT_LT(trait.runner_up_rate.agreeing, trait.rate.agreeing) << name << trait.runner_up;
@@ -41,7 +39,7 @@ TEST(ClipMeasurement, FindsEveryAlternative) {
 }
 
 TEST(ClipMeasurement, SaysThatNoneFits) {
-  const ClipFindings findings = findings_of({}, [](const Task&, Rendering& rendering) {
+  const SurfaceFindings findings = findings_of({}, [](const Task&, Rendering& rendering) {
     if (rendering.fragments.size() % 5 == 4) rendering.fragments.pop_back();
   });
   EXPECT_EQ(findings.traits.back().alternative, kNoneFits);
@@ -50,9 +48,9 @@ TEST(ClipMeasurement, SaysThatNoneFits) {
 }
 
 TEST(ClipMeasurement, TrianglesLeaveTheVolumeWithOneVertex) {
-  for (int i = 0; i < kClipPlaces; ++i)
+  for (const ClipPlace place : values_of<ClipPlace>())
     for (std::uint64_t s = 0; s < 200; ++s) {
-      const Scene scene = clip_scene(1, Surface::fbo, static_cast<ClipPlace>(i), s);
+      const Scene scene = clip_scene(1, Surface::fbo, place, s);
       int outside = 0;
       for (const Vertex& vertex : scene.draws[0].vertices)
         outside += is_in_clip_volume(*vertex.clip) ? 0 : 1;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "profile/measure.h"
+#include "profile/profile.h"
 #include "raster/rasterizer.h"
 #include "tests/profile/altered_renderer.h"
 #include "tests/profile/planted_rounds.h"
@@ -46,8 +46,8 @@ bool is_measured(const Task& task, WholeMeasurement test) {
 }
 
 const Trait& trait_of(const SurfaceProfile& surface, const std::string& id) {
-  for (const Trait& trait : surface.traits)
-    if (trait.id == id) return trait;
+  for (const Trait& trait : surface.findings.traits)
+    if (text_of(trait.id) == id) return trait;
   ADD_FAILURE() << "no trait " << id;
   static const Trait none;
   return none;
@@ -58,7 +58,7 @@ const Trait& trait_of(const SurfaceProfile& surface, const std::string& id) {
 void expect_found(const Policy& policy, const Profile& profile) {
   for (const SurfaceProfile& surface : profile.surfaces) {
     EXPECT_EQ(surface.unavailable, "");
-    EXPECT_EQ(surface.not_drawn, 0u) << surface.first_failure;
+    EXPECT_EQ(surface.findings.drawn.not_drawn, 0u) << surface.findings.drawn.first_failure;
     for (const auto& [rule, alternative] : policy.rules) {
       const Trait& trait = trait_of(surface, rule);
       EXPECT_EQ(trait.rate.agreeing, trait.rate.of) << rule;
@@ -200,8 +200,8 @@ TEST(Measure, KeepsWhatNothingExplainsAndWhatWasNotDrawn) {
   options.surfaces = {Surface::fbo};
   const Profile profile = measure([] { return std::make_unique<OddRenderer>(); }, options);
   const SurfaceProfile& surface = profile.surfaces.at(0);
-  EXPECT_EQ(surface.first_failure, "unsupported: not every hundredth");
-  EXPECT_GT(surface.not_drawn, 50u);
+  EXPECT_EQ(surface.findings.drawn.first_failure, "unsupported: not every hundredth");
+  EXPECT_GT(surface.findings.drawn.not_drawn, 50u);
   EXPECT_EQ(trait_of(surface, "attribute.provoking-vertex").alternative, "first");
   EXPECT_EQ(profile.policy.rules.at("attribute.provoking-vertex"), "first");
   const Trait& fill = trait_of(surface, "triangle.fill-rule");
@@ -225,9 +225,10 @@ TEST(Measure, FindsRulesOfMultisampledTargets) {
   EXPECT_EQ(profile.policy.rules.at("sample.resolve"), "truncated");
   EXPECT_EQ(profile.policy.rules.at("attribute.centroid"), "first-covered");
   EXPECT_TRUE(profile.policy.surfaces.empty());
-  EXPECT_EQ(profile.surfaces.at(0).samples.samples, 4);
-  EXPECT_EQ(profile.surfaces.at(0).samples.positions.size(), 4u);
-  EXPECT_EQ(profile.surfaces.at(1).samples.unavailable, "a window's samples cannot be chosen");
+  EXPECT_EQ(profile.surfaces.at(0).findings.samples.samples, 4);
+  EXPECT_EQ(profile.surfaces.at(0).findings.samples.positions.size(), 4u);
+  EXPECT_EQ(profile.surfaces.at(1).findings.samples.unavailable,
+            "a window's samples cannot be chosen");
 }
 
 // A renderer without lines has a profile of the rest.
@@ -254,7 +255,7 @@ TEST(Measure, LeavesOutWhatARendererDoesNotDraw) {
   const Profile profile = measure([] { return std::make_unique<NoLines>(); }, options);
   const SurfaceProfile& surface = profile.surfaces.at(0);
   EXPECT_EQ(surface.unavailable, "");
-  EXPECT_EQ(surface.first_failure, "unsupported: no lines");
+  EXPECT_EQ(surface.findings.drawn.first_failure, "unsupported: no lines");
   EXPECT_EQ(profile.policy.rules.at("triangle.fill-rule"), "left-top");
   EXPECT_FALSE(profile.policy.rules.contains("line.algorithm"));
   EXPECT_FALSE(profile.policy.rules.contains("line.width"));

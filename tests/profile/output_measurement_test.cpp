@@ -15,12 +15,13 @@
 #include <nlohmann/json.hpp>
 
 #include "generate/random_scenes.h"
-#include "profile/output/output_json.h"
-#include "profile/output/output_measurement.h"
+#include "profile/evidence/tally.h"
+#include "profile/output/output.h"
 #include "profile/output/output_scenes.h"
-#include "profile/output/output_text.h"
-#include "profile/rule_tally.h"
+#include "profile/profile_reports.h"
 #include "raster/rasterizer.h"
+#include "rules/all_rules.h"
+#include "tests/profile/found_traits.h"
 
 namespace edgecase {
 namespace {
@@ -60,33 +61,8 @@ class OutputRenderer final : public Renderer {
   Refuses refuses_;
 };
 
-OutputFindings findings_of(OutputRenderer renderer, Surface surface = Surface::fbo) {
-  OutputMeasureQuestion question;
-  question.surface = surface;
-  question.scenes_per_kind = 1;
-  std::size_t told = 0;
-  OutputFindings findings = measure_output(
-      renderer, question, [&](std::size_t more) { told += more; }, nullptr);
-  EXPECT_EQ(told, output_scene_count(question.scenes_per_kind));
-  return findings;
-}
-
-const Trait& trait_of(const OutputFindings& findings, const std::string& id) {
-  for (const Trait& trait : findings.traits)
-    if (trait.id == id) return trait;
-  ADD_FAILURE() << "no trait " << id;
-  static const Trait none;
-  return none;
-}
-
-void expect_found(const OutputFindings& findings, const std::string& rule,
-                  const std::string& alternative) {
-  const Trait& trait = trait_of(findings, rule);
-  EXPECT_EQ(trait.alternative, alternative) << rule;
-  EXPECT_GT(trait.rate.of, 50u) << rule;
-  EXPECT_EQ(trait.rate.agreeing, trait.rate.of) << rule << " " << trait.remark;
-  EXPECT_LT(trait.runner_up_rate.agreeing, trait.rate.agreeing) << rule << " " << trait.runner_up;
-  EXPECT_EQ(findings.choices.at(rule), alternative) << rule;
+SurfaceFindings findings_of(OutputRenderer renderer, Surface surface = Surface::fbo) {
+  return measured(kOutputSubject, renderer, {1, surface, 1});
 }
 
 // Rows of alternatives that do not hide each other, as two steps of 24 bits and the exponent of one
@@ -129,24 +105,24 @@ const std::vector<Choices> kPlanted{{{"blend.equation", "as-set"},
 
 TEST(OutputMeasurement, FindsEveryAlternative) {
   for (const Choices& planted : kPlanted) {
-    const OutputFindings findings = findings_of(OutputRenderer(planted));
+    const SurfaceFindings findings = findings_of(OutputRenderer(planted));
     Choices expected = planted;
     expected.insert(kPlanted[0].begin(), kPlanted[0].end());
     for (const auto& [rule, alternative] : expected) expect_found(findings, rule, alternative);
     EXPECT_EQ(findings.drawn.not_drawn, 0u) << findings.drawn.first_failure;
-    EXPECT_TRUE(findings.profile.blending.empty());
+    EXPECT_TRUE(findings.output.blending.empty());
     for (int kind = 0; kind < kOutputKinds; ++kind) {
       const Trait& trait = trait_of(
           findings, std::string("triangle.output:") + name_of(static_cast<OutputKind>(kind)));
       EXPECT_GE(trait.rate.of, 50u);
-      EXPECT_EQ(trait.rate.agreeing, trait.rate.of) << trait.id << " " << trait.remark;
+      EXPECT_EQ(trait.rate.agreeing, trait.rate.of) << text_of(trait.id) << " " << trait.remark;
     }
   }
 }
 
 // Of what is not blended nothing tells how it would be rounded.
 TEST(OutputMeasurement, FindsThatBlendingIsIgnored) {
-  const OutputFindings findings =
+  const SurfaceFindings findings =
       findings_of(OutputRenderer(Choices{{"blend.equation", "ignored"}}));
   expect_found(findings, "blend.equation", "ignored");
   EXPECT_FALSE(findings.choices.contains("blend.rounding"));
@@ -154,7 +130,7 @@ TEST(OutputMeasurement, FindsThatBlendingIsIgnored) {
 
 TEST(OutputMeasurement, EveryAlternativeIsPlanted) {
   for (const auto& [rule, standard] : kPlanted[0])
-    for (const std::string& name : names_of_alternatives(rule)) {
+    for (const std::string& name : names_of_alternatives(find_rule(rule)->id)) {
       if (rule == "blend.equation" && name == "ignored") continue;
       EXPECT_TRUE(std::any_of(kPlanted.begin(), kPlanted.end(),
                               [&, id = rule](const Choices& row) {
@@ -166,7 +142,7 @@ TEST(OutputMeasurement, EveryAlternativeIsPlanted) {
 }
 
 TEST(OutputMeasurement, FindsTheSameOfWindows) {
-  const OutputFindings findings =
+  const SurfaceFindings findings =
       findings_of(OutputRenderer(Choices{{"blend.rounding", "source-first"}}), Surface::window);
   expect_found(findings, "blend.rounding", "source-first");
   expect_found(findings, "offset.unit", "step");
@@ -174,7 +150,7 @@ TEST(OutputMeasurement, FindsTheSameOfWindows) {
 
 TEST(OutputMeasurement, SaysThatNoRoundingFits) {
   // What is blended comes out one code higher, now and then.
-  const OutputFindings findings =
+  const SurfaceFindings findings =
       findings_of(OutputRenderer({}, [](const Scene& scene, Rendering& rendering) {
         if (!scene.draws.back().operations.blending) return;
         for (std::uint8_t& value : rendering.pixels)
@@ -187,17 +163,17 @@ TEST(OutputMeasurement, SaysThatNoRoundingFits) {
   EXPECT_EQ(trait.rate.agreeing + trait.runner_up_rate.agreeing, trait.rate.of);
   EXPECT_THAT(trait.remark, HasSubstr("nothing catalogued yields"));
   EXPECT_FALSE(findings.choices.contains("blend.rounding"));
-  ASSERT_FALSE(findings.profile.blending.empty());
-  for (const BlendResidual& residual : findings.profile.blending) {
+  ASSERT_FALSE(findings.output.blending.empty());
+  for (const BlendResidual& residual : findings.output.blending) {
     EXPECT_EQ(residual.off.begin()->first, 1);
     EXPECT_EQ(residual.off.size(), 1u);
   }
-  EXPECT_THAT(output_profile_text(findings.profile), HasSubstr("off by +1"));
+  EXPECT_THAT(output_profile_text(findings.output), HasSubstr("off by +1"));
 }
 
 TEST(OutputMeasurement, SaysThatNoUnitFits) {
   // Offsets of one and a half of the standard's.
-  const OutputFindings findings =
+  const SurfaceFindings findings =
       findings_of(OutputRenderer({}, [](const Scene& scene, Rendering& rendering) {
         const auto primitives = primitives_of(scene);
         for (Fragment& fragment : rendering.fragments) {
@@ -211,7 +187,7 @@ TEST(OutputMeasurement, SaysThatNoUnitFits) {
   EXPECT_EQ(trait_of(findings, "offset.unit:depth24").alternative, "step");
   EXPECT_EQ(trait_of(findings, "offset.unit").alternative, kNoneFits);
   EXPECT_FALSE(findings.choices.contains("offset.unit"));
-  for (const MeasuredUnit& unit : findings.profile.units) {
+  for (const MeasuredUnit& unit : findings.output.units) {
     const double expected = unit.format == DepthFormat::depth16 ? 1.5 : 1;
     EXPECT_NEAR(unit.least, expected, 1e-5);
     EXPECT_NEAR(unit.largest, expected, 1e-5);
@@ -226,11 +202,11 @@ TEST(OutputMeasurement, SaysHowDepthsBecomeCodes) {
       rendering.depths[rendering.pixel_index(fragment.x, fragment.y)] =
           std::floor(fragment.depth * 65535) / 65535;
   };
-  const OutputFindings findings = findings_of(OutputRenderer({}, truncating));
+  const SurfaceFindings findings = findings_of(OutputRenderer({}, truncating));
   EXPECT_EQ(trait_of(findings, "framebuffer.depth:depth16:swept").alternative, "truncate");
   EXPECT_EQ(trait_of(findings, "framebuffer.depth:depth24:swept").alternative, "nearest");
   EXPECT_EQ(trait_of(findings, "framebuffer.unorm8:swept").alternative, "nearest");
-  const CodeEvidence& codes = findings.profile.codes.at(1);
+  const CodeEvidence& codes = findings.output.codes.at(1);
   EXPECT_EQ(codes.id, "depth16");
   ASSERT_EQ(codes.steps.size(), 1u);
   EXPECT_LT(codes.steps.at(0).least, 0.01);
@@ -238,7 +214,7 @@ TEST(OutputMeasurement, SaysHowDepthsBecomeCodes) {
 }
 
 TEST(OutputMeasurement, LeavesOutFormatsThatAreNotThere) {
-  const OutputFindings findings = findings_of(OutputRenderer(
+  const SurfaceFindings findings = findings_of(OutputRenderer(
       {}, {}, [](const Scene& scene) { return scene.target.depth == DepthFormat::depth24; }));
   const Trait& codes = trait_of(findings, "framebuffer.depth:depth24:swept");
   EXPECT_EQ(codes.alternative, "not available");
@@ -247,7 +223,7 @@ TEST(OutputMeasurement, LeavesOutFormatsThatAreNotThere) {
   expect_found(findings, "offset.unit", "step");
   EXPECT_EQ(trait_of(findings, "triangle.output:depth-tested").rate.share(), 1);
 
-  const OutputFindings none = findings_of(OutputRenderer({}, {}, [](const Scene& scene) {
+  const SurfaceFindings none = findings_of(OutputRenderer({}, {}, [](const Scene& scene) {
     return scene.target.depth != DepthFormat::none || scene.target.stencil != StencilFormat::none;
   }));
   EXPECT_EQ(trait_of(none, "depth.test").rate.of, 0u);
@@ -257,7 +233,7 @@ TEST(OutputMeasurement, LeavesOutFormatsThatAreNotThere) {
 }
 
 TEST(OutputMeasurement, NamesTheFirstSceneThatIsNotAsTheProfileHasIt) {
-  const OutputFindings findings =
+  const SurfaceFindings findings =
       findings_of(OutputRenderer({}, [](const Scene& scene, Rendering& rendering) {
         if (scene.target.stencil != StencilFormat::none && scene.draws.size() < 7)
           ++rendering.stencils.back();
@@ -268,12 +244,12 @@ TEST(OutputMeasurement, NamesTheFirstSceneThatIsNotAsTheProfileHasIt) {
 }
 
 TEST(OutputMeasurement, WritesWhatWasMeasured) {
-  const OutputFindings findings = findings_of(OutputRenderer({}));
-  const std::string text = output_profile_text(findings.profile);
+  const SurfaceFindings findings = findings_of(OutputRenderer({}));
+  const std::string text = output_profile_text(findings.output);
   EXPECT_THAT(text, HasSubstr("depth24   one unit of offset is 1 to 1 the format's steps"));
   EXPECT_THAT(text, HasSubstr("depth32f  one unit of offset is 1 to 1 2^(-1 - 23)"));
   EXPECT_EQ(output_profile_text({}), "");
-  const auto json = output_profile_json(findings.profile);
+  const auto json = output_profile_json(findings.output);
   EXPECT_EQ(json["codes"][0]["format"], "unorm8");
   EXPECT_EQ(json["codes"][2]["bits"], 24);
   EXPECT_EQ(json["offset_units"].size(), 14u);

@@ -9,7 +9,7 @@
 
 #include "generate/random_scenes.h"
 #include "generate/scene_parts.h"
-#include "profile/output/code_rounding.h"
+#include "profile/output/output.h"
 #include "profile/output/output_scenes.h"
 #include "raster/rasterizer.h"
 #include "rules/values/depth_buffer.h"
@@ -117,7 +117,7 @@ TEST(CodeRounding, EachIsFoundByItsOwnCodes) {
       CodeTally tally("codes", bits);
       for (const float value : *values)
         tally.add(static_cast<double>(value), code_by(rounding, static_cast<double>(value), bits));
-      const Trait trait = tally.trait("codes");
+      const Trait trait = tally.trait(TraitId("codes"));
       EXPECT_EQ(trait.rate.agreeing, trait.rate.of) << name << " " << bits;
       // Some products are as good before they are rounded to float32.
       EXPECT_TRUE(trait.alternative == name || (trait.is_undecided() && trait.runner_up == name))

@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "model/policy.h"
-#include "profile/rule_tally.h"
+#include "profile/evidence/tally.h"
+#include "rules/all_rules.h"
 #include "tests/support/share.h"
 
 namespace edgecase {
@@ -33,7 +34,7 @@ inline Choices rules_to_find(const PlantedRound& round, const Choices& standard)
 // Do the rounds find each alternative of each rule of `standard`, which is what they leave alone?
 inline void expect_each_planted(const std::vector<PlantedRound>& rounds, const Choices& standard) {
   for (const auto& [rule, own] : standard)
-    for (const std::string& name : names_of_alternatives(rule)) {
+    for (const std::string& name : names_of_alternatives(find_rule(rule)->id)) {
       const auto finds = [&, id = rule](const PlantedRound& round) {
         const Choices rules = rules_to_find(round, standard);
         const auto found = rules.find(id);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Probes of single primitives: each asks what it says it asks, and nothing else.
-#include "profile/probes/probe_scenes.h"
+#include "profile/coverage/probes.h"
 
 #include <gtest/gtest.h>
 
@@ -196,7 +196,7 @@ TEST(EdgeProbes, HaveOneSampleOnTheirEdgeOrCorner) {
       ++sides[probe.side];
     }
   }
-  EXPECT_EQ(sides.size(), static_cast<std::size_t>(kEdgeSides));
+  EXPECT_EQ(sides.size(), values_of<EdgeSide>().size());
   for (const auto& [side, count] : sides) EXPECT_GE(count, 8) << name_of(side);
   std::printf("%zu edge probes, %zu kinds of corner\n", probes.size(), corners.size());
   EXPECT_GE(corners.size(), 30u);

@@ -6,9 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "casefile/policy_reader.h"
-#include "profile/profile_json.h"
-#include "profile/profile_text.h"
-#include "profile/values/value_text.h"
+#include "profile/profile_reports.h"
 
 namespace edgecase {
 namespace {
@@ -60,14 +58,16 @@ Profile sample() {
   profile.seed = 7;
   profile.scenes_per_kind = 3000;
   SurfaceProfile fbo;
-  fbo.scenes = 9000;
-  fbo.random_scenes = 9000;
-  fbo.with_ties = 4000;
-  fbo.traits = {{"triangle.snap", "8-half-even", {2999, 3000}, "8-half-up", {2900, 3000}, ""},
-                {"line.snap", "none", {3000, 3000}, "12-truncate", {3000, 3000}, ""},
-                {"line.joint", "pixels twice or gaps", {1, 3}, "", {}, "2 joints with a gap"}};
-  fbo.tables = {
-      {"ends", {"inside"}, {"right", "up", "left", "down"}, {{{2, 2}, {0, 2}, {1, 2}, {0, 0}}}}};
+  fbo.findings.drawn.scenes = 9000;
+  fbo.findings.random_scenes = 9000;
+  fbo.findings.with_ties = 4000;
+  fbo.findings.traits = {
+      {RuleId::triangle_snap, "8-half-even", {2999, 3000}, "8-half-up", {2900, 3000}},
+      {RuleId::line_snap, "none", {3000, 3000}, "12-truncate", {3000, 3000}},
+      {RuleId::line_joint, "pixels twice or gaps", {1, 3}, "", {}, "2 joints with a gap"}};
+  OwnershipTable ends("ends", {"inside"}, {"right", "up", "left", "down"});
+  ends.cells = {{{2, 2}, {0, 2}, {1, 2}, {0, 0}}};
+  fbo.findings.tables = {ends};
   Cluster cluster;
   cluster.rule = "point.ownership";
   cluster.kind = "missing";
@@ -77,7 +77,7 @@ Profile sample() {
   cluster.smallest_case = "point/00001";
   fbo.illegal_scenes = 5;
   fbo.clusters = {{cluster, one_point()}};
-  fbo.values = {far_off()};
+  fbo.findings.values = {far_off()};
   SurfaceProfile window;
   window.surface = Surface::window;
   window.unavailable = "unsupported: no windows";
@@ -159,8 +159,8 @@ TEST(ProfileSummary, TellsTheMostOfEachSurfaceInFewLines) {
       "coverage: triangle.snap 8-half-even\n");
   Profile sound = sample();
   sound.surfaces[0].illegal_scenes = 0;
-  sound.surfaces[0].traits.resize(2);
-  sound.surfaces[0].traits[0].rate = {3000, 3000};
+  sound.surfaces[0].findings.traits.resize(2);
+  sound.surfaces[0].findings.traits[0].rate = {3000, 3000};
   sound.surfaces[1] = sound.surfaces[0];
   const std::string text = profile_summary(sound);
   EXPECT_THAT(text, HasSubstr("  least followed: none\n  outside the specification: nothing\n"));

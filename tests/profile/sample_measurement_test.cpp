@@ -12,10 +12,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "profile/samples/sample_json.h"
-#include "profile/samples/sample_measurement.h"
+#include "profile/profile_reports.h"
 #include "profile/samples/sample_scenes.h"
-#include "profile/samples/sample_text.h"
+#include "profile/samples/samples.h"
 #include "tests/profile/sample_renderer.h"
 
 namespace edgecase {
@@ -25,7 +24,7 @@ using ::testing::HasSubstr;
 
 TEST(SampleMeasurement, SaysWhereSeveralSamplesAreNotAsOne) {
   const Choices rules{{"triangle.fill-rule", "right-top"}, {"triangle.snap", "8-half-even"}};
-  const SampleFindings findings =
+  const SurfaceFindings findings =
       findings_of(SampleRenderer(rules).with(RandomScenes::triangles),
                   {{"triangle.fill-rule", "left-bottom"}, {"triangle.snap", "8-half-even"}});
   const Trait& ties = trait_of(findings, "triangle.fill-rule:multisampled");
@@ -38,12 +37,12 @@ TEST(SampleMeasurement, SaysWhereSeveralSamplesAreNotAsOne) {
   // The rate of the whole profile is that of the rules that it has.
   const Trait& whole = trait_of(findings, "triangle.coverage:multisampled");
   EXPECT_LT(whole.rate.agreeing, whole.rate.of);
-  EXPECT_FALSE(findings.choices.contains("triangle.fill-rule"));
+  EXPECT_EQ(findings.choices.at("triangle.fill-rule"), "left-bottom");
 }
 
 TEST(SampleMeasurement, FindsLinesThatAreInterpolatedOtherwiseThanWithOneSample) {
-  const SampleFindings findings = findings_of(SampleRenderer({}).with(RandomScenes::none),
-                                              {{"attribute.smooth", "major-axis"}});
+  const SurfaceFindings findings = findings_of(SampleRenderer({}).with(RandomScenes::none),
+                                               {{"attribute.smooth", "major-axis"}});
   const Trait& trait = trait_of(findings, "attribute.smooth:multisampled");
   EXPECT_EQ(trait.alternative, "projection");
   EXPECT_EQ(trait.rate.agreeing, trait.rate.of);
@@ -53,10 +52,10 @@ TEST(SampleMeasurement, FindsLinesThatAreInterpolatedOtherwiseThanWithOneSample)
 
 TEST(SampleMeasurement, FindsPositionsOfEveryNumberOfSamples) {
   const Choices rules{{"triangle.snap", "4-half-even"}};
-  const SampleFindings findings =
+  const SurfaceFindings findings =
       findings_of(SampleRenderer(rules, {}, {2, 4, 8, 16}).with(RandomScenes::triangles), rules);
-  ASSERT_EQ(findings.profile.positions.size(), 4u);
-  for (const MeasuredPositions& measured : findings.profile.positions) {
+  ASSERT_EQ(findings.samples.positions.size(), 4u);
+  for (const MeasuredPositions& measured : findings.samples.positions) {
     EXPECT_EQ(measured.placement, "as-reported") << measured.samples;
     ASSERT_EQ(measured.positions.size(), static_cast<std::size_t>(measured.samples));
     for (const MeasuredPosition& one : measured.positions) {
@@ -64,7 +63,7 @@ TEST(SampleMeasurement, FindsPositionsOfEveryNumberOfSamples) {
       EXPECT_LE(one.x.high - one.x.low, Fixed::from_raw(Fixed::kOne / 16));
     }
   }
-  EXPECT_EQ(findings.profile.samples, 4);
+  EXPECT_EQ(findings.samples.samples, 4);
   expect_found(findings, "sample.positions", "as-reported");
 }
 
@@ -76,21 +75,21 @@ TEST(SampleMeasurement, TellsAPlaceThatIsNotReported) {
     std::erase_if(rendering.fragments,
                   [](const Fragment& fragment) { return fragment.coverage == 0; });
   };
-  const SampleFindings findings =
+  const SurfaceFindings findings =
       findings_of(SampleRenderer({}, copying).with(RandomScenes::triangles));
-  const MeasuredPositions& measured = findings.profile.positions.at(0);
+  const MeasuredPositions& measured = findings.samples.positions.at(0);
   EXPECT_EQ(measured.placement, "");
   EXPECT_TRUE(measured.positions[1].is_as_reported());
   EXPECT_TRUE(measured.positions[2].is_measured);
   EXPECT_FALSE(measured.positions[2].is_as_reported());
   EXPECT_EQ(trait_of(findings, "sample.positions").remark, "sweeps find nothing catalogued");
-  EXPECT_THAT(sample_profile_text(findings.profile), HasSubstr("NOT EQUAL"));
+  EXPECT_THAT(sample_profile_text(findings.samples), HasSubstr("NOT EQUAL"));
 }
 
 TEST(SampleMeasurement, TellsInvocationsAndPlaces) {
-  const SampleFindings findings = plane_findings_of({{"attribute.centroid", "mean-covered"}});
-  ASSERT_EQ(findings.profile.invocations.size(), 13u);
-  for (const InvocationRow& row : findings.profile.invocations) {
+  const SurfaceFindings findings = plane_findings_of({{"attribute.centroid", "mean-covered"}});
+  ASSERT_EQ(findings.samples.invocations.size(), 13u);
+  for (const InvocationRow& row : findings.samples.invocations) {
     SCOPED_TRACE(row.asked + " " + row.location);
     ASSERT_EQ(row.invocations.at(4).size(), 1u);
     EXPECT_EQ(row.invocations.at(4).begin()->first, row.least > 1 ? 4 : 1);
@@ -106,12 +105,12 @@ TEST(SampleMeasurement, TellsInvocationsAndPlaces) {
 }
 
 TEST(SampleMeasurement, TellsAttributesThatAreNotAtTheirSamples) {
-  for (const InvocationRow& row : opengl_findings().profile.invocations) {
+  for (const InvocationRow& row : opengl_findings().samples.invocations) {
     EXPECT_EQ(row.at_sample, row.asked == "sample" || row.asked == "share 1");
     EXPECT_FALSE(row.is_violation());
   }
   // Centroid attributes stay at the centre, however often the shader runs.
-  const SampleFindings findings =
+  const SurfaceFindings findings =
       plane_findings_of({}, [](const Scene& scene, Rendering& rendering) {
         if (scene.draws[0].multisampling.location != AttributeLocation::centroid) return;
         for (Fragment& fragment : rendering.fragments) {
@@ -119,15 +118,15 @@ TEST(SampleMeasurement, TellsAttributesThatAreNotAtTheirSamples) {
           fragment.color[1] = (fragment.y + 0.5) / kPlainSize;
         }
       });
-  for (const InvocationRow& row : findings.profile.invocations)
+  for (const InvocationRow& row : findings.samples.invocations)
     EXPECT_EQ(row.is_violation(), row.asked == "share 1" && row.location == "centroid");
-  EXPECT_THAT(sample_profile_text(findings.profile), HasSubstr("violation of rulings 29 and 30"));
+  EXPECT_THAT(sample_profile_text(findings.samples), HasSubstr("violation of rulings 29 and 30"));
 }
 
 TEST(SampleMeasurement, TellsTheMasksOfAlphas) {
-  const SampleFindings findings =
+  const SurfaceFindings findings =
       plane_findings_of({{"sample.alpha-to-coverage", "above-quotient"}});
-  const auto& runs = findings.profile.alphas;
+  const auto& runs = findings.samples.alphas;
   ASSERT_EQ(runs.size(), 5u);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     EXPECT_EQ(runs[i].mask, (1u << i) - 1);
@@ -147,7 +146,7 @@ TEST(SampleMeasurement, TellsSamplesThatAreKeptByTheAlphaOfOthers) {
   const Trait& right = trait_of(opengl_findings(), "sample.alpha-to-coverage:own");
   EXPECT_GT(right.rate.of, 500u);
   EXPECT_EQ(right.rate.agreeing, right.rate.of);
-  const SampleFindings wrong = plane_findings_of({}, other);
+  const SurfaceFindings wrong = plane_findings_of({}, other);
   const Trait& trait = trait_of(wrong, "sample.alpha-to-coverage:own");
   EXPECT_LT(trait.rate.agreeing, trait.rate.of);
   EXPECT_EQ(trait.alternative, "not each by its own alpha");
@@ -156,7 +155,7 @@ TEST(SampleMeasurement, TellsSamplesThatAreKeptByTheAlphaOfOthers) {
 }
 
 TEST(SampleMeasurement, CountsWhatNoAlternativeYields) {
-  const SampleFindings findings = plane_findings_of({}, [](const Scene&, Rendering& rendering) {
+  const SurfaceFindings findings = plane_findings_of({}, [](const Scene&, Rendering& rendering) {
     for (std::uint8_t& value : rendering.pixels) value = static_cast<std::uint8_t>(value ^ 128);
   });
   const Trait& trait = trait_of(findings, "sample.resolve");
@@ -165,26 +164,26 @@ TEST(SampleMeasurement, CountsWhatNoAlternativeYields) {
 }
 
 TEST(SampleMeasurement, SaysWhyThereIsNothingToMeasure) {
-  const SampleFindings none = findings_of(SampleRenderer({}, {}, {}));
-  EXPECT_EQ(none.profile.unavailable, "not so many");
-  EXPECT_EQ(none.profile.counts.size(), 4u);
+  const SurfaceFindings none = findings_of(SampleRenderer({}, {}, {}));
+  EXPECT_EQ(none.samples.unavailable, "not so many");
+  EXPECT_EQ(none.samples.counts.size(), 4u);
   EXPECT_TRUE(none.choices.empty());
   EXPECT_TRUE(none.traits.empty());
   EXPECT_EQ(none.drawn.not_drawn, 0u);
-  EXPECT_THAT(sample_profile_text(none.profile), HasSubstr("not measured: not so many"));
-  EXPECT_EQ(sample_profile_json(none.profile)["unavailable"], "not so many");
+  EXPECT_THAT(sample_profile_text(none.samples), HasSubstr("not measured: not so many"));
+  EXPECT_EQ(sample_profile_json(none.samples)["unavailable"], "not so many");
 
-  const SampleFindings window = findings_of(SampleRenderer({}), {}, Surface::window);
-  EXPECT_EQ(window.profile.unavailable, "a window's samples cannot be chosen");
+  const SurfaceFindings window = findings_of(SampleRenderer({}), {}, Surface::window);
+  EXPECT_EQ(window.samples.unavailable, "a window's samples cannot be chosen");
 }
 
 TEST(SampleMeasurement, WritesWhatWasMeasured) {
-  const SampleFindings& findings = opengl_findings();
-  const std::string text = sample_profile_text(findings.profile);
+  const SurfaceFindings& findings = opengl_findings();
+  const std::string text = sample_profile_text(findings.samples);
   EXPECT_THAT(text, HasSubstr("measured with 4 samples"));
   EXPECT_THAT(text, HasSubstr(" 2 samples: not so many\n"));
   EXPECT_THAT(text, HasSubstr("sample  1: reported (0.875, 0.375), found in x "));
-  const auto json = sample_profile_json(findings.profile);
+  const auto json = sample_profile_json(findings.samples);
   EXPECT_EQ(json["counts"][0]["made"], false);
   EXPECT_EQ(json["counts"][1]["made"], true);
   EXPECT_EQ(json["positions"][0]["placement"], "as-reported");

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "profile/samples/sample_measurement.h"
+#include "profile/samples/samples.h"
 #include "raster/rasterizer.h"
 #include "tests/profile/found_traits.h"
 
@@ -74,27 +74,21 @@ class SampleRenderer final : public Renderer {
   RandomScenes random_ = RandomScenes::all;
 };
 
-inline SampleFindings findings_of(SampleRenderer renderer, const Choices& found = {},
-                                  Surface surface = Surface::fbo) {
-  SampleMeasureQuestion question;
-  question.surface = surface;
-  question.scenes_per_kind = 100;
-  question.found = found;
-  std::size_t told = 0;
-  SampleFindings findings = measure_samples(
-      renderer, question, [&](std::size_t more) { told += more; }, nullptr);
-  EXPECT_EQ(told, sample_scene_count(question.scenes_per_kind));
-  return findings;
+inline SurfaceFindings findings_of(SampleRenderer renderer, const Choices& found = {},
+                                   Surface surface = Surface::fbo) {
+  SurfaceFindings before;
+  before.choices = found;
+  return measured(kSampleSubject, renderer, {1, surface, 100}, std::move(before));
 }
 
 // Without random scenes, where coverage is not what is asked.
-inline SampleFindings plane_findings_of(const Choices& rules, SampleAlter alter = {}) {
+inline SurfaceFindings plane_findings_of(const Choices& rules, SampleAlter alter = {}) {
   return findings_of(SampleRenderer(rules, std::move(alter)).with(RandomScenes::none));
 }
 
 // Those of OpenGL's own rules, measured once.
-inline const SampleFindings& opengl_findings() {
-  static const SampleFindings findings = findings_of(SampleRenderer({}));
+inline const SurfaceFindings& opengl_findings() {
+  static const SurfaceFindings findings = findings_of(SampleRenderer({}));
   return findings;
 }
 

@@ -66,7 +66,7 @@ const std::vector<PlantedRound> kRounds{
      {"sample.mask", "attribute.location", "attribute.centroid"}}};
 
 // The round's own rules and OpenGL's are found, all of them; but for those that it hides.
-void expect_all_found(const SampleFindings& findings, const PlantedRound& round) {
+void expect_all_found(const SurfaceFindings& findings, const PlantedRound& round) {
   for (const auto& [rule, alternative] : rules_to_find(round, kOpenGl))
     expect_found(findings, rule, alternative);
   EXPECT_EQ(findings.drawn.not_drawn, 0u) << findings.drawn.first_failure;
@@ -105,14 +105,14 @@ TEST(SampleMeasurement, FindsEveryPlacement) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!is_in_share_of_few(i, names.size())) continue;
     SCOPED_TRACE(names[i]);
-    const SampleFindings findings =
+    const SurfaceFindings findings =
         findings_of(SampleRenderer({{"sample.positions", names[i]}}).with(RandomScenes::triangles));
     expect_found(findings, "sample.positions", names[i]);
-    ASSERT_EQ(findings.profile.positions.size(), 1u);
-    EXPECT_EQ(findings.profile.positions[0].placement, names[i]);
+    ASSERT_EQ(findings.samples.positions.size(), 1u);
+    EXPECT_EQ(findings.samples.positions[0].placement, names[i]);
     EXPECT_TRUE(std::any_of(
-        findings.profile.positions[0].positions.begin(),
-        findings.profile.positions[0].positions.end(),
+        findings.samples.positions[0].positions.begin(),
+        findings.samples.positions[0].positions.end(),
         [](const MeasuredPosition& one) { return one.is_measured && !one.is_as_reported(); }));
     // With all samples in one place no mask is partial: nothing tells centroids apart.
     if (names[i] != "centre") expect_found(findings, "attribute.centroid", "centre-or-first");

@@ -9,7 +9,7 @@
 #include "generate/random_scenes.h"
 #include "generate/scene_parts.h"
 #include "profile/samples/sample_scenes.h"
-#include "profile/samples/sample_sweeps.h"
+#include "profile/samples/samples.h"
 #include "raster/rasterizer.h"
 #include "rules/samples/sample_placement.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "profile/textures/texture_measurement.h"
+#include "profile/textures/textures.h"
 #include "raster/rasterizer.h"
 #include "tests/profile/texture_findings.h"
 
@@ -15,7 +15,7 @@ namespace edgecase {
 namespace {
 
 TEST(TextureMeasurement, SaysThatNoChainIsTold) {
-  const TextureFindings findings = findings_among(
+  const SurfaceFindings findings = findings_among(
       {"mip chain "}, {}, [](const Task&, Rendering& rendering) { rendering.mip_chains.clear(); });
   EXPECT_EQ(trait_of(findings, "mipmap.filter").remark, "no chain is told");
   EXPECT_FALSE(findings.choices.contains("mipmap.filter"));
@@ -25,7 +25,7 @@ TEST(TextureMeasurement, SaysThatNoChainIsTold) {
 TEST(TextureMeasurement, TellsFormatsApart) {
   const Policy of_codes =
       policy_of({{"texture.level-weight", "floor-8"}, {"texture.texel-grid", "nearest-8"}});
-  const TextureFindings findings =
+  const SurfaceFindings findings =
       findings_among({"texture.level-weight", "texture.texel-grid", "ramp "}, {},
                      [&](const Task& task, Rendering& rendering) {
                        if (task.scene->textures[0]->format == TextureFormat::rgba8)
@@ -39,13 +39,13 @@ TEST(TextureMeasurement, TellsFormatsApart) {
     EXPECT_EQ(trait_of(findings, std::string("texture.texel-grid:") + format).alternative, "none");
   }
   // The levels of ramps are those of floats: nothing is cut to 8 bits.
-  for (const LevelResiduals& row : findings.residuals) EXPECT_LT(row.found().largest, 1e-9);
+  for (const LevelResiduals& row : findings.levels) EXPECT_LT(row.found().largest, 1e-9);
 }
 
 // What is filtered in codes is rounded to codes: that hides no rule.
 TEST(TextureMeasurement, FindsRulesThroughCodes) {
   const Choices rules{{"texture.level-weight", "floor-8"}, {"texture.texel-grid", "linear-even-8"}};
-  const TextureFindings findings =
+  const SurfaceFindings findings =
       findings_among({"texture.level-weight", "texture.texel-grid"}, rules,
                      [](const Task& task, Rendering& rendering) {
                        if (task.scene->textures[0]->format != TextureFormat::rgba8) return;
@@ -57,7 +57,7 @@ TEST(TextureMeasurement, FindsRulesThroughCodes) {
 
 TEST(TextureMeasurement, TellsTiesOfFootprintsAndOfGivenLevelsApart) {
   const Policy up = policy_of({{"texture.nearest-level", "up-at-ties"}});
-  const TextureFindings findings =
+  const SurfaceFindings findings =
       findings_among({"texture.nearest-level"}, {}, [&](const Task& task, Rendering& rendering) {
         if (task.scene->draws[0].texture->lookup.kind == LookupKind::lod)
           rendering = rasterize(*task.scene, up);
@@ -68,7 +68,7 @@ TEST(TextureMeasurement, TellsTiesOfFootprintsAndOfGivenLevelsApart) {
 }
 
 TEST(TextureMeasurement, SaysThatAnisotropyIsNotCatalogued) {
-  const TextureFindings findings =
+  const SurfaceFindings findings =
       findings_among({"texture.anisotropy"}, {}, [](const Task& task, Rendering& rendering) {
         if (task.scene->draws[0].texture->sampler.max_anisotropy == 1) return;
         for (Fragment& fragment : rendering.fragments)
@@ -81,7 +81,7 @@ TEST(TextureMeasurement, SaysThatAnisotropyIsNotCatalogued) {
 }
 
 TEST(TextureMeasurement, SaysWhatNothingCataloguedYields) {
-  const TextureFindings findings =
+  const SurfaceFindings findings =
       findings_among({"texture.wrap"}, {}, [](const Task& task, Rendering& rendering) {
         if (task.id.rfind("texture.wrap/", 0) == 0) rendering.fragments[0].color[0] += 1;
       });
@@ -92,20 +92,20 @@ TEST(TextureMeasurement, SaysWhatNothingCataloguedYields) {
 // Not told by queries: ramps themselves do.
 TEST(TextureMeasurement, NeedsNoQueries) {
   const Choices rules{{"texture.scale-factor", "largest-partial"}, {"texture.log2", "mantissa-8"}};
-  const TextureFindings findings =
+  const SurfaceFindings findings =
       findings_among({"level of detail ", "ramp "}, rules, [](const Task&, Rendering& rendering) {
         for (FragmentDetail& detail : rendering.details) detail.has_level_of_detail = false;
       });
   for (const auto& [rule, alternative] : rules) expect_found(findings, rule, alternative);
-  EXPECT_EQ(findings.residuals.size(), all_ramp_kinds().size());
-  for (const LevelResiduals& row : findings.residuals) EXPECT_EQ(row.source, LevelSource::color);
+  EXPECT_EQ(findings.levels.size(), values_of<RampKind>().size());
+  for (const LevelResiduals& row : findings.levels) EXPECT_EQ(row.source, LevelSource::color);
 }
 
 // Off by a quarter of a level at one pixel, where the primitive is drawn alone too, or not.
 TEST(TextureMeasurement, NamesTheWorstFragment) {
   constexpr PixelPosition kPixel{13, 21};
   for (const bool alone : {true, false}) {
-    const TextureFindings findings =
+    const SurfaceFindings findings =
         findings_among({"ramp ", "alone/"}, {}, [&](const Task& task, Rendering& rendering) {
           if (task.id != "ramp rotated/00000" && !(alone && task.id.rfind("alone/", 0) == 0))
             return;
@@ -114,9 +114,9 @@ TEST(TextureMeasurement, NamesTheWorstFragment) {
               rendering.details[static_cast<std::size_t>(fragment.detail)].level_of_detail[1] +=
                   0.25;
         });
-    for (const LevelResiduals& row : findings.residuals) {
+    for (const LevelResiduals& row : findings.levels) {
       const FormulaResidual& found = row.found();
-      if (row.kind != RampKind::rotated || row.source != LevelSource::query) {
+      if (row.ramp != name_of(RampKind::rotated) || row.source != LevelSource::query) {
         EXPECT_LT(found.largest, 1e-9);
         continue;
       }
@@ -133,14 +133,9 @@ TEST(TextureMeasurement, NamesTheWorstFragment) {
 TEST(TextureMeasurement, DrawsAsManyScenesAsItSays) {
   // findings_of asks the same of the least numbers.
   AlteredRenderer renderer({}, {});
-  TextureMeasureQuestion question;
-  question.scenes_per_kind = 6000;
-  std::size_t seen = 0;
-  const TextureFindings findings = measure_textures(
-      renderer, question, [&](std::size_t more) { seen += more; }, nullptr);
-  EXPECT_EQ(findings.scenes, texture_scene_count(question.scenes_per_kind));
-  EXPECT_EQ(seen, findings.scenes);
-  EXPECT_EQ(findings.not_drawn, 0u);
+  const SurfaceFindings findings = measured(kTextureSubject, renderer, {1, Surface::fbo, 6000});
+  EXPECT_EQ(findings.drawn.scenes, kTextureSubject.scene_count(6000));
+  EXPECT_EQ(findings.drawn.not_drawn, 0u);
 }
 
 TEST(TextureMeasurement, SaysWhatIsNotDrawn) {
@@ -156,22 +151,21 @@ TEST(TextureMeasurement, SaysWhatIsNotDrawn) {
     }
   };
   NoTextures renderer;
-  TextureMeasureQuestion question;
-  question.scenes_per_kind = 100;
-  const TextureFindings findings = measure_textures(renderer, question, {}, nullptr);
-  EXPECT_EQ(findings.scenes, 0u);
-  EXPECT_EQ(findings.not_drawn, texture_scene_count(100));
-  EXPECT_EQ(findings.first_failure, "unsupported: no textures");
+  const SurfaceFindings findings = measured(kTextureSubject, renderer, {1, Surface::fbo, 100});
+  EXPECT_EQ(findings.drawn.scenes, 0u);
+  EXPECT_EQ(findings.drawn.not_drawn, kTextureSubject.scene_count(100));
+  EXPECT_EQ(findings.drawn.first_failure, "unsupported: no textures");
   EXPECT_TRUE(findings.choices.empty());
-  EXPECT_TRUE(findings.residuals.empty());
+  EXPECT_TRUE(findings.levels.empty());
 }
 
 TEST(TextureMeasurement, StopsWhenAskedTo) {
   AlteredRenderer renderer({}, {});
-  TextureMeasureQuestion question;
-  question.scenes_per_kind = 100;
   const std::atomic<bool> stop = true;
-  EXPECT_THROW(measure_textures(renderer, question, {}, &stop), MeasurementStopped);
+  SurfaceFindings findings;
+  EXPECT_THROW(
+      measure_subject(kTextureSubject, renderer, {1, Surface::fbo, 100}, {}, &stop, findings),
+      MeasurementStopped);
 }
 
 }  // namespace

@@ -7,12 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "profile/profile_json.h"
-#include "profile/profile_text.h"
-#include "profile/tally.h"
-#include "profile/textures/texture_json.h"
-#include "profile/textures/texture_residuals.h"
-#include "profile/textures/texture_text.h"
+#include "profile/evidence/tally.h"
+#include "profile/profile_reports.h"
+#include "profile/textures/textures.h"
 #include "raster/rasterizer.h"
 
 namespace edgecase {
@@ -37,8 +34,8 @@ Scene ramp_of(RampKind kind, std::uint64_t index = 0) {
   return ramp_scene({1, Surface::fbo, kind, RampPurpose::residuals}, index);
 }
 
-std::vector<ToldLookup> all_of(const Rendering& rendering) {
-  return told_lookups(rendering, rendering.fragments.size());
+std::vector<FragmentLookup> all_of(const Rendering& rendering) {
+  return lookups_of(rendering, rendering.fragments.size());
 }
 
 const FormulaResidual& formula_of(const LevelResiduals& row, ScaleFactor scale, Log2Method log2) {
@@ -53,23 +50,23 @@ TEST(ResidualTable, IsExactForTheFormulaThatIsFollowed) {
                       {"texture.log2", "linear-mantissa"},
                       {"texture.derivatives", "quad-coarse-top-right"}};
   ResidualTable table(choices_of(rules));
-  for (const RampKind kind : all_ramp_kinds())
+  for (const RampKind kind : values_of<RampKind>())
     for (std::uint64_t i = 0; i < 5; ++i) {
       const Scene scene = ramp_of(kind, i);
       table.add(kind, "ramp", scene, all_of(rendering_of(scene, rules)));
     }
-  ASSERT_EQ(table.rows().size(), 2 * all_ramp_kinds().size());
+  ASSERT_EQ(table.rows().size(), 2 * values_of<RampKind>().size());
   for (const LevelResiduals& row : table.rows()) {
     EXPECT_EQ(row.derivatives, "quad-coarse-top-right");
     EXPECT_EQ(row.formulas.size(),
               values_of<ScaleFactor>().size() * values_of<Log2Method>().size());
     EXPECT_EQ(row.found().scale_factor, ScaleFactor::largest_partial);
     EXPECT_GT(row.found().fragments, 1000u);
-    EXPECT_LT(row.found().largest, 1e-9) << name_of(row.kind);
+    EXPECT_LT(row.found().largest, 1e-9) << row.ramp;
     const double straight =
         formula_of(row, ScaleFactor::largest_partial, Log2Method::exact).largest;
-    EXPECT_GT(straight, 0.08) << name_of(row.kind);
-    EXPECT_LT(straight, 0.0862) << name_of(row.kind);
+    EXPECT_GT(straight, 0.08) << row.ramp;
+    EXPECT_LT(straight, 0.0862) << row.ramp;
   }
 }
 
@@ -134,7 +131,7 @@ TEST(ResidualText, ShowsTheFormulaFoundAndAllOthers) {
   ResidualTable table(choices_of({{"texture.log2", "mantissa-8"}}));
   table.add(RampKind::rotated, "ramp rotated/00000", scene, all_of(rendering_of(scene, {})));
   SurfaceProfile surface;
-  surface.levels = table.rows();
+  surface.findings.levels = table.rows();
   Profile profile;
   profile.surfaces = {surface};
   const std::string text = profile_text(profile, 1);
@@ -155,7 +152,7 @@ TEST(ResidualJson, HasEveryFormulaAndTheWorstScene) {
   table.add(RampKind::perspective, "ramp perspective/00000", scene,
             all_of(rendering_of(scene, {})));
   SurfaceProfile surface;
-  surface.levels = table.rows();
+  surface.findings.levels = table.rows();
   Profile profile;
   profile.surfaces = {surface};
   const auto json =
@@ -183,34 +180,35 @@ TEST(Tally, CountsWhatTellsAlternativesApart) {
   tally.add({false, true, true});
   tally.add({false, true, false});
   tally.add({false, false, false});
-  const Trait trait = tally.trait("rule");
+  const Trait trait = tally.trait(TraitId("question"));
   EXPECT_EQ(trait.alternative, "b");
   EXPECT_EQ(trait.rate.agreeing, 2u);
   EXPECT_EQ(trait.rate.of, 2u);
   EXPECT_EQ(trait.runner_up, "c");
   EXPECT_EQ(trait.runner_up_rate.agreeing, 1u);
   EXPECT_EQ(trait.remark, "nothing catalogued yields 1 of 4");
-  EXPECT_EQ(tally.trait("rule", Tally::None::counted).rate.of, 3u);
+  EXPECT_EQ(tally.trait(TraitId("question"), Tally::None::counted).rate.of, 3u);
 }
 
 TEST(Tally, PrefersTheStandardWhereOthersDoAsWell) {
   Tally tally({"a", "b", "c"}, 1);
-  EXPECT_EQ(tally.trait("rule").alternative, "b");
-  EXPECT_EQ(tally.trait("rule").remark, "nothing that is told tells the alternatives apart");
+  EXPECT_EQ(tally.trait(TraitId("question")).alternative, "b");
+  EXPECT_EQ(tally.trait(TraitId("question")).remark,
+            "nothing that is told tells the alternatives apart");
   tally.add({true, true, false});
-  EXPECT_EQ(tally.trait("rule").alternative, "b");
-  EXPECT_EQ(tally.trait("rule").runner_up, "a");
-  EXPECT_TRUE(tally.trait("rule").is_undecided());
+  EXPECT_EQ(tally.trait(TraitId("question")).alternative, "b");
+  EXPECT_EQ(tally.trait(TraitId("question")).runner_up, "a");
+  EXPECT_TRUE(tally.trait(TraitId("question")).is_undecided());
   tally.add({true, false, false});
-  EXPECT_EQ(tally.trait("rule").alternative, "a");
+  EXPECT_EQ(tally.trait(TraitId("question")).alternative, "a");
 }
 
-TEST(ToldLookups, AreSpreadOverTheTarget) {
+TEST(FragmentLookups, AreSpreadOverTheTarget) {
   const Scene scene = ramp_of(RampKind::rotated);
-  const auto told = told_lookups(rendering_of(scene, {}), 96);
-  ASSERT_EQ(told.size(), 96u);
+  const auto lookups = lookups_of(rendering_of(scene, {}), 96);
+  ASSERT_EQ(lookups.size(), 96u);
   std::array<int, 4> quad_pixels{};
-  for (const ToldLookup& lookup : told)
+  for (const FragmentLookup& lookup : lookups)
     ++quad_pixels[static_cast<std::size_t>(lookup.pixel.x % 2 + 2 * (lookup.pixel.y % 2))];
   for (const int count : quad_pixels) EXPECT_GT(count, 10);
 }

@@ -103,7 +103,7 @@ const std::vector<PlantedRound> kRounds{
 
 // The round's own rules and OpenGL's are found, all of them; but for those that it hides.
 void expect_all_found(const PlantedRound& round, Surface surface = Surface::fbo) {
-  const TextureFindings findings = findings_of(round.rules, surface);
+  const SurfaceFindings findings = findings_of(round.rules, surface);
   const Choices expected = rules_to_find(round, kOpenGl);
   for (const auto& [rule, alternative] : expected) expect_found(findings, rule, alternative);
   EXPECT_EQ(findings.choices, expected);

@@ -31,7 +31,7 @@ std::vector<Scene> all_scenes(std::uint64_t seed, Surface surface) {
     for (const TextureQuestion question : kQuestions)
       for (const TextureFormat format : kFormats)
         scenes.push_back(texture_probe({seed, surface, question, format}, i));
-    for (const RampKind kind : all_ramp_kinds())
+    for (const RampKind kind : values_of<RampKind>())
       for (const RampPurpose purpose : {RampPurpose::traits, RampPurpose::residuals})
         scenes.push_back(ramp_scene({seed, surface, kind, purpose}, i));
     for (const TextureFormat format : kFormats)
@@ -119,7 +119,7 @@ std::pair<double, double> ends_of_levels(const Scene& scene) {
 }
 
 TEST(Ramps, RiseFromMagnificationToTheLastLevel) {
-  for (const RampKind kind : all_ramp_kinds())
+  for (const RampKind kind : values_of<RampKind>())
     for (std::uint64_t i = 0; i < 6; ++i) {
       const Scene scene = ramp_scene({1, Surface::fbo, kind, RampPurpose::residuals}, i);
       const double last = static_cast<double>(scene.textures[0]->levels.size()) - 1;
@@ -136,7 +136,7 @@ TEST(Ramps, RiseFromMagnificationToTheLastLevel) {
 }
 
 TEST(Ramps, CoverTheTarget) {
-  for (const RampKind kind : all_ramp_kinds()) {
+  for (const RampKind kind : values_of<RampKind>()) {
     const Scene scene = ramp_scene({1, Surface::window, kind, RampPurpose::traits}, 0);
     EXPECT_EQ(rasterize(scene, {}).fragments.size(), 1024u) << name_of(kind);
   }

@@ -11,10 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "profile/values/value_measurement.h"
+#include "profile/evidence/tally.h"
+#include "profile/values/values.h"
 #include "raster/rasterizer.h"
 #include "rules/values/derivative.h"
 #include "tests/profile/altered_renderer.h"
+#include "tests/profile/found_traits.h"
 #include "tests/profile/planted_rounds.h"
 
 namespace edgecase {
@@ -22,58 +24,37 @@ namespace {
 
 // As measure() asks: coverage is known, attributes are not. Scenes whose ids do not begin with the
 // family are refused.
-ValueFindings findings_of(const Choices& rules, const Alter& alter = {}, std::uint64_t seed = 1,
-                          Surface surface = Surface::fbo, const char* family = "") {
-  Policy policy;
-  policy.rules = rules;
-  AlteredRenderer renderer(policy, alter,
+SurfaceFindings findings_of(const Choices& rules, const Alter& alter = {}, std::uint64_t seed = 1,
+                            Surface surface = Surface::fbo, const char* family = "") {
+  AlteredRenderer renderer(policy_of(rules), alter,
                            [&](const Task& task) { return task.id.starts_with(family); });
-  ValueQuestion question;
-  question.seed = seed;
-  question.surface = surface;
-  question.scenes_per_kind = 100;
-  question.found = resolve(policy, surface);
-  question.found.values = ValueChoice{};
-  question.bits = 8;
-  return measure_values(renderer, question, {}, nullptr);
+  SurfaceFindings before;
+  before.found = resolve(policy_of(rules), surface);
+  before.found.values = ValueChoice{};
+  SurfaceFindings findings =
+      measured(kValueSubject, renderer, {seed, surface, 100}, std::move(before));
+  // Eight scenes of each depth format count as progress alone.
+  EXPECT_EQ(findings.drawn.scenes + findings.drawn.not_drawn + 24, kValueSubject.scene_count(100));
+  return findings;
 }
 
-ValueFindings findings_among(const char* family, const Alter& alter) {
+SurfaceFindings findings_among(const char* family, const Alter& alter) {
   return findings_of({}, alter, 1, Surface::fbo, family);
 }
 
-const Trait& trait_of(const ValueFindings& findings, const std::string& id) {
-  for (const Trait& trait : findings.traits)
-    if (trait.id == id) return trait;
-  ADD_FAILURE() << "no trait " << id;
-  static const Trait none;
-  return none;
-}
-
-const ValueErrors& row_of(const ValueFindings& findings, const std::string& attribute,
+const ValueErrors& row_of(const SurfaceFindings& findings, const std::string& attribute,
                           bool as_found = false) {
-  for (const ValueErrors& row : findings.errors)
+  for (const ValueErrors& row : findings.values)
     if (row.attribute == attribute && row.as_found == as_found) return row;
   ADD_FAILURE() << "no row " << attribute;
   static const ValueErrors none;
   return none;
 }
 
-// Found, agreed with by every sample, and by no sample less than by the runner-up.
-void expect_found(const ValueFindings& findings, const std::string& id,
-                  const std::string& alternative) {
-  const Trait& trait = trait_of(findings, id);
-  EXPECT_EQ(trait.alternative, alternative) << id;
-  EXPECT_GT(trait.rate.of, 50u) << id;
-  EXPECT_EQ(trait.rate.agreeing, trait.rate.of) << id;
-  EXPECT_LT(trait.runner_up_rate.agreeing, trait.rate.agreeing) << id;
-  EXPECT_EQ(findings.choices.at(id), alternative) << id;
-}
-
 constexpr const char* kSnap = "8-half-even";
 
 TEST(ValueMeasurement, FindsOpenGlsOwnRules) {
-  const ValueFindings findings = findings_of({{"triangle.snap", kSnap}, {"line.snap", kSnap}});
+  const SurfaceFindings findings = findings_of({{"triangle.snap", kSnap}, {"line.snap", kSnap}});
   expect_found(findings, "attribute.perspective", "as-set");
   expect_found(findings, "attribute.smooth", "projection");
   expect_found(findings, "attribute.positions", "unsnapped");
@@ -93,7 +74,7 @@ TEST(ValueMeasurement, FindsSnappedPositions) {
 }
 
 TEST(ValueMeasurement, TellsNothingOfPositionsThatNothingSnaps) {
-  const ValueFindings findings = findings_of({});
+  const SurfaceFindings findings = findings_of({});
   EXPECT_EQ(trait_of(findings, "attribute.positions").rate.of, 0u);
   EXPECT_FALSE(findings.choices.contains("attribute.positions"));
 }
@@ -114,7 +95,7 @@ TEST(ValueMeasurement, FindsTheMajorAxis) {
 TEST(ValueMeasurement, SaysThatLinesAndTrianglesDiffer) {
   Policy never;
   never.rules = {{"attribute.perspective", "never"}};
-  const ValueFindings findings = findings_of({}, [&](const Task& task, Rendering& rendering) {
+  const SurfaceFindings findings = findings_of({}, [&](const Task& task, Rendering& rendering) {
     if (task.scene->draws[0].primitive == Primitive::lines)
       rendering = rasterize(*task.scene, never);
   });
@@ -130,7 +111,7 @@ TEST(ValueMeasurement, FindsEveryMethodOfDerivatives) {
     const Choices rules{{"derivative.plain", name_of(methods[i])},
                         {"derivative.fine", name_of(methods[(i + 1) % methods.size()])},
                         {"derivative.coarse", name_of(methods[(i + 2) % methods.size()])}};
-    const ValueFindings findings = findings_of(rules);
+    const SurfaceFindings findings = findings_of(rules);
     for (const auto& [rule, method] : rules) expect_found(findings, rule, method);
   }
 }
@@ -138,7 +119,7 @@ TEST(ValueMeasurement, FindsEveryMethodOfDerivatives) {
 TEST(ValueMeasurement, SaysWhereXAndYDiffer) {
   Policy other;
   other.rules = {{"derivative.plain", "quad-other-row"}};
-  const ValueFindings findings =
+  const SurfaceFindings findings =
       findings_among("derivative/", [&](const Task& task, Rendering& rendering) {
         const Rendering rows = rasterize(*task.scene, other);
         for (std::size_t i = 0; i < rendering.details.size(); ++i)
@@ -157,7 +138,7 @@ TEST(ValueMeasurement, FindsFromWhichEndQuadsAreCounted) {
     if (!is_in_share_of_few(i, rounds.size())) continue;
     const auto& [rows, surface] = rounds[i];
     const Choices rules{{"derivative.quad-rows", rows}, {"derivative.plain", "quad-fine"}};
-    const ValueFindings findings = findings_of(rules, {}, 1, surface);
+    const SurfaceFindings findings = findings_of(rules, {}, 1, surface);
     expect_found(findings, "derivative.plain", "quad-fine");
     expect_found(findings, "derivative.quad-rows", rows);
     EXPECT_FALSE(trait_of(findings, "derivative.quad-rows").is_undecided());
@@ -184,7 +165,7 @@ TEST(ValueMeasurement, FindsHowDepthsAreRounded) {
       {"truncate", storing([](double value) { return std::floor(value); })},
       {"up", storing([](double value) { return std::ceil(value); })}};
   for (const auto& [name, alter] : kKinds) {
-    const ValueFindings findings = findings_among("depth ", alter);
+    const SurfaceFindings findings = findings_among("depth ", alter);
     for (const char* format : {"depth16", "depth24"}) {
       const Trait& trait = trait_of(findings, std::string("framebuffer.depth:") + format);
       EXPECT_EQ(trait.alternative, name);
@@ -220,25 +201,23 @@ TEST(ValueMeasurement, SaysWhyADepthFormatIsNotAvailable) {
     }
   };
   NoDepth renderer;
-  ValueQuestion question;
-  question.scenes_per_kind = 100;
-  const ValueFindings findings = measure_values(renderer, question, {}, nullptr);
+  const SurfaceFindings findings = measured(kValueSubject, renderer, {1, Surface::fbo, 100});
   const Trait& trait = trait_of(findings, "framebuffer.depth:depth16");
   EXPECT_EQ(trait.alternative, "not available");
   EXPECT_EQ(trait.remark, "unsupported: no 16 bits");
   EXPECT_EQ(trait_of(findings, "framebuffer.depth:depth24").alternative, "nearest");
-  EXPECT_EQ(findings.not_drawn, 0u);
+  EXPECT_EQ(findings.drawn.not_drawn, 0u);
 }
 
 TEST(ValueMeasurement, RoundedCorrectlyIsNoError) {
-  const ValueFindings findings = findings_of({}, [](const Task&, Rendering& rendering) {
+  const SurfaceFindings findings = findings_of({}, [](const Task&, Rendering& rendering) {
     for (Fragment& fragment : rendering.fragments) {
       fragment.depth = static_cast<double>(static_cast<float>(fragment.depth));
       for (double& c : fragment.color) c = static_cast<double>(static_cast<float>(c));
     }
   });
-  EXPECT_EQ(findings.errors.size(), 14u);  // ten modes, depth and 1/w of both kinds
-  for (const ValueErrors& row : findings.errors) {
+  EXPECT_EQ(findings.values.size(), 14u);  // ten modes, depth and 1/w of both kinds
+  for (const ValueErrors& row : findings.values) {
     EXPECT_GT(row.components, 500u) << row.attribute;
     EXPECT_EQ(row.correct, row.components) << row.attribute;
     EXPECT_EQ(row.mean_ulp(), 0) << row.attribute;
@@ -251,7 +230,7 @@ TEST(ValueMeasurement, RoundedCorrectlyIsNoError) {
 TEST(ValueMeasurement, NamesTheWorstFragment) {
   PixelPosition pixel;
   int primitive = -1;
-  const ValueFindings findings = findings_of({}, [&](const Task& task, Rendering& rendering) {
+  const SurfaceFindings findings = findings_of({}, [&](const Task& task, Rendering& rendering) {
     const bool whole = task.id == "line noperspective/00003";
     // The line alone shows the same.
     if ((!whole && task.id.rfind("alone/", 0) != 0) || rendering.fragments.empty()) return;
@@ -278,14 +257,14 @@ TEST(ValueMeasurement, NamesTheWorstFragment) {
     EXPECT_EQ(worst.primitive, 0);
   }
   EXPECT_GE(primitive, 0);
-  for (const ValueErrors& other : findings.errors)
+  for (const ValueErrors& other : findings.values)
     if (other.attribute != row.attribute) {
       EXPECT_EQ(other.correct, other.components);
     }
 }
 
 TEST(ValueMeasurement, CountsWhatIsBeyondWhatIsPermitted) {
-  const ValueFindings findings = findings_of({}, [](const Task& task, Rendering& rendering) {
+  const SurfaceFindings findings = findings_of({}, [](const Task& task, Rendering& rendering) {
     if (task.id.rfind("triangle smooth/", 0) != 0) return;
     for (Fragment& fragment : rendering.fragments) fragment.color[0] += 1e15;
   });
@@ -297,7 +276,7 @@ TEST(ValueMeasurement, CountsWhatIsBeyondWhatIsPermitted) {
 }
 
 TEST(ValueMeasurement, CountsWhatIsNoNumberApart) {
-  const ValueFindings findings = findings_of({}, [](const Task& task, Rendering& rendering) {
+  const SurfaceFindings findings = findings_of({}, [](const Task& task, Rendering& rendering) {
     if (task.id.rfind("triangle smooth/", 0) != 0 || rendering.fragments.empty()) return;
     rendering.fragments[0].color[1] = std::numeric_limits<double>::quiet_NaN();
     rendering.fragments[0].color[3] = std::numeric_limits<double>::infinity();
@@ -312,18 +291,18 @@ TEST(ValueMeasurement, CountsWhatIsNoNumberApart) {
 
 // A flat colour of the wrong vertex is no small error: every one is beyond.
 TEST(ValueMeasurement, FlatColorsHaveNoLatitude) {
-  const ValueFindings findings = findings_of({{"attribute.provoking-vertex", "first"}});
+  const SurfaceFindings findings = findings_of({{"attribute.provoking-vertex", "first"}});
   const ValueErrors& row = row_of(findings, "triangle flat");
   EXPECT_LT(row.correct, row.components);
   EXPECT_EQ(row.correct + row.beyond, row.components);
 }
 
 TEST(ValueMeasurement, HoldsErrorsAgainstWhatIsFoundToo) {
-  const ValueFindings findings = findings_of({{"attribute.smooth", "major-axis"}});
+  const SurfaceFindings findings = findings_of({{"attribute.smooth", "major-axis"}});
   EXPECT_LT(row_of(findings, "line smooth").correct, row_of(findings, "line smooth").components);
   const ValueErrors& found = row_of(findings, "line smooth", true);
   EXPECT_EQ(found.correct, found.components);
-  for (const ValueErrors& row : findings.errors)
+  for (const ValueErrors& row : findings.values)
     if (row.as_found) {
       EXPECT_EQ(row.attribute.rfind("line", 0), 0u) << row.attribute;
     }
@@ -347,14 +326,14 @@ bool same(const ValueErrors& a, const ValueErrors& b) {
 }
 
 TEST(ValueMeasurement, TheSameSeedGivesTheSame) {
-  const ValueFindings first = findings_of({}, err, 7);
-  const ValueFindings again = findings_of({}, err, 7);
-  const ValueFindings other = findings_of({}, err, 8);
-  ASSERT_EQ(first.errors.size(), again.errors.size());
+  const SurfaceFindings first = findings_of({}, err, 7);
+  const SurfaceFindings again = findings_of({}, err, 7);
+  const SurfaceFindings other = findings_of({}, err, 8);
+  ASSERT_EQ(first.values.size(), again.values.size());
   bool any_differs = false;
-  for (std::size_t i = 0; i < first.errors.size(); ++i) {
-    EXPECT_TRUE(same(first.errors[i], again.errors[i])) << first.errors[i].attribute;
-    any_differs |= !same(first.errors[i], other.errors[i]);
+  for (std::size_t i = 0; i < first.values.size(); ++i) {
+    EXPECT_TRUE(same(first.values[i], again.values[i])) << first.values[i].attribute;
+    any_differs |= !same(first.values[i], other.values[i]);
   }
   EXPECT_TRUE(any_differs);
 }

@@ -8,8 +8,8 @@
 #include "casefile/case_writer.h"
 #include "casefile/scene/viewport.h"
 #include "model/scene_words.h"
-#include "profile/values/value_measurement.h"
 #include "profile/values/value_scenes.h"
+#include "profile/values/values.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
 

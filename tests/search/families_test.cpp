@@ -2,7 +2,7 @@
 //
 // Families and mutations: the same for the same seed and index, exact on their way to OpenGL, what
 // a case file can say, and of the forms that they promise.
-#include "search/families.h"
+#include "search/scene_source.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,6 @@
 #include "model/scene_words.h"
 #include "rules/all_rules.h"
 #include "rules/samples/sample_placement.h"
-#include "search/mutation.h"
 #include "search/scene_source.h"
 #include "tests/generate/scene_checks.h"
 #include "tests/support/causes.h"
@@ -152,7 +151,7 @@ TEST(SceneSources, TakeFamiliesInTurnAndAlternateSurfaces) {
   EXPECT_EQ(third[1].family, nullptr);
   const auto mutant = source.scene(third[1], 0);
   ASSERT_TRUE(mutant);
-  EXPECT_EQ(words_of(mutant->origin, 1), "mutated from a find, seed 1, index 0");
+  EXPECT_EQ(describe(mutant->origin, 1), "mutated from a find, seed 1, index 0");
 }
 
 TEST(SceneSources, EndWhereFamiliesDo) {

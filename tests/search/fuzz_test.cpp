@@ -15,7 +15,6 @@
 
 #include "casefile/loader.h"
 #include "search/find_file.h"
-#include "search/fuzz_json.h"
 #include "search/scene_size.h"
 #include "search/trial.h"
 #include "tests/profile/altered_renderer.h"

@@ -8,8 +8,8 @@
 #include "casefile/case_writer.h"
 #include "casefile/loader.h"
 #include "model/scene_words.h"
-#include "search/coordinate_steps.h"
 #include "search/scene_size.h"
+#include "search/steps.h"
 #include "tests/search/faulty_renderer.h"
 
 namespace edgecase {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "search/snap_limit.h"
+#include "search/shrinking.h"
 
 #include <gmock/gmock.h>
 

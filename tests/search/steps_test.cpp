@@ -4,10 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "model/scene_words.h"
-#include "search/coordinate_steps.h"
-#include "search/grid_search.h"
-#include "search/primitive_steps.h"
-#include "search/target_steps.h"
+#include "search/steps.h"
 #include "tests/search/faulty_renderer.h"
 
 namespace edgecase {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profile/output/cells.h"
+#include "profile/output/output_scenes.h"
 
 #include <algorithm>
 

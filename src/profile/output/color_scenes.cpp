@@ -7,7 +7,6 @@
 #include <span>
 #include <utility>
 
-#include "profile/output/cells.h"
 #include "profile/output/output_scenes.h"
 
 namespace edgecase {

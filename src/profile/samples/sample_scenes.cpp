@@ -175,11 +175,6 @@ Scene resolve_scene(std::uint64_t seed, int samples, std::uint64_t index) {
   return scene;
 }
 
-const char* name_of(LineSide side) {
-  constexpr std::array kNames{"start", "end", "left", "right"};
-  return kNames[static_cast<std::size_t>(side)];
-}
-
 namespace {
 
 // A vector of each direction, whole pixels, with a length that is whole but for diagonals.

@@ -12,8 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "exact/pixel.h"
+#include "generate/diamond_places.h"
+#include "model/names.h"
+#include "model/sampling.h"
 #include "model/scene.h"
-#include "profile/probes/probe_scenes.h"
 
 namespace edgecase {
 
@@ -33,7 +36,7 @@ struct InvocationsAsked {
 // and for centroid ones; and `sample`.
 std::vector<InvocationsAsked> ways_to_ask_for_invocations();
 
-// Alphas from 0 to 1: multiples of 1/256, and the float32 numbers beside the thresholds of the
+// Alphas from 0 to 1: multiples of 1/256, and the float32 numbers next to the thresholds of the
 // catalogue's alternatives. Sorted.
 std::vector<float> probing_alphas(int samples);
 
@@ -51,10 +54,13 @@ Scene alpha_plane_scene(std::uint64_t seed, int samples, bool is_per_sample, std
 Scene resolve_scene(std::uint64_t seed, int samples, std::uint64_t index);
 
 // The parts of a multisampled line's boundary.
-enum class LineSide { start, end, left, right };
-constexpr int kLineSides = 4;
-// "start", …; left and right as seen from the start.
-const char* name_of(LineSide side);
+enum class LineSide { start, end, left, right };  // left and right as seen from the start
+template <>
+inline constexpr auto kNames<LineSide> = std::to_array<Named<LineSide>>({{LineSide::start, "start"},
+                                                                         {LineSide::end, "end"},
+                                                                         {LineSide::left, "left"},
+                                                                         {LineSide::right,
+                                                                          "right"}});
 
 // A line of width 1 with a sample of a pixel exactly on a part of its boundary, not at a corner.
 struct LineSideProbe {

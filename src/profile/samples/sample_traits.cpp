@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "profile/samples/sample_traits.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "profile/rule_tally.h"
+#include "profile/evidence/tally.h"
+#include "profile/samples/samples.h"
 #include "raster/rasterizer.h"
 
 namespace edgecase {
@@ -26,14 +25,14 @@ FragmentKey key_of(const Fragment& fragment) {
   return {fragment.y, fragment.x, fragment.primitive, fragment.coverage};
 }
 
-// Whether each of the told fragments has one of the same samples in the exact rendering that
-// `agrees` with it.
+// Has each fragment that was drawn one of the same samples in the exact rendering that `agrees`
+// with it?
 template <class Agrees>
-Facts fragments_agree(const Rendering& told, const Rendering& exact, Agrees agrees) {
+Facts fragments_agree(const Rendering& drawn, const Rendering& exact, Agrees agrees) {
   std::map<FragmentKey, const Fragment*> own;
   for (const Fragment& fragment : exact.fragments) own.emplace(key_of(fragment), &fragment);
   Facts facts;
-  for (const Fragment& fragment : told.fragments) {
+  for (const Fragment& fragment : drawn.fragments) {
     const auto found = own.find(key_of(fragment));
     facts.push_back(found != own.end() && agrees(fragment, *found->second));
   }
@@ -58,29 +57,29 @@ std::vector<std::vector<std::uint32_t>> invocations_of(const Rendering& renderin
   return masks;
 }
 
-Facts invocations_agree(const Rendering& told, const Rendering& exact) {
-  const auto seen = invocations_of(told);
+Facts invocations_agree(const Rendering& drawn, const Rendering& exact) {
+  const auto seen = invocations_of(drawn);
   const auto own = invocations_of(exact);
   Facts facts;
   for (std::size_t i = 0; i < seen.size(); ++i) facts.push_back(seen[i] == own[i]);
   return facts;
 }
 
-Facts sample_depths_agree(const Rendering& told, const Rendering& exact) {
+Facts sample_depths_agree(const Rendering& drawn, const Rendering& exact) {
   Facts facts;
-  for (std::size_t i = 0; i < told.depths.size(); ++i)
-    if (told.hits[i] > 0)
-      facts.push_back(std::abs(told.depths[i] - exact.depths[i]) < kDepthTolerance);
+  for (std::size_t i = 0; i < drawn.depths.size(); ++i)
+    if (drawn.hits[i] > 0)
+      facts.push_back(std::abs(drawn.depths[i] - exact.depths[i]) < kDepthTolerance);
   return facts;
 }
 
-Facts writes_agree(const Rendering& told, const Rendering& exact) {
+Facts writes_agree(const Rendering& drawn, const Rendering& exact) {
   Facts facts;
-  const std::size_t plane = told.hits.size() / static_cast<std::size_t>(told.samples);
+  const std::size_t plane = drawn.hits.size() / static_cast<std::size_t>(drawn.samples);
   for (std::size_t pixel = 0; pixel < plane; ++pixel) {
     bool is_same = true;
-    for (std::size_t at = pixel; at < told.hits.size(); at += plane)
-      is_same = is_same && told.hits[at] == exact.hits[at];
+    for (std::size_t at = pixel; at < drawn.hits.size(); at += plane)
+      is_same = is_same && drawn.hits[at] == exact.hits[at];
     facts.push_back(is_same);
   }
   return facts;
@@ -91,67 +90,67 @@ Facts joined(Facts facts, const Facts& more) {
   return facts;
 }
 
-Facts agreement(ToldOf what, const Rendering& told, const Rendering& exact) {
-  switch (what) {
-    case ToldOf::invocations:
-      return invocations_agree(told, exact);
-    case ToldOf::colors:
-      return fragments_agree(told, exact, is_same_color);
-    case ToldOf::fragment_depths:
-      return fragments_agree(told, exact, is_same_depth);
-    case ToldOf::sample_depths:
-      return sample_depths_agree(told, exact);
-    case ToldOf::all_depths:
-      return joined(sample_depths_agree(told, exact), fragments_agree(told, exact, is_same_depth));
-    case ToldOf::writes:
-      return writes_agree(told, exact);
-    case ToldOf::switched_off:
-      return joined(invocations_agree(told, exact), sample_depths_agree(told, exact));
+Facts agreement(SampleEvidence evidence, const Rendering& drawn, const Rendering& exact) {
+  switch (evidence) {
+    case SampleEvidence::invocations:
+      return invocations_agree(drawn, exact);
+    case SampleEvidence::colors:
+      return fragments_agree(drawn, exact, is_same_color);
+    case SampleEvidence::fragment_depths:
+      return fragments_agree(drawn, exact, is_same_depth);
+    case SampleEvidence::sample_depths:
+      return sample_depths_agree(drawn, exact);
+    case SampleEvidence::all_depths:
+      return joined(sample_depths_agree(drawn, exact),
+                    fragments_agree(drawn, exact, is_same_depth));
+    case SampleEvidence::writes:
+      return writes_agree(drawn, exact);
+    case SampleEvidence::switched_off:
+      return joined(invocations_agree(drawn, exact), sample_depths_agree(drawn, exact));
   }
   return {};
 }
 
 }  // namespace
 
-Trait infer_sample_rule(const std::string& rule, std::string id, ToldOf what,
-                        std::span<const DrawnScene> told, const Choices& found) {
-  Tally tally = tally_of(rule);
-  for (const DrawnScene& one : told) {
+Trait infer_sample_rule(const TraitId& id, SampleEvidence evidence,
+                        std::span<const DrawnScene> scenes, const Choices& found) {
+  Tally tally(id.rule);
+  for (const auto& [scene, rendering] : scenes) {
     std::vector<Facts> facts;
-    for (const std::string& name : names_of_alternatives(rule))
+    for (const std::string& name : names_of_alternatives(id.rule))
       facts.push_back(agreement(
-          what, one.rendering,
-          rasterize(one.scene, policy_with(found, rule, name), one.rendering.sample_positions)));
-    add_all(tally, facts);
+          evidence, rendering,
+          rasterize(scene, policy_with(found, id.rule, name), rendering.sample_positions)));
+    tally.add_all(facts);
   }
-  return tally.trait(std::move(id), Tally::None::counted);
+  return tally.trait(id, Tally::None::counted);
 }
 
 Trait infer_line_parameter(std::span<const DrawnScene> lines, const Choices& found) {
-  const std::string rule = name_of(RuleId::attribute_smooth);
-  std::vector<std::string> names = names_of_alternatives(rule);
-  const auto locations = names_of_alternatives(name_of(RuleId::attribute_location));
-  Tally tally(names, 0);
-  for (const DrawnScene& one : lines) {
+  constexpr RuleId kRule = RuleId::attribute_smooth;
+  const auto names = names_of_alternatives(kRule);
+  Tally tally(names);
+  for (const auto& [scene, rendering] : lines) {
     // facts[a]: what alternative a yields with some location.
     std::vector<Facts> facts(names.size());
     for (std::size_t a = 0; a < names.size(); ++a)
-      for (const std::string& location : locations) {
-        Policy policy = policy_with(found, rule, names[a]);
+      for (const std::string& location : names_of_alternatives(RuleId::attribute_location)) {
+        Policy policy = policy_with(found, kRule, names[a]);
         policy.rules[name_of(RuleId::attribute_location)] = location;
-        const Facts more = agreement(ToldOf::colors, one.rendering,
-                                     rasterize(one.scene, policy, one.rendering.sample_positions));
+        const Facts more = agreement(SampleEvidence::colors, rendering,
+                                     rasterize(scene, policy, rendering.sample_positions));
         facts[a].resize(more.size());
         for (std::size_t i = 0; i < more.size(); ++i) facts[a][i] = facts[a][i] || more[i];
       }
-    add_all(tally, facts);
+    tally.add_all(facts);
   }
-  return tally.trait(rule + ":multisampled", Tally::None::counted);
+  return tally.trait({kRule, "multisampled"}, Tally::None::counted);
 }
 
-Trait infer_resolve(std::span<const DrawnScene> told) {
-  Tally tally = tally_of(name_of(RuleId::sample_resolve));
-  for (const auto& [scene, rendering] : told) {
+Trait infer_resolve(std::span<const DrawnScene> scenes) {
+  Tally tally(RuleId::sample_resolve);
+  for (const auto& [scene, rendering] : scenes) {
     const std::size_t plane = rendering.pixels.size();
     std::vector<std::uint8_t> values(static_cast<std::size_t>(rendering.samples));
     if (rendering.sample_pixels.size() != plane * values.size()) continue;
@@ -164,12 +163,12 @@ Trait infer_resolve(std::span<const DrawnScene> told) {
       tally.add(yields);
     }
   }
-  return tally.trait(name_of(RuleId::sample_resolve), Tally::None::counted);
+  return tally.trait(RuleId::sample_resolve, Tally::None::counted);
 }
 
-Trait own_alpha_trait(std::span<const DrawnScene> told, AlphaToCoverage choice) {
-  Trait trait{"sample.alpha-to-coverage:own", "each sample by its own alpha", {}, "", {}, ""};
-  for (const auto& [scene, rendering] : told)
+Trait own_alpha_trait(std::span<const DrawnScene> scenes, AlphaToCoverage choice) {
+  Trait trait{{RuleId::sample_alpha_to_coverage, "own"}, "each sample by its own alpha"};
+  for (const auto& [scene, rendering] : scenes)
     for (const Fragment& fragment : rendering.fragments) {
       const std::uint32_t kept =
           alpha_mask(fragment.color[3], rendering.samples, choice) & fragment.coverage;
@@ -187,9 +186,9 @@ Trait own_alpha_trait(std::span<const DrawnScene> told, AlphaToCoverage choice) 
   return trait;
 }
 
-std::vector<AlphaRun> alpha_runs(std::span<const DrawnScene> told) {
+std::vector<AlphaRun> alpha_runs(std::span<const DrawnScene> scenes) {
   std::vector<AlphaRun> runs;
-  for (const auto& [scene, rendering] : told) {
+  for (const auto& [scene, rendering] : scenes) {
     const std::vector<Vertex>& vertices = scene.draws[0].vertices;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const PixelPosition pixel = alpha_pixel(i);
@@ -216,24 +215,20 @@ bool covers(const SampleCoverage& coverage, const LineSideProbe& probe) {
 
 OwnershipTable line_side_table(std::span<const LineSideProbe> probes,
                                std::span<const Observation> observations) {
-  OwnershipTable table{"sample exactly on the boundary of a multisampled line", {}, {}, {}};
-  for (int i = 0; i < kLineSides; ++i) table.rows.emplace_back(name_of(static_cast<LineSide>(i)));
-  for (int i = 0; i < kLineDirections; ++i)
-    table.columns.emplace_back(name_of(static_cast<LineDirection>(i)));
-  table.cells.assign(table.rows.size(), std::vector<OwnershipTable::Cell>(table.columns.size()));
-  for (std::size_t i = 0; i < probes.size(); ++i) {
-    if (!observations[i].failure.empty()) continue;
-    OwnershipTable::Cell& cell = table.cells[static_cast<std::size_t>(probes[i].side)]
-                                            [static_cast<std::size_t>(probes[i].direction)];
-    ++cell.of;
-    if (covers(observations[i].samples[0], probes[i])) ++cell.drawn;
-  }
+  OwnershipTable table("sample exactly on the boundary of a multisampled line",
+                       names_of<LineSide>(), names_of<LineDirection>());
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    if (observations[i].failure.empty())
+      table
+          .cells[static_cast<std::size_t>(probes[i].side)]
+                [static_cast<std::size_t>(probes[i].direction)]
+          .count(covers(observations[i].samples[0], probes[i]));
   return table;
 }
 
 Trait line_side_trait(std::span<const LineSideProbe> probes,
                       std::span<const Observation> observations, const CoverageChoice& lines) {
-  Trait trait{"line.multisampled:boundary", "as the profile has it", {}, "", {}, ""};
+  Trait trait{{RuleId::line_multisampled, "boundary"}, "as the profile has it"};
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const Observation& seen = observations[i];
     if (!seen.failure.empty()) continue;

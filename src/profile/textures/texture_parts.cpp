@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "profile/textures/texture_parts.h"
-
 #include <utility>
 
 #include "generate/scene_parts.h"
+#include "profile/textures/texture_scenes.h"
 
 namespace edgecase {
 

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "exact/elementary.h"
-#include "profile/textures/texture_parts.h"
 #include "profile/textures/texture_scenes.h"
 
 namespace edgecase {
@@ -14,9 +13,6 @@ namespace {
 constexpr std::uint64_t kRampStreams = 0x400;
 // Scenes of windows are others, so that both surfaces together show more.
 constexpr std::uint64_t kWindowStreams = 0x1000;
-
-constexpr std::array kKinds{RampKind::axis_aligned, RampKind::diagonal,    RampKind::rotated,
-                            RampKind::anisotropic,  RampKind::perspective, RampKind::magnification};
 
 constexpr int kTarget = 32;  // pixels
 constexpr int kCell = 4;
@@ -117,28 +113,6 @@ void add_floor(RandomSource& random, bool along_both, ImageSize size, Draw& draw
 }
 
 }  // namespace
-
-std::span<const RampKind> all_ramp_kinds() {
-  return kKinds;
-}
-
-const char* name_of(RampKind kind) {
-  switch (kind) {
-    case RampKind::axis_aligned:
-      return "axis-aligned";
-    case RampKind::diagonal:
-      return "diagonal";
-    case RampKind::rotated:
-      return "rotated";
-    case RampKind::anisotropic:
-      return "anisotropic";
-    case RampKind::perspective:
-      return "perspective";
-    case RampKind::magnification:
-      return "magnification";
-  }
-  return "?";
-}
 
 Scene ramp_scene(const Ramps& of, std::uint64_t index) {
   RandomSource random(of.seed, stream_of(of), index);

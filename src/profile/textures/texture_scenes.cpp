@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "exact/elementary.h"
-#include "profile/textures/texture_parts.h"
 
 namespace edgecase {
 namespace {

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// The ways of taking derivatives, and the rounding of depth buffers; value_traits.cpp has the rest.
+// Which derivatives a renderer takes, and how it converts depths.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "diff/values/value_diff.h"
-#include "profile/profile_text.h"
-#include "profile/values/value_traits.h"
+#include "profile/evidence/tally.h"
+#include "profile/values/values.h"
 #include "raster/attributes.h"
 #include "rules/values/depth_buffer.h"
 
@@ -25,7 +26,12 @@ std::size_t method_count() {
   return values_of<DerivativeMethod>().size();
 }
 
-// What was counted of one form of derivative, of the samples that tell methods apart.
+std::size_t index_of(const std::string& method) {
+  const auto names = names_of<DerivativeMethod>();
+  return static_cast<std::size_t>(std::ranges::find(names, method) - names.begin());
+}
+
+// Counts of one form of derivative, over the samples that tell methods apart.
 struct Counts {
   std::array<std::array<std::size_t, kMostMethods>, 2> axis{};  // x alone, y alone
   std::array<std::size_t, kMostMethods> both{};
@@ -41,7 +47,7 @@ class DerivativeForm {
   DerivativeForm(Derivative x, Derivative y, const RuleChoices& found, RowOrder rows)
       : forms_{x, y}, found_(found), rows_(rows) {}
 
-  Counts count(const std::vector<SampledScene>& scenes) const {
+  Counts count(std::span<const SampledScene> scenes) const {
     Counts counts;
     for (const SampledScene& scene : scenes) {
       const auto primitives = primitives_of(scene.scene);
@@ -65,7 +71,8 @@ class DerivativeForm {
                                      methods_of(sample, attributes, at, forms_[1])};
     Holds both{};
     for (std::size_t m = 0; m < method_count(); ++m) both[m] = holds[0][m] && holds[1][m];
-    // Where all methods yield the same nothing is learnt; where none does, that they are missing.
+    // A sample that all methods yield is evidence for none. One that none yields counts against
+    // all.
     if (std::all_of(both.begin(), both.begin() + static_cast<std::ptrdiff_t>(method_count()),
                     [](bool held) { return held; }))
       return;
@@ -98,7 +105,7 @@ class DerivativeForm {
   RowOrder rows_;
 };
 
-// What people should know of a form beside the method.
+// Says where x and y follow different methods.
 std::string remark_of(const Counts& counts, std::size_t best) {
   const auto method = [](std::size_t m) { return name_of(values_of<DerivativeMethod>()[m]); };
   const std::size_t x = best_of(counts.axis[0]);
@@ -110,27 +117,18 @@ std::string remark_of(const Counts& counts, std::size_t best) {
                      percent({counts.axis[1][y], counts.of}));
 }
 
-Trait trait_of(Derivative x, const Counts& counts, DerivativeMethod standard) {
-  std::size_t best = best_of(counts.both);
-  for (std::size_t m = 0; m < method_count(); ++m)
-    if (values_of<DerivativeMethod>()[m] == standard && counts.both[m] == counts.both[best])
-      best = m;
-  Trait trait{name_of(derivative_rule_of(x)),
-              name_of(values_of<DerivativeMethod>()[best]),
-              {counts.both[best], counts.of},
-              "",
-              {},
-              ""};
-  if (counts.of == 0) {
-    trait.remark = "no such derivative is told";
+Trait trait_of(Derivative x, const Counts& counts) {
+  const auto names = names_of_alternatives(derivative_rule_of(x));
+  const auto methods = values_of<DerivativeMethod>();
+  const auto own = std::ranges::find(methods, ValueChoice{}.derivatives[form_of(x)]);
+  Trait trait = leading(derivative_rule_of(x), names, std::span(counts.both).first(names.size()),
+                        counts.of, static_cast<std::size_t>(own - methods.begin()));
+  if (counts.of > 0) {
+    trait.remark = remark_of(counts, index_of(trait.alternative));
     return trait;
   }
-  std::size_t second = best == 0 ? 1 : 0;
-  for (std::size_t m = 0; m < method_count(); ++m)
-    if (m != best && counts.both[m] > counts.both[second]) second = m;
-  trait.runner_up = name_of(values_of<DerivativeMethod>()[second]);
-  trait.runner_up_rate = {counts.both[second], counts.of};
-  trait.remark = remark_of(counts, best);
+  trait.runner_up.clear();
+  trait.remark = "no such derivative is told";
   return trait;
 }
 
@@ -155,7 +153,7 @@ struct Reading {
   }
 };
 
-Reading read(const std::vector<SampledScene>& scenes, const RuleChoices& found, RowOrder rows) {
+Reading read(std::span<const SampledScene> scenes, const RuleChoices& found, RowOrder rows) {
   Reading reading{rows, {}};
   for (std::size_t form = 0; form < kForms.size(); ++form)
     reading.forms[form] =
@@ -164,33 +162,25 @@ Reading read(const std::vector<SampledScene>& scenes, const RuleChoices& found, 
 }
 
 Trait rows_trait(const Reading& best, const Reading& other) {
-  Trait trait{name_of(RuleId::derivative_quad_rows),
-              name_of(best.rows),
-              best.rate(),
-              name_of(other.rows),
-              other.rate(),
-              ""};
+  Trait trait{RuleId::derivative_quad_rows, name_of(best.rows), best.rate(),
+              name_of(other.rows),          other.rate(),       ""};
   if (trait.rate.of == 0) trait.remark = "no derivative is told";
   return trait;
 }
 
 }  // namespace
 
-ValueTraits infer_derivatives(const std::vector<SampledScene>& scenes, const RuleChoices& found) {
-  ValueTraits result;
-  result.values = found.values;
+std::vector<Trait> infer_derivatives(std::span<const SampledScene> scenes, RuleChoices& found) {
   Reading best = read(scenes, found, RowOrder::bottom_up);
   Reading other = read(scenes, found, RowOrder::top_down);
   if (other.rate().agreeing > best.rate().agreeing) std::swap(best, other);
-  result.values.quad_rows = best.rows;
-  for (std::size_t form = 0; form < kForms.size(); ++form) {
-    const Trait trait =
-        trait_of(kForms[form].first, best.forms[form], ValueChoice{}.derivatives[form]);
-    parse_name(trait.alternative, result.values.derivatives[form]);
-    result.traits.push_back(trait);
-  }
-  result.traits.push_back(rows_trait(best, other));
-  return result;
+  std::vector<Trait> traits;
+  for (std::size_t form = 0; form < kForms.size(); ++form)
+    traits.push_back(trait_of(kForms[form].first, best.forms[form]));
+  traits.push_back(rows_trait(best, other));
+  for (const Trait& trait : traits)
+    found = with_alternative(found, trait.id.rule, trait.alternative);
+  return traits;
 }
 
 void DepthTrait::add_failure(const std::string& reason) {
@@ -222,18 +212,17 @@ void DepthTrait::add(const Rendering& rendering) {
 }
 
 Trait DepthTrait::trait() const {
-  const std::string id = fmt::format("framebuffer.depth:{}", name_of(format_));
+  TraitId id{RuleId::framebuffer_depth, name_of(format_)};
   if (of_ == 0)
-    return {id, "not available", {}, "", {}, failure_.empty() ? "no depth is told" : failure_};
-  if (bits_of(format_) == 0) return {id, "as told", {agreeing_[0], of_}, "", {}, ""};
-  constexpr std::array kNames{"nearest", "truncate", "up"};
-  const auto best = static_cast<std::size_t>(std::max_element(agreeing_.begin(), agreeing_.end()) -
-                                             agreeing_.begin());
-  std::size_t second = best == 0 ? 1 : 0;
-  for (std::size_t i = 0; i < kNames.size(); ++i)
-    if (i != best && agreeing_[i] > agreeing_[second]) second = i;
-  Trait trait{id, kNames[best], {agreeing_[best], of_}, kNames[second], {agreeing_[second], of_},
-              ""};
+    return {std::move(id),
+            "not available",
+            {},
+            "",
+            {},
+            failure_.empty() ? "no depth is told" : failure_};
+  if (bits_of(format_) == 0) return {std::move(id), "as told", {agreeing_[0], of_}};
+  static const std::array<std::string, 3> kNames{"nearest", "truncate", "up"};
+  Trait trait = leading(std::move(id), kNames, agreeing_, of_);
   if (neither_ > 0)
     trait.remark =
         fmt::format("{} of {} depths are neither of the two neighbours of what the fragment tells",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profile/values/value_errors.h"
+#include "profile/values/values.h"
 
 #include <fmt/format.h>
 
@@ -38,8 +38,8 @@ std::pair<int, std::int64_t> size_of(const ValueExample& example) {
           extent_of(primitives[static_cast<std::size_t>(example.primitive)])};
 }
 
-// One fragment's component that is compared.
-struct Place {
+// One component of one fragment.
+struct Component {
   const std::string& id;
   const Scene& scene;
   const ScenePrimitive& primitive;
@@ -47,13 +47,13 @@ struct Place {
   int component;
 };
 
-ValueExample example_at(const Place& place) {
+ValueExample example_at(const Component& at) {
   ValueExample example;
-  example.id = place.id;
-  example.scene = place.scene;
-  example.primitive = place.primitive.index;
-  example.pixel = place.pixel;
-  example.component = place.component;
+  example.id = at.id;
+  example.scene = at.scene;
+  example.primitive = at.primitive.index;
+  example.pixel = at.pixel;
+  example.component = at.component;
   return example;
 }
 
@@ -90,17 +90,17 @@ bool is_searched(ValueErrors& row) {
   return searched;
 }
 
-void count_beyond(ValueErrors& row, const Place& place, const Allowed& allowed, double exact,
+void count_beyond(ValueErrors& row, const Component& at, const Allowed& allowed, double exact,
                   double rendered) {
-  const Point sample = pixel_centre(place.pixel.x, place.pixel.y);
+  const Point sample = pixel_centre(at.pixel.x, at.pixel.y);
   if (certainly_permitted(allowed, sample, exact, rendered)) return;
-  if (!allowed.flat && place.primitive.kind == PrimitiveKind::triangle && !is_searched(row)) return;
+  if (!allowed.flat && at.primitive.kind == PrimitiveKind::triangle && !is_searched(row)) return;
   const Interval permitted = permitted_at(allowed, sample);
   if (std::isfinite(rendered) && permitted.contains(to_float(rendered))) return;
   ++row.beyond;
-  const std::pair size{place.scene.target.width, extent_of(place.primitive)};
+  const std::pair size{at.scene.target.width, extent_of(at.primitive)};
   if (row.smallest_beyond && size_of(*row.smallest_beyond) <= size) return;
-  ValueExample example = example_at(place);
+  ValueExample example = example_at(at);
   example.exact = exact;
   example.rendered = rendered;
   const double error = std::fabs(rendered - exact);
@@ -110,12 +110,12 @@ void count_beyond(ValueErrors& row, const Place& place, const Allowed& allowed, 
   row.smallest_beyond = std::move(example);
 }
 
-void keep_worst(ValueErrors& row, const Place& place, double exact, double rendered, double ulp,
+void keep_worst(ValueErrors& row, const Component& at, double exact, double rendered, double ulp,
                 double relative) {
   const auto offer = [&](std::optional<ValueExample>& worst, double ValueExample::*measure,
                          double value) {
     if (worst ? value <= (*worst).*measure : value <= 0) return;
-    worst = example_at(place);
+    worst = example_at(at);
     worst->exact = exact;
     worst->rendered = rendered;
     worst->ulp = ulp;
@@ -126,9 +126,9 @@ void keep_worst(ValueErrors& row, const Place& place, double exact, double rende
 }
 
 // `allowed`: null where legality is not asked.
-void compare(ValueErrors& row, const Place& place, const Interpolant& formula,
+void compare(ValueErrors& row, const Component& at, const Interpolant& formula,
              const Allowed* allowed, double rendered) {
-  const Interval range = interpolate_exact(formula, pixel_centre(place.pixel.x, place.pixel.y));
+  const Interval range = interpolate_exact(formula, pixel_centre(at.pixel.x, at.pixel.y));
   // A primitive without extent, once its vertices are snapped, has no value.
   if (!std::isfinite(range.low) || !std::isfinite(range.high)) return;
   const double exact = middle(range);
@@ -144,9 +144,9 @@ void compare(ValueErrors& row, const Place& place, const Interpolant& formula,
     ++row.histogram[std::ilogb(ulp)];
     row.ulp_sum += ulp;
     const double span = range_of(formula);
-    keep_worst(row, place, exact, rendered, ulp, span > 0 ? error / span : 0);
+    keep_worst(row, at, exact, rendered, ulp, span > 0 ? error / span : 0);
   }
-  if (allowed != nullptr) count_beyond(row, place, *allowed, exact, rendered);
+  if (allowed != nullptr) count_beyond(row, at, *allowed, exact, rendered);
 }
 
 bool same_values(const ValueChoice& a, const ValueChoice& b) {
@@ -191,24 +191,8 @@ std::string attribute_of(const ValueMode& mode, ValueKind kind) {
 
 }  // namespace
 
-double ValueErrors::mean_ulp() const {
-  const std::size_t numbers = components - not_numbers;
-  return numbers == 0 ? 0 : ulp_sum / static_cast<double>(numbers);
-}
-
-std::optional<int> ValueErrors::log2_bound(double share) const {
-  const double asked = share * static_cast<double>(components - not_numbers);
-  std::size_t within = correct;
-  if (static_cast<double>(within) >= asked) return std::nullopt;
-  for (const auto& [exponent, count] : histogram) {
-    within += count;
-    if (static_cast<double>(within) >= asked) return exponent + 1;
-  }
-  return std::nullopt;
-}
-
-std::optional<double> told(const Rendering& rendering, const Fragment& fragment, ValueKind kind,
-                           int component) {
+std::optional<double> reported(const Rendering& rendering, const Fragment& fragment, ValueKind kind,
+                               int component) {
   switch (kind) {
     case ValueKind::color:
       if (!fragment.has_color) return std::nullopt;
@@ -266,14 +250,14 @@ void ValueErrorTable::add(const ValueMode& mode, const std::string& id, const Sc
       ValueErrors& errors = row(attribute, kind, as_found);
       for (const Fragment& fragment : rendering.fragments) {
         const auto index = static_cast<std::size_t>(fragment.primitive);
-        if (!told(rendering, fragment, kind, 0)) continue;
+        if (!reported(rendering, fragment, kind, 0)) continue;
         ++errors.fragments;
         for (int c = 0; c < components; ++c) {
-          const Place place{id, scene, primitives[index], {fragment.x, fragment.y}, c};
+          const Component at{id, scene, primitives[index], {fragment.x, fragment.y}, c};
           const Allowed allowed{formula_of(known[index].lawful, kind, c), known[index].reach, flat};
-          compare(errors, place,
+          compare(errors, at,
                   formula_of(as_found ? known[index].found : known[index].lawful, kind, c),
-                  as_found ? nullptr : &allowed, *told(rendering, fragment, kind, c));
+                  as_found ? nullptr : &allowed, *reported(rendering, fragment, kind, c));
         }
       }
     }

@@ -239,21 +239,4 @@ Scene depth_scene(std::uint64_t seed, Surface surface, DepthFormat format, std::
   return scene;
 }
 
-Scene only_primitive(const Scene& scene, int index) {
-  Scene result = scene;
-  result.draws.clear();
-  for (const ScenePrimitive& primitive : primitives_of(scene)) {
-    if (primitive.index != index) continue;
-    Draw draw = *primitive.state;
-    draw.primitive = primitive.kind == PrimitiveKind::triangle ? Primitive::triangles
-                     : primitive.kind == PrimitiveKind::line   ? Primitive::lines
-                                                               : Primitive::points;
-    draw.vertices.clear();
-    for (int v = 0; v < vertices_of(primitive.kind); ++v)
-      draw.vertices.push_back(*primitive.vertices[static_cast<std::size_t>(v)]);
-    result.draws.push_back(std::move(draw));
-  }
-  return result;
-}
-
 }  // namespace edgecase

@@ -22,7 +22,7 @@
 
 namespace edgecase {
 
-// What is drawn, and how: errors are counted for each apart.
+// A primitive and how it is interpolated: errors are counted for each mode apart.
 struct ValueMode {
   PrimitiveKind kind = PrimitiveKind::triangle;  // a triangle or lines
   Interpolation interpolation = Interpolation::smooth;
@@ -55,8 +55,5 @@ Scene derivative_scene(std::uint64_t seed, Surface surface, std::uint64_t index)
 
 // A large triangle whose depths are spread over 0 to 1, on a target with a depth buffer.
 Scene depth_scene(std::uint64_t seed, Surface surface, DepthFormat format, std::uint64_t index);
-
-// The scene of one of a scene's primitives alone.
-Scene only_primitive(const Scene& scene, int primitive);
 
 }  // namespace edgecase

@@ -1,27 +1,39 @@
 // SPDX-License-Identifier: MIT
-#include "profile/values/value_traits.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "diff/values/value_diff.h"
-#include "profile/profile_text.h"
+#include "profile/evidence/tally.h"
+#include "profile/values/values.h"
 #include "raster/attributes.h"
 
 namespace edgecase {
 namespace {
 
-constexpr std::size_t kMostCandidates = 3;
+constexpr std::size_t kMostCandidates = 4;
 
-struct Candidate {
-  const char* name;
-  ValueChoice values;
+// The alternatives of a rule that samples vote for.
+struct Candidates {
+  RuleId rule;
+  std::vector<std::string> names;
+  std::vector<RuleChoices> choices;
 };
+
+Candidates candidates_of(RuleId rule, const RuleChoices& found) {
+  Candidates candidates{rule, names_of_alternatives(rule), choices_by_alternative(found, rule)};
+  if (rule == RuleId::attribute_perspective) {
+    // The last alternative, w at the centre, differs from the first on multisampled targets alone.
+    candidates.names.pop_back();
+    candidates.choices.pop_back();
+  }
+  return candidates;
+}
 
 // Votes of one kind of primitive.
 struct Votes {
@@ -32,12 +44,6 @@ struct Votes {
     for (std::size_t i = 0; i < agreeing.size(); ++i) agreeing[i] += other.agreeing[i];
     of += other.of;
     return *this;
-  }
-  Rate rate(std::size_t candidate) const { return {agreeing[candidate], of}; }
-  // The most votes, the first of several.
-  std::size_t best() const {
-    return static_cast<std::size_t>(std::max_element(agreeing.begin(), agreeing.end()) -
-                                    agreeing.begin());
   }
 };
 
@@ -87,8 +93,7 @@ bool add_distances(std::span<const Interpolant> formulas, Point sample, double r
 
 class Ballot {
  public:
-  Ballot(std::span<const Candidate> candidates, const RuleChoices& found)
-      : candidates_(candidates), found_(found) {}
+  explicit Ballot(const Candidates& candidates) : candidates_(candidates) {}
 
   void add(const SampledScene& sampled_scene) {
     const Scene& scene = sampled_scene.scene;
@@ -100,23 +105,35 @@ class Ballot {
     }
   }
 
-  const Votes& of(PrimitiveKind kind) const {
-    return kind == PrimitiveKind::line ? lines_ : triangles_;
-  }
-  Votes all() const {
-    Votes sum = lines_;
-    return sum += triangles_;
+  // The winner, or the first candidate where nothing decides.
+  Trait trait() const {
+    Votes all = lines_;
+    all += triangles_;
+    Trait trait = leading(all);
+    if (all.of == 0) {
+      trait.runner_up.clear();
+      trait.remark = "no sample tells the alternatives apart";
+    }
+    const Trait lines = leading(lines_);
+    const Trait triangles = leading(triangles_);
+    if (lines_.of > 0 && triangles_.of > 0 && lines.alternative != triangles.alternative)
+      trait.remark = fmt::format("lines and triangles differ: lines are {} ({}), triangles {} ({})",
+                                 lines.alternative, percent(lines.rate), triangles.alternative,
+                                 percent(triangles.rate));
+    return trait;
   }
 
  private:
+  Trait leading(const Votes& votes) const {
+    return edgecase::leading(candidates_.rule, candidates_.names,
+                             std::span(votes.agreeing).first(candidates_.names.size()), votes.of);
+  }
+
   void vote(const ScenePrimitive& primitive, const Target& target,
             const SampledScene::Sample& sample) {
     std::vector<PrimitiveAttributes> attributes;
-    for (const Candidate& candidate : candidates_) {
-      RuleChoices choices = found_;
-      choices.values = candidate.values;
+    for (const RuleChoices& choices : candidates_.choices)
       attributes.push_back(attributes_of(primitive, choices, target));
-    }
     std::array<double, kMostCandidates> distances{};
     bool decides = false;
     for (std::size_t c = 0; c < 4; ++c) {
@@ -129,84 +146,31 @@ class Ballot {
     if (!decides) return;
     Votes& votes = primitive.kind == PrimitiveKind::line ? lines_ : triangles_;
     ++votes.of;
-    const double least = *std::min_element(
-        distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(candidates_.size()));
-    // NaN is near to nothing.
-    for (std::size_t i = 0; i < candidates_.size(); ++i)
+    const std::size_t count = candidates_.choices.size();
+    const double least = *std::min_element(distances.begin(),
+                                           distances.begin() + static_cast<std::ptrdiff_t>(count));
+    // NaN equals nothing.
+    for (std::size_t i = 0; i < count; ++i)
       if (distances[i] == least) ++votes.agreeing[i];
   }
 
-  std::span<const Candidate> candidates_;
-  const RuleChoices& found_;
+  const Candidates& candidates_;
   Votes lines_;
   Votes triangles_;
 };
 
-// The winner, or the first candidate where nothing decides.
-std::size_t decide(const char* id, std::span<const Candidate> candidates,
-                   const std::vector<SampledScene>& scenes, const RuleChoices& found,
-                   ValueTraits& result) {
-  Ballot ballot(candidates, found);
-  for (const SampledScene& scene : scenes) ballot.add(scene);
-  const Votes votes = ballot.all();
-  const std::size_t best = votes.best();
-  Trait trait{id, candidates[best].name, votes.rate(best), "", {}, ""};
-  if (votes.of == 0) {
-    trait.remark = "no sample tells the alternatives apart";
-    result.traits.push_back(std::move(trait));
-    return 0;
+// Each rule in turn, the others as they were last found; `found` is updated.
+std::vector<Trait> infer_once(std::span<const SampledScene> scenes, RuleChoices& found) {
+  std::vector<Trait> traits;
+  for (const RuleId rule :
+       {RuleId::attribute_perspective, RuleId::attribute_smooth, RuleId::attribute_positions}) {
+    const Candidates candidates = candidates_of(rule, found);
+    Ballot ballot(candidates);
+    for (const SampledScene& scene : scenes) ballot.add(scene);
+    traits.push_back(ballot.trait());
+    found = with_alternative(found, rule, traits.back().alternative);
   }
-  std::size_t second = best == 0 ? 1 : 0;
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (i != best && votes.agreeing[i] > votes.agreeing[second]) second = i;
-  trait.runner_up = candidates[second].name;
-  trait.runner_up_rate = votes.rate(second);
-  const Votes& lines = ballot.of(PrimitiveKind::line);
-  const Votes& triangles = ballot.of(PrimitiveKind::triangle);
-  if (lines.of > 0 && triangles.of > 0 && lines.best() != triangles.best())
-    trait.remark =
-        fmt::format("lines and triangles differ: lines are {} ({}), triangles {} ({})",
-                    candidates[lines.best()].name, percent(lines.rate(lines.best())),
-                    candidates[triangles.best()].name, percent(triangles.rate(triangles.best())));
-  result.traits.push_back(std::move(trait));
-  return best;
-}
-
-Candidate with_perspective(ValueChoice values, const char* name, PerspectiveChoice choice) {
-  values.perspective = choice;
-  return {name, values};
-}
-
-Candidate with_parameter(ValueChoice values, const char* name, LineParameter parameter) {
-  values.line_parameter = parameter;
-  return {name, values};
-}
-
-Candidate with_positions(ValueChoice values, const char* name, AttributePositions positions) {
-  values.positions = positions;
-  return {name, values};
-}
-
-// Each rule in turn, the others as they were last found.
-ValueTraits infer_once(const std::vector<SampledScene>& scenes, const RuleChoices& found,
-                       ValueChoice values) {
-  ValueTraits result;
-  const std::array perspective{with_perspective(values, "as-set", PerspectiveChoice::as_set),
-                               with_perspective(values, "always", PerspectiveChoice::always),
-                               with_perspective(values, "never", PerspectiveChoice::never)};
-  values = perspective[decide(name_of(RuleId::attribute_perspective), perspective, scenes, found,
-                              result)]
-               .values;
-  const std::array parameter{with_parameter(values, "projection", LineParameter::projection),
-                             with_parameter(values, "major-axis", LineParameter::major_axis)};
-  values =
-      parameter[decide(name_of(RuleId::attribute_smooth), parameter, scenes, found, result)].values;
-  const std::array positions{with_positions(values, "unsnapped", AttributePositions::unsnapped),
-                             with_positions(values, "snapped", AttributePositions::snapped)};
-  values = positions[decide(name_of(RuleId::attribute_positions), positions, scenes, found, result)]
-               .values;
-  result.values = values;
-  return result;
+  return traits;
 }
 
 }  // namespace
@@ -230,10 +194,10 @@ SampledScene sampled(Scene scene, const Rendering& rendering, std::size_t most) 
   return result;
 }
 
-ValueTraits infer_values(const std::vector<SampledScene>& scenes, const RuleChoices& found) {
+std::vector<Trait> infer_values(std::span<const SampledScene> scenes, RuleChoices& found) {
   // Once to know the other rules, once more under them.
-  const ValueTraits first = infer_once(scenes, found, found.values);
-  return infer_once(scenes, found, first.values);
+  infer_once(scenes, found);
+  return infer_once(scenes, found);
 }
 
 }  // namespace edgecase

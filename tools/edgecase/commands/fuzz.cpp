@@ -17,7 +17,6 @@
 #include "run/renderers.h"
 #include "search/find_file.h"
 #include "search/fuzz.h"
-#include "search/fuzz_json.h"
 #include "search/scene_size.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/default_suite.h"

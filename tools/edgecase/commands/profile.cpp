@@ -8,9 +8,8 @@
 #include <thread>
 #include <utility>
 
-#include "profile/measure.h"
-#include "profile/profile_json.h"
-#include "profile/profile_text.h"
+#include "profile/profile.h"
+#include "profile/profile_reports.h"
 #include "reports/text.h"
 #include "run/recording_renderer.h"
 #include "run/renderer_names.h"

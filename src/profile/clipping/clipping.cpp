@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "profile/clipping/clipping.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "casefile/scene/viewport.h"
+#include "generate/random_source.h"
+#include "generate/scene_parts.h"
+#include "profile/evidence/tally.h"
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kShare = 100;
+constexpr std::size_t kLeast = 40;
+constexpr int kSize = 32;  // pixels
+// Generators of one seed and different purpose have nothing in common.
+constexpr std::uint64_t kStreams = 0x5f00;  // and a ClipPlace
+
+std::size_t count_of(std::size_t scenes_per_kind) {
+  return std::max(kLeast, scenes_per_kind / kShare);
+}
+
+// Sixteenths of a pixel from the centre of the target, as clip coordinates with w = 1.
+float clip_of(std::int64_t sixteenths) {
+  return static_cast<float>(sixteenths) / (16 * kSize / 2);
+}
+
+float inside(RandomSource& random) {
+  return clip_of(random.between(-8 * kSize + 1, 8 * kSize - 1));
+}
+
+// So many pixels beyond the side, or the one across.
+float beyond(RandomSource& random, std::int64_t least, std::int64_t most) {
+  const std::int64_t sixteenths = 8 * kSize + random.between(16 * least + 1, 16 * most);
+  return clip_of(random.sign() * sixteenths);
+}
+
+ClipPosition at_a_side(RandomSource& random, std::int64_t least, std::int64_t most) {
+  const float out = beyond(random, least, most);
+  const float other = random.one_in(3) ? beyond(random, least, most) : inside(random);
+  return random.one_in(2) ? ClipPosition{out, other, 0, 1} : ClipPosition{other, out, 0, 1};
+}
+
+ClipPosition outside(RandomSource& random, ClipPlace place) {
+  const float deep = static_cast<float>(random.between(17, 64)) / 16;
+  switch (place) {
+    case ClipPlace::little:
+      return at_a_side(random, 0, 8);
+    case ClipPlace::much:
+      return at_a_side(random, 64, 2048);
+    case ClipPlace::beyond_8192:
+      return at_a_side(random, 8192, 32768);
+    case ClipPlace::near:
+      return {inside(random), inside(random), -deep, 1};
+    case ClipPlace::far:
+      return {inside(random), inside(random), deep, 1};
+    case ClipPlace::behind:
+      return {inside(random), inside(random), -2 * deep, -deep};
+  }
+  return {};
+}
+
+std::size_t scene_count(std::size_t scenes_per_kind) {
+  return values_of<ClipPlace>().size() * count_of(scenes_per_kind);
+}
+
+// Under which alternatives of clip.volume is the triangle drawn as it was seen?
+std::vector<bool> yields_of(const Observation& seen, CoverageChoice choice) {
+  const auto primitives = primitives_of(seen.scene);
+  std::vector<bool> yields;
+  for (const ClipMethod method : values_of<ClipMethod>()) {
+    choice.clip = method;
+    yields.push_back(is_drawn_by(choice, primitives[0], seen));
+  }
+  return yields;
+}
+
+void measure_clipping(const Question& question, SceneDrawing& drawing, SurfaceFindings& findings) {
+  Tally all(RuleId::clip_volume);
+  for (const ClipPlace place : values_of<ClipPlace>()) {
+    std::vector<Scene> scenes;
+    for (std::size_t s = 0; s < count_of(question.scenes_per_kind); ++s)
+      scenes.push_back(clip_scene(question.seed, question.surface, place, s));
+    Tally tally(RuleId::clip_volume);
+    for (const Observation& seen :
+         drawing.observed(std::string("clip ") + name_of(place), std::move(scenes))) {
+      if (!seen.failure.empty()) continue;
+      const auto yields = yields_of(seen, findings.found.triangles);
+      tally.add(yields);
+      all.add(yields);
+    }
+    findings.adopt(tally.fitting({RuleId::clip_volume, name_of(place)}));
+  }
+  findings.adopt(all.fitting(RuleId::clip_volume));
+}
+
+}  // namespace
+
+Scene clip_scene(std::uint64_t seed, Surface surface, ClipPlace place, std::uint64_t index) {
+  RandomSource random(seed, kStreams + static_cast<std::uint64_t>(place), index);
+  Scene scene = scene_of(surface, kSize, Primitive::triangles, std::array<Point, 3>{});
+  std::vector<Vertex>& vertices = scene.draws[0].vertices;
+  const auto last = static_cast<std::size_t>(random.below(3));
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const float z = static_cast<float>(random.between(-15, 15)) / 16;
+    vertices[i].clip =
+        i == last ? outside(random, place) : ClipPosition{inside(random), inside(random), z, 1};
+    place_clip_vertex(scene.viewport, vertices[i]);
+  }
+  return scene;
+}
+
+const Subject kClippingSubject{scene_count, measure_clipping};
+
+}  // namespace edgecase

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+//
+// Probes: scenes that each ask a renderer one question, built on purpose and the same every time.
+//
+// Where random scenes measure how often a rule is followed, probes find out which. They are
+// families: every place of a diamond for every direction of a line, every side and corner of a
+// triangle, joints, edges shared by triangles, provoking vertices, vertices beyond the viewport.
+// Except for clipping, every vertex lies strictly inside the viewport, which is the target, a
+// power of two; for the clip probes see there. All coordinates reach OpenGL unrounded.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/pixel.h"
+#include "generate/diamond_places.h"
+#include "model/names.h"
+#include "model/scene.h"
+
+namespace edgecase {
+
+// A line that starts, or ends, at a place of a pixel's diamond, and lies strictly inside a diamond
+// with its other end.
+struct DiamondProbe {
+  Scene scene;
+  PixelPosition pixel;
+  LineDirection direction = LineDirection::right;
+  bool at_start = true;
+  DiamondPlace place = DiamondPlace::inside;
+  // Do pixels other than the one with the same corner depend on ties, too? They do where the
+  // line runs along boundaries: rightward from a bottom corner, diagonally from some edges.
+  bool tied_elsewhere = false;
+};
+// At least four for every direction, end and place.
+std::vector<DiamondProbe> diamond_probes(Surface surface);
+
+// Which side of a triangle an edge is, y up: the interior of a `lower_left` edge lies to its right
+// and above it.
+enum class EdgeSide {
+  left,
+  right,
+  bottom,
+  top,
+  lower_left,
+  lower_right,
+  upper_left,
+  upper_right,
+};
+template <>
+inline constexpr auto kNames<EdgeSide> =
+    std::to_array<Named<EdgeSide>>({{EdgeSide::left, "left"},
+                                    {EdgeSide::right, "right"},
+                                    {EdgeSide::bottom, "bottom"},
+                                    {EdgeSide::top, "top"},
+                                    {EdgeSide::lower_left, "lower left"},
+                                    {EdgeSide::lower_right, "lower right"},
+                                    {EdgeSide::upper_left, "upper left"},
+                                    {EdgeSide::upper_right, "upper right"}});
+
+// The side that a -> b is of a counter-clockwise triangle. The points must differ.
+EdgeSide side_of(Point a, Point b);
+
+// A triangle on whose edge, or corner where two edges meet, lies the sample of one pixel.
+// Coordinates are multiples of 1/16.
+struct EdgeProbe {
+  Scene scene;
+  PixelPosition pixel;
+  EdgeSide side = EdgeSide::left;
+  std::optional<EdgeSide> corner_with;  // of a corner: the edge after `side`, counter-clockwise
+};
+std::vector<EdgeProbe> edge_probes(Surface surface);
+
+// Segments that follow each other, two to six, each starting bit-identically where the one before
+// ends; as a strip, or as separate lines in one draw.
+struct JointProbe {
+  Scene scene;
+  bool goes_on = true;                // all have one major axis and direction; else one joint turns
+  std::optional<DiamondPlace> place;  // of the first joint in its pixel; none: anywhere
+  std::optional<LineDirection> direction;  // of all segments, where it is one
+};
+std::vector<JointProbe> joint_probes(Surface surface);
+
+enum class SharedEdgeShape {
+  quad,   // two triangles, split along one of the diagonals
+  strip,  // a triangle strip
+  fan,    // triangles all round an inner vertex, or part of the way
+};
+template <>
+inline constexpr auto kNames<SharedEdgeShape> =
+    std::to_array<Named<SharedEdgeShape>>({{SharedEdgeShape::quad, "quad"},
+                                           {SharedEdgeShape::strip, "strip"},
+                                           {SharedEdgeShape::fan, "fan"}});
+
+// Triangles that follow each other on opposite sides of common edges with bit-identical ends, in
+// one draw: separate triangles, a strip or a fan. No triangles overlap, and no vertex lies on
+// another's edge.
+struct SharedEdgeProbe {
+  Scene scene;
+  SharedEdgeShape shape = SharedEdgeShape::quad;
+  bool closed = false;  // of a fan: the last triangle shares an edge with the first
+};
+std::vector<SharedEdgeProbe> shared_edge_probes(Surface surface);
+
+// Every primitive type under either convention, with one to four primitives, every vertex with a
+// colour of its own, flat. Every primitive covers pixels that no other does.
+std::vector<Scene> provoking_probes(Surface surface);
+
+// Sides of the viewport, as bits of a set.
+enum ClipSide : unsigned {
+  kClipLeft = 1u << 0,
+  kClipRight = 1u << 1,
+  kClipBottom = 1u << 2,
+  kClipTop = 1u << 3,
+};
+
+// A primitive with vertices beyond the viewport, by up to three times its size, which is at most
+// 64: |x - centre| <= 3.5 * 64 < 2^8, 24 significant bits with 16 fraction bits, as many as float32
+// has; so clip coordinates are exact, though what a renderer makes of them need not be.
+struct ClipProbe {
+  Scene scene;
+  unsigned sides = 0;  // those beyond which a vertex lies
+  // The same draw and target in a viewport so large that nothing needs to be clipped.
+  Scene unclipped;
+};
+std::vector<ClipProbe> clip_probes(Surface surface);
+
+}  // namespace edgecase

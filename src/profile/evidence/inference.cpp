@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include "profile/evidence/inference.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "raster/rasterizer.h"
+#include "rules/all_rules.h"
+#include "rules/changes.h"
+
+namespace edgecase {
+namespace {
+
+constexpr std::size_t kFirstRound = 100;  // scenes
+constexpr std::size_t kFinalists = 3;
+constexpr std::size_t kRivals = 2;        // per rule, held against all scenes
+constexpr std::size_t kRivalRound = 600;  // scenes by which rivals are chosen
+constexpr int kCheapTarget = 32;          // pixels; scenes up to this size decide the rounds
+
+struct Candidate {
+  RuleChoices choice;
+  Cause cause;  // how it differs from the start, a change per rule
+  std::size_t agreeing = 0;
+};
+
+bool draws(const CoverageChoice& choice, const Observation& observation) {
+  const auto primitives = primitives_of(observation.scene);
+  return is_drawn_by(choice, primitives[0], observation);
+}
+
+OpenRules openness_of(RuleId rule) {
+  if (rule == RuleId::line_width) return OpenRules::width;
+  return rule == RuleId::sample_positions ? OpenRules::placement : OpenRules::coverage;
+}
+
+// The rules that have a say, each with its alternatives other than the start's.
+std::vector<Changes> open_rules(const InferenceQuestion& question, const Observation& observation) {
+  const auto primitives = primitives_of(observation.scene);
+  std::vector<Changes> rules =
+      coverage_changes(coverage_traits(primitives[0], observation.scene.target), question.start);
+  std::erase_if(rules, [&](const Changes& rule) {
+    return openness_of(rule.front().id.rule) != question.open;
+  });
+  // Placements that put the samples where they are anyhow are none.
+  const auto places = [&](const RuleChoices& choice) {
+    return positions_of(observation.scene.target, choice.of(question.kind), observation.positions);
+  };
+  for (Changes& rule : rules)
+    if (question.open == OpenRules::placement)
+      std::erase_if(rule, [&](const Change& change) {
+        return places(change.applied_to(question.start)) == places(question.start);
+      });
+  std::erase_if(rules, [](const Changes& rule) { return rule.empty(); });
+  return rules;
+}
+
+// Alternatives of a rule that nothing asks for make no candidates of their own.
+bool is_idle(const Candidate& candidate, RuleId rule) {
+  if (rule == RuleId::triangle_fill_rule)
+    return !has_tie_rule(candidate.choice.triangles.triangle_algorithm);
+  return rule == RuleId::line_diamond_exit &&
+         !tests_diamonds(candidate.choice.lines.line.algorithm);
+}
+
+std::vector<Candidate> all_candidates(const InferenceQuestion& question,
+                                      std::span<const Changes> rules) {
+  std::vector<Candidate> candidates = {{question.start, {}, 0}};
+  for (const Changes& rule : rules) {
+    const std::size_t before = candidates.size();
+    for (const Change& change : rule)
+      for (std::size_t i = 0; i < before; ++i) {
+        Candidate candidate = candidates[i];
+        if (is_idle(candidate, change.id.rule)) continue;
+        change.apply(candidate.choice);
+        candidate.cause.parts.push_back(change.id);
+        candidates.push_back(std::move(candidate));
+      }
+  }
+  return candidates;
+}
+
+// Rectangles of multisampled lines that are rounded have a grid of their own: whatever the snap,
+// they are drawn alike.
+bool has_no_snap(const CoverageChoice& choice) {
+  switch (choice.multisampled_line) {
+    case MultisampledLine::snapped_offset:
+    case MultisampledLine::snapped_offset_across_borders:
+    case MultisampledLine::snapped_corners:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// In how many scenes choices draw what was seen; those that draw alike are asked once.
+class SceneCounts {
+ public:
+  SceneCounts(std::span<const Observation* const> scenes, PrimitiveKind kind,
+              bool are_multisampled_lines)
+      : scenes_(scenes), kind_(kind), are_multisampled_lines_(are_multisampled_lines) {}
+
+  std::size_t of(const RuleChoices& choices) {
+    CoverageChoice choice = choices.of(kind_);
+    if (!are_multisampled_lines_ || !has_no_snap(choice)) return count(choice);
+    choice.snap = {};
+    const auto known = std::find_if(known_.begin(), known_.end(),
+                                    [&](const auto& one) { return one.first == choice; });
+    if (known != known_.end()) return known->second;
+    return known_.emplace_back(choice, count(choice)).second;
+  }
+
+ private:
+  std::size_t count(const CoverageChoice& choice) const {
+    return static_cast<std::size_t>(
+        std::count_if(scenes_.begin(), scenes_.end(),
+                      [&](const Observation* scene) { return draws(choice, *scene); }));
+  }
+
+  std::span<const Observation* const> scenes_;
+  PrimitiveKind kind_;
+  bool are_multisampled_lines_;
+  std::vector<std::pair<CoverageChoice, std::size_t>> known_;  // those without a snap
+};
+
+std::string kept_by(const RuleChoices& choice, RuleId rule) {
+  return rule_of(rule).slot.kept(choice);
+}
+
+class Contest {
+ public:
+  Contest(const InferenceQuestion& question, std::span<const Observation* const> observations)
+      : kind_(question.kind), start_(question.start) {
+    for (const Observation* observation : observations)
+      if (observation->failure.empty()) all_.push_back(observation);
+    cheap_ = all_;
+    std::erase_if(cheap_, [](const Observation* observation) {
+      return observation->scene.target.width > kCheapTarget;
+    });
+    if (all_.empty()) return;
+    are_multisampled_lines_ =
+        question.kind == PrimitiveKind::line &&
+        std::all_of(all_.begin(), all_.end(), [](const Observation* observation) {
+          return is_multisampled(observation->scene.draws[0], observation->scene.target);
+        });
+    rules_ = open_rules(question, *all_.front());
+    candidates_ = all_candidates(question, rules_);
+  }
+
+  Inference operator()() {
+    if (all_.empty()) return {start_, {}, {}};
+    play_rounds();
+    SceneCounts counts(all_, kind_, are_multisampled_lines_);
+    for (Candidate& finalist : candidates_) finalist.agreeing = counts.of(finalist.choice);
+    Candidate best = *std::min_element(candidates_.begin(), candidates_.end(), better);
+    // A rival that does better on all scenes takes the place of the best; this ends, since the
+    // number of scenes only grows.
+    for (;;) {
+      const std::vector<Candidate> rivals = rivals_of(best);
+      const auto winner = std::min_element(rivals.begin(), rivals.end(), better);
+      if (winner == rivals.end() || winner->agreeing <= best.agreeing) return report(best, rivals);
+      best = *winner;
+    }
+  }
+
+ private:
+  using Scenes = std::vector<const Observation*>;
+
+  static bool better(const Candidate& a, const Candidate& b) {
+    if (a.agreeing != b.agreeing) return a.agreeing > b.agreeing;
+    return a.cause.size() < b.cause.size();
+  }
+
+  void play_rounds() {
+    std::size_t from = 0;
+    for (std::size_t size = kFirstRound; candidates_.size() > kFinalists && from < cheap_.size();
+         size *= 2) {
+      const auto scenes = std::span(cheap_).subspan(from, std::min(size, cheap_.size() - from));
+      SceneCounts counts(scenes, kind_, are_multisampled_lines_);
+      for (Candidate& candidate : candidates_) candidate.agreeing += counts.of(candidate.choice);
+      std::stable_sort(candidates_.begin(), candidates_.end(), better);
+      candidates_.resize(std::max(kFinalists, candidates_.size() / 3));
+      from += scenes.size();
+    }
+    candidates_.resize(std::min(candidates_.size(), kFinalists));
+  }
+
+  // For each rule the best other alternatives, everything else as the best has it.
+  std::vector<Candidate> rivals_of(const Candidate& best) const {
+    std::vector<Candidate> rivals;
+    const auto some = std::span(all_).first(std::min(kRivalRound, all_.size()));
+    SceneCounts counts_of_some(some, kind_, are_multisampled_lines_);
+    SceneCounts counts_of_all(all_, kind_, are_multisampled_lines_);
+    for (const Changes& rule : rules_) {
+      const RuleId id = rule.front().id.rule;
+      if (is_idle(best, id)) continue;
+      std::vector<Candidate> others = others_of(best, rule, id);
+      for (Candidate& other : others) other.agreeing = counts_of_some.of(other.choice);
+      std::stable_sort(others.begin(), others.end(), better);
+      if (others.size() > kRivals) others.resize(kRivals);
+      for (Candidate& other : others) {
+        other.agreeing = counts_of_all.of(other.choice);
+        rivals.push_back(std::move(other));
+      }
+    }
+    return rivals;
+  }
+
+  // The alternatives of a rule that `best` does not have, the start's own among them.
+  std::vector<Candidate> others_of(const Candidate& best, const Changes& rule, RuleId id) const {
+    Candidate without = best;
+    std::erase_if(without.cause.parts, [&](AlternativeId part) { return part.rule == id; });
+    std::vector<Candidate> others;
+    const auto has = [](const Candidate& candidate, const Change& change) {
+      return std::ranges::find(candidate.cause.parts, change.id) != candidate.cause.parts.end();
+    };
+    if (without.cause.size() != best.cause.size()) {
+      without.choice = start_;
+      for (const Changes& all : rules_)
+        for (const Change& change : all)
+          if (has(without, change)) change.apply(without.choice);
+      others.push_back(without);
+    }
+    for (const Change& change : rule) {
+      if (has(best, change)) continue;
+      Candidate other = without;
+      other.choice = best.choice;
+      change.apply(other.choice);
+      other.cause.parts.push_back(change.id);
+      others.push_back(std::move(other));
+    }
+    return others;
+  }
+
+  Inference report(const Candidate& best, std::span<const Candidate> rivals) const {
+    Inference result{best.choice, {best.agreeing, all_.size()}, {}};
+    for (const Changes& rule : rules_) {
+      const RuleId id = rule.front().id.rule;
+      if (is_idle(best, id)) continue;
+      InferredRule inferred{id, kept_by(best.choice, id), result.rate, "", {}};
+      const Candidate* runner_up = nullptr;
+      for (const Candidate& rival : rivals)
+        if (kept_by(rival.choice, id) != inferred.alternative &&
+            (runner_up == nullptr || better(rival, *runner_up)))
+          runner_up = &rival;
+      if (runner_up != nullptr) {
+        inferred.runner_up = kept_by(runner_up->choice, id);
+        inferred.runner_up_rate = {runner_up->agreeing, all_.size()};
+      }
+      result.rules.push_back(std::move(inferred));
+    }
+    return result;
+  }
+
+  Scenes all_;
+  Scenes cheap_;
+  bool are_multisampled_lines_ = false;
+  PrimitiveKind kind_;
+  RuleChoices start_;
+  std::vector<Changes> rules_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+Inference infer(const InferenceQuestion& question,
+                std::span<const Observation* const> observations) {
+  return Contest(question, observations)();
+}
+
+}  // namespace edgecase

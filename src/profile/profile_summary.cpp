@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "model/counted.h"
+#include "profile/profile_reports.h"
+
+namespace edgecase {
+namespace {
+
+using Buffer = fmt::memory_buffer;
+
+template <class... Args>
+void print(Buffer& out, fmt::format_string<Args...> format, Args&&... args) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
+}
+
+// The traits that some scene contradicts, least followed first.
+std::vector<const Trait*> exceptions_of(const SurfaceProfile& surface) {
+  std::vector<const Trait*> found;
+  for (const Trait& trait : surface.findings.traits)
+    if (trait.rate.agreeing < trait.rate.of) found.push_back(&trait);
+  const auto share = [](const Trait* trait) {
+    return static_cast<double>(trait->rate.agreeing) / static_cast<double>(trait->rate.of);
+  };
+  std::ranges::stable_sort(found, {}, share);
+  return found;
+}
+
+void summarize_traits(Buffer& out, const SurfaceProfile& surface) {
+  constexpr std::size_t kMostNamed = 3;
+  const auto exceptions = exceptions_of(surface);
+  const auto undecided = std::ranges::count_if(surface.findings.traits, &Trait::is_undecided);
+  print(out, "{}: {} of {} traits hold in every scene", name_of(surface.surface),
+        surface.findings.traits.size() - exceptions.size(), surface.findings.traits.size());
+  if (undecided > 0) print(out, "; for {} another alternative is as good", undecided);
+  print(out, "\n  least followed: ");
+  if (exceptions.empty()) print(out, "none");
+  for (std::size_t i = 0; i < std::min(kMostNamed, exceptions.size()); ++i)
+    print(out, "{}{} {} ({})", i == 0 ? "" : ", ", text_of(exceptions[i]->id),
+          exceptions[i]->alternative, percent(exceptions[i]->rate));
+  print(out, "\n");
+}
+
+void summarize_surface(Buffer& out, const SurfaceProfile& surface) {
+  if (!surface.unavailable.empty()) {
+    print(out, "{}: not measured: {}\n", name_of(surface.surface), surface.unavailable);
+    return;
+  }
+  summarize_traits(out, surface);
+  if (surface.illegal_scenes == 0) {
+    print(out, "  outside the specification: nothing\n");
+    return;
+  }
+  print(out, "  outside the specification: {}", counted(surface.illegal_scenes, "scene", "scenes"));
+  const auto illegal = std::ranges::find_if(surface.clusters, [](const ProfileCluster& found) {
+    return found.cluster.legality == Legality::illegal;
+  });
+  if (illegal != surface.clusters.end())
+    print(out, "; first {}, in {}", title_of(illegal->cluster),
+          counted(illegal->cluster.cases, "scene", "scenes"));
+  print(out, "\n");
+}
+
+// What the first surface that was measured follows of the rules that decide over coverage.
+void summarize_coverage(Buffer& out, const Profile& profile) {
+  const auto measured = std::ranges::find_if(
+      profile.surfaces, [](const SurfaceProfile& surface) { return surface.unavailable.empty(); });
+  if (measured == profile.surfaces.end()) return;
+  std::string text;
+  for (const RuleId rule :
+       {RuleId::point_ownership, RuleId::line_algorithm, RuleId::triangle_algorithm,
+        RuleId::triangle_fill_rule, RuleId::triangle_snap}) {
+    const auto& traits = measured->findings.traits;
+    const auto trait = std::ranges::find(traits, TraitId(rule), &Trait::id);
+    if (trait == traits.end()) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name_of(rule), trait->alternative);
+  }
+  if (!text.empty()) print(out, "coverage: {}\n", text);
+}
+
+}  // namespace
+
+std::string profile_summary(const Profile& profile) {
+  Buffer out;
+  print(out, "{}: {}, {}\n", profile.renderer.name, profile.renderer.device,
+        profile.renderer.version);
+  std::size_t scenes = 0;
+  for (const SurfaceProfile& surface : profile.surfaces) scenes += surface.findings.drawn.scenes;
+  print(out, "{} drawn, seed {}; {} reported\n", counted(scenes, "scene", "scenes"), profile.seed,
+        counted(static_cast<std::size_t>(std::max(0, profile.renderer.subpixel_bits)),
+                "sub-pixel bit is", "sub-pixel bits are"));
+  for (const SurfaceProfile& surface : profile.surfaces) summarize_surface(out, surface);
+  summarize_coverage(out, profile);
+  return fmt::to_string(out);
+}
+
+}  // namespace edgecase
