@@ -32,9 +32,7 @@ std::vector<ToldLookup> told_lookups(const Rendering& rendering, std::size_t mos
     if (fragment.detail >= 0) {
       const FragmentDetail& detail = rendering.details[static_cast<std::size_t>(fragment.detail)];
       lookup.coordinates = detail.texture_coordinates;
-      lookup.has_coordinates = detail.has_texture_coordinates;
-      lookup.lambda_prime = detail.level_of_detail[1];
-      lookup.has_lambda_prime = detail.has_level_of_detail;
+      if (detail.level_of_detail) lookup.lambda_prime = (*detail.level_of_detail)[1];
     }
     result.push_back(lookup);
   }

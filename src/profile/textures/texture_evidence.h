@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "exact/pixel.h"
@@ -18,10 +19,8 @@ struct ToldLookup {
   PixelPosition pixel;
   int primitive = 0;
   std::array<double, 4> color{};
-  std::array<double, 2> coordinates{};  // s and t
-  bool has_coordinates = false;
-  double lambda_prime = 0;  // textureQueryLod's y
-  bool has_lambda_prime = false;
+  std::optional<std::array<double, 2>> coordinates;  // s and t
+  std::optional<double> lambda_prime;                // textureQueryLod's y
 };
 
 struct ToldScene {

@@ -49,7 +49,6 @@ Footprint RampLevels::rounded_footprint(const ToldLookup& lookup, DerivativeMeth
 
 std::optional<double> RampLevels::told(const ToldLookup& lookup, LevelSource source) const {
   if (source == LevelSource::color) return lookup.color[0];
-  if (!lookup.has_lambda_prime) return std::nullopt;
   return lookup.lambda_prime;
 }
 

@@ -91,8 +91,8 @@ class CandidateScene {
     const ExactLookup exact = textured->look_up(told.pixel);
     const TextureUse& use = *primitive.state->texture;
     TexturePoint point = exact.point;
-    if (told.has_coordinates)
-      point = {as_float(told.coordinates[0]), as_float(told.coordinates[1])};
+    if (told.coordinates)
+      point = {as_float((*told.coordinates)[0]), as_float((*told.coordinates)[1])};
     return sample(stage_->decoded(use.texture), *stage_->scene().textures[use.texture], use.sampler,
                   choices_.textures, {point, exact.lambda});
   }

@@ -219,8 +219,8 @@ std::optional<double> told(const Rendering& rendering, const Fragment& fragment,
     case ValueKind::inverse_w: {
       if (fragment.detail < 0) return std::nullopt;
       const FragmentDetail& detail = rendering.details[static_cast<std::size_t>(fragment.detail)];
-      if (!detail.has_coordinates) return std::nullopt;
-      return detail.coordinates[3];
+      if (!detail.coordinates) return std::nullopt;
+      return (*detail.coordinates)[3];
     }
   }
   return std::nullopt;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "exact/pixel.h"
@@ -26,8 +27,7 @@ struct SampledScene {
     int primitive = 0;
     std::array<double, 4> color{};
     // dFdx, dFdy, and their fine and coarse forms, where they are told.
-    std::array<std::array<double, 4>, kDerivatives> derivatives{};
-    std::array<bool, kDerivatives> has_derivative{};
+    std::array<std::optional<std::array<double, 4>>, kDerivatives> derivatives;
   };
   Scene scene;
   std::vector<Sample> samples;
