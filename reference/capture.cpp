@@ -2,7 +2,9 @@
 #include "reference/capture.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -103,26 +105,25 @@ void tell(const Record& record, bool multisampled, Fragment& fragment) {
     fragment.color[i] = static_cast<double>(record.color[i]);
 }
 
+template <std::size_t N>
+std::array<double, N> to_doubles(const float (&numbers)[N]) {
+  std::array<double, N> result;
+  std::copy(std::begin(numbers), std::end(numbers), result.begin());
+  return result;
+}
+
 FragmentDetail to_detail(const DetailedRecord& record) {
   FragmentDetail detail;
-  detail.has_coordinates = true;
-  std::copy(std::begin(record.coordinates), std::end(record.coordinates),
-            detail.coordinates.begin());
-  for (std::size_t i = 0; i < kDerivatives; ++i) {
-    detail.has_derivative[i] = true;
-    std::copy(std::begin(record.derivatives[i]), std::end(record.derivatives[i]),
-              detail.derivatives[i].begin());
-  }
+  detail.coordinates = to_doubles(record.coordinates);
+  for (std::size_t i = 0; i < kDerivatives; ++i)
+    detail.derivatives[i] = to_doubles(record.derivatives[i]);
   return detail;
 }
 
 FragmentDetail to_detail(const TexturedRecord& record) {
   FragmentDetail detail = to_detail(static_cast<const DetailedRecord&>(record));
-  detail.has_texture_coordinates = detail.has_level_of_detail = true;
-  std::copy(std::begin(record.texture_coordinates), std::end(record.texture_coordinates),
-            detail.texture_coordinates.begin());
-  std::copy(std::begin(record.level_of_detail), std::end(record.level_of_detail),
-            detail.level_of_detail.begin());
+  detail.texture_coordinates = to_doubles(record.texture_coordinates);
+  detail.level_of_detail = to_doubles(record.level_of_detail);
   return detail;
 }
 

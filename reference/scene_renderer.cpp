@@ -310,17 +310,18 @@ void SceneRenderer::drop_details(const Scene& scene, Rendering& rendering) const
   const std::vector<ScenePrimitive> primitives = primitives_of(scene);
   for (const Fragment& fragment : rendering.fragments) {
     FragmentDetail& detail = rendering.details[static_cast<std::size_t>(fragment.detail)];
-    detail.has_coordinates = asked.coordinates;
+    if (!asked.coordinates) detail.coordinates.reset();
     for (std::size_t i = 0; i < kDerivatives; ++i) {
       const bool is_plain = i <= static_cast<std::size_t>(Derivative::y);
-      detail.has_derivative[i] =
-          asked.derivatives && (is_plain || objects_->programs.plain().fine_and_coarse);
+      if (!asked.derivatives || !(is_plain || objects_->programs.plain().fine_and_coarse))
+        detail.derivatives[i].reset();
     }
     if (fragment.primitive == kNoPrimitive) continue;  // a doubt, see below
     const auto& texture = primitives[static_cast<std::size_t>(fragment.primitive)].state->texture;
-    detail.has_texture_coordinates = asked.texture && texture;
-    detail.has_level_of_detail = asked.texture && texture && queries_level_of_detail_ &&
-                                 texture->lookup.kind == LookupKind::implicit;
+    if (!asked.texture || !texture) detail.texture_coordinates.reset();
+    if (!asked.texture || !texture || !queries_level_of_detail_ ||
+        texture->lookup.kind != LookupKind::implicit)
+      detail.level_of_detail.reset();
   }
 }
 

@@ -72,7 +72,7 @@ Rendering turned_over(Rendering rendering) {
   turn_rows_over(rendering.accumulated, 4 * width, height);
   for (Fragment& fragment : rendering.fragments) fragment.y = rendering.height - 1 - fragment.y;
   for (FragmentDetail& detail : rendering.details)
-    if (detail.has_coordinates) detail.coordinates[1] = rendering.height - detail.coordinates[1];
+    if (auto& at = detail.coordinates) (*at)[1] = rendering.height - (*at)[1];
   sort_fragments(rendering);
   for (Rendering& pass : rendering.passes) pass = turned_over(std::move(pass));
   return rendering;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "model/sampling.h"
@@ -19,21 +20,18 @@ namespace edgecase {
 enum class Derivative { x, y, x_fine, y_fine, x_coarse, y_coarse };
 constexpr std::size_t kDerivatives = 6;
 
-// What a fragment is asked for beside colour and depth.
+// What a fragment is asked for beside colour and depth; null where the renderer does not tell it.
 struct FragmentDetail {
-  std::array<double, 4> coordinates{};  // gl_FragCoord: x, y in pixels, z in 0 to 1, 1/w
-  bool has_coordinates = false;
+  // gl_FragCoord: x, y in pixels, z in 0 to 1, 1/w.
+  std::optional<std::array<double, 4>> coordinates;
   // Of the colour's four components, per pixel: dFdx, dFdy, dFdxFine, dFdyFine, dFdxCoarse,
   // dFdyCoarse. Of a textured draw: of s and t, and zeros.
-  std::array<std::array<double, 4>, kDerivatives> derivatives{};
-  std::array<bool, kDerivatives> has_derivative{};
+  std::array<std::optional<std::array<double, 4>>, kDerivatives> derivatives;
   // Of a textured draw: s and t, as interpolated.
-  std::array<double, 2> texture_coordinates{};
-  bool has_texture_coordinates = false;
+  std::optional<std::array<double, 2>> texture_coordinates;
   // Of a textured draw, as textureQueryLod tells them: the level that is accessed, 0 the base
   // level, and lambda' before it is clamped.
-  std::array<double, 2> level_of_detail{};
-  bool has_level_of_detail = false;
+  std::optional<std::array<double, 2>> level_of_detail;
 };
 
 // One fragment shader invocation.

@@ -174,17 +174,14 @@ FragmentDetail shade_details(const PrimitiveAttributes& attributes, CentreColors
                              const ExactLookup* lookup) {
   const Point sample = pixel_centre(at.pixel.x, at.pixel.y);
   FragmentDetail detail;
-  detail.has_coordinates = asked.coordinates;
   if (asked.coordinates) detail.coordinates = coordinates_at(attributes, {sample, sample, sample});
   if (asked.texture && lookup) {
-    detail.has_texture_coordinates = detail.has_level_of_detail = true;
     detail.texture_coordinates = {middle(lookup->coordinates[0]), middle(lookup->coordinates[1])};
     detail.level_of_detail = {middle(lookup->queried[0]), middle(lookup->queried[1])};
   }
   if (!asked.derivatives) return detail;
   for (std::size_t d = 0; d < kDerivatives; ++d) {
     const auto derivative = static_cast<Derivative>(d);
-    detail.has_derivative[d] = true;
     const DerivativeMethod method = choice.derivatives[form_of(derivative)];
     // Along x, then along y, form by form.
     if (d >= 2 && method == choice.derivatives[0]) {

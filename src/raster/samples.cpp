@@ -119,9 +119,7 @@ class MultisampledPrimitive {
     fragment.coverage = coverage;
     if (details_.coordinates) {
       fragment.detail = static_cast<int>(rendering_.details.size());
-      FragmentDetail& detail = rendering_.details.emplace_back();
-      detail.has_coordinates = true;
-      detail.coordinates = coordinates_at(told_, places);
+      rendering_.details.emplace_back().coordinates = coordinates_at(told_, places);
     }
     return rendering_.fragments.emplace_back(fragment);
   }

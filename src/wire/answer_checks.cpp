@@ -28,8 +28,7 @@ void require_size_if_any(std::string_view what, std::size_t size, std::size_t wa
 }
 
 bool derives(const FragmentDetail& detail) {
-  return std::find(detail.has_derivative.begin(), detail.has_derivative.end(), true) !=
-         detail.has_derivative.end();
+  return std::ranges::any_of(detail.derivatives, [](const auto& four) { return four.has_value(); });
 }
 
 // A float32 buffer may hold a depth that rounding took beyond 0 or 1; an unsigned one cannot.
@@ -100,13 +99,13 @@ void check_supersampled(const Rendering& rendering, const Scene& scene) {
 }  // namespace
 
 bool tells_something(const FragmentDetail& detail) {
-  return detail.has_coordinates || detail.has_texture_coordinates || detail.has_level_of_detail ||
+  return detail.coordinates || detail.texture_coordinates || detail.level_of_detail ||
          derives(detail);
 }
 
 void check_detail(const FragmentDetail& detail, Details asked, bool is_textured) {
-  const bool textured = detail.has_texture_coordinates || detail.has_level_of_detail;
-  if ((detail.has_coordinates && !asked.coordinates) || (derives(detail) && !asked.derivatives) ||
+  const bool textured = detail.texture_coordinates || detail.level_of_detail;
+  if ((detail.coordinates && !asked.coordinates) || (derives(detail) && !asked.derivatives) ||
       (textured && !(asked.texture && is_textured)))
     throw Refusal("a fragment tells a detail that the request does not ask for");
 }

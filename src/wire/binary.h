@@ -203,15 +203,8 @@ void carry(Io& io, T& info) {
 
 template <class Io, Of<FragmentDetail> T>
 void carry(Io& io, T& detail) {
-  const auto carry_told = [&](auto& is_told, auto& numbers) {
-    carry(io, is_told);
-    if (is_told) carry(io, numbers);
-  };
-  carry_told(detail.has_coordinates, detail.coordinates);
-  for (std::size_t i = 0; i < kDerivatives; ++i)
-    carry_told(detail.has_derivative[i], detail.derivatives[i]);
-  carry_told(detail.has_texture_coordinates, detail.texture_coordinates);
-  carry_told(detail.has_level_of_detail, detail.level_of_detail);
+  carry_all(io, detail.coordinates, detail.derivatives, detail.texture_coordinates,
+            detail.level_of_detail);
 }
 
 }  // namespace edgecase::wire

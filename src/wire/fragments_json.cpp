@@ -129,8 +129,7 @@ void read_derivatives(const json& value, const Path& path, FragmentDetail& detai
   for (std::size_t i = 0; i < kDerivatives; ++i) {
     const json* four = optional_member(value, kDerivativeNames[i]);
     if (four == nullptr) continue;
-    read_numbers(*four, {path, kDerivativeNames[i]}, detail.derivatives[i]);
-    detail.has_derivative[i] = true;
+    read_numbers(*four, {path, kDerivativeNames[i]}, detail.derivatives[i].emplace());
   }
 }
 
@@ -154,12 +153,11 @@ std::optional<FragmentDetail> read_detail(const json& value, const Path& path, D
     return std::nullopt;
   FragmentDetail detail;
   const auto read = [&](const json* found, const char* key, auto& numbers) {
-    if (found != nullptr) read_numbers(*found, {path, key}, numbers);
-    return found != nullptr;
+    if (found != nullptr) read_numbers(*found, {path, key}, numbers.emplace());
   };
-  detail.has_coordinates = read(coordinates, "coordinates", detail.coordinates);
-  detail.has_texture_coordinates = read(texture, "texture_coordinates", detail.texture_coordinates);
-  detail.has_level_of_detail = read(level, "level_of_detail", detail.level_of_detail);
+  read(coordinates, "coordinates", detail.coordinates);
+  read(texture, "texture_coordinates", detail.texture_coordinates);
+  read(level, "level_of_detail", detail.level_of_detail);
   if (derivatives != nullptr) read_derivatives(*derivatives, {path, "derivatives"}, detail);
   return detail;
 }

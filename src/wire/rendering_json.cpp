@@ -44,26 +44,25 @@ void write_numbers(Output out, const std::array<double, N>& numbers) {
 }
 
 void write_detail(Output out, const FragmentDetail& detail) {
-  if (detail.has_coordinates) {
+  if (detail.coordinates) {
     fmt::format_to(out, ",\"coordinates\":");
-    write_numbers(out, detail.coordinates);
+    write_numbers(out, *detail.coordinates);
   }
   const char* before = ",\"derivatives\":{";
   for (std::size_t i = 0; i < kDerivatives; ++i) {
-    if (!detail.has_derivative[i]) continue;
+    if (!detail.derivatives[i]) continue;
     fmt::format_to(out, "{}\"{}\":", before, kDerivativeNames[i]);
-    write_numbers(out, detail.derivatives[i]);
+    write_numbers(out, *detail.derivatives[i]);
     before = ",";
   }
-  const auto& told = detail.has_derivative;
-  if (std::find(told.begin(), told.end(), true) != told.end()) *out++ = '}';
-  if (detail.has_texture_coordinates) {
+  if (before[1] == '\0') *out++ = '}';
+  if (detail.texture_coordinates) {
     fmt::format_to(out, ",\"texture_coordinates\":");
-    write_numbers(out, detail.texture_coordinates);
+    write_numbers(out, *detail.texture_coordinates);
   }
-  if (detail.has_level_of_detail) {
+  if (detail.level_of_detail) {
     fmt::format_to(out, ",\"level_of_detail\":");
-    write_numbers(out, detail.level_of_detail);
+    write_numbers(out, *detail.level_of_detail);
   }
 }
 

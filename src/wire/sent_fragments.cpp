@@ -188,10 +188,13 @@ int read_as(Reader& io, std::size_t primitives, Rendering& rendering) {
 }
 
 void drop_signs_of_zero(FragmentDetail& detail) {
-  wire::drop_signs_of_zero(detail.coordinates);
-  for (auto& derivative : detail.derivatives) wire::drop_signs_of_zero(derivative);
-  wire::drop_signs_of_zero(detail.texture_coordinates);
-  wire::drop_signs_of_zero(detail.level_of_detail);
+  const auto drop = [](auto& numbers) {
+    if (numbers) wire::drop_signs_of_zero(*numbers);
+  };
+  drop(detail.coordinates);
+  for (auto& derivative : detail.derivatives) drop(derivative);
+  drop(detail.texture_coordinates);
+  drop(detail.level_of_detail);
 }
 
 }  // namespace

@@ -164,32 +164,30 @@ class Drawing {
     fragment.depth = values_.depth(shape, piece, seen);
     FragmentDetail detail;
     if (scene_.details.coordinates) {
-      detail.has_coordinates = true;
       detail.coordinates = {static_cast<double>(seen.x) / kPixel,
                             static_cast<double>(seen.y) / kPixel, fragment.depth,
                             values_.inverse_w(shape, piece, seen)};
       if (freedoms_.crime == "coordinates by one unit")
-        detail.coordinates[0] =
-            static_cast<double>(std::nextafter(static_cast<float>(detail.coordinates[0]), 9e9F));
+        detail.coordinates->front() = static_cast<double>(
+            std::nextafter(static_cast<float>(detail.coordinates->front()), 9e9F));
     }
     const bool one_sample = scene_.target.samples == 1;
-    if ((scene_.details.derivatives || draw.texture) && one_sample) {
-      detail.derivatives = values_.derivatives(shape, piece, pixel);
-      if (scene_.details.derivatives) detail.has_derivative.fill(true);
-    }
+    std::array<Values4, kDerivatives> derivatives{};
+    if ((scene_.details.derivatives || draw.texture) && one_sample)
+      derivatives = values_.derivatives(shape, piece, pixel);
     if (draw.texture) {
       const Values4 coordinates = fragment.color;
-      const LookedUp found = textures_.look_up(*draw.texture, coordinates, detail.derivatives[0],
-                                               detail.derivatives[1]);
+      const LookedUp found =
+          textures_.look_up(*draw.texture, coordinates, derivatives[0], derivatives[1]);
       fragment.color = found.color;
       if (scene_.details.texture) {
-        detail.has_texture_coordinates = true;
         detail.texture_coordinates = {coordinates[0], coordinates[1]};
-        detail.has_level_of_detail = !freedoms_.tells_less;
-        detail.level_of_detail = found.queried;
+        if (!freedoms_.tells_less) detail.level_of_detail = found.queried;
       }
-      for (auto& one : detail.derivatives) one[2] = one[3] = 0;
+      for (auto& one : derivatives) one[2] = one[3] = 0;
     }
+    if (scene_.details.derivatives && one_sample)
+      std::ranges::copy(derivatives, detail.derivatives.begin());
     if (scene_.details.any()) {
       fragment.detail = static_cast<int>(rendering_.details.size());
       rendering_.details.push_back(detail);

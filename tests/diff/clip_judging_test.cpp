@@ -190,8 +190,8 @@ TEST(ClipJudging, DepthsAndInversesOfPointsErrByTheirOperations) {
     rendered.pixels.clear();
     for (Fragment& f : rendered.fragments) f.depth += depth;
     for (FragmentDetail& detail : rendered.details) {
-      detail.coordinates[2] += depth;
-      detail.coordinates[3] += inverse;
+      detail.coordinates.value()[2] += depth;
+      detail.coordinates.value()[3] += inverse;
     }
     return judge_output(scene, {}, rendered).verdict;
   };
@@ -209,7 +209,7 @@ TEST(ClipJudging, DepthsAndInversesOfPointsErrByTheirOperations) {
   scene.details.coordinates = true;
   Rendering rendered = rasterize(scene, {});
   ASSERT_FALSE(rendered.details.empty());
-  rendered.details[0].coordinates[3] += 1e-6;
+  rendered.details[0].coordinates.value()[3] += 1e-6;
   EXPECT_EQ(judge_output(scene, {}, rendered).verdict, Verdict::violation);
 }
 

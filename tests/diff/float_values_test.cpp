@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -148,7 +149,7 @@ Rendering float_rendering(const Scene& scene, Rendering rendering, Formula formu
     FragmentDetail& detail = rendering.details[static_cast<std::size_t>(f.detail)];
     detail.coordinates = {f.x + .5, f.y + .5, f.depth,
                           static_cast<double>(primitive.inverse_w(x, y))};
-    detail.derivatives = differences_at(primitive, f.x, f.y);
+    std::ranges::copy(differences_at(primitive, f.x, f.y), detail.derivatives.begin());
   }
   return stored(scene, std::move(rendering));
 }

@@ -30,7 +30,8 @@ TEST(LevelRamp, TheRampIsWhatFragmentsOfAStripTell) {
     EXPECT_EQ(point.x, static_cast<int>(i));
     EXPECT_EQ(point.y, 0);
     const Fragment& f = exact.fragments[i];
-    EXPECT_EQ(point.exact, exact.details[static_cast<std::size_t>(f.detail)].level_of_detail[1]);
+    EXPECT_EQ(point.exact,
+              exact.details[static_cast<std::size_t>(f.detail)].level_of_detail.value()[1]);
     EXPECT_NEAR(point.rendered, point.exact + 0.01, 1e-9);
     EXPECT_LT(point.low, point.exact);
     EXPECT_GT(point.high, point.exact);
@@ -77,7 +78,7 @@ TEST(LevelLimits, AreTheRenderersOwn) {
   const Scene& scene = textures_named("far bias");
   const Rendering clamped = changed_textures(scene, [](Fragment& f, FragmentDetail& detail) {
     f.has_color = false;
-    detail.level_of_detail[1] -= 5;
+    detail.level_of_detail.value()[1] -= 5;
   });
   const auto verdict = [&](const RendererFacts& known) {
     Result result = compare(scene, {}, rasterize(scene, {}), clamped, known);

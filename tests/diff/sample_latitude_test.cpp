@@ -77,8 +77,8 @@ TEST(SampleJudging, ValuesWithoutMultisamplingMayBeOfAnyPlaceInThePixel) {
     rendered.sample_pixels.clear();
     for (Fragment& f : rendered.fragments) f.color[0] += pixels / 6;
     for (FragmentDetail& detail : rendered.details) {
-      detail.coordinates[0] += pixels;
-      detail.coordinates[2] += pixels / 12;
+      detail.coordinates.value()[0] += pixels;
+      detail.coordinates.value()[2] += pixels / 12;
     }
     for (Fragment& f : rendered.fragments) f.depth += pixels / 12;
     return judged(scene, rendered).verdict;
@@ -107,7 +107,7 @@ TEST(SampleJudging, FragCoordIsNotOfTheCentroid) {
     Rendering rendered = exact;
     Fragment& f = rendered.fragments[place];
     f.depth = depth_at(f.x + x, f.y + y);
-    rendered.details[static_cast<std::size_t>(f.detail)].coordinates[2] = f.depth;
+    rendered.details[static_cast<std::size_t>(f.detail)].coordinates.value()[2] = f.depth;
     return judged(scene, rendered).verdict;
   };
   for (const double x : {0.01, 0.25, 0.75, 0.99})

@@ -144,7 +144,7 @@ TEST(TextureAlternatives, ALevelOfDerivativesThatAreZeroIsNamed) {
   const std::string choice = "texture.scale-factor=x-only";
   Rendering rendered = rasterize(scene, policy_of({choice}));
   for (const FragmentDetail& detail : rendered.details)
-    EXPECT_EQ(detail.level_of_detail[1], -std::numeric_limits<double>::infinity());
+    EXPECT_EQ(detail.level_of_detail.value()[1], -std::numeric_limits<double>::infinity());
   const Result result = judge_textures(scene, in_float32(scene, rendered));
   EXPECT_EQ(result.verdict, Verdict::violation);
   EXPECT_EQ(result.disagreements.size(), rendered.fragments.size()) << describe_textures(result);

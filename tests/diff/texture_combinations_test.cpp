@@ -97,7 +97,7 @@ TEST(TextureCombinations, AProfileNamesThreeAndFourByColoursAlone) {
   const Policy profile = policy_of(kFour);
   Scene scene = textures_named("floor");
   Rendering rendered = rasterize(scene, profile);
-  for (FragmentDetail& detail : rendered.details) detail.has_level_of_detail = false;
+  for (FragmentDetail& detail : rendered.details) detail.level_of_detail.reset();
   const Result result = judge_textures(scene, rendered, {}, &profile);
   expect_contested_at_most(result);
   std::size_t most = 0;

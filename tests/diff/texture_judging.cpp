@@ -290,15 +290,15 @@ Rendering in_float32(const Scene& scene, Rendering rendering) {
     fragment.depth = to_float(fragment.depth);
     round_numbers(fragment.color);
     FragmentDetail& detail = detail_of(rendering, fragment);
-    round_numbers(detail.texture_coordinates);
-    round_numbers(detail.level_of_detail);
+    if (detail.texture_coordinates) round_numbers(*detail.texture_coordinates);
+    if (detail.level_of_detail) round_numbers(*detail.level_of_detail);
   }
   return stored(scene, std::move(rendering));
 }
 
 TextureChange level_moved(double by) {
   return [by](Fragment&, FragmentDetail& detail) {
-    for (double& level : detail.level_of_detail) level += by;
+    for (double& level : detail.level_of_detail.value()) level += by;
   };
 }
 

@@ -67,19 +67,19 @@ TEST(TextureLatitude, ALevelThatIsToldIsTheOneThatIsAccessedAndLookedUp) {
   const Result accessed =
       judge_textures(scene, changed_texture(scene, 7, [](Fragment& f, FragmentDetail& detail) {
                        f.has_color = false;
-                       detail.level_of_detail[0] += 0.0687;
+                       detail.level_of_detail.value()[0] += 0.0687;
                      }));
   expect_one_fault(accessed, "texture.scale-factor");
   const Result coarse =
       judge_textures(scene, changed_texture(scene, 7, [](Fragment& f, FragmentDetail& detail) {
                        f.has_color = false;
-                       detail.level_of_detail[0] += 0.0287;
+                       detail.level_of_detail.value()[0] += 0.0287;
                      }));
   EXPECT_EQ(rulings_of(coarse), std::set<int>{50}) << describe_textures(coarse);
   const Result inside =
       judge_textures(scene, changed_texture(scene, 7, [](Fragment& f, FragmentDetail& detail) {
                        f.has_color = false;
-                       detail.level_of_detail[0] += 0.0033;
+                       detail.level_of_detail.value()[0] += 0.0033;
                      }));
   EXPECT_EQ(inside.verdict, Verdict::permitted) << describe_textures(inside);
   const Result color = judge_textures(
@@ -94,7 +94,7 @@ TEST(TextureLatitude, WeightsOfSixBitsArePermittedAndOfFewerAreNot) {
   const auto rulings_by = [&](double steps, bool to_nearest) {
     const Rendering rendered = changed_textures(scene, [&](Fragment& f, FragmentDetail& detail) {
       f.has_color = false;
-      double& level = detail.level_of_detail[0];
+      double& level = detail.level_of_detail.value()[0];
       level = (to_nearest ? std::round(level * steps) : std::floor(level * steps)) / steps;
     });
     return rulings_of(judge_textures(scene, rendered));
@@ -258,7 +258,7 @@ TEST(TextureLatitude, LevelsThatAreNoNumbersAreFaults) {
     for (const double value : {kNan, kInfinity, -kInfinity}) {
       const Result result =
           judge_textures(scene, changed_texture(scene, 5, [&](Fragment&, FragmentDetail& detail) {
-                           detail.level_of_detail[which] = value;
+                           detail.level_of_detail.value()[which] = value;
                          }));
       expect_one_fault(result, "texture.scale-factor");
     }
@@ -270,15 +270,16 @@ TEST(TextureLatitude, ATextureThatDoesNotMoveMayBeAnywhereBelowItsFirstLevel) {
   const Scene scene = textured_scene(8, 8, *textures_named("floor").textures[0], place,
                                      sampler_of(Filter::linear, MipFilter::linear));
   const Rendering exact = rasterize(scene, {});
-  EXPECT_EQ(exact.details[0].level_of_detail[1], -kInfinity);
+  EXPECT_EQ(exact.details[0].level_of_detail.value()[1], -kInfinity);
   EXPECT_EQ(judge_textures(scene, exact).verdict, Verdict::agree);
   for (const auto& point : level_ramp(scene, {}, exact, {8})) {
     EXPECT_EQ(point.low, -kInfinity);
     EXPECT_LT(point.high, -6);
   }
   for (const double told : {-31.75, -63.5, -127.0}) {
-    const Result result =
-        judged(scene, [&](Fragment&, FragmentDetail& detail) { detail.level_of_detail[1] = told; });
+    const Result result = judged(scene, [&](Fragment&, FragmentDetail& detail) {
+      detail.level_of_detail.value()[1] = told;
+    });
     EXPECT_EQ(result.verdict, Verdict::permitted) << told << "\n" << describe_textures(result);
   }
   const Result above =
@@ -296,7 +297,7 @@ TEST(TextureLatitude, CoordinatesThatAreNoNumbersExcuseTheColour) {
       const Scene& scene = textures_named(name);
       const Result result =
           judge_textures(scene, changed_texture(scene, 4, [&](Fragment& f, FragmentDetail& detail) {
-                           detail.texture_coordinates[0] = value;
+                           detail.texture_coordinates.value()[0] = value;
                            f.color = rasterize(scene, {}).fragments[9].color;
                          }));
       EXPECT_EQ(result.verdict, Verdict::violation);
@@ -307,7 +308,7 @@ TEST(TextureLatitude, CoordinatesThatAreNoNumbersExcuseTheColour) {
   const Scene& scene = textures_named("off the grid");
   const Result none =
       judge_textures(scene, changed_texture(scene, 4, [](Fragment& f, FragmentDetail& detail) {
-                       detail.texture_coordinates[1] = kNan;
+                       detail.texture_coordinates.value()[1] = kNan;
                        f.color.fill(kNan);
                      }));
   for (const Disagreement& d : none.disagreements) EXPECT_EQ(d.rule, "attribute.smooth");
@@ -334,8 +335,10 @@ TEST(TextureLatitude, DetailsMayBeMissing) {
   for (const TexturedScene& one : judged_textures()) {
     Rendering bare = rasterize(one.scene, {});
     bare.mip_chains.clear();
-    for (FragmentDetail& detail : bare.details)
-      detail.has_texture_coordinates = detail.has_level_of_detail = false;
+    for (FragmentDetail& detail : bare.details) {
+      detail.texture_coordinates.reset();
+      detail.level_of_detail.reset();
+    }
     EXPECT_EQ(judge_textures(one.scene, bare).verdict, Verdict::agree) << one.name;
     for (Fragment& fragment : bare.fragments) fragment.detail = -1;
     EXPECT_EQ(judge_textures(one.scene, bare).verdict, Verdict::agree) << one.name;

@@ -28,7 +28,7 @@ using Coordinates = std::array<double, 4>;
 template <class Change>
 FragmentChange coordinates(Change change) {
   return [change](const Scene& scene, Fragment&, FragmentDetail& detail) {
-    change(scene, detail.coordinates);
+    change(scene, detail.coordinates.value());
   };
 }
 
@@ -185,7 +185,8 @@ std::vector<ValueMutant> coordinate_mutants() {
             all_fragments([](const Scene& scene, Fragment& f, FragmentDetail& detail) {
               Interpolant inverse = exact_attributes(scene, f).inverse_w;
               inverse.perspective = true;
-              detail.coordinates[3] = middle(interpolate_exact(inverse, pixel_centre(f.x, f.y)));
+              detail.coordinates.value()[3] =
+                  middle(interpolate_exact(inverse, pixel_centre(f.x, f.y)));
             })),
       {"gl_FragCoord.w one ULP off",
        steep,

@@ -30,7 +30,7 @@ ValueMutation by(Form form, DerivativeMethod method) {
 }
 
 std::array<double, 4>& of(FragmentDetail& detail, Derivative derivative) {
-  return detail.derivatives[static_cast<std::size_t>(derivative)];
+  return detail.derivatives[static_cast<std::size_t>(derivative)].value();
 }
 
 ValueMutation each(std::vector<Derivative> derivatives, double (*change)(double)) {

@@ -94,7 +94,7 @@ TEST(TextureMeasurement, NeedsNoQueries) {
   const Choices rules{{"texture.scale-factor", "largest-partial"}, {"texture.log2", "mantissa-8"}};
   const SurfaceFindings findings =
       findings_among({"level of detail ", "ramp "}, rules, [](const Task&, Rendering& rendering) {
-        for (FragmentDetail& detail : rendering.details) detail.has_level_of_detail = false;
+        for (FragmentDetail& detail : rendering.details) detail.level_of_detail.reset();
       });
   for (const auto& [rule, alternative] : rules) expect_found(findings, rule, alternative);
   EXPECT_EQ(findings.levels.size(), values_of<RampKind>().size());
@@ -111,8 +111,8 @@ TEST(TextureMeasurement, NamesTheWorstFragment) {
             return;
           for (const Fragment& fragment : rendering.fragments)
             if (PixelPosition{fragment.x, fragment.y} == kPixel)
-              rendering.details[static_cast<std::size_t>(fragment.detail)].level_of_detail[1] +=
-                  0.25;
+              rendering.details[static_cast<std::size_t>(fragment.detail)]
+                  .level_of_detail.value()[1] += 0.25;
         });
     for (const LevelResiduals& row : findings.levels) {
       const FormulaResidual& found = row.found();

@@ -76,7 +76,7 @@ TEST(ResidualTable, NamesTheFragmentThatIsFarthestOff) {
   Rendering rendering = rendering_of(scene, {});
   const std::size_t at = 300;
   const auto& fragment = rendering.fragments[at];
-  rendering.details[static_cast<std::size_t>(fragment.detail)].level_of_detail[1] += 0.25;
+  rendering.details[static_cast<std::size_t>(fragment.detail)].level_of_detail.value()[1] += 0.25;
   ResidualTable table(choices_of({}));
   table.add(RampKind::rotated, "ramp rotated/00000", scene, all_of(rendering));
   const LevelResiduals& query = table.rows()[0];

@@ -212,11 +212,10 @@ TEST_F(Attributes, DetailsAreOnlyWhatWasAsked) {
   for (const bool coordinates : {false, true})
     for (const bool derivatives : {false, true}) {
       const FragmentDetail detail = details_at(given, pixel, {coordinates, derivatives});
-      EXPECT_EQ(detail.has_coordinates, coordinates);
-      for (const bool has : detail.has_derivative) EXPECT_EQ(has, derivatives);
+      for (const auto& four : detail.derivatives) EXPECT_EQ(four.has_value(), derivatives);
       const std::array<double, 4> expected{5.5, 4.5, fragment.depth, 1};
-      EXPECT_EQ(detail.coordinates, coordinates ? expected : (std::array<double, 4>{}));
-      EXPECT_EQ(detail.derivatives[0][0] != 0, derivatives);
+      EXPECT_EQ(detail.coordinates, coordinates ? std::optional(expected) : std::nullopt);
+      EXPECT_EQ(detail.derivatives[0].value_or(std::array<double, 4>{})[0] != 0, derivatives);
     }
 }
 
@@ -227,10 +226,10 @@ TEST_F(Attributes, EachFormOfADerivativeFollowsItsOwnMethod) {
   const PrimitiveAttributes given = attributes();
   const QuadPixel pixel{{5, 4}, {4, 4}};
   const FragmentDetail detail = details_at(given, pixel, {false, true});
-  EXPECT_NE(detail.derivatives[0][3], 0);
+  EXPECT_NE(detail.derivatives[0].value()[3], 0);
   for (std::size_t d = 0; d < kDerivatives; ++d)
     for (std::size_t c = 0; c < 4; ++c)
-      EXPECT_EQ(detail.derivatives[d][c],
+      EXPECT_EQ(detail.derivatives[d].value()[c],
                 middle(derivative_exact(given.color[c], pixel, d % 2 == 0 ? Axis::x : Axis::y,
                                         choices_.values.derivatives[d / 2])));
 }
@@ -311,12 +310,9 @@ TEST_F(Attributes, LookupsAreToldWhereAskedFor) {
       const FragmentDetail detail =
           details_at(given, pixel, {false, false, asked}, textured ? &lookup : nullptr);
       const bool told = asked && textured;
-      EXPECT_EQ(detail.has_texture_coordinates, told);
-      EXPECT_EQ(detail.has_level_of_detail, told);
-      EXPECT_EQ(detail.texture_coordinates,
-                told ? (std::array<double, 2>{0.25, 3}) : (std::array<double, 2>{}));
-      EXPECT_EQ(detail.level_of_detail,
-                told ? (std::array<double, 2>{2, 2.5}) : (std::array<double, 2>{}));
+      using Pair = std::optional<std::array<double, 2>>;
+      EXPECT_EQ(detail.texture_coordinates, told ? Pair({0.25, 3}) : Pair());
+      EXPECT_EQ(detail.level_of_detail, told ? Pair({2, 2.5}) : Pair());
     }
 }
 

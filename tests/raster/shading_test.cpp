@@ -122,8 +122,8 @@ TEST(Rasterize, FragmentsHaveDetailsWhereASceneAsksForThem) {
   for (const Fragment& fragment : detailed.fragments) {
     ASSERT_GE(fragment.detail, 0);
     const FragmentDetail& detail = detailed.details[static_cast<std::size_t>(fragment.detail)];
-    EXPECT_EQ(detail.coordinates[0], fragment.x + 0.5);
-    EXPECT_EQ(detail.coordinates[1], fragment.y + 0.5);
+    EXPECT_EQ(detail.coordinates.value()[0], fragment.x + 0.5);
+    EXPECT_EQ(detail.coordinates.value()[1], fragment.y + 0.5);
   }
 }
 

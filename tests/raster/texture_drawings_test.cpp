@@ -43,8 +43,8 @@ TEST(TextureDrawings, OneToOneIsTheTexture) {
         EXPECT_EQ(pixel_of(rendering, f.x, f.y), texel_of(texture, 0, f.x, f.y));
         const auto& detail = rendering.details[static_cast<std::size_t>(f.detail)];
         EXPECT_EQ(detail.level_of_detail, (std::array<double, 2>{0, 0}));
-        EXPECT_DOUBLE_EQ(detail.texture_coordinates[0], (f.x + 0.5) / width);
-        EXPECT_DOUBLE_EQ(detail.texture_coordinates[1], (f.y + 0.5) / height);
+        EXPECT_DOUBLE_EQ(detail.texture_coordinates.value()[0], (f.x + 0.5) / width);
+        EXPECT_DOUBLE_EQ(detail.texture_coordinates.value()[1], (f.y + 0.5) / height);
       }
     }
   }
@@ -130,7 +130,7 @@ TEST(TextureDrawings, TrilinearColoursTellLambda) {
   for (const Fragment& f : rendering.fragments) {
     EXPECT_NEAR(f.color[0], std::log2(2.5), 1e-13);
     EXPECT_EQ(f.color[2], 0.25);
-    const auto& lod = rendering.details[static_cast<std::size_t>(f.detail)].level_of_detail;
+    const auto& lod = rendering.details[static_cast<std::size_t>(f.detail)].level_of_detail.value();
     EXPECT_NEAR(lod[0], std::log2(2.5), 1e-13);
     EXPECT_EQ(lod[0], lod[1]);
   }
@@ -149,7 +149,7 @@ TEST(TextureDrawings, AnisotropicProbesStayInTheFineLevel) {
   for (const Fragment& f : sharp.fragments) {
     EXPECT_NEAR(f.color[0], 0.25, 1e-15);
     EXPECT_EQ(f.color[1], 0);
-    EXPECT_EQ(sharp.details[static_cast<std::size_t>(f.detail)].level_of_detail[1], 0);
+    EXPECT_EQ(sharp.details[static_cast<std::size_t>(f.detail)].level_of_detail.value()[1], 0);
   }
   scene.draws[0].texture->sampler.max_anisotropy = 1;
   for (const Fragment& f : rasterize(scene, {}).fragments) EXPECT_EQ(f.color[1], 2);
@@ -226,8 +226,8 @@ TEST(TextureDrawings, UntexturedDrawsShowTheirColours) {
   plain.textures.clear();
   EXPECT_EQ(rendering.pixels, rasterize(plain, {}).pixels);
   for (const FragmentDetail& detail : rendering.details) {
-    EXPECT_FALSE(detail.has_texture_coordinates);
-    EXPECT_FALSE(detail.has_level_of_detail);
+    EXPECT_FALSE(detail.texture_coordinates.has_value());
+    EXPECT_FALSE(detail.level_of_detail.has_value());
   }
 }
 

@@ -98,7 +98,7 @@ TEST(WindowDepth, FragmentsAndBuffersHaveTheRangesDepth) {
   scene.depth_range = {0.75F, 0.25F};
   const Rendering rendering = drawn(scene);
   EXPECT_EQ(told_depths(rendering), (Depths{35 / 64.0, 33 / 64.0}));
-  EXPECT_EQ(rounded(rendering.details.at(0).coordinates[2]), 35 / 64.0);
+  EXPECT_EQ(rounded(rendering.details.at(0).coordinates.value()[2]), 35 / 64.0);
   EXPECT_EQ(rendering.depths[0], 35 / 64.0);
   // A range that is turned round shows what is farther.
   scene.draws.push_back(rectangle({0, 0, 2, 2}, 1, kGreen));
@@ -114,7 +114,7 @@ TEST(WindowDepth, AnOffsetAddsSlopeAndUnits) {
   Scene scene = ramp(DepthFormat::depth24);
   scene.draws[0].polygon_offset = PolygonOffset{2, 0, 0};
   EXPECT_EQ(told_depths(drawn(scene)), (Depths{17 / 32.0, 19 / 32.0}));
-  EXPECT_EQ(rounded(drawn(scene).details.at(1).coordinates[2]), 19 / 32.0);
+  EXPECT_EQ(rounded(drawn(scene).details.at(1).coordinates.value()[2]), 19 / 32.0);
   scene.draws[0].polygon_offset = PolygonOffset{-1, 0, 0};
   EXPECT_EQ(told_depths(drawn(scene)), (Depths{11 / 32.0, 13 / 32.0}));
   scene.draws[0].polygon_offset = PolygonOffset{8, 0, 0.25F};
@@ -164,7 +164,7 @@ TEST(WindowDepth, DepthsAreClampedOnceTheOffsetIsAdded) {
     EXPECT_EQ(told_depths(below), (Depths{0, 1 / 32.0}));
     EXPECT_EQ(below.fragments[0].depth, 0);
     EXPECT_EQ(below.depths[0], 0);
-    EXPECT_EQ(below.details.at(0).coordinates[2], 0);
+    EXPECT_EQ(below.details.at(0).coordinates.value()[2], 0);
   }
 }
 

@@ -242,7 +242,8 @@ TEST(Example, SmoothIsDividedByWAndNoperspectiveIsNot) {
   ASSERT_EQ(rendering.fragments.size(), 7u);
   EXPECT_EQ(rendering.fragments[1].color[0], 1.0 / 14);
   EXPECT_EQ(rendering.fragments[1].depth, 3.0 / 16);
-  EXPECT_THAT(rendering.details.at(1).coordinates, ElementsAre(1.5, 0.5, 3.0 / 16, 7.0 / 8));
+  EXPECT_THAT(rendering.details.at(1).coordinates.value(),
+              ElementsAre(1.5, 0.5, 3.0 / 16, 7.0 / 8));
   rendering = render(example(), perspective_line(Interpolation::noperspective));
   EXPECT_EQ(rendering.fragments[1].color[0], 3.0 / 16);
   rendering = render(example(), perspective_line(Interpolation::flat));

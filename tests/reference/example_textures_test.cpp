@@ -58,7 +58,7 @@ TEST(Example, TexturesWrap) {
   const auto detail_of = [&](std::size_t fragment) {
     return rendering.details.at(static_cast<std::size_t>(rendering.fragments.at(fragment).detail));
   };
-  EXPECT_THAT(detail_of(3).texture_coordinates, ElementsAre(0.75, 0.5));
+  EXPECT_THAT(detail_of(3).texture_coordinates.value(), ElementsAre(0.75, 0.5));
   // On the border between two rows: the upper one.
   EXPECT_THAT(pixel(rendering, 3, 0), ElementsAre(2, 1, 0, 255));
 }

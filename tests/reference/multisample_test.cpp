@@ -194,7 +194,7 @@ TEST_P(SamplesTest, HaveInvocationsOfTheirOwnWhereAskedFor) {
       const Point place = place_in({fragment.x, fragment.y}, rendering->sample_positions[sample]);
       EXPECT_NEAR(fragment.color[0] * 8, place.x.to_double(), 1e-3);
       const auto& coordinates =
-          rendering->details[static_cast<std::size_t>(fragment.detail)].coordinates;
+          rendering->details[static_cast<std::size_t>(fragment.detail)].coordinates.value();
       EXPECT_NEAR(coordinates[0], place.x.to_double(), 1e-3);
       EXPECT_NEAR(coordinates[1], place.y.to_double(), 1e-3);
     }

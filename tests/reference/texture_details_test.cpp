@@ -20,15 +20,16 @@ TEST_P(TextureDetailsTest, ALevelOfDetailIsToldOfImplicitLookupsAlone) {
   const Rendering implicit = render(renderer(), stepping(flat_levels(64, 64), use, 0.5f));
   ASSERT_EQ(implicit.details.size(), 16u);
   for (const FragmentDetail& detail : implicit.details) {
-    EXPECT_TRUE(detail.has_texture_coordinates);
-    ASSERT_EQ(detail.has_level_of_detail, queries());
+    EXPECT_TRUE(detail.texture_coordinates.has_value());
+    ASSERT_EQ(detail.level_of_detail.has_value(), queries());
     if (!queries()) continue;
-    EXPECT_NEAR(detail.level_of_detail[0], 0, kNear);
-    EXPECT_NEAR(detail.level_of_detail[1], -1, kNear);
+    EXPECT_NEAR(detail.level_of_detail.value()[0], 0, kNear);
+    EXPECT_NEAR(detail.level_of_detail.value()[1], -1, kNear);
   }
   use.lookup = {LookupKind::lod, 1, {}, {}};
   const Rendering told = render(renderer(), stepping(flat_levels(64, 64), use, 0.5f));
-  for (const FragmentDetail& detail : told.details) EXPECT_FALSE(detail.has_level_of_detail);
+  for (const FragmentDetail& detail : told.details)
+    EXPECT_FALSE(detail.level_of_detail.has_value());
 }
 
 TEST_P(TextureDetailsTest, DerivativesAreThoseOfTheTextureCoordinates) {
@@ -37,12 +38,12 @@ TEST_P(TextureDetailsTest, DerivativesAreThoseOfTheTextureCoordinates) {
   const Rendering rendering = render(renderer(), scene);
   ASSERT_EQ(rendering.details.size(), 64u);
   for (const FragmentDetail& detail : rendering.details) {
-    EXPECT_FALSE(detail.has_coordinates);
+    EXPECT_FALSE(detail.coordinates.has_value());
     for (std::size_t i = 0; i < kDerivatives; ++i) {
       const bool along_x = i % 2 == 0;
-      EXPECT_NEAR(detail.derivatives[i][0], along_x ? 0.25 : 0, kNear);
-      EXPECT_NEAR(detail.derivatives[i][1], along_x ? 0 : -2, kNear);
-      EXPECT_NEAR(detail.derivatives[i][2], 0, kNear);
+      EXPECT_NEAR(detail.derivatives[i].value()[0], along_x ? 0.25 : 0, kNear);
+      EXPECT_NEAR(detail.derivatives[i].value()[1], along_x ? 0 : -2, kNear);
+      EXPECT_NEAR(detail.derivatives[i].value()[2], 0, kNear);
     }
   }
 }
@@ -72,8 +73,8 @@ TEST_P(TextureDetailsTest, DrawsOfASceneAreTexturedOrNotEachForItself) {
       // Of a fragment without a texture there is nothing to tell.
       ASSERT_EQ(fragment.detail >= 0, is_textured);
       if (!is_textured) continue;
-      EXPECT_TRUE(detail_of(rendering, fragment).has_texture_coordinates);
-      EXPECT_EQ(detail_of(rendering, fragment).has_level_of_detail, queries());
+      EXPECT_TRUE(detail_of(rendering, fragment).texture_coordinates.has_value());
+      EXPECT_EQ(detail_of(rendering, fragment).level_of_detail.has_value(), queries());
     }
   }
 }
@@ -153,8 +154,8 @@ TEST_P(TextureDetailsTest, ASceneWithoutTexturedDrawsHasNoTextureDetails) {
   const Rendering rendering = render(renderer(), scene);
   ASSERT_EQ(rendering.details.size(), 4u);
   for (const FragmentDetail& detail : rendering.details) {
-    EXPECT_FALSE(detail.has_texture_coordinates);
-    EXPECT_FALSE(detail.has_level_of_detail);
+    EXPECT_FALSE(detail.texture_coordinates.has_value());
+    EXPECT_FALSE(detail.level_of_detail.has_value());
   }
   for (const Fragment& fragment : rendering.fragments) EXPECT_THAT(fragment.color, Each(1.0));
 }

@@ -30,7 +30,7 @@ TEST_P(TexturesTest, ATexelPerPixelShowsTheImage) {
     EXPECT_THAT(pixel(rendering, fragment.x, fragment.y),
                 ElementsAre(texels[i][0], texels[i][1], texels[i][2], 255));
     EXPECT_NEAR(fragment.color[0] * 255, static_cast<double>(texels[i][0]), 1e-3);
-    const auto& at = detail_of(rendering, fragment).texture_coordinates;
+    const auto& at = detail_of(rendering, fragment).texture_coordinates.value();
     EXPECT_NEAR(at[0], (fragment.x + 0.5) / 5, kNear);
     EXPECT_NEAR(at[1], (fragment.y + 0.5) / 3, kNear);
   }

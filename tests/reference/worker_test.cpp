@@ -110,7 +110,7 @@ TEST(Worker, WithoutFineDerivativesItTellsThePlainOnes) {
               has_extension ? "plain fine coarse" : "plain");
     ASSERT_EQ(rendering.details.size(), 1u);
     for (std::size_t i = 0; i < kDerivatives; ++i)
-      EXPECT_EQ(rendering.details[0].has_derivative[i], has_extension || i < 2) << i;
+      EXPECT_EQ(rendering.details[0].derivatives[i].has_value(), has_extension || i < 2) << i;
   }
 }
 

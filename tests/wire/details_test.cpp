@@ -37,14 +37,11 @@ Rendering detailed_rendering() {
   rendering.depths = {0, 1, 1 / 65535.0, static_cast<double>(0.1f), 0.5, 1};
   rendering.details.resize(2);
   FragmentDetail& all = rendering.details[1];
-  all.has_coordinates = true;
   all.coordinates = {2.5, 1.5, static_cast<double>(0.3f), kInf};
   for (std::size_t i = 0; i < kDerivatives; ++i) {
-    all.has_derivative[i] = true;
     const double at = static_cast<double>(i);
     all.derivatives[i] = {at, -at / 3, i == 4 ? -kInf : 1e-30, 0};
   }
-  rendering.details[0].has_coordinates = true;
   rendering.details[0].coordinates = {0.5, 0.5, 0, 1};
   Fragment fragment;
   fragment.x = 2;
@@ -83,13 +80,11 @@ TEST(AnswerDetails, AreReadBack) {
   };
   EXPECT_EQ(read.fragments[0].x, 0);
   EXPECT_EQ(detail_of(0).coordinates, rendering.details[0].coordinates);
-  EXPECT_EQ(detail_of(0).has_derivative, rendering.details[0].has_derivative);
+  EXPECT_EQ(detail_of(0).derivatives, rendering.details[0].derivatives);
   EXPECT_EQ(read.fragments[1].x, 1);
   EXPECT_EQ(read.fragments[1].detail, -1);
   EXPECT_EQ(read.fragments[2].x, 2);
-  EXPECT_TRUE(detail_of(2).has_coordinates);
   EXPECT_EQ(detail_of(2).coordinates, rendering.details[1].coordinates);
-  EXPECT_EQ(detail_of(2).has_derivative, rendering.details[1].has_derivative);
   EXPECT_EQ(detail_of(2).derivatives, rendering.details[1].derivatives);
 }
 
@@ -97,21 +92,22 @@ TEST(AnswerDetails, EachDerivativeMayBeMissing) {
   const std::string line = answer_line(kDigest, detailed_rendering(), nullptr);
   for (std::size_t missing = 0; missing < kDerivatives; ++missing) {
     Rendering rendering = detailed_rendering();
-    rendering.details[1].has_derivative[missing] = false;
+    rendering.details[1].derivatives[missing].reset();
     const std::string text = answer_line(kDigest, rendering, nullptr);
     EXPECT_THAT(line, HasSubstr("\"" + std::string(kDerivativeNames[missing]) + "\":"));
     EXPECT_THAT(text, Not(HasSubstr("\"" + std::string(kDerivativeNames[missing]) + "\":")));
     const auto parsed = parse(text, asking_scene());
     ASSERT_TRUE(std::holds_alternative<Answer>(parsed)) << std::get<WireError>(parsed).message;
     const Rendering& read = std::get<Rendering>(std::get<Answer>(parsed).outcome);
-    EXPECT_EQ(read.details[0].has_derivative, rendering.details[1].has_derivative);
+    EXPECT_EQ(read.details[0].derivatives, rendering.details[1].derivatives);
   }
 }
 
 TEST(AnswerDetails, HaveTheDocumentedForm) {
   Rendering rendering = detailed_rendering();
   rendering.fragments.resize(1);
-  rendering.details[1].has_derivative = {true, false, false, true, false, false};
+  for (const std::size_t missing : {1U, 2U, 4U, 5U})
+    rendering.details[1].derivatives[missing].reset();
   EXPECT_EQ(fragments_json(rendering),
             R"([{"x":2,"y":1,"primitive":0,"coverage":1,"depth":0,"color":[0,0,0,0],)"
             R"("coordinates":[2.5,1.5,0.30000001192092896,"inf"],)"

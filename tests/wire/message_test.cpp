@@ -145,7 +145,6 @@ Rendering detailed() {
   rendering.fragments[0].detail = 0;
   rendering.fragments[1].detail = 1;
   FragmentDetail& detail = rendering.details[0];
-  detail.has_coordinates = detail.has_level_of_detail = detail.has_derivative[3] = true;
   detail.coordinates = {2.5, 1.5, 0.25, 1};
   detail.derivatives[3] = {1, 2, 3, 4};
   detail.level_of_detail = {0.5, -1};
@@ -305,7 +304,7 @@ TEST(AnswerMessages, ThatAreNoRenderingOfTheSceneAreRefused) {
       {"coverage 0", [](Rendering& r) { r.fragments[0].coverage = 0; }},
       {"coverage 2", [](Rendering& r) { r.fragments[0].coverage = 2; }},
       {"detail",
-       [](Rendering& r) { r.details[1].has_texture_coordinates = true; }},  // not a textured draw
+       [](Rendering& r) { r.details[1].texture_coordinates.emplace(); }},  // not a textured draw
       {"no texture", [](Rendering& r) { r.mip_chains[1] = r.mip_chains[2]; }},
       {"no texture", [](Rendering& r) { r.mip_chains[7] = r.mip_chains[2]; }},
       {"no level", [](Rendering& r) { r.mip_chains[2].clear(); }},

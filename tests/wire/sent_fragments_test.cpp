@@ -107,7 +107,7 @@ TEST(SentFragments, TellTheDetailOfEachNeighbour) {
   });
   rendering.details.resize(4);
   for (std::size_t i = 0; i < 4; ++i) {
-    rendering.details[i].has_coordinates = i != 1;  // which then tells nothing
+    if (i == 1) continue;  // it tells nothing
     rendering.details[i].coordinates = {static_cast<double>(i), -0.0, 0, 1};
   }
   expect_to_be_read_as_from_a_line(scene, rendering);
@@ -166,7 +166,7 @@ TEST(SentFragments, WithARunOfDetailsAreRefused) {
     f[0].detail = 0;
   });
   rendering.details.resize(1);
-  rendering.details[0].has_coordinates = true;
+  rendering.details[0].coordinates.emplace();
   const std::string good = answer_message(kDigest, rendering, false, nullptr);
   EXPECT_EQ(refusal_of_bytes(scene, good), "");
   EXPECT_THAT(refusal_of_bytes(scene, with_lengths(good, kAndDetail, 2)),

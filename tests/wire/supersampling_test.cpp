@@ -125,7 +125,6 @@ Rendering two_pass_rendering() {
   fragment.x = 2;
   fragment.detail = 0;
   FragmentDetail detail;
-  detail.has_coordinates = true;
   detail.coordinates = {2.5, 0.5, 0.25, 1};
   Rendering& second = rendering.passes[1];
   second.fragments = {fragment};

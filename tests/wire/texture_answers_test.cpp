@@ -36,13 +36,9 @@ Rendering textured_rendering() {
   rendering.height = 2;
   rendering.pixels.resize(24);
   rendering.details.resize(3);
-  rendering.details[0].has_texture_coordinates = true;
   rendering.details[0].texture_coordinates = {0.25, static_cast<double>(-0.1f)};
-  rendering.details[0].has_level_of_detail = true;
   rendering.details[0].level_of_detail = {1.5, static_cast<double>(-kInf)};
-  rendering.details[1].has_texture_coordinates = true;
   rendering.details[1].texture_coordinates = {static_cast<double>(kInf), 7};
-  rendering.details[2].has_level_of_detail = true;
   rendering.details[2].level_of_detail = {0, 0.75};
   for (int i = 0; i < 5; ++i) {
     Fragment fragment;
@@ -73,11 +69,9 @@ TEST(TextureAnswers, AreReadBack) {
     ASSERT_EQ(read.fragments[i].detail, static_cast<int>(i));
     const FragmentDetail& got = read.details[i];
     const FragmentDetail& told = rendering.details[i];
-    EXPECT_EQ(got.has_texture_coordinates, told.has_texture_coordinates);
     EXPECT_EQ(got.texture_coordinates, told.texture_coordinates);
-    EXPECT_EQ(got.has_level_of_detail, told.has_level_of_detail);
     EXPECT_EQ(got.level_of_detail, told.level_of_detail);
-    EXPECT_FALSE(got.has_coordinates);
+    EXPECT_FALSE(got.coordinates.has_value());
   }
   EXPECT_EQ(read.fragments[3].detail, -1);
   EXPECT_EQ(read.mip_chains, rendering.mip_chains);
@@ -88,13 +82,13 @@ TEST(TextureAnswers, NotANumberIsToldAsOne) {
   rendering.details[0].level_of_detail = {std::nan(""), 0};
   const std::string line = answer_line(kDigest, rendering, nullptr);
   EXPECT_THAT(line, HasSubstr(R"("level_of_detail":["nan",0])"));
-  EXPECT_TRUE(std::isnan(read_back(line).details[0].level_of_detail[0]));
+  EXPECT_TRUE(std::isnan(read_back(line).details[0].level_of_detail.value()[0]));
 }
 
 TEST(TextureAnswers, HaveTheDocumentedForm) {
   Rendering rendering = textured_rendering();
   rendering.fragments.resize(1);
-  rendering.details[0].has_coordinates = true;
+  rendering.details[0].coordinates.emplace();
   rendering.mip_chains[11] = {texture_level(1, 1, TextureFormat::rgba32f)};
   EXPECT_EQ(fragments_json(rendering),
             R"([{"x":0,"y":0,"primitive":0,"coverage":1,"depth":0,"color":[0,0,0,0],)"

@@ -46,7 +46,7 @@ std::size_t ExactLookups::texture_of(const Fragment& fragment) const {
 
 bool ExactLookups::tells_level(const Fragment& fragment) const {
   return fragment.detail >= 0 &&
-         rendered_.details[static_cast<std::size_t>(fragment.detail)].has_level_of_detail;
+         rendered_.details[static_cast<std::size_t>(fragment.detail)].level_of_detail.has_value();
 }
 
 // The same of exact, where it looked up in the same texels; null: there is none.

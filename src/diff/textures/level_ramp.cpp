@@ -23,10 +23,10 @@ std::vector<Result::LevelPoint> level_ramp(const Scene& scene, const ResolvedPol
     if (!ramp.empty() && f.y != ramp.front().y) break;
     if (!context.primitive_of(f).state->texture) continue;
     const FragmentDetail* detail = lookups.detail_of(f);
-    if (detail == nullptr || !detail->has_level_of_detail) continue;
+    if (detail == nullptr || !detail->level_of_detail) continue;
     const Interval band = lookups.permitted_lambda(f);
     ramp.push_back({f.x, f.y, lookups.exact(f).level_of_detail[1], band.low, band.high,
-                    detail->level_of_detail[1]});
+                    (*detail->level_of_detail)[1]});
   }
   return ramp;
 }

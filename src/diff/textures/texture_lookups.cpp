@@ -226,8 +226,8 @@ Boxes TextureLookups::permitted_levels(const Fragment& fragment, Reach reach) {
 // lambda' as the renderer tells it: what it makes of it must fit, wherever in the band it lies.
 std::optional<Interval> TextureLookups::told_lambda(const Fragment& fragment) const {
   const FragmentDetail* detail = detail_of(fragment);
-  if (detail == nullptr || !detail->has_level_of_detail) return std::nullopt;
-  const double told = detail->level_of_detail[1];
+  if (detail == nullptr || !detail->level_of_detail) return std::nullopt;
+  const double told = (*detail->level_of_detail)[1];
   // The logarithm of 0 is a level, too: the least that there is.
   if (std::isinf(told) && told < 0) return Interval(told);
   if (!std::isfinite(told)) return std::nullopt;
@@ -237,9 +237,9 @@ std::optional<Interval> TextureLookups::told_lambda(const Fragment& fragment) co
 TexturePoint TextureLookups::point_of(const Fragment& fragment,
                                       const PrimitiveAttributes& attributes, double error) const {
   const FragmentDetail* detail = detail_of(fragment);
-  if (detail != nullptr && detail->has_texture_coordinates)
-    return {near(detail->texture_coordinates[0], error),
-            near(detail->texture_coordinates[1], error)};
+  if (detail != nullptr && detail->texture_coordinates)
+    return {near((*detail->texture_coordinates)[0], error),
+            near((*detail->texture_coordinates)[1], error)};
   const MovedVertices vertices(attributes.color[0], context_.values_of(fragment).reach);
   const Point centre = pixel_centre(fragment.x, fragment.y);
   const PermittedPlace place(vertices, centre);
@@ -359,10 +359,10 @@ std::vector<Texel> TextureLookups::probed_colors(const Fragment& fragment,
 // Does the renderer tell that what it looked up is nowhere? No mean of texels is defined there.
 bool TextureLookups::has_unknown_coordinates(const Fragment& fragment) const {
   const FragmentDetail* detail = detail_of(fragment);
-  if (detail == nullptr || !detail->has_texture_coordinates ||
+  if (detail == nullptr || !detail->texture_coordinates ||
       !has_linear_filter(use_of(fragment).sampler))
     return false;
-  const auto& [s, t] = detail->texture_coordinates;
+  const auto& [s, t] = *detail->texture_coordinates;
   return (!std::isfinite(s) || (texture_of(fragment).dimensions == 2 && !std::isfinite(t)));
 }
 

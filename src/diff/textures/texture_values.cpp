@@ -146,7 +146,7 @@ class LookupComparison {
   // What the renderer tells.
   std::vector<double> rendered_of(const Fragment& fragment) const {
     if (!subject_.is_query) return {fragment.color.begin(), fragment.color.end()};
-    const auto& told = lookups_.detail_of(fragment)->level_of_detail;
+    const auto& told = *lookups_.detail_of(fragment)->level_of_detail;
     return {told.begin(), told.end()};
   }
 
@@ -380,7 +380,7 @@ void compare_texture_lookups(const ValueContext& context, const Rendering& exact
     const LookedUp own = lookups.exact(f);
     const FragmentDetail* detail = lookups.detail_of(f);
     bool agrees = true;
-    if (detail != nullptr && detail->has_level_of_detail)
+    if (detail != nullptr && detail->level_of_detail)
       agrees = levels.add(f, own.level_of_detail, result);
     if (f.has_color) agrees = colors.add(f, own.color, result) && agrees;
     if (agrees) lookups.forget(f);

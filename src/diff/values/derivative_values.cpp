@@ -56,7 +56,7 @@ std::vector<Way> ways_of(RowOrder chosen, const Target& target) {
 }
 
 const std::array<double, 4>& rendered_of(const Told& told) {
-  return told.detail->derivatives[static_cast<std::size_t>(told.derivative)];
+  return *told.detail->derivatives[static_cast<std::size_t>(told.derivative)];
 }
 
 // What is permitted of the colours of each primitive.
@@ -129,7 +129,7 @@ class DerivativeComparison {
       if (f.detail < 0) continue;
       const FragmentDetail& detail = rendered.details[static_cast<std::size_t>(f.detail)];
       for (const Derivative derivative : kinds_)
-        if (detail.has_derivative[static_cast<std::size_t>(derivative)])
+        if (detail.derivatives[static_cast<std::size_t>(derivative)])
           sort({&f, &detail, derivative}, others);
     }
     name_ways(std::move(others), result);

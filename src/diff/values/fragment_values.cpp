@@ -145,9 +145,9 @@ Fragment interpolated(const ValueContext& context, const Rendering& rendered, Fr
   if (!context.primitive_of(fragment).state->texture) return fragment;
   const FragmentDetail* detail =
       fragment.detail < 0 ? nullptr : &rendered.details[static_cast<std::size_t>(fragment.detail)];
-  fragment.has_color = detail != nullptr && detail->has_texture_coordinates;
+  fragment.has_color = detail != nullptr && detail->texture_coordinates;
   if (fragment.has_color)
-    fragment.color = {detail->texture_coordinates[0], detail->texture_coordinates[1], 0, 1};
+    fragment.color = {(*detail->texture_coordinates)[0], (*detail->texture_coordinates)[1], 0, 1};
   return fragment;
 }
 
@@ -247,8 +247,8 @@ void compare_coordinates(const ValueContext& context, const Rendering& rendered,
   for (const Fragment& f : rendered.fragments) {
     if (f.detail < 0) continue;
     const FragmentDetail& detail = rendered.details[static_cast<std::size_t>(f.detail)];
-    if (!detail.has_coordinates) continue;
-    const auto& [x, y, z, w] = detail.coordinates;
+    if (!detail.coordinates) continue;
+    const auto& [x, y, z, w] = *detail.coordinates;
     const Point place = context.coordinates_of(f);
     const bool exact = x == place.x.to_double() && y == place.y.to_double();
     const bool anywhere = !context.permitted_coordinates(f).empty();

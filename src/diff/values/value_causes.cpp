@@ -134,9 +134,8 @@ Cause cause_of_derivatives(const ValueContext& context, const Fragment& fragment
   return first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
     return std::ranges::any_of(values_of<DerivativeMethod>(), [&](DerivativeMethod method) {
       return std::ranges::all_of(along, [&](Derivative derivative) {
-        const auto kind = static_cast<std::size_t>(derivative);
-        return !detail.has_derivative[kind] || yields_derivative(attributes.color, at, derivative,
-                                                                 method, detail.derivatives[kind]);
+        const auto& told = detail.derivatives[static_cast<std::size_t>(derivative)];
+        return !told || yields_derivative(attributes.color, at, derivative, method, *told);
       });
     });
   });

@@ -53,7 +53,6 @@ Footprint RampLevels::rounded_footprint(const FragmentLookup& lookup,
 
 std::optional<double> RampLevels::reported(const FragmentLookup& lookup, LevelSource source) const {
   if (source == LevelSource::color) return lookup.color[0];
-  if (!lookup.has_lambda_prime) return std::nullopt;
   return lookup.lambda_prime;
 }
 

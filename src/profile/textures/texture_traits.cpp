@@ -43,8 +43,8 @@ class CandidateScene {
     const ExactLookup exact = textured->look_up(lookup.pixel);
     const TextureUse& use = *primitive.state->texture;
     TexturePoint point = exact.point;
-    if (lookup.has_coordinates)
-      point = {as_float(lookup.coordinates[0]), as_float(lookup.coordinates[1])};
+    if (lookup.coordinates)
+      point = {as_float((*lookup.coordinates)[0]), as_float((*lookup.coordinates)[1])};
     return sample(stage_->decoded(use.texture), *stage_->scene().textures[use.texture], use.sampler,
                   choices_.textures, {point, exact.lambda});
   }
@@ -124,9 +124,7 @@ std::vector<FragmentLookup> lookups_of(const Rendering& rendering, std::size_t m
     if (fragment.detail >= 0) {
       const FragmentDetail& detail = rendering.details[static_cast<std::size_t>(fragment.detail)];
       lookup.coordinates = detail.texture_coordinates;
-      lookup.has_coordinates = detail.has_texture_coordinates;
-      lookup.lambda_prime = detail.level_of_detail[1];
-      lookup.has_lambda_prime = detail.has_level_of_detail;
+      if (detail.level_of_detail) lookup.lambda_prime = (*detail.level_of_detail)[1];
     }
     result.push_back(lookup);
   }

@@ -42,10 +42,8 @@ struct FragmentLookup {
   PixelPosition pixel;
   int primitive = 0;
   std::array<double, 4> color{};
-  std::array<double, 2> coordinates{};  // s and t
-  bool has_coordinates = false;
-  double lambda_prime = 0;  // textureQueryLod's y
-  bool has_lambda_prime = false;
+  std::optional<std::array<double, 2>> coordinates;  // s and t
+  std::optional<double> lambda_prime;                // textureQueryLod's y
 };
 
 struct LookupScene {

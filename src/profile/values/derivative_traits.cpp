@@ -64,8 +64,8 @@ class DerivativeForm {
  private:
   void add(const SampledScene::Sample& sample, const PrimitiveAttributes& attributes,
            const QuadPixel& at, Counts& counts) const {
-    if (!sample.has_derivative[static_cast<std::size_t>(forms_[0])] ||
-        !sample.has_derivative[static_cast<std::size_t>(forms_[1])])
+    if (!sample.derivatives[static_cast<std::size_t>(forms_[0])] ||
+        !sample.derivatives[static_cast<std::size_t>(forms_[1])])
       return;
     const std::array<Holds, 2> holds{methods_of(sample, attributes, at, forms_[0]),
                                      methods_of(sample, attributes, at, forms_[1])};
@@ -91,7 +91,7 @@ class DerivativeForm {
       const DerivativeMethod method = values_of<DerivativeMethod>()[m];
       holds[m] = true;
       for (std::size_t c = 0; c < 4 && holds[m]; ++c) {
-        const double rendered = sample.derivatives[static_cast<std::size_t>(derivative)][c];
+        const double rendered = (*sample.derivatives[static_cast<std::size_t>(derivative)])[c];
         const Interval range =
             derivative_inexact(attributes.color[c], at, axis_of(derivative), method);
         holds[m] = std::isfinite(rendered) && rounded_to_float(range).contains(to_float(rendered));

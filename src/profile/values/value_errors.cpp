@@ -203,8 +203,8 @@ std::optional<double> reported(const Rendering& rendering, const Fragment& fragm
     case ValueKind::inverse_w: {
       if (fragment.detail < 0) return std::nullopt;
       const FragmentDetail& detail = rendering.details[static_cast<std::size_t>(fragment.detail)];
-      if (!detail.has_coordinates) return std::nullopt;
-      return detail.coordinates[3];
+      if (!detail.coordinates) return std::nullopt;
+      return (*detail.coordinates)[3];
     }
   }
   return std::nullopt;

@@ -182,13 +182,9 @@ SampledScene sampled(Scene scene, const Rendering& rendering, std::size_t most) 
   for (std::size_t i = 0; i < taken; ++i) {
     const Fragment& fragment = rendering.fragments[i * count / taken];
     if (!fragment.has_color) continue;
-    SampledScene::Sample sample{
-        {fragment.x, fragment.y}, fragment.primitive, fragment.color, {}, {}};
-    if (fragment.detail >= 0) {
-      const FragmentDetail& detail = rendering.details[static_cast<std::size_t>(fragment.detail)];
-      sample.derivatives = detail.derivatives;
-      sample.has_derivative = detail.has_derivative;
-    }
+    SampledScene::Sample sample{{fragment.x, fragment.y}, fragment.primitive, fragment.color, {}};
+    if (fragment.detail >= 0)
+      sample.derivatives = rendering.details[static_cast<std::size_t>(fragment.detail)].derivatives;
     result.samples.push_back(sample);
   }
   return result;

@@ -33,8 +33,7 @@ struct SampledScene {
     int primitive = 0;
     std::array<double, 4> color{};
     // dFdx, dFdy, and their fine and coarse forms, where they are reported.
-    std::array<std::array<double, 4>, kDerivatives> derivatives{};
-    std::array<bool, kDerivatives> has_derivative{};
+    std::array<std::optional<std::array<double, 4>>, kDerivatives> derivatives;
   };
   Scene scene;
   std::vector<Sample> samples;
