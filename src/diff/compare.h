@@ -5,6 +5,10 @@
 //   match -> legality, cause, explanation per difference -> values -> Result (not judged yet)
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
 #include "diff/coverage/supported_sizes.h"
 #include "model/figure.h"
 #include "model/renderer.h"
@@ -52,5 +56,14 @@ struct PixelExplanation {
 
 std::vector<PixelExplanation> explain_pixel(const Scene& scene, const ResolvedPolicy& policy, int x,
                                             int y);
+
+// ------------------------------------------------------------------------------------ equal pixels
+//
+// Pictures held against each other block by block: most blocks of most pictures are the same, which
+// memcmp says as fast as memory can be read, and only the others are looked at pixel by pixel.
+
+// How many pixels of two RGBA8 pictures are the same in all four bytes; of pictures of different
+// sizes, pixels that one of them lacks differ.
+std::size_t count_same_pixels(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b);
 
 }  // namespace edgecase

@@ -46,4 +46,15 @@ void judge(std::span<Result* const> results, Latitude latitude, const RunReading
 // The same under their own reading. Returns the name of the snap with which lines were read.
 std::string judge(std::span<Result* const> results, Latitude latitude);
 
+// ------------------------------------------------------------------------------- verdicts of parts
+//
+// Verdicts below those of a whole case: of one difference, and of each pixel.
+
+// Causes and legality have been decided. Never agree: something differs.
+Verdict verdict_of(const Disagreement& disagreement, Latitude latitude);
+Verdict verdict_of(const ValueAggregate& values, Latitude latitude);
+
+// Says of the pixels that are counted how they fare: compare() has all of them agree. `same` stays.
+void count_pixels(Result& result, Latitude latitude);
+
 }  // namespace edgecase

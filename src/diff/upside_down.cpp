@@ -12,7 +12,7 @@
 
 #include "diff/coverage/legality.h"
 #include "rules/coverage/snap.h"
-#include "rules/coverage/window_origin.h"
+#include "rules/coverage/window.h"
 
 namespace edgecase {
 namespace {

@@ -66,7 +66,7 @@ RawVector random_along(RandomSource& random, LineDirection direction, std::int64
 
 // A place of a pixel, by the diamond |dx| + |dy| < 1/2 round its centre. Edges are without their
 // ends; outside is a quarter of the pixel's square without its border. The first eight are the
-// bits of DiamondPart (rules/coverage/diamond_boundary.h), in their order.
+// bits of DiamondPart (rules/coverage/tie_rule.h), in their order.
 enum class DiamondPlace {
   left_corner,
   right_corner,

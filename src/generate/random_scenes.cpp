@@ -3,7 +3,7 @@
 
 #include "generate/random_shapes.h"
 #include "raster/rasterizer.h"
-#include "rules/coverage/diamond_boundary.h"
+#include "rules/coverage/tie_rule.h"
 
 namespace edgecase {
 namespace {

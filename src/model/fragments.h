@@ -18,7 +18,7 @@ namespace edgecase {
 // What two fragments have in common, to the bit.
 
 // NaN equals itself here, and 0 is not -0.
-inline std::uint64_t bits_of(double value) {
+inline std::uint64_t bit_pattern(double value) {
   return std::bit_cast<std::uint64_t>(value);
 }
 
@@ -29,8 +29,8 @@ inline bool cover_alike(const Fragment& a, const Fragment& b) {
 
 // Have they one depth and one colour?
 inline bool have_equal_values(const Fragment& a, const Fragment& b) {
-  return bits_of(a.depth) == bits_of(b.depth) &&
-         std::ranges::equal(a.color, b.color, {}, bits_of, bits_of);
+  return bit_pattern(a.depth) == bit_pattern(b.depth) &&
+         std::ranges::equal(a.color, b.color, {}, bit_pattern, bit_pattern);
 }
 
 // Sorting by a number that is small: in time linear in the items and in the numbers.

@@ -94,10 +94,10 @@ struct Result {
   std::vector<std::string> illegal_line_snaps;  // snaps under which some line is not legal
   // Alternatives under which some primitive that agrees with exact would not do so.
   AlternativeSet refuted;
-  // Of cases that ask for it (diff/textures/level_ramp.h): the levels of detail along a row that
+  // Of cases that ask for it (diff/shown.h): the levels of detail along a row that
   // fragments of textured draws tell.
   std::vector<LevelPoint> ramp;
-  // What either side makes where they differ (diff/disputed_fragments.h); empty where nothing does.
+  // What either side makes where they differ (diff/shown.h); empty where nothing does.
   std::vector<ToldFragment> exact_fragments;
   std::vector<ToldFragment> rendered_fragments;
   Shared<PackedWords> pixels;  // RGBA8, bottom row first; empty when not run, or not kept

@@ -55,9 +55,9 @@ struct Disagreement {
   // compare() decides by the letter of the text; judge() tells what is contested from what is
   // illegal.
   Legality legality = Legality::illegal;
-  Cause cause;            // none: no alternatives are found that draw so
-  std::string situation;  // where it lies on the primitive, in words (diff/coverage/situation.h)
-  int ruling = 0;         // number of the ruling by which `legality` was decided
+  Cause cause;                 // none: no alternatives are found that draw so
+  std::string situation;       // where it lies on the primitive, in words (situation_of)
+  int ruling = 0;              // number of the ruling by which `legality` was decided
   bool policy_agrees = false;  // the policy draws it too: held against the specification alone
   // Set where the whole answer is told to be upside down (rule window.origin): what is told of this
   // sample without that.

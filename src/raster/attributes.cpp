@@ -10,8 +10,8 @@
 
 #include "raster/texture_stage.h"
 #include "raster/vertex_attributes.h"
-#include "rules/values/exact_place.h"
 #include "rules/values/flat_attribute.h"
+#include "rules/values/interpolation.h"
 
 namespace edgecase {
 

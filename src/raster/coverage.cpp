@@ -7,12 +7,11 @@
 #include "raster/primitives.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/homogeneous_line.h"
-#include "rules/coverage/homogeneous_point.h"
-#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/line_areas.h"
 #include "rules/coverage/point_ownership.h"
+#include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
-#include "rules/samples/snapped_rectangle.h"
+#include "rules/samples/multisampled_line.h"
 
 namespace edgecase {
 namespace {

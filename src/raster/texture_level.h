@@ -10,9 +10,9 @@
 
 #include "exact/rational.h"
 #include "model/texture.h"
+#include "rules/choices.h"
 #include "rules/textures/level_of_detail.h"
 #include "rules/textures/texel_filter.h"
-#include "rules/textures/texture_choice.h"
 #include "rules/values/derivative.h"
 #include "rules/values/rational_interpolation.h"
 

@@ -15,7 +15,6 @@
 #include "model/texture.h"
 #include "raster/attributes.h"
 #include "rules/choices.h"
-#include "rules/textures/texture_choice.h"
 #include "rules/textures/texture_image.h"
 
 namespace edgecase {

@@ -5,7 +5,7 @@
 #include "raster/rasterizer.h"
 #include "raster/texture_level.h"
 #include "raster/texture_stage.h"
-#include "rules/values/coordinate_derivatives.h"
+#include "rules/values/derivative.h"
 
 namespace edgecase {
 namespace {

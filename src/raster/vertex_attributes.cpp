@@ -6,8 +6,8 @@
 #include <cstddef>
 
 #include "exact/rational.h"
-#include "rules/coverage/row_order.h"
-#include "rules/values/inexact_shares.h"
+#include "rules/coverage/window.h"
+#include "rules/values/inexact_interpolation.h"
 
 namespace edgecase {
 namespace {

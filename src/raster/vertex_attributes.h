@@ -13,7 +13,6 @@
 #include "model/scene.h"
 #include "rules/choices.h"
 #include "rules/values/clipped_interpolation.h"
-#include "rules/values/cut_line.h"
 #include "rules/values/interpolation.h"
 
 namespace edgecase {

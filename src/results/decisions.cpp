@@ -144,7 +144,8 @@ std::vector<FaultChange> plan_decisions(const Results& results, std::size_t inde
       accepted[{outcome.decision->reason, outcome.decision->link}].insert(outcome.decision->id);
   KnownFaults known = current;
   std::vector<FaultChange> changes;
-  for (const auto& [words, ids] : accepted) {
+  for (const auto& [words, cases] : accepted) {
+    const std::set<std::string>& ids = cases;  // a lambda captures no structured binding
     const auto is_wanted = [&ids](const std::string& id) { return ids.contains(id); };
     const auto planned =
         plan_blessing(results, index, known, {is_wanted, words.first, words.second});

@@ -6,37 +6,27 @@
 #include <vector>
 
 #include "rules/catalogue.h"
-#include "rules/ruling_sources.h"
 
 namespace edgecase {
 
-const char* name_of(Openness openness) {
-  switch (openness) {
-    case Openness::open:
-      return "open";
-    case Openness::mandated:
-      return "mandated";
-    case Openness::illegal:
-      return "illegal";
-  }
-  return "?";
-}
-
-const char* name_of(Basis basis) {
-  switch (basis) {
-    case Basis::normative:
-      return "normative";
-    case Basis::contested:
-      return "contested";
-  }
-  return "?";
+std::map<int, RulingSource> ruling_sources() {
+  std::map<int, RulingSource> all;
+  add_coverage_sources(all);
+  add_values_sources(all);
+  add_samples_sources(all);
+  add_textures_sources(all);
+  add_output_sources(all);
+  return all;
 }
 
 std::span<const Rule> all_rules() {
   static const std::vector<Rule> rules = [] {
     std::vector<Rule> complete = table_of_contents();
+    const std::map<int, RulingSource> sources = ruling_sources();
     for (Rule& rule : complete) {
-      for (Ruling& ruling : rule.rulings) ruling.source = source_of(ruling.number);
+      for (Ruling& ruling : rule.rulings)
+        if (const auto found = sources.find(ruling.number); found != sources.end())
+          ruling.source = found->second;
       if (!rule.rulings.empty()) rule.ruling = rule.rulings.front().number;
     }
     return complete;

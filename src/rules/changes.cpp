@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "rules/all_rules.h"
-#include "rules/coverage/window_origin.h"
+#include "rules/coverage/window.h"
 
 namespace edgecase {
 namespace {

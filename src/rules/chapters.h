@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // The rules in the order in which they are taught: chapters by family, and in them a section for
-// each essay, which is the comment on top of the header where its rules are declared.
+// each essay. That is the comment on top of the header where its rules are declared, or, where a
+// header holds several sections, the comment there that begins with "Essay: " and the title.
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,5 +33,14 @@ std::span<const Chapter> chapters();
 // Lines without the marks of a comment; a line that starts with a space belongs to a table, formula
 // or drawing.
 std::string_view essay_of(const Section& section);
+
+// ------------------------------------------------------------------------------- rulings and rules
+//
+// The catalogue as one document: src/rules/RULINGS.md is what this returns, and a test holds the
+// two together.
+
+// Markdown, as GitHub reads it: all rulings in the order of their numbers, then every rule with its
+// section of the specification, its latitude and its alternatives, in the order of all_rules.
+std::string rules_document();
 
 }  // namespace edgecase

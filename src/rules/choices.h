@@ -13,10 +13,10 @@
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/point_ownership.h"
 #include "rules/coverage/polygon_facing.h"
-#include "rules/coverage/row_order.h"
 #include "rules/coverage/snap.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/coverage/triangle_algorithm.h"
+#include "rules/coverage/window.h"
 #include "rules/output/blending.h"
 #include "rules/output/depth_test.h"
 #include "rules/output/polygon_offset.h"
@@ -29,7 +29,12 @@
 #include "rules/samples/sample_mask.h"
 #include "rules/samples/sample_placement.h"
 #include "rules/samples/shading_rate.h"
-#include "rules/textures/texture_choice.h"
+#include "rules/textures/anisotropy.h"
+#include "rules/textures/level_of_detail.h"
+#include "rules/textures/level_selection.h"
+#include "rules/textures/mip_chain.h"
+#include "rules/textures/texel_filter.h"
+#include "rules/textures/wrap.h"
 #include "rules/values/derivative.h"
 #include "rules/values/flat_attribute.h"
 #include "rules/values/interpolation.h"
@@ -69,6 +74,24 @@ struct ValueChoice {
   RowOrder quad_rows = RowOrder::bottom_up;
   LocationChoice locations;  // of multisampled targets
   OffsetChoice offset;       // of triangles' depths
+};
+
+// What a policy says of texture lookups.
+struct TextureChoice {
+  WrapChoice wrap = WrapChoice::as_set;
+  TexelGrid texel_grid = TexelGrid::none;
+  ScaleFactor scale_factor = ScaleFactor::lengths;
+  Log2Method log2 = Log2Method::exact;
+  DerivativeMethod derivatives = DerivativeMethod::fine;  // that the scale factor is made of
+  BiasChoice bias = BiasChoice::as_set;
+  Crossover crossover = Crossover::zero;
+  NearestLevel nearest_level = NearestLevel::down_at_ties;
+  LevelWeight level_weight = LevelWeight::exact;
+  Anisotropy anisotropy = Anisotropy::extension;
+  LevelCount level_count = LevelCount::larger_side;
+  MipmapMethod mipmap;  // of generated chains
+
+  friend bool operator==(const TextureChoice&, const TextureChoice&) = default;
 };
 
 // What a policy says of invocations and samples of multisampled targets, and of passes.

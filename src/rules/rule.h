@@ -7,10 +7,12 @@
 // open, and by which rulings a difference is judged.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "model/names.h"
 #include "model/rule_id.h"
 
 namespace edgecase {
@@ -24,8 +26,9 @@ enum class Openness {
   mandated,  // the only choice that conforms
   illegal,   // known from faulty implementations; never conforms as such
 };
-
-const char* name_of(Openness);
+template <>
+inline constexpr auto kNames<Openness> = std::to_array<Named<Openness>>(
+    {{Openness::open, "open"}, {Openness::mandated, "mandated"}, {Openness::illegal, "illegal"}});
 
 struct Alternative {
   std::string name;
@@ -33,19 +36,38 @@ struct Alternative {
   std::string meaning;  // one sentence
 };
 
+// Most rules have their alternatives in one table beside the enumeration that stands for them
+// (model/names.h): the name that policies use, whether it conforms, and what it means.
+template <class Enum>
+struct TabledAlternative {
+  Enum value;
+  const char* name;
+  Openness openness;
+  const char* meaning;
+};
+
+template <HasNames Enum>
+std::vector<Alternative> alternatives_of() {
+  std::vector<Alternative> alternatives;
+  for (const auto& row : kNames<Enum>)
+    alternatives.push_back({row.name, row.openness, row.meaning});
+  return alternatives;
+}
+
 // What a ruling rests on.
 enum class Basis {
   normative,  // a sentence of the specification, held against all others of its subject
   contested,  // its letter; another sentence, an open issue or the conformance tests read it
               // otherwise
 };
-
-const char* name_of(Basis);
+template <>
+inline constexpr auto kNames<Basis> =
+    std::to_array<Named<Basis>>({{Basis::normative, "normative"}, {Basis::contested, "contested"}});
 
 // The specification that rulings are held against, and its revision.
 inline constexpr const char* kRevision = "OpenGL 4.6 core, May 5, 2022";
 
-// What a ruling rests on (rules/ruling_sources.cpp has all of them).
+// What a ruling rests on (all_rules.cpp puts them beside the rulings).
 struct RulingSource {
   std::string clause = {};           // "14.5.1 (Basic Line Segment Rasterization)"; or several
   std::string revision = kRevision;  // of the text that is quoted

@@ -5,8 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "diff/disputed_fragments.h"
-#include "diff/textures/level_ramp.h"
+#include "diff/shown.h"
 #include "raster/rasterizer.h"
 
 namespace edgecase {

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "diff/pixel_verdicts.h"
+#include "diff/judge.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

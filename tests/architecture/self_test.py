@@ -44,6 +44,8 @@ CLEAN |= {
     "src/casefile/a.cpp": '#include "casefile/a.h"\n#include "casefile/sweep/a.h"\n',
     "src/profile/textures/a.cpp": '#include "profile/values/a.h"\n#include "profile/evidence/a.h"\n',
     "src/profile/a.cpp": '#include "profile/output/a.h"\n#include "profile/a.h"\n',
+    "src/diff/output/a.cpp": '#include "diff/coverage/a.h"\n#include "diff/values/a.h"\n',
+    "src/diff/a.cpp": '#include "diff/textures/a.h"\n#include "diff/samples/a.h"\n',
 }
 
 # A file, what stands in it, and what must be said of it.
@@ -66,6 +68,10 @@ FAULTS = [
     ("src/profile/evidence/z.h", '#include "profile/values/a.h"', "lies above evidence"),
     ("src/profile/values/z.cpp", '#include "profile/textures/a.h"', "lies above values"),
     ("src/profile/output/z.cpp", '#include "profile/profile.h"', "lies above output"),
+    ("src/diff/coverage/z.cpp", '#include "diff/values/a.h"', "lies above coverage"),
+    ("src/diff/values/z.h", '#include "diff/samples/a.h"', "lies above values"),
+    ("src/diff/samples/z.cpp", '#include "diff/textures/a.h"', "lies above samples"),
+    ("src/diff/textures/z.h", '#include "diff/compare.h"', "lies above textures"),
     ("src/diff/a.cpp", '#include "results/results.h"', "diff may not use results"),
     ("src/run/a.cpp", '#include "reports/html.h"', "run may not use reports"),
     ("reports/a.cpp", '#include "raster/rasterizer.h"', "reports may not use raster"),

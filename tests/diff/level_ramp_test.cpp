@@ -9,9 +9,9 @@
 
 #include "diff/compare.h"
 #include "diff/judge.h"
-#include "diff/textures/level_ramp.h"
+#include "diff/shown.h"
 #include "raster/rasterizer.h"
-#include "tests/diff/texture_judging.h"
+#include "tests/diff/textures/texture_judging.h"
 #include "tests/raster/texture_scenes.h"
 
 namespace edgecase {

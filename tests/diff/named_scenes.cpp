@@ -4,12 +4,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "diff/compare.h"
-#include "diff/judge.h"
 #include "raster/attributes.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/random_scenes.h"
-#include "tests/rules/support.h"
+#include "tests/support/points.h"
 
 namespace edgecase {
 namespace {
@@ -186,13 +184,6 @@ Rendering compose(const Scene& scene, std::vector<Fragment> fragments) {
 Fragment fragment_at(const Scene& scene, int primitive, int x, int y) {
   const ScenePrimitive one = primitives_of(scene).at(static_cast<std::size_t>(primitive));
   return shade(one, attributes_of(one, {}, scene.target), {x, y});
-}
-
-Result compare_and_judge(const Scene& scene, const Rendering& rendered, int subpixel_bits) {
-  Result result = compare(scene, {}, rasterize(scene, {}), rendered, {subpixel_bits});
-  Result* const results[] = {&result};
-  judge(results, Latitude::opengl);
-  return result;
 }
 
 }  // namespace edgecase

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "model/rendering.h"
-#include "model/result.h"
 #include "model/scene.h"
 
 namespace edgecase {
@@ -28,8 +27,5 @@ Rendering compose(const Scene& scene, std::vector<Fragment> fragments);
 
 // The right fragment of a primitive at a pixel, whether the primitive covers it or not.
 Fragment fragment_at(const Scene& scene, int primitive, int x, int y);
-
-// Compares with exact under policy `opengl` and judges the one result by itself.
-Result compare_and_judge(const Scene& scene, const Rendering& rendered, int subpixel_bits = 8);
 
 }  // namespace edgecase

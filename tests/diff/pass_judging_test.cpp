@@ -15,7 +15,7 @@
 #include "raster/rasterizer.h"
 #include "raster/samples.h"
 #include "tests/raster/random_scenes.h"
-#include "tests/support/causes.h"
+#include "tests/support/judging.h"
 
 namespace edgecase {
 namespace {
@@ -40,35 +40,13 @@ Scene lopsided() {
   return scene;
 }
 
-Result judged(const Scene& scene, const Rendering& rendered, const Policy& policy = {}) {
-  Result result = compare(scene, policy, rasterize(scene, policy), rendered, {8, nullptr});
-  Result* const only = &result;
-  judge({&only, 1}, policy.latitude);
-  return result;
-}
-
 Policy accumulating(const std::string& alternative) {
-  Policy policy;
-  policy.rules[kRule] = alternative;
-  return policy;
+  return policy_with(kRule, alternative);
 }
 
 // With pixels that fit.
 void show(Rendering& rendering) {
   std::ranges::transform(rendering.accumulated, rendering.pixels.begin(), to_unorm8);
-}
-
-std::set<std::string> rules_of(const Result& result) {
-  std::set<std::string> rules;
-  for (const Disagreement& d : result.disagreements) rules.insert(name_of(d.rule));
-  return rules;
-}
-
-std::set<std::string> causes_of(const Result& result) {
-  std::set<std::string> causes;
-  for (const Disagreement& d : result.disagreements) causes.insert(text_of(d.cause));
-  for (const ValueAggregate& v : result.values) causes.insert(text_of(v.cause));
-  return causes;
 }
 
 // Of the image alone: the passes are right.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "diff/pixel_blocks.h"
+#include "diff/compare.h"
 
 #include <gtest/gtest.h>
 

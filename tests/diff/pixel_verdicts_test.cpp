@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Each pixel counts once, by the worst that was found at it.
-#include "diff/pixel_verdicts.h"
+#include "diff/judge.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/raster/random_scenes.h"
-#include "tests/support/causes.h"
+#include "tests/support/judging.h"
 
 namespace edgecase {
 namespace {
@@ -84,7 +84,7 @@ TEST(PixelCounts, HaveTheVerdictOfTheirCaseAsTheirWorst) {
     if (i % 4 == 0) policy.rules["triangle.snap"] = "4-half-even";
     const Rendering exact = rasterize(scene, {});
     const Rendering rendered = rasterize(scene, i % 10 == 0 ? Policy{} : policy);
-    const Result result = compare_and_judge(scene, rendered);
+    const Result result = judged(scene, rendered);
     const PixelCounts& counts = result.pixel_counts;
     EXPECT_EQ(worst_of(counts), result.verdict) << i;
     EXPECT_EQ(counts.agree + counts.convention + counts.permitted + counts.violation, 100u);

@@ -12,30 +12,16 @@
 #include "diff/compare.h"
 #include "diff/judge.h"
 #include "raster/rasterizer.h"
-#include "tests/diff/fragment_changes.h"
+#include "tests/diff/coverage/fragment_changes.h"
 #include "tests/raster/random_scenes.h"
-#include "tests/rules/support.h"
-#include "tests/support/causes.h"
+#include "tests/support/judging.h"
+#include "tests/support/points.h"
 
 namespace edgecase {
 namespace {
 
-Policy policy_with(const std::string& rule, const std::string& alternative) {
-  Policy policy;
-  policy.rules[rule] = alternative;
-  return policy;
-}
-
-// A renderer's answer to a scene, judged by itself under a policy.
-Result judged(const Scene& scene, const Policy& policy, const Rendering& rendered, int bits = 8) {
-  Result result = compare(scene, policy, rasterize(scene, policy), rendered, {bits});
-  Result* const results[] = {&result};
-  judge(results, policy.latitude);
-  return result;
-}
-
 Result of_a_follower(const Scene& scene, const Policy& policy, int bits = 8) {
-  return judged(scene, policy, rasterize(scene, policy), bits);
+  return judged(scene, rasterize(scene, policy), policy, bits);
 }
 
 // Bresenham's ends, truncated toward zero, make a y-major line of this x-major one.
@@ -119,7 +105,7 @@ TEST(PolicyJudgedByOpenGl, ContestsAllThatComesOfAMajorAxis) {
   scene.details.coordinates = scene.details.derivatives = true;
   scene.draws[0].vertices[0].w = 4;
   const Result result =
-      judged(scene, {}, rasterize(scene, policy_with("attribute.smooth", "major-axis")));
+      judged(scene, rasterize(scene, policy_with("attribute.smooth", "major-axis")));
   EXPECT_EQ(result.verdict, Verdict::contested) << describe(result);
   std::map<std::string, int> of_each;
   for (const Disagreement& d : result.disagreements) {
@@ -138,7 +124,7 @@ TEST(PolicyJudgedByItself, AgreesWithWhoFollowsIt) {
     const Result result = of_a_follower(one.scene, policy);
     EXPECT_EQ(result.verdict, Verdict::agree) << one.rule << describe(result);
     EXPECT_TRUE(result.fingerprint.empty());
-    const Result standard = judged(one.scene, policy, rasterize(one.scene, {}));
+    const Result standard = judged(one.scene, rasterize(one.scene, {}), policy);
     EXPECT_EQ(standard.verdict, Verdict::violation) << one.rule << describe(standard);
   }
 }
@@ -148,7 +134,7 @@ TEST(PolicyJudgedByOpenGl, DoesNotBlameWhoDrawsByTheSpecification) {
   for (const Forbidden& one : forbidden()) {
     if (std::string(one.rule).starts_with("attribute.")) continue;
     const Policy policy = policy_with(one.rule, one.alternative);
-    const Result result = judged(one.scene, policy, rasterize(one.scene, {}));
+    const Result result = judged(one.scene, rasterize(one.scene, {}), policy);
     EXPECT_TRUE(result.verdict == Verdict::convention || result.verdict == Verdict::permitted)
         << one.rule << describe(result);
   }
@@ -225,7 +211,7 @@ TEST(PolicyJudgedByOpenGl, TellsOtherFaultsBesideIt) {
   const Policy policy = policy_with("triangle.fill-rule", "closed");
   Fragments fragments = rasterize(scene, policy).fragments;
   std::erase_if(fragments, [](const Fragment& f) { return f.x == 9 && f.y == 5; });
-  const Result result = judged(scene, policy, compose(scene, fragments));
+  const Result result = judged(scene, compose(scene, fragments), policy);
   EXPECT_EQ(result.verdict, Verdict::violation);
   int others = 0;
   for (const Disagreement& d : result.disagreements) {
@@ -259,7 +245,7 @@ TEST(PolicyJudgedByOpenGl, NeverLetsThroughWhatThePlainPolicyFaults) {
     Policy policy;
     policy.rules = choices[static_cast<std::size_t>(i) % choices.size()];
     const Rendering rendered = rasterize(scene, policy);
-    const bool plain = judged(scene, {}, rendered).verdict >= Verdict::contested;
+    const bool plain = judged(scene, rendered).verdict >= Verdict::contested;
     const Result own = of_a_follower(scene, policy);
     EXPECT_TRUE(own.verdict >= Verdict::contested || own.verdict == Verdict::agree);
     if (plain || !has_lines(scene)) {

@@ -12,11 +12,11 @@
 #include "diff/judge.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
-#include "rules/coverage/window_origin.h"
+#include "rules/coverage/window.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/raster/random_scenes.h"
-#include "tests/rules/support.h"
-#include "tests/support/causes.h"
+#include "tests/support/judging.h"
+#include "tests/support/points.h"
 
 namespace edgecase {
 namespace {
@@ -36,18 +36,6 @@ void judge_all(std::deque<Result>& results) {
   std::vector<Result*> pointers;
   for (Result& result : results) pointers.push_back(&result);
   judge(pointers, Latitude::opengl);
-}
-
-Names rules_of(const Result& result) {
-  Names names;
-  for (const Disagreement& d : result.disagreements) names.insert(name_of(d.rule));
-  return names;
-}
-
-Names causes_of(const Result& result) {
-  Names names;
-  for (const Disagreement& d : result.disagreements) names.insert(text_of(d.cause));
-  return names;
 }
 
 // A scene of one point of size 1 in a target of 8 by 8.
@@ -112,7 +100,7 @@ TEST(UpsideDown, ARunIsToldSoByItsOwnRule) {
   for (const Result& result : run) {
     if (result.disagreements.empty()) continue;
     EXPECT_EQ(rules_of(result), Names{name_of(kWindowOrigin)});
-    EXPECT_EQ(causes_of(result), Names{name_of(kWindowOrigin)});
+    EXPECT_EQ(disagreement_causes_of(result), Names{name_of(kWindowOrigin)});
     EXPECT_EQ(result.verdict, Verdict::violation);
     for (const Disagreement& d : result.disagreements) {
       EXPECT_EQ(d.ruling, kRulingOnOrigin);
@@ -132,7 +120,7 @@ TEST(UpsideDown, AgreeingCasesThatWouldNotAgreeSpeakAgainstIt) {
   run.push_back(compared(other, rasterize(other, {})));
   judge_all(run);
   EXPECT_FALSE(rules_of(run[0]).contains(name_of(kWindowOrigin)));
-  EXPECT_FALSE(causes_of(run[0]).contains(name_of(kWindowOrigin)));
+  EXPECT_FALSE(disagreement_causes_of(run[0]).contains(name_of(kWindowOrigin)));
   EXPECT_EQ(run[1].verdict, Verdict::agree);
 }
 

@@ -64,7 +64,7 @@ std::vector<NamedChoice> boundary_choices() {
 
 std::vector<NamedChoice> algorithm_choices() {
   std::vector<NamedChoice> result;
-  for (LineAlgorithm algorithm : all_line_algorithms()) {
+  for (LineAlgorithm algorithm : values_of<LineAlgorithm>()) {
     // Nothing lies at negative coordinates, where alone the two differ.
     if (algorithm == LineAlgorithm::bresenham_toward_zero) continue;
     result.push_back({name_of(algorithm), standard_choice()});

@@ -4,11 +4,7 @@
 // pixels. The sources are included whole, for what is local to them.
 #include "claim.h"
 
-// Two of the files have a function of this name.
-#define walked_edge fixed_walked_edge
 #include "rules/coverage/triangle_algorithm.cpp"
-#undef walked_edge
-#include "rules/coverage/homogeneous_triangle.cpp"
 
 using namespace edgecase;
 
@@ -94,7 +90,7 @@ void claim_walk_begins_as_the_plain_decision() {
   const int x = any_pixel();
   const int y = any_pixel();
   const TieRule ties = any_ties();
-  const WalkedEdge<std::int64_t> walked = fixed_walked_edge(e.a, e.b, x, y, ties);
+  const WalkedEdge<std::int64_t> walked = walked_edge(e.a, e.b, x, y, ties);
   check(walked.has_inside() == plain_inside(e, pixel_centre(x, y), ties));
 }
 
@@ -104,9 +100,9 @@ void claim_walk_goes_on_as_it_began() {
   const int x = any_pixel();
   const int y = any_pixel();
   const TieRule ties = any_ties();
-  const WalkedEdge<std::int64_t> here = fixed_walked_edge(e.a, e.b, x, y, ties);
-  const WalkedEdge<std::int64_t> right = fixed_walked_edge(e.a, e.b, x + 1, y, ties);
-  const WalkedEdge<std::int64_t> up = fixed_walked_edge(e.a, e.b, x, y + 1, ties);
+  const WalkedEdge<std::int64_t> here = walked_edge(e.a, e.b, x, y, ties);
+  const WalkedEdge<std::int64_t> right = walked_edge(e.a, e.b, x + 1, y, ties);
+  const WalkedEdge<std::int64_t> up = walked_edge(e.a, e.b, x, y + 1, ties);
   check(here.value + here.right == right.value);
   check(here.value + here.up == up.value);
   check(here.right == right.right && here.up == right.up && here.is_own == right.is_own);

@@ -8,7 +8,7 @@
 #include "raster/texture_stage.h"
 #include "raster/vertex_attributes.h"
 #include "tests/raster/random_scenes.h"
-#include "tests/rules/interpolants.h"
+#include "tests/rules/values/interpolants.h"
 
 namespace edgecase {
 namespace {

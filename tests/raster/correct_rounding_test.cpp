@@ -10,7 +10,7 @@
 
 #include "raster/attributes.h"
 #include "rules/values/rational_interpolation.h"
-#include "tests/rules/interpolants.h"
+#include "tests/rules/values/interpolants.h"
 #include "tests/support/share.h"
 
 namespace edgecase {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/raster/multisampled_scenes.h"
-#include "tests/rules/support.h"
+#include "tests/support/points.h"
 
 namespace edgecase {
 namespace {

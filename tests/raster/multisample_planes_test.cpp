@@ -8,7 +8,7 @@
 
 #include "raster/samples.h"
 #include "tests/raster/multisampled_scenes.h"
-#include "tests/rules/support.h"
+#include "tests/support/points.h"
 
 namespace edgecase {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "rules/coverage/row_order.h"
 #include "rules/coverage/tie_rule.h"
+#include "rules/coverage/window.h"
 #include "tests/oracles/quotients.h"
 #include "tests/raster/multisampled_scenes.h"
 #include "tests/support/share.h"

@@ -9,7 +9,7 @@
 #include "raster/rasterizer.h"
 #include "tests/raster/operation_scenes.h"
 #include "tests/raster/random_scenes.h"
-#include "tests/rules/support.h"
+#include "tests/support/points.h"
 
 namespace edgecase {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/raster/random_scenes.h"
-#include "tests/rules/support.h"
+#include "tests/support/points.h"
 
 namespace edgecase {
 namespace {

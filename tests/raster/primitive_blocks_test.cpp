@@ -12,8 +12,8 @@
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "tests/raster/random_scenes.h"
-#include "tests/rules/support.h"
 #include "tests/support/causes.h"
+#include "tests/support/points.h"
 
 namespace edgecase {
 namespace {

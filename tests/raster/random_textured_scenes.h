@@ -4,7 +4,7 @@
 #pragma once
 
 #include "model/scene.h"
-#include "tests/rules/interpolants.h"
+#include "tests/rules/values/interpolants.h"
 
 namespace edgecase {
 

@@ -14,7 +14,7 @@
 #include "rules/all_rules.h"
 #include "rules/coverage/point_ownership.h"
 #include "rules/coverage/triangle_fill.h"
-#include "tests/rules/support.h"
+#include "tests/support/points.h"
 
 namespace edgecase {
 namespace {

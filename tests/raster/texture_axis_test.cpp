@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "tests/rules/interpolants.h"
+#include "tests/rules/values/interpolants.h"
 
 namespace edgecase {
 namespace {

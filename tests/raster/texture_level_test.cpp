@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/rules/interpolants.h"
+#include "tests/rules/values/interpolants.h"
 
 namespace edgecase {
 namespace {

@@ -2,7 +2,7 @@
 #include "tests/raster/texture_scenes.h"
 
 #include "tests/raster/random_scenes.h"
-#include "tests/rules/support.h"
+#include "tests/support/points.h"
 
 namespace edgecase {
 

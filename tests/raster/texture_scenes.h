@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "model/scene.h"
-#include "tests/rules/interpolants.h"
+#include "tests/rules/values/interpolants.h"
 
 namespace edgecase {
 

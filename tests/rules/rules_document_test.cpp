@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rules/rules_document.h"
+#include "rules/chapters.h"
 
 #include <gtest/gtest.h>
 

@@ -9,13 +9,13 @@
 #include "exact/interval.h"
 #include "exact/pixel.h"
 #include "rules/all_rules.h"
-#include "rules/alternative_table.h"
-#include "rules/coverage/diamond_boundary.h"
 #include "rules/coverage/explain.h"
 #include "rules/coverage/line_latitude.h"
 #include "rules/coverage/point_ownership.h"
+#include "rules/coverage/tie_rule.h"
+#include "rules/rule.h"
 #include "rules/values/framebuffer.h"
-#include "tests/rules/support.h"
+#include "tests/support/points.h"
 
 namespace edgecase {
 

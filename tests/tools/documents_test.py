@@ -215,7 +215,7 @@ class Documents(CommandTest):
         for name in ("old.json", "new.json"):
             shutil.copy(cls.checkout / "out/results.json", cls.checkout / name)
         (cls.checkout / "decisions.json").write_text(json.dumps(
-            {"edgecase_decisions": 1, "renderer": "osmesa:softpipe", "decisions": []}),
+            {"edgecase_decisions": 2, "renderer": "osmesa:softpipe", "decisions": []}),
             encoding="utf-8")
 
     @staticmethod

@@ -3,6 +3,7 @@
 // Cause: which catalogued alternatives would have drawn what the renderer drew.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "diff/coverage/coverage_diff.h"
@@ -38,5 +39,28 @@ std::vector<Cause> find_causes(const CauseQuestion& question, const PrimitiveCov
 // What the profile differs in from the policy, without what can be left out, where that draws the
 // primitive as `coverage.drawn` has it; else nothing.
 Cause cause_in_profile(const CauseQuestion& question, const PrimitiveCoverage& coverage);
+
+// Common causes: a renderer has one way of drawing for all primitives of a draw. Of what breaks a
+// ruling, an alternative that draws one primitive as it was drawn, and others not, is no cause: a
+// hole between two triangles is not made by a tie order that each of them could follow alone.
+//
+// One primitive and what was drawn of it.
+struct DrawnPrimitive {
+  const ScenePrimitive* primitive = nullptr;
+  const PrimitiveCoverage* coverage = nullptr;
+};
+
+// Those of `causes`, which draw question.primitive as `own` has it, under which the other
+// primitives, of the same kind, are drawn as they were, too; a further alternative beside the cause
+// may help where it changes nothing of the first. Causes that are no alternatives of coverage stay.
+std::vector<Cause> common_causes(const CauseQuestion& question, const PrimitiveCoverage& own,
+                                 const std::vector<Cause>& causes,
+                                 std::span<const DrawnPrimitive> others);
+
+// Evidence against alternatives: the renderer draws this primitive as exact does, so what would
+// draw it otherwise is not what the renderer follows. Marks those in `refuted` (see
+// Result::refuted).
+void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
+                  AlternativeSet& refuted);
 
 }  // namespace edgecase

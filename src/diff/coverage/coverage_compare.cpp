@@ -9,14 +9,9 @@
 #include <utility>
 
 #include "diff/coverage/cause.h"
-#include "diff/coverage/common_cause.h"
-#include "diff/coverage/coverage_finding.h"
-#include "diff/coverage/explanation.h"
-#include "diff/coverage/joint_faults.h"
+#include "diff/coverage/coverage_diff.h"
 #include "diff/coverage/legality.h"
-#include "diff/coverage/refutation.h"
-#include "diff/coverage/shared_edge_faults.h"
-#include "diff/coverage/situation.h"
+#include "diff/coverage/neighbour_faults.h"
 #include "raster/attributes.h"
 #include "raster/rasterizer.h"
 #include "raster/samples.h"
@@ -46,11 +41,13 @@ class CoverageComparison {
     for (const ScenePrimitive& primitive : context_.primitives)
       if (is_line(primitive)) judge_line(primitive);
     judge_joints();
-    judge_shared_edges();
-    keep_common_causes();
+    keep_common_causes(judge_shared_edges());
   }
 
  private:
+  // By primitive, those with which it breaks ruling 5.
+  using Partners = std::map<int, std::set<int>>;
+
   const Scene& scene() const { return context_.scene; }
   const Target& target() const { return context_.scene.target; }
   const PrimitiveCoverage& coverage_of(const ScenePrimitive& primitive) const {
@@ -318,32 +315,34 @@ class CoverageComparison {
 
   // The other primitives of a primitive's draw, and those of other draws with which it breaks
   // ruling 5.
-  std::vector<DrawnPrimitive> others_of(const ScenePrimitive& primitive) const {
+  std::vector<DrawnPrimitive> others_of(const ScenePrimitive& primitive,
+                                        const Partners& partners) const {
     std::vector<DrawnPrimitive> others;
-    const auto partners = partners_.find(primitive.index);
+    const auto own = partners.find(primitive.index);
     for (const ScenePrimitive& other : context_.primitives) {
-      const bool is_partner = partners != partners_.end() && partners->second.contains(other.index);
+      const bool is_partner = own != partners.end() && own->second.contains(other.index);
       if (other.index != primitive.index && (other.draw == primitive.draw || is_partner))
         others.push_back({&other, &coverage_of(other)});
     }
     return others;
   }
 
-  void keep_common_causes() {
+  void keep_common_causes(const Partners& partners) {
     for (Result::Evidence& evidence : result_.evidence) {
       const ScenePrimitive& primitive = primitive_at(evidence.primitive);
       if (evidence.causes.empty() || !breaks_a_ruling(primitive)) continue;
       evidence.causes = common_causes(question_about(primitive), coverage_of(primitive),
-                                      evidence.causes, others_of(primitive));
+                                      evidence.causes, others_of(primitive, partners));
     }
   }
 
   // A hole or a double hit on a shared edge turns the disagreements behind it into violations.
-  void judge_shared_edges() {
+  Partners judge_shared_edges() {
+    Partners partners;
     for (const SharedEdgeFault& fault : shared_edge_faults(context_.primitives, context_.coverage,
                                                            scene(), context_.bits, lawful_)) {
-      partners_[fault.first].insert(fault.second);
-      partners_[fault.second].insert(fault.first);
+      partners[fault.first].insert(fault.second);
+      partners[fault.second].insert(fault.first);
       const std::string reason = fmt::format(
           "triangles {} and {} share the edge here and together hit this sample {} times instead "
           "of once",
@@ -355,6 +354,7 @@ class CoverageComparison {
           if (difference.pixel == fault.pixel && difference.sample == fault.sample)
             add_excused(primitive_at(index), difference, broken);
     }
+    return partners;
   }
 
   static int ruling_on(const SharedEdgeFault& fault) {
@@ -383,10 +383,9 @@ class CoverageComparison {
 
   const CoverageContext& context_;
   const RuleChoices& standard_;
-  const SamplePositions lawful_;           // of samples, as they are reported
-  const SamplePositions chosen_;           // as the policy has them
-  std::map<int, Cause> excused_causes_;    // by primitive
-  std::map<int, std::set<int>> partners_;  // in faults of shared edges, by primitive
+  const SamplePositions lawful_;         // of samples, as they are reported
+  const SamplePositions chosen_;         // as the policy has them
+  std::map<int, Cause> excused_causes_;  // by primitive
   Result& result_;
 };
 

@@ -1,11 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "diff/coverage/coverage_diff.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
+#include <optional>
+#include <set>
 #include <utility>
 
+#include "diff/coverage/legality.h"
+#include "exact/numeral.h"
 #include "model/fragments.h"
+#include "raster/primitives.h"
+#include "rules/all_rules.h"
+#include "rules/coverage/clip_volume.h"
+#include "rules/coverage/diamond_exit.h"
+#include "rules/coverage/explain.h"
+#include "rules/coverage/homogeneous_line.h"
+#include "rules/coverage/point_ownership.h"
+#include "rules/coverage/snap.h"
+#include "rules/coverage/triangle_algorithm.h"
+#include "rules/coverage/triangle_fill.h"
 
 namespace edgecase {
 namespace {
@@ -66,6 +84,205 @@ std::vector<CoverageDifference> differences(const PrimitiveCoverage& coverage) {
     result.insert(result.end(), found.begin(), found.end());
   }
   return result;
+}
+
+// ------------------------------------------------------------------------------------ what is told
+
+Disagreement at_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                       Point sample, const Target& target) {
+  Disagreement d;
+  d.x = difference.pixel.x;
+  d.y = difference.pixel.y;
+  d.sample = difference.sample;
+  d.primitive = primitive.index;
+  d.exact = {static_cast<double>(difference.exact)};
+  d.rendered = {static_cast<double>(difference.drawn)};
+  d.kind =
+      difference.drawn < difference.exact ? DisagreementKind::missing : DisagreementKind::extra;
+  d.rule = rule_on_coverage(primitive, target);
+  d.situation = situation_of(primitive, sample, target);
+  return d;
+}
+
+Disagreement duplicate(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                       Point sample, const Target& target) {
+  Disagreement d = at_sample(primitive, difference, sample, target);
+  d.kind = DisagreementKind::duplicate;
+  d.rule = RuleId::fragment_once;
+  d.ruling = 7;
+  d.explanation = fmt::format(
+      "primitive {} produces the fragment of {}pixel ({}, {}) {} times. Ruling 7: once at most.",
+      primitive.index, target.samples > 1 ? fmt::format("sample {} of ", d.sample) : "", d.x, d.y,
+      difference.drawn);
+  d.figure.marks = {sample_mark(sample)};
+  return d;
+}
+
+void merge_snaps(const std::vector<std::string>& more, std::vector<std::string>& names) {
+  std::set<std::string> all(names.begin(), names.end());
+  all.insert(more.begin(), more.end());
+  names.clear();
+  for (Snap snap : all_snaps())
+    if (all.contains(name_of(snap))) names.push_back(name_of(snap));
+}
+
+// ------------------------------------------------------------------------------------- explanation
+
+namespace {
+
+PixelPosition pixel_of(Point sample) {
+  return {static_cast<int>(sample.x.floor()), static_cast<int>(sample.y.floor())};
+}
+
+// A multisampled line is explained by where its rectangle lies.
+Explanation explain_rectangle(const ScenePrimitive& line, const Segment& segment, Point sample,
+                              const CoverageChoice& choice) {
+  const double dx = (segment.b.x - segment.a.x).to_double();
+  const double dy = (segment.b.y - segment.a.y).to_double();
+  const double px = (sample.x - segment.a.x).to_double();
+  const double py = (sample.y - segment.a.y).to_double();
+  const double length = std::hypot(dx, dy);
+  Explanation why;
+  why.figure.marks = {sample_mark(sample), segment_mark(MarkRole::edge, segment.a, segment.b)};
+  if (length == 0) {
+    why.text = "a segment without length has no area";
+    return why;
+  }
+  const double half = line.state->line_width.to_double() / 2 / length;
+  const auto corner = [&](Point end, double side) {
+    return std::pair(end.x.to_double() - side * dy * half, end.y.to_double() + side * dx * half);
+  };
+  why.figure.marks.push_back(
+      {MarkRole::region,
+       true,
+       {corner(segment.a, 1), corner(segment.b, 1), corner(segment.b, -1), corner(segment.a, -1)},
+       ""});
+  const Rule& rule = rule_of(RuleId::line_multisampled);
+  const char* name = name_of(choice.multisampled_line);
+  why.text = fmt::format(
+      "the sample {} lies {:.6g} pixels from the segment {} to {} of width {}, {:.6g} of {:.6g} "
+      "pixels along it; as {} has it: {}",
+      format_point(sample), std::fabs(dx * py - dy * px) / length, format_point(segment.a),
+      format_point(segment.b), to_decimal(line.state->line_width), (dx * px + dy * py) / length,
+      length, name, find_alternative(rule, name)->meaning);
+  return why;
+}
+
+// Lines of width 1 by the diamond-exit rule are explained by its numbers, others by the algorithm.
+Explanation explain_line_choice(const ScenePrimitive& line, const Segment& segment, PixelPosition p,
+                                const CoverageChoice& choice) {
+  Explanation why = explain_line(segment, p.x, p.y, *choice.line.boundary);
+  const bool thin = line.state->line_width == Fixed::from_integer(1);
+  if (thin && choice.line.algorithm == LineAlgorithm::diamond_exit) return why;
+  const Rule& rule = rule_of(thin ? RuleId::line_algorithm : RuleId::line_width);
+  const char* name = thin ? name_of(choice.line.algorithm) : name_of(choice.line.wide);
+  why.text =
+      fmt::format("the segment {} to {} of width {} is drawn as {} says ({})",
+                  format_point(segment.a), format_point(segment.b),
+                  to_decimal(line.state->line_width), name, find_alternative(rule, name)->meaning);
+  return why;
+}
+
+// What the rule's own explanation does not know: an algorithm other than edge functions, an offset,
+// a target that is seen upside down.
+std::string notes_on(const ScenePrimitive& primitive, const Target& target,
+                     const CoverageChoice& choice) {
+  std::string notes;
+  const auto add = [&](RuleId rule, const char* name) {
+    notes +=
+        fmt::format("; as {} has it: {}", name, find_alternative(rule_of(rule), name)->meaning);
+  };
+  if (primitive.kind == PrimitiveKind::triangle &&
+      choice.triangle_algorithm != TriangleAlgorithm::edge_functions)
+    add(RuleId::triangle_algorithm, name_of(choice.triangle_algorithm));
+  if (primitive.kind == PrimitiveKind::point && choice.point_offset != PointOffset::none)
+    add(RuleId::point_offset, name_of(choice.point_offset));
+  if (primitive.is_clipped && choice.clip != ClipMethod::homogeneous)
+    add(RuleId::clip_volume, name_of(choice.clip));
+  if (choice.rows != RowOrder::bottom_up)
+    add(row_order_rule_of(primitive.kind), name_of(choice.rows));
+  if (is_multisampled(*primitive.state, target) && choice.placement != SamplePlacement{})
+    add(RuleId::sample_positions, name_of(choice.placement).c_str());
+  return notes;
+}
+
+// Does the rule that decides by quotients have the pixel covered? Known for the ideal rules alone,
+// with y up.
+std::optional<bool> covered_by(const ScenePrimitive& primitive,
+                               const std::array<HomogeneousPoint, 3>& positions, Point sample,
+                               const CoverageChoice& choice) {
+  const PixelPosition p = pixel_of(sample);
+  if (sample != pixel_centre(p.x, p.y)) return std::nullopt;
+  if (choice.rows != RowOrder::bottom_up) return std::nullopt;
+  const Draw& state = *primitive.state;
+  switch (primitive.kind) {
+    case PrimitiveKind::point:
+      return point_covers({moved(positions[0], choice.point_offset), state.point_size}, p.x, p.y,
+                          choice.ties);
+    case PrimitiveKind::line:
+      if (state.line_width != Fixed::from_integer(1)) return std::nullopt;
+      if (choice.line.algorithm != LineAlgorithm::diamond_exit) return std::nullopt;
+      return diamond_exit_covers(HomogeneousSegment{positions[0], positions[1]}, p.x, p.y,
+                                 *choice.line.boundary);
+    case PrimitiveKind::triangle:
+      if (choice.triangle_algorithm != TriangleAlgorithm::edge_functions) return std::nullopt;
+      return triangle_covers(positions, p.x, p.y, choice.ties);
+  }
+  return std::nullopt;
+}
+
+// Words and figures tell positions in decimals: of a vertex that is a quotient, the nearest. Where
+// that changes the decision, it must be said.
+std::string note_on_quotients(const ScenePrimitive& primitive, Point sample,
+                              const CoverageChoice& choice) {
+  if (!choice.snap.is_none() || !has_clip_positions(primitive)) return "";
+  // Its own words tell of quotients.
+  if (primitive.is_clipped) return "";
+  std::array<HomogeneousPoint, 3> nearest;
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+    nearest[i] = homogeneous(nearest_point(primitive.positions[i]));
+  const auto exact = covered_by(primitive, primitive.positions, sample, choice);
+  const bool differs = exact != covered_by(primitive, nearest, sample, choice);
+  std::string note =
+      "; vertices given as clip coordinates are quotients by w, here told to the nearest 1/65536 "
+      "pixel";
+  if (differs)
+    note += fmt::format(", and as quotients they {} the pixel", *exact ? "cover" : "do not cover");
+  return note;
+}
+
+// By the rule that decides, with the vertices where the choice has them.
+Explanation explain_by_rule(const ScenePrimitive& primitive, Point sample, const Target& target,
+                            const CoverageChoice& choice) {
+  if (primitive.is_clipped)
+    return primitive.kind == PrimitiveKind::triangle
+               ? explain_clipped_triangle(primitive, sample, choice.ties)
+               : explain_clipped_point(primitive, sample);
+  const auto at = [&](std::size_t i) { return choice.snap(primitive.positions[i]); };
+  switch (primitive.kind) {
+    case PrimitiveKind::point:
+      return explain_point({at(0), primitive.state->point_size}, sample, choice.ties);
+    case PrimitiveKind::line:
+      if (is_multisampled(*primitive.state, target))
+        return explain_rectangle(primitive, {at(0), at(1)}, sample, choice);
+      return explain_line_choice(primitive, {at(0), at(1)}, pixel_of(sample), choice);
+    case PrimitiveKind::triangle:
+      return explain_triangle({at(0), at(1), at(2)}, sample, choice.ties);
+  }
+  return {};
+}
+
+}  // namespace
+
+Explanation explain(const ScenePrimitive& primitive, Point sample, const Target& target,
+                    const CoverageChoice& choice) {
+  if (auto culled = explain_culling(primitive, target, choice)) {
+    culled->figure.marks.push_back(sample_mark(sample));
+    return *culled;
+  }
+  Explanation why = explain_by_rule(primitive, sample, target, choice);
+  why.text += notes_on(primitive, target, choice) + note_on_quotients(primitive, sample, choice);
+  return why;
 }
 
 }  // namespace edgecase

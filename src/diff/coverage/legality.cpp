@@ -8,16 +8,15 @@
 #include <optional>
 #include <utility>
 
-#include "diff/coverage/facing_latitude.h"
-#include "diff/values/vertex_latitude.h"
+#include "diff/coverage/vertex_latitude.h"
 #include "raster/coverage_stages.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
-#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/line_latitude.h"
 #include "rules/coverage/point_ownership.h"
 #include "rules/coverage/snap.h"
+#include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
 #include "rules/samples/multisampled_line.h"
 

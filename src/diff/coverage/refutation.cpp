@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "diff/coverage/refutation.h"
+//
+// Refutation: which catalogued alternatives a renderer cannot follow.
+#include "diff/coverage/cause.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -188,86 +188,24 @@ class SingleChanges {
   std::optional<Pixels> tied_;
 };
 
-// Several changes may bear one name, as all swapped pairs of samples do: it is refuted where none
-// of them draws so.
-struct Trials {
-  AlternativeSet draw_so;
-  AlternativeSet draw_otherwise;
-};
-
-// All that decides on what a plain primitive covers, with what its trials were: primitives that do
-// not move come again from case to case, and from renderer to renderer.
-struct KnownTrials {
-  PrimitiveKind kind = PrimitiveKind::point;
-  std::array<Point, 3> positions{};
-  PixelBounds bounds;
-  int height = 0;  // of the target
-  Fixed line_width;
-  Fixed point_size;
-  CoverageChoice chosen;
-  Trials trials;
-
-  // Of one whose vertices are given in the window: exactly.
-  static std::array<Point, 3> positions_of(const ScenePrimitive& primitive) {
-    const auto& p = primitive.positions;
-    return {nearest_point(p[0]), nearest_point(p[1]), nearest_point(p[2])};
-  }
-  bool is_of(const CauseQuestion& question) const {
-    const ScenePrimitive& primitive = question.primitive;
-    const Draw& state = *primitive.state;
-    return kind == primitive.kind && positions == positions_of(primitive) &&
-           bounds == drawable_bounds(state, question.target) && height == question.target.height &&
-           line_width == state.line_width && point_size == state.point_size &&
-           chosen == question.chosen.of(question.primitive.kind);
-  }
-};
-
-// Where the trials of a primitive are kept; null where more decides on them.
-Trials* kept_trials(const CauseQuestion& question) {
-  constexpr std::size_t kMostKnown = 32;
-  thread_local std::deque<KnownTrials> known;
-  const ScenePrimitive& primitive = question.primitive;
-  const Draw& state = *primitive.state;
-  if (question.target.samples != 1 || primitive.is_clipped || has_clip_positions(primitive) ||
-      state.cull != CullMode::none)
-    return nullptr;
-  const auto found = std::ranges::find_if(
-      known, [&](const KnownTrials& trials) { return trials.is_of(question); });
-  if (found != known.end()) return &found->trials;
-  if (known.size() == kMostKnown) known.pop_back();
-  known.push_front({primitive.kind,
-                    KnownTrials::positions_of(primitive),
-                    drawable_bounds(state, question.target),
-                    question.target.height,
-                    state.line_width,
-                    state.point_size,
-                    question.chosen.of(primitive.kind),
-                    {}});
-  return &known.front().trials;
-}
-
 }  // namespace
 
+// Several changes may bear one name, as all swapped pairs of samples do: it is refuted where none
+// of them draws so.
 void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
                   AlternativeSet& refuted) {
-  Trials* const kept = kept_trials(question);
-  const Trials before = kept ? *kept : Trials();
-  Trials trials = before;
+  AlternativeSet draw_so, draw_otherwise;
   SingleChanges changes(question, coverage.drawn);
   const CoverageTraits traits = coverage_traits(question.primitive, question.target);
   for (const Changes& rule : coverage_changes(traits, question.chosen))
     for (const Change& change : rule) {
-      if (refuted.contains(change.id) || before.draw_otherwise.contains(change.id) ||
-          trials.draw_so.contains(change.id))
-        continue;
+      if (refuted.contains(change.id) || draw_so.contains(change.id)) continue;
       const RuleChoices changed = change.applied_to(question.chosen);
-      const bool same = changes.draw_so(changed.of(traits.kind));
-      (same ? trials.draw_so : trials.draw_otherwise).add(change.id);
+      (changes.draw_so(changed.of(traits.kind)) ? draw_so : draw_otherwise).add(change.id);
     }
-  trials.draw_otherwise.for_each([&](AlternativeId id) {
-    if (!trials.draw_so.contains(id)) refuted.add(id);
+  draw_otherwise.for_each([&](AlternativeId id) {
+    if (!draw_so.contains(id)) refuted.add(id);
   });
-  if (kept) *kept = trials;
 }
 
 }  // namespace edgecase

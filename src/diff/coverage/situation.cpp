@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "diff/coverage/situation.h"
+#include "diff/coverage/coverage_diff.h"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 #include "exact/fixed.h"
 #include "rules/coverage/clip_polygon.h"
 #include "rules/coverage/diamond_exit.h"
-#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/line_algorithm.h"
+#include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
 
 namespace edgecase {

@@ -2,6 +2,10 @@
 #include "diff/output/fate_causes.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "rules/all_rules.h"
+#include "rules/values/depth_buffer.h"
 
 namespace edgecase {
 namespace {
@@ -77,6 +81,135 @@ std::vector<Cause> FateCauses::take() const {
       if (most.empty() || counts_.at(cause) > counts_.at(most)) most = cause;
   }
   return best;
+}
+
+// -------------------------------------------------------------------------------------- aggregates
+
+namespace {
+
+// Distance of the stored values next to this one.
+double step_at(double depth, DepthFormat format) {
+  const int bits = bits_of(format);
+  return bits == 0 ? float_ulp(depth) : 1 / (std::ldexp(1.0, bits) - 1);
+}
+
+// Of one rule, if it has a say in what becomes of the scene's fragments.
+Changes changes_of(RuleId rule, const Scene& scene, const RuleChoices& chosen) {
+  Changes changes = fate_changes(scene, chosen);
+  std::erase_if(changes, [&](const Change& change) { return change.id.rule != rule; });
+  return changes;
+}
+
+ValueAggregate::Place question_place(const FateQuestion& question) {
+  return {question.pixel.x, question.pixel.y, -1};
+}
+
+}  // namespace
+
+FateAggregates::FateAggregates(const Scene& scene, const RuleChoices& chosen)
+    : scene_(scene),
+      chosen_(chosen),
+      blended_{
+          "pixel", RuleId::blend_rounding, changes_of(RuleId::blend_rounding, scene, chosen), {}},
+      depth_tests_{
+          "depth test", RuleId::depth_test, changes_of(RuleId::depth_test, scene, chosen), {}},
+      facings_{
+          "facing", RuleId::polygon_facing, changes_of(RuleId::polygon_facing, scene, chosen), {}},
+      alphas_{"written samples",
+              RuleId::sample_alpha_to_coverage,
+              changes_of(RuleId::sample_alpha_to_coverage, scene, chosen),
+              {}} {}
+
+void FateAggregates::count(const StoredSample& stored) {
+  ++samples_;
+  colors_ += stored.color != nullptr ? 1U : 0U;
+  depths_ += stored.depth ? 1U : 0U;
+}
+
+FateAggregates::Part& FateAggregates::part_for(FateReason reason) {
+  return reason == FateReason::depth_test ? depth_tests_
+         : reason == FateReason::facing   ? facings_
+                                          : alphas_;
+}
+
+void FateAggregates::add(const FateQuestion& question, FateReason reason, const FateState& exact) {
+  if (reason == FateReason::conversion) {
+    if (!has_color(exact, question.stored)) {
+      if (exact.blended) follow_roundings(question);
+      add_colors(question, exact, exact.blended ? blended_ : converted_);
+    }
+    add_depth(question, exact);
+    return;
+  }
+  Part& part = part_for(reason);
+  std::erase_if(part.followed, [&](const Change& change) {
+    return !question.agrees(change.applied_to(chosen_), {});
+  });
+  add_outcome(question, exact, part);
+}
+
+void FateAggregates::follow_roundings(const FateQuestion& question) {
+  std::erase_if(blended_.followed, [&](const Change& change) {
+    return !has_color(question.exact(change.applied_to(chosen_)), question.stored);
+  });
+}
+
+void FateAggregates::add_colors(const FateQuestion& question, const FateState& exact,
+                                Part& part) const {
+  Place place{question_place(question), {}};
+  for (std::size_t c = 0; c < 4; ++c) {
+    const double rendered = question.stored.color[c];
+    if (rendered != exact.color[c])
+      place.errors.push_back({static_cast<int>(c), static_cast<double>(exact.color[c]), rendered,
+                              std::fabs(rendered - exact.color[c]), 255});
+  }
+  part.places.push_back(std::move(place));
+}
+
+void FateAggregates::add_depth(const FateQuestion& question, const FateState& exact) {
+  if (!question.stored.depth || *question.stored.depth == exact.depth) return;
+  const double rendered = *question.stored.depth;
+  const double ulp = std::fabs(rendered - exact.depth) / step_at(rendered, question.target().depth);
+  stored_depths_.places.push_back({question_place(question), {{0, exact.depth, rendered, ulp, 1}}});
+}
+
+// An outcome is off in what shows it: how many fragments passed, else colour, depth or stencil.
+void FateAggregates::add_outcome(const FateQuestion& question, const FateState& exact,
+                                 Part& part) const {
+  const StoredSample& stored = question.stored;
+  const auto add_one = [&](double one, double other) {
+    part.places.push_back({question_place(question),
+                           {{0, one, other, std::fabs(other - one), std::fabs(other - one)}}});
+  };
+  if (stored.hits && *stored.hits != exact.hits)
+    add_one(exact.hits, *stored.hits);
+  else if (!has_color(exact, stored))
+    add_colors(question, exact, part);
+  else if (stored.depth && *stored.depth != exact.depth)
+    add_one(exact.depth, *stored.depth);
+  else if (stored.stencil && *stored.stencil != exact.stencil)
+    add_one(exact.stencil, *stored.stencil);
+}
+
+void FateAggregates::flush(const Part& part, std::size_t compared, std::size_t components,
+                           Result& result) const {
+  const bool has_cause = !part.places.empty() && !part.followed.empty();
+  ValueAggregator aggregator(part.attribute, part.rule, rule_of(part.rule).ruling,
+                             has_cause ? Cause(part.followed.front().id) : Cause());
+  for (std::size_t i = 0; i < compared; ++i) aggregator.count_compared(components);
+  for (const Place& place : part.places) {
+    for (const ValueAggregator::Error& error : place.errors)
+      aggregator.add_error(place.place, error);
+    aggregator.add_place(place.place);
+  }
+  aggregator.flush(result);
+}
+
+void FateAggregates::flush(Result& result) const {
+  flush(converted_, colors_, 4, result);
+  flush(blended_, colors_, 4, result);
+  flush(stored_depths_, depths_, 1, result);
+  for (const Part* part : {&depth_tests_, &facings_, &alphas_}) flush(*part, samples_, 1, result);
 }
 
 }  // namespace edgecase

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "diff/output/fate_aggregates.h"
 #include "diff/output/fate_causes.h"
 #include "diff/output/fate_question.h"
 #include "rules/all_rules.h"

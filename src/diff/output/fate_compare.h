@@ -6,7 +6,7 @@
 // a depth test that may have gone either way must have gone one way for all of them.
 #pragma once
 
-#include "diff/samples/sample_planes.h"
+#include "diff/values/sample_writers.h"
 #include "diff/values/value_diff.h"
 
 namespace edgecase {
@@ -15,7 +15,7 @@ namespace edgecase {
 // out.
 void compare_fates(const ValueContext& context, const Rendering& rendered, Result& result);
 
-// inferred_samples of diff/samples/sample_planes.h for such scenes.
+// inferred_samples of diff/samples/sample_values.h for such scenes.
 SamplePlanes fated_samples(const ValueContext& context, const Rendering& rendered, AlphaEnds ends);
 
 }  // namespace edgecase

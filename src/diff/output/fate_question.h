@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "diff/output/arrivals.h"
 #include "diff/output/fate.h"
 
 namespace edgecase {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // How often the shader runs for a pixel of a multisampled primitive (ruling 34).
+#include "diff/samples/sample_values.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
 #include <vector>
-
-#include "diff/values/single_cause.h"
-#include "diff/values/value_diff.h"
 
 namespace edgecase {
 namespace {

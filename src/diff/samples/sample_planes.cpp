@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "diff/samples/sample_planes.h"
+#include "diff/samples/sample_values.h"
 
 #include <algorithm>
 #include <bit>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "diff/output/fate_compare.h"
-#include "diff/values/pixel_truth.h"
+#include "diff/values/pixel_values.h"
 #include "raster/samples.h"
 #include "rules/values/framebuffer.h"
 
@@ -108,48 +108,6 @@ SamplePlanes inferred_samples(const ValueContext& context, const Rendering& rend
                               AlphaEnds ends) {
   if (has_fragment_operations(context.scene)) return fated_samples(context, rendered, ends);
   return Inference(context, rendered, ends).run();
-}
-
-std::vector<const Fragment*> left_by_alpha(const ValueContext& context,
-                                           std::span<const Fragment* const> writers) {
-  const int samples = context.scene.target.samples;
-  Writers left;
-  for (const Fragment* writer : writers) {
-    const SampleCounts counts =
-        writer != nullptr ? written_samples(context, *writer) : SampleCounts{samples, samples};
-    if (counts.most > 0) left.push_back(writer);
-    if (counts.least == samples) break;
-  }
-  return left;
-}
-
-bool is_thinned(const ValueContext& context, const Fragment& fragment) {
-  const Draw& draw = *context.primitive_of(fragment).state;
-  return is_multisampled(draw, context.scene.target) && draw.multisampling.alpha_to_coverage;
-}
-
-std::uint32_t kept_by_alpha(const ValueContext& context, const Fragment& fragment,
-                            std::span<const Fragment> at_pixel, AlphaToCoverage choice) {
-  const int samples = context.scene.target.samples;
-  const ScenePrimitive& primitive = context.primitive_of(fragment);
-  if (!heeds_others(primitive.state->multisampling, samples,
-                    {context.choices.samples.rate, choice}))
-    return alpha_mask(fragment.color[3], samples, choice);
-  // Invocations that did not run, or are not covered, tell nothing.
-  std::vector<double> alphas =
-      alphas_of_samples(primitive, context.values_of(fragment).chosen, {fragment.x, fragment.y},
-                        context.sample_positions(), context.choices.values.locations);
-  for (const Fragment& told : at_pixel)
-    if (told.primitive == fragment.primitive && told.has_color && told.coverage != 0)
-      alphas[static_cast<std::size_t>(std::countr_zero(told.coverage))] = told.color[3];
-  return mask_by_others(alphas);
-}
-
-SampleCounts written_samples(const ValueContext& context, const Fragment& fragment) {
-  const int samples = context.scene.target.samples;
-  if (!is_thinned(context, fragment)) return {samples, samples};
-  const Interval alpha = fragment.has_color ? Interval(fragment.color[3]) : Interval::everything();
-  return alpha_permitted(with_fade(context, fragment, alpha), samples);
 }
 
 }  // namespace edgecase

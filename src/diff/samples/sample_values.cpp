@@ -4,6 +4,8 @@
 // the renderer's own samples, those that it tells or else those that its fragments make, and each
 // sample was written as often as the renderer's own fragments cover it, less what alpha to coverage
 // takes from them.
+#include "diff/samples/sample_values.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,11 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "diff/samples/sample_planes.h"
-#include "diff/samples/switched_off.h"
-#include "diff/values/pixel_truth.h"
-#include "diff/values/single_cause.h"
-#include "diff/values/value_diff.h"
+#include "diff/values/pixel_values.h"
+#include "diff/values/sample_writers.h"
 #include "rules/samples/alpha_to_coverage.h"
 #include "rules/samples/resolve.h"
 #include "rules/samples/sample_mask.h"

@@ -8,7 +8,7 @@
 #include "raster/texture_level.h"
 #include "rules/textures/directed.h"
 #include "rules/textures/precision.h"
-#include "rules/values/permitted_place.h"
+#include "rules/values/permitted_interpolation.h"
 
 namespace edgecase {
 namespace {

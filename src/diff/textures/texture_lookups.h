@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "diff/textures/exact_lookups.h"
-#include "diff/textures/texture_relevance.h"
+#include "diff/textures/texture_ways.h"
 #include "diff/values/value_diff.h"
 #include "rules/textures/precision.h"
-#include "rules/values/coordinate_derivatives.h"
+#include "rules/values/derivative.h"
 
 namespace edgecase {
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "diff/samples/switched_off.h"
-#include "diff/values/location_causes.h"
+#include "diff/values/sample_writers.h"
+#include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
 #include "rules/values/depth_buffer.h"
 

@@ -32,4 +32,8 @@ struct FollowedOffset {
 };
 FollowedOffset followed_offset(const ValueContext& context, const Rendering& rendered);
 
+// The unit of polygon offsets that most of the fragments can have whose depths are told: a constant
+// of a fixed-point buffer (ruling 38).
+Interval followed_fixed_unit(const ValueContext& context, const Rendering& rendered);
+
 }  // namespace edgecase

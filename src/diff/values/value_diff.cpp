@@ -8,14 +8,16 @@
 #include <memory>
 #include <utility>
 
-#include "diff/values/vertex_latitude.h"
+#include "diff/coverage/vertex_latitude.h"
+#include "model/fragments.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/clip_polygon.h"
 #include "rules/coverage/explain.h"
 #include "rules/output/polygon_offset.h"
-#include "rules/values/inexact_shares.h"
+#include "rules/values/inexact_interpolation.h"
 
 namespace edgecase {
+
 RuleChoices lawful_choices(const RuleChoices& chosen) {
   RuleChoices result = chosen;
   result.values = ValueChoice{};
@@ -187,28 +189,6 @@ Interval holding(Interval permitted, double exact) {
   return std::isnan(number) ? permitted : hull(permitted, number);
 }
 
-bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample) {
-  const Draw& draw = *context.primitive_of(fragment).state;
-  if (!is_multisampled(draw, context.scene.target)) return true;
-  return (fragment.coverage >> sample & 1) != 0;
-}
-
-std::vector<const Fragment*> last_writers(const ValueContext& context,
-                                          std::span<const Fragment> at_pixel, int sample) {
-  std::vector<const Fragment*> writers;
-  for (std::size_t i = at_pixel.size(); i-- > 0;) {
-    const Fragment& fragment = at_pixel[i];
-    if (!covers_sample(context, fragment, sample)) continue;
-    writers.push_back(&fragment);
-    const Draw& draw = *context.primitive_of(fragment).state;
-    const bool may_not_write =
-        is_multisampled(draw, context.scene.target) && draw.multisampling.alpha_to_coverage;
-    if (!may_not_write) return writers;
-  }
-  writers.push_back(nullptr);
-  return writers;
-}
-
 Interval permitted_within(const Interpolant& interpolant, const Interpolant& inverse_w,
                           std::span<const PermittedPlace> corners) {
   Interval result = corners.front().value(interpolant);
@@ -295,6 +275,31 @@ void ValueAggregator::flush(Result& result) {
   if (ulp_sum_ > 0) aggregate_.mean_ulp = ulp_sum_ / static_cast<double>(aggregate_.components);
   aggregate_.differing.shrink_to_fit();
   result.values.push_back(std::move(aggregate_));
+}
+
+// ------------------------------------------------------------------------- values that equal exact
+
+namespace {
+
+bool are_equal(const Fragment& a, const Fragment& b) {
+  return cover_alike(a, b) && have_equal_values(a, b) && a.has_depth == b.has_depth &&
+         a.has_color == b.has_color && a.detail < 0 && b.detail < 0;
+}
+
+bool has_offset(const Draw& draw) {
+  return draw.polygon_offset.has_value();
+}
+
+}  // namespace
+
+bool has_exact_values(const Scene& scene, const ResolvedPolicy& policy, const Rendering& exact,
+                      const Rendering& rendered) {
+  const bool is_plain = scene.target.samples == 1 && scene.supersampling.empty() &&
+                        scene.textures.empty() && !has_fragment_operations(scene) &&
+                        std::ranges::none_of(scene.draws, &has_offset);
+  return is_plain && policy.is_standard() && exact.pixels == rendered.pixels &&
+         std::ranges::equal(exact.depths, rendered.depths, {}, bit_pattern, bit_pattern) &&
+         std::ranges::equal(exact.fragments, rendered.fragments, are_equal);
 }
 
 }  // namespace edgecase

@@ -21,7 +21,7 @@
 #include "raster/attributes.h"
 #include "rules/choices.h"
 #include "rules/textures/level_of_detail.h"
-#include "rules/values/permitted_place.h"
+#include "rules/values/permitted_interpolation.h"
 
 namespace edgecase {
 
@@ -111,24 +111,9 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
 void compare_coordinates(const ValueContext& context, const Rendering& rendered, Result& result);
 void compare_derivatives(const ValueContext& context, const Rendering& rendered, Result& result);
 
-// Pixels and the depth buffer, of multisampled targets sample by sample, against the last fragment
-// that the renderer says it drew there.
-void compare_pixels(const ValueContext& context, const Rendering& rendered, Result& result);
+// The depth buffer, of multisampled targets sample by sample, against the last fragment that the
+// renderer says it drew there.
 void compare_depths(const ValueContext& context, const Rendering& rendered, Result& result);
-
-// The unit of polygon offsets that most of the fragments can have whose depths are told: a constant
-// of a fixed-point buffer (ruling 38).
-Interval followed_fixed_unit(const ValueContext& context, const Rendering& rendered);
-
-// How often the shader ran for the pixels of multisampled draws.
-ShadingRate followed_rate(const ValueContext& context, const Rendering& rendered);
-void compare_invocations(const ValueContext& context, const Rendering& rendered, Result& result);
-
-// What a multisampled target holds as a whole: resolved pixels against the renderer's own samples,
-// and how often it wrote each sample against its own fragments.
-void compare_resolved_pixels(const ValueContext& context, const Rendering& rendered,
-                             Result& result);
-void compare_sample_hits(const ValueContext& context, const Rendering& rendered, Result& result);
 
 // The policy's choices, with OpenGL's own on attributes.
 RuleChoices lawful_choices(const RuleChoices& chosen);
@@ -155,15 +140,6 @@ inline constexpr int kRulingOnPolygonDepth = 44;
 // exact, rounded to float32: what is exact is never accused. It is left out where a renderer tells
 // of a fragment that the primitive cannot have, whose place in the primitive is nowhere.
 Interval holding(Interval permitted, double exact);
-
-// Does the fragment cover the sample? Without multisampling it covers all.
-bool covers_sample(const ValueContext& context, const Fragment& fragment, int sample);
-
-// The fragments of a pixel, in drawing order, by which a sample may have been written last: the
-// last one that covers it, and where alpha to coverage may have kept that from writing, those
-// before it too, the last one first. Null stands for the clear value.
-std::vector<const Fragment*> last_writers(const ValueContext& context,
-                                          std::span<const Fragment> at_pixel, int sample);
 
 // What is permitted wherever in a pixel of a multisampled target the attribute is evaluated:
 // corners of a convex region, at least one. A quotient of linear functions has its extremes at
@@ -214,5 +190,17 @@ class ValueAggregator {
   ValueAggregate aggregate_;
   double ulp_sum_ = 0;
 };
+
+// ------------------------------------------------------------------------- values that equal exact
+//
+// Answers that hold what exact holds, to the bit. Most do where colours are flat, and none of their
+// values need be judged.
+
+// Is exact drawn by OpenGL's own choices, and does the answer tell of fragments and of the target
+// all that exact does, bit by bit? Then every value is correct, and so permitted. Said only of what
+// is drawn at one go with one sample each, without textures, fragment operations and polygon
+// offset, and of answers without details: elsewhere false, which says nothing.
+bool has_exact_values(const Scene& scene, const ResolvedPolicy& policy, const Rendering& exact,
+                      const Rendering& rendered);
 
 }  // namespace edgecase

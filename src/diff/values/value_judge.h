@@ -13,7 +13,7 @@
 
 #include "diff/values/value_diff.h"
 #include "rules/coverage/line_algorithm.h"
-#include "rules/values/inexact_place.h"
+#include "rules/values/inexact_interpolation.h"
 
 namespace edgecase {
 

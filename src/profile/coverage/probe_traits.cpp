@@ -7,8 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "diff/coverage/joint_faults.h"
-#include "diff/coverage/shared_edge_faults.h"
+#include "diff/coverage/neighbour_faults.h"
 #include "model/scene_words.h"
 #include "profile/evidence/tally.h"
 #include "raster/rasterizer.h"

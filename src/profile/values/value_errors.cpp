@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "diff/coverage/vertex_latitude.h"
 #include "diff/values/value_diff.h"
-#include "diff/values/vertex_latitude.h"
 #include "raster/attributes.h"
 #include "rules/values/interpolation.h"
 

@@ -26,7 +26,7 @@
 #include <span>
 #include <vector>
 
-#include "rules/coverage/homogeneous_triangle.h"
+#include "rules/coverage/triangle_algorithm.h"
 
 namespace edgecase {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "exact/fixed.h"
+#include "model/scene.h"
 #include "rules/coverage/clip_volume.h"
 
 namespace edgecase {
@@ -37,5 +38,20 @@ std::vector<ClipPolygonVertex> clip_polygon(const UnclippedTriangle& triangle,
 
 // What is seen of a triangle that reaches out of the clip volume, through its viewport.
 std::vector<ClipPolygonVertex> seen_polygon(const ScenePrimitive& triangle, std::int64_t parts = 1);
+
+// ---------------------------------------------------------------------------------------- latitude
+//
+// What ruling 42 lets a clipped triangle cover: a convex polygon whose vertices may move, seen
+// through a viewport whose sides do not.
+
+struct LoosePolygon {
+  std::vector<Point> vertices;  // in either order; fewer than three: nothing is left
+  Fixed reach;                  // each may move by less in x and in y; more than 0
+  Viewport viewport;            // that it was cut at: edges along its sides stay
+};
+
+// May some move put the sample inside or on an edge, and may some put it outside or on an edge?
+bool polygon_possibly_covered(const LoosePolygon& polygon, Point sample);
+bool polygon_possibly_uncovered(const LoosePolygon& polygon, Point sample);
 
 }  // namespace edgecase

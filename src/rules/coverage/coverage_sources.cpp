@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Sources of the rulings on what primitives cover.
-#include "rules/ruling_sources.h"
+#include "rules/catalogue.h"
 
 namespace edgecase {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "rules/coverage/pixels_near_segment.h"
+#include "rules/coverage/segment.h"
 
 namespace edgecase {
 namespace {

@@ -18,9 +18,9 @@
 
 #include "exact/fixed.h"
 #include "exact/pixel.h"
-#include "rules/coverage/diamond_boundary.h"
 #include "rules/coverage/explain.h"
 #include "rules/coverage/segment.h"
+#include "rules/coverage/tie_rule.h"
 #include "rules/rule.h"
 
 namespace edgecase {

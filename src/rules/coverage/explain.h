@@ -4,8 +4,10 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "exact/fixed.h"
+#include "exact/numeral.h"
 #include "model/figure.h"
 
 namespace edgecase {
@@ -17,11 +19,20 @@ struct Explanation {
 };
 
 // "(2.5, 3.5)".
-std::string format_point(Point point);
+inline std::string format_point(Point point) {
+  return "(" + to_decimal(point.x) + ", " + to_decimal(point.y) + ")";
+}
 
-std::pair<double, double> position_of(Point point);
+inline std::pair<double, double> position_of(Point point) {
+  return {point.x.to_double(), point.y.to_double()};
+}
 
-Mark sample_mark(Point sample);
-Mark segment_mark(MarkRole role, Point from, Point to, std::string label = "");
+inline Mark sample_mark(Point sample) {
+  return {MarkRole::sample, false, {position_of(sample)}, ""};
+}
+
+inline Mark segment_mark(MarkRole role, Point from, Point to, std::string label = "") {
+  return {role, false, {position_of(from), position_of(to)}, std::move(label)};
+}
 
 }  // namespace edgecase

@@ -2,7 +2,7 @@
 #include "rules/coverage/homogeneous_line.h"
 
 #include "rules/coverage/diamond_exit.h"
-#include "rules/coverage/pixels_near_segment.h"
+#include "rules/coverage/segment.h"
 
 namespace edgecase {
 namespace {

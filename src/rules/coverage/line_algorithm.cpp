@@ -6,49 +6,11 @@
 
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/line_areas.h"
-#include "rules/coverage/line_tested_ends.h"
 #include "rules/coverage/line_walks.h"
-#include "rules/coverage/triangle_scan.h"
+#include "rules/coverage/triangle_algorithm.h"
 
 namespace edgecase {
 namespace {
-
-struct Entry {
-  LineAlgorithm algorithm;
-  const char* name;
-  const char* meaning;
-};
-
-constexpr Entry kEntries[] = {
-    {LineAlgorithm::diamond_exit, "diamond-exit", "the fragments whose diamonds the segment exits"},
-    {LineAlgorithm::walk_floor_to_floor, "walk-floor-to-floor",
-     "a pixel in each column from the start's to the end's, both included"},
-    {LineAlgorithm::walk_ends_tested, "walk-ends-tested",
-     "a pixel in each column from the start's to the end's; the first and the last must pass the "
-     "diamond-exit test"},
-    {LineAlgorithm::walk_half_open_direction, "walk-half-open-direction",
-     "a pixel in each column whose centre lies from the start, included, to the end, excluded"},
-    {LineAlgorithm::walk_half_open_geometry, "walk-half-open-geometry",
-     "a pixel in each column whose centre lies from the lower end, included, to the other, "
-     "excluded"},
-    {LineAlgorithm::bresenham, "bresenham",
-     "Bresenham's algorithm between the pixels of the ends, without the last one"},
-    {LineAlgorithm::bresenham_toward_zero, "bresenham-toward-zero",
-     "the same, with coordinates truncated toward zero: negative ones move right or up"},
-    {LineAlgorithm::midpoint, "midpoint",
-     "the midpoint algorithm between the pixels of the ends, both drawn"},
-    {LineAlgorithm::rectangle, "rectangle",
-     "the centres in a rectangle of width 1 along the segment, as in Vulkan's strict lines"},
-    {LineAlgorithm::parallelogram, "parallelogram",
-     "the centres in a parallelogram whose ends run along the minor axis"},
-    {LineAlgorithm::parallelogram_ends_tested, "parallelogram-ends-tested",
-     "the same, with corners on a grid of 1/256 pixel; a diamond-exit test may move an end to the "
-     "border of its pixel"},
-};
-
-constexpr WideLine kWideLines[] = {WideLine::replicate, WideLine::rectangle,
-                                   WideLine::parallelogram, WideLine::parallelogram_ends_tested,
-                                   WideLine::shifted_triangles};
 
 // The parallelogram of a wide line as two triangles, moved half a pixel back along the major axis
 // and an eighth down (right, if y-major); here 45 degrees counts as y-major.
@@ -105,55 +67,8 @@ std::vector<PixelPosition> thin_pixels(const Segment& segment, const PixelBounds
 
 }  // namespace
 
-std::span<const LineAlgorithm> all_line_algorithms() {
-  static const auto algorithms = [] {
-    std::vector<LineAlgorithm> list;
-    for (const Entry& entry : kEntries) list.push_back(entry.algorithm);
-    return list;
-  }();
-  return algorithms;
-}
-
-const char* name_of(LineAlgorithm algorithm) {
-  return kEntries[static_cast<std::size_t>(algorithm)].name;
-}
-
-bool parse_name(std::string_view name, LineAlgorithm& algorithm) {
-  for (const Entry& entry : kEntries) {
-    if (name != entry.name) continue;
-    algorithm = entry.algorithm;
-    return true;
-  }
-  return false;
-}
-
 bool tests_diamonds(LineAlgorithm algorithm) {
   return algorithm == LineAlgorithm::diamond_exit || algorithm == LineAlgorithm::walk_ends_tested;
-}
-
-const char* name_of(WideLine wide) {
-  switch (wide) {
-    case WideLine::replicate:
-      return "replicate";
-    case WideLine::rectangle:
-      return "rectangle";
-    case WideLine::parallelogram:
-      return "parallelogram";
-    case WideLine::parallelogram_ends_tested:
-      return "parallelogram-ends-tested";
-    case WideLine::shifted_triangles:
-      return "shifted-triangles";
-  }
-  return "?";
-}
-
-bool parse_name(std::string_view name, WideLine& wide) {
-  for (WideLine candidate : kWideLines) {
-    if (name != name_of(candidate)) continue;
-    wide = candidate;
-    return true;
-  }
-  return false;
 }
 
 int rounded_width(Fixed width) {
@@ -215,10 +130,6 @@ bool fills_area(const LineChoice& choice, Fixed width) {
          choice.algorithm == LineAlgorithm::parallelogram_ends_tested;
 }
 
-std::span<const WideLine> all_wide_lines() {
-  return kWideLines;
-}
-
 Rule line_algorithm_rule() {
   Rule rule;
   rule.id = RuleId::line_algorithm;
@@ -229,8 +140,7 @@ Rule line_algorithm_rule() {
       "as they are; other algorithms round those that are not snapped to the nearest multiple of "
       "2^-16";
   rule.standard = "diamond-exit";
-  for (const Entry& entry : kEntries)
-    rule.alternatives.push_back({entry.name, Openness::open, entry.meaning});
+  rule.alternatives = alternatives_of<LineAlgorithm>();
   return rule;
 }
 
@@ -242,19 +152,7 @@ Rule line_width_rule() {
   rule.spec = "14.5.2 (other line segment features)";
   rule.latitude = "as for lines of width 1, for the lowest fragment of each column";
   rule.standard = "replicate";
-  rule.alternatives = {
-      {"replicate", Openness::mandated,
-       "columns (rows, if y-major) as high as the width rounded to an integer"},
-      {"rectangle", Openness::illegal,
-       "the centres in a rectangle as wide as the line; OpenGL has it under multisampling only"},
-      {"parallelogram", Openness::illegal,
-       "the centres in a parallelogram whose ends run along the minor axis"},
-      {"parallelogram-ends-tested", Openness::illegal,
-       "the same of the rounded width, with corners on a grid of 1/256 pixel; a diamond-exit test "
-       "of the segment's end may move an end to the border of its pixel"},
-      {"shifted-triangles", Openness::illegal,
-       "the parallelogram as two triangles, scan-converted; they are moved half a pixel back along "
-       "the major axis and 1/8 pixel down (right, if y-major)"}};
+  rule.alternatives = alternatives_of<WideLine>();
   rule.rulings = {
       {12,
        "Wide lines: each column (row, if y-major) holds one run of as many fragments as the width "

@@ -13,11 +13,9 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "exact/pixel.h"
-#include "rules/coverage/diamond_boundary.h"
 #include "rules/coverage/segment.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/rule.h"
@@ -37,12 +35,35 @@ enum class LineAlgorithm {
   parallelogram,
   parallelogram_ends_tested,
 };
+template <>
+inline constexpr auto kNames<LineAlgorithm> = std::to_array<TabledAlternative<LineAlgorithm>>({
+    {LineAlgorithm::diamond_exit, "diamond-exit", Openness::open,
+     "the fragments whose diamonds the segment exits"},
+    {LineAlgorithm::walk_floor_to_floor, "walk-floor-to-floor", Openness::open,
+     "a pixel in each column from the start's to the end's, both included"},
+    {LineAlgorithm::walk_ends_tested, "walk-ends-tested", Openness::open,
+     "a pixel in each column from the start's to the end's; the first and the last must pass the "
+     "diamond-exit test"},
+    {LineAlgorithm::walk_half_open_direction, "walk-half-open-direction", Openness::open,
+     "a pixel in each column whose centre lies from the start, included, to the end, excluded"},
+    {LineAlgorithm::walk_half_open_geometry, "walk-half-open-geometry", Openness::open,
+     "a pixel in each column whose centre lies from the lower end, included, to the other, "
+     "excluded"},
+    {LineAlgorithm::bresenham, "bresenham", Openness::open,
+     "Bresenham's algorithm between the pixels of the ends, without the last one"},
+    {LineAlgorithm::bresenham_toward_zero, "bresenham-toward-zero", Openness::open,
+     "the same, with coordinates truncated toward zero: negative ones move right or up"},
+    {LineAlgorithm::midpoint, "midpoint", Openness::open,
+     "the midpoint algorithm between the pixels of the ends, both drawn"},
+    {LineAlgorithm::rectangle, "rectangle", Openness::open,
+     "the centres in a rectangle of width 1 along the segment, as in Vulkan's strict lines"},
+    {LineAlgorithm::parallelogram, "parallelogram", Openness::open,
+     "the centres in a parallelogram whose ends run along the minor axis"},
+    {LineAlgorithm::parallelogram_ends_tested, "parallelogram-ends-tested", Openness::open,
+     "the same, with corners on a grid of 1/256 pixel; a diamond-exit test may move an end to the "
+     "border of its pixel"},
+});
 
-std::span<const LineAlgorithm> all_line_algorithms();
-// "diamond-exit", "walk-floor-to-floor", …
-const char* name_of(LineAlgorithm algorithm);
-// False when there is none of that name.
-bool parse_name(std::string_view name, LineAlgorithm& algorithm);
 // Does the algorithm ask whom the boundary of a diamond belongs to?
 bool tests_diamonds(LineAlgorithm algorithm);
 
@@ -56,10 +77,20 @@ enum class WideLine {
   // scan-converted: what Mesa makes of wide lines for drivers that have none of their own.
   shifted_triangles,
 };
-
-std::span<const WideLine> all_wide_lines();
-const char* name_of(WideLine wide);
-bool parse_name(std::string_view name, WideLine& wide);
+template <>
+inline constexpr auto kNames<WideLine> = std::to_array<TabledAlternative<WideLine>>(
+    {{WideLine::replicate, "replicate", Openness::mandated,
+      "columns (rows, if y-major) as high as the width rounded to an integer"},
+     {WideLine::rectangle, "rectangle", Openness::illegal,
+      "the centres in a rectangle as wide as the line; OpenGL has it under multisampling only"},
+     {WideLine::parallelogram, "parallelogram", Openness::illegal,
+      "the centres in a parallelogram whose ends run along the minor axis"},
+     {WideLine::parallelogram_ends_tested, "parallelogram-ends-tested", Openness::illegal,
+      "the same of the rounded width, with corners on a grid of 1/256 pixel; a diamond-exit test "
+      "of the segment's end may move an end to the border of its pixel"},
+     {WideLine::shifted_triangles, "shifted-triangles", Openness::illegal,
+      "the parallelogram as two triangles, scan-converted; they are moved half a pixel back along "
+      "the major axis and 1/8 pixel down (right, if y-major)"}});
 
 struct LineChoice {
   LineAlgorithm algorithm = LineAlgorithm::diamond_exit;

@@ -2,8 +2,12 @@
 #include "rules/coverage/line_areas.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <utility>
+
+#include "exact/binary32.h"
 
 namespace edgecase {
 namespace {
@@ -84,6 +88,18 @@ std::vector<PixelPosition> pixels_round(const Segment& segment, const Margins& m
   return pixels;
 }
 
+// Every pixel whose centre lies within the width of the line along its minor axis, and along its
+// major axis at most half the width and `beyond` pixels outside its ends, and some more.
+//
+// A column's centre meets the line less than a raw unit beside pixel `at`, so that the centre of
+// pixel n lies within the width w of it only if n - at is between -w - 1/2 and w + 1/2, but for
+// that unit; in whole numbers, from -w to w.
+std::vector<PixelPosition> pixels_centred_near_line(const Segment& segment, Fixed width, int beyond,
+                                                    const PixelBounds& bounds) {
+  const std::int64_t margin = width.ceil();
+  return pixels_round(segment, {margin + beyond, margin}, bounds);
+}
+
 }  // namespace
 
 bool line_area_covers(const Segment& segment, Fixed width, LineArea area, Point sample,
@@ -102,20 +118,195 @@ std::vector<PixelPosition> pixels_near_line(const Segment& segment, Fixed width,
   return pixels_round(segment, {margin, margin}, bounds);
 }
 
-// A column's centre meets the line less than a raw unit beside pixel `at`, so that the centre of
-// pixel n lies within the width w of it only if n - at is between -w - 1/2 and w + 1/2, but for
-// that unit; in whole numbers, from -w to w.
-std::vector<PixelPosition> pixels_centred_near_line(const Segment& segment, Fixed width, int beyond,
-                                                    const PixelBounds& bounds) {
-  const std::int64_t margin = width.ceil();
-  return pixels_round(segment, {margin + beyond, margin}, bounds);
-}
-
 std::vector<PixelPosition> line_area_pixels(const Segment& segment, Fixed width, LineArea area,
                                             const PixelBounds& bounds, const TieRule& ties) {
   std::vector<PixelPosition> pixels = pixels_centred_near_line(segment, width, 0, bounds);
   std::erase_if(pixels, [&](PixelPosition pixel) {
     return !line_area_covers(segment, width, area, pixel_centre(pixel.x, pixel.y), ties);
+  });
+  return pixels;
+}
+
+// ------------------------------------------------------------ parallelograms whose ends are tested
+
+namespace {
+
+constexpr int kGrid = 256;  // steps per pixel
+const Binary32 kHalf = Binary32::from_fixed(Fixed::from_raw(Fixed::kOne / 2));
+const Binary32 kOne = Binary32::from_integer(1);
+
+// x and y in single precision, of a point or of a distance.
+struct Pair {
+  Binary32 x;
+  Binary32 y;
+};
+
+bool is_less(Binary32 a, Binary32 b) {
+  return (a - b).is_negative();
+}
+
+Binary32 magnitude(Binary32 value) {
+  return value.is_negative() ? -value : value;
+}
+
+Binary32 fraction(Binary32 value) {
+  return value - Binary32::from_integer(value.floor());
+}
+
+// The line as if it were x-major: x-major ones are, of the others "along" is downwards and "across"
+// is to the right. Everything is then the same for both but for one tie.
+struct Frame {
+  bool x_major;
+  Binary32 along(Pair p) const { return x_major ? p.x : -p.y; }
+  Binary32 across(Pair p) const { return x_major ? p.y : p.x; }
+  Pair pair(Binary32 along, Binary32 across) const {
+    return x_major ? Pair{along, across} : Pair{across, -along};
+  }
+};
+
+// From the centre of its pixel to the point.
+Pair from_centre(Pair p) {
+  return {fraction(p.x) - kHalf, fraction(p.y) - kHalf};
+}
+
+class TestedLine {
+ public:
+  TestedLine(Pair start, Pair end)
+      : start_(start),
+        end_(end),
+        frame_{!is_less(magnitude(end.x - start.x), magnitude(end.y - start.y))} {
+    const Pair back{start.x - end.x, start.y - end.y};
+    back_along_ = frame_.along(back);
+    back_across_ = frame_.across(back);
+    slope_ = back_across_ / back_along_;
+  }
+
+  const Frame& frame() const { return frame_; }
+
+  bool runs_along() const { return back_along_.is_negative(); }
+
+  // Start and end, moved where the tests say so.
+  std::pair<Pair, Pair> moved_ends() const {
+    Pair start = start_, end = end_;
+    const Place first = place_of(start_);
+    Place last = place_of(end_);
+    // An end on the lower border of its pixel, with the line coming from below: as if on the upper.
+    if (last.across == -kHalf && back_across_.is_negative()) last.across = kHalf;
+    if (draws_start(first) != reaches_start(first)) start = moved(start_, first);
+    if (draws_end(last) != reaches_end(last)) end = moved(end_, last);
+    return {start, end};
+  }
+
+ private:
+  // Of an end: from its pixel's centre, and the fraction of its coordinate across.
+  struct Place {
+    Binary32 along;
+    Binary32 across;
+    Binary32 fraction_across;
+  };
+
+  Place place_of(Pair end) const {
+    const Pair distance = from_centre(end);
+    return {frame_.along(distance), frame_.across(distance), fraction(frame_.across(end))};
+  }
+
+  static bool in_diamond(const Place& place) {
+    return is_less(magnitude(place.along) + magnitude(place.across), kHalf);
+  }
+
+  // Does the line's continuation cross the middle of the pixel, along its major axis, within it?
+  bool crosses_middle(const Place& place) const {
+    const Binary32 at = place.fraction_across + place.along * slope_;
+    return is_less(Binary32(), at) && is_less(at, kOne);
+  }
+
+  // Is the end on that side of the centre, or at it, to which the line runs?
+  bool is_ahead(const Place& place) const {
+    return place.along.is_negative() == (-back_along_).is_negative();
+  }
+
+  // By the diamond-exit rule, as the algorithm has it.
+  bool draws_start(const Place& place) const {
+    if (in_diamond(place)) return true;
+    if (is_ahead(place)) return false;
+    const bool away = frame_.x_major ? (-place.across).is_negative() != back_across_.is_negative()
+                                     : place.across.is_negative() != (-back_across_).is_negative();
+    return away || crosses_middle(place);
+  }
+  bool draws_end(const Place& place) const {
+    if (in_diamond(place)) return false;
+    if (!is_ahead(place)) return false;
+    return (-place.across).is_negative() == back_across_.is_negative() || crosses_middle(place);
+  }
+
+  // Does the parallelogram hold the centre of the end's pixel?
+  bool reaches_start(const Place& place) const {
+    return (-place.along).is_negative() != back_along_.is_negative();
+  }
+  bool reaches_end(const Place& place) const { return is_ahead(place) || place.along.is_zero(); }
+
+  // Along the line, to the border of its pixel that lies back where it came from.
+  Pair moved(Pair end, const Place& place) const {
+    const Binary32 by = (back_along_.is_negative() ? -kHalf : kHalf) - place.along;
+    const Pair distance = frame_.pair(by, by * slope_);
+    return {end.x + distance.x, end.y + distance.y};
+  }
+
+  Pair start_;
+  Pair end_;
+  Frame frame_;
+  Binary32 back_along_;  // from the end to the start
+  Binary32 back_across_;
+  Binary32 slope_;  // across, for one along
+};
+
+// Steps of the grid from the centre of pixel 0, ties away from zero.
+std::int64_t snapped(Binary32 value) {
+  const Binary32 steps = Binary32::from_integer(kGrid) * value;
+  return (steps.is_negative() ? steps - kHalf : steps + kHalf).truncate();
+}
+
+struct Corner {
+  std::int64_t x;
+  std::int64_t y;
+};
+
+}  // namespace
+
+std::vector<PixelPosition> tested_ends_pixels(const Segment& segment, int width,
+                                              const PixelBounds& bounds, const TieRule& ties) {
+  if (segment.a == segment.b) return {};
+  const auto pair_of = [](Point p) {
+    return Pair{Binary32::from_fixed(p.x), Binary32::from_fixed(p.y)};
+  };
+  const TestedLine line(pair_of(segment.a), pair_of(segment.b));
+  const auto [start, end] = line.moved_ends();
+  // Ends are snapped, not corners: a tie is away from zero on either side of the line.
+  const std::int64_t half_width = width * kGrid / 2;
+  const auto corner = [&](Pair p, std::int64_t across) {
+    const std::int64_t x = snapped(p.x - kHalf), y = snapped(p.y - kHalf);
+    return line.frame().x_major ? Corner{x, y + across} : Corner{x + across, y};
+  };
+  const std::array<Corner, 4> corners{corner(start, -half_width), corner(end, -half_width),
+                                      corner(end, half_width), corner(start, half_width)};
+  // The corners run counter-clockwise where the line runs along. Where ends have moved past each
+  // other they run the other way round, and every side has the inside at its back: nothing is
+  // drawn.
+  const Int128 turn = line.runs_along() ? 1 : -1;
+  // Ends move along the line by a pixel at most. Rounded to the grid they lie beside it by less
+  // than what is left of the width beyond its half.
+  std::vector<PixelPosition> pixels =
+      pixels_centred_near_line(segment, Fixed::from_integer(width), 1, bounds);
+  std::erase_if(pixels, [&](PixelPosition pixel) {
+    const Corner sample{std::int64_t{pixel.x} * kGrid, std::int64_t{pixel.y} * kGrid};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Corner& a = corners[i];
+      const Corner& b = corners[(i + 1) % 4];
+      const Int128 dx = turn * (b.x - a.x), dy = turn * (b.y - a.y);
+      const Int128 side = dx * (sample.y - a.y) - dy * (sample.x - a.x);
+      if (!ties.positive(side, -dy, dx)) return true;
+    }
+    return false;
   });
   return pixels;
 }

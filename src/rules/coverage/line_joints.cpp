@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "rules/coverage/diamond_reach.h"
+#include "rules/coverage/line_latitude.h"
 
 namespace edgecase {
 namespace {

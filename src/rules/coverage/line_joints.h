@@ -38,7 +38,7 @@ struct DrawnSegment {
 // The clause of ruling 14 that two segments break, in words; empty when every clause holds. Both
 // must have drawn pixels, and `second` must go on where `first` ends, or where a row of segments
 // ends that go on from `first` and drew nothing (`between`, in order). All ends are known to within
-// `reach`, see diamond_reach.h.
+// `reach`, see line_latitude.h.
 std::string broken_joint_clause(const DrawnSegment& first, std::span<const Segment> between,
                                 const DrawnSegment& second, Fixed reach = {});
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "exact/pixel.h"
-#include "rules/coverage/diamond_boundary.h"
 #include "rules/coverage/segment.h"
+#include "rules/coverage/tie_rule.h"
 
 namespace edgecase {
 

@@ -10,10 +10,6 @@ int sign_of_area(const std::array<HomogeneousPoint, 3>& positions) {
 
 }  // namespace
 
-bool is_counter_clockwise(const std::array<HomogeneousPoint, 3>& positions) {
-  return sign_of_area(positions) > 0;
-}
-
 // What has no area faces the back either way round.
 bool is_front_facing(const ScenePrimitive& primitive,
                      const std::array<HomogeneousPoint, 3>& positions, FacingMethod method) {

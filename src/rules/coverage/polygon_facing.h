@@ -15,7 +15,6 @@
 
 #include "exact/homogeneous.h"
 #include "model/scene.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -37,9 +36,6 @@ inline constexpr auto kNames<FacingMethod> = std::to_array<TabledAlternative<Fac
      {FacingMethod::always_ccw, "always-ccw", Openness::illegal,
       "counter-clockwise polygons face the front, whatever the draw sets"},
      {FacingMethod::not_culled, "not-culled", Openness::illegal, "no polygon is dropped"}});
-
-// Is the area by the vertices' order in the window, y up, positive? Of no area: no.
-bool is_counter_clockwise(const std::array<HomogeneousPoint, 3>& positions);
 
 // Points and lines face the front.
 bool is_front_facing(const ScenePrimitive& primitive,

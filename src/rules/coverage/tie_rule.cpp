@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 namespace edgecase {
 namespace {
 
@@ -55,6 +57,34 @@ std::vector<Alternative> tie_alternatives(std::span<const TieRule> rules, Openne
                       rule.kind == Kind::perturbed ? perturbed : open_and_closed,
                       meaning_of(rule)});
   return result;
+}
+
+// ---------------------------------------------------------------- the boundary of a line's diamond
+
+namespace {
+
+std::vector<DiamondBoundary> make_boundaries() {
+  std::vector<DiamondBoundary> result;
+  for (const TieRule& rule : all_tie_rules()) result.push_back({rule.name, &rule, 0, 0});
+  const unsigned lower = kLowerLeftEdge | kLowerRightEdge | kBottomCorner;
+  result.push_back({"direct3d", nullptr, lower, lower | kRightCorner});
+  const unsigned edges = kLowerLeftEdge | kLowerRightEdge | kUpperLeftEdge | kUpperRightEdge;
+  const unsigned scotty = edges | kLeftCorner | kBottomCorner;
+  result.push_back({"scotty3d", nullptr, scotty, scotty});
+  return result;
+}
+
+}  // namespace
+
+std::span<const DiamondBoundary> all_diamond_boundaries() {
+  static const std::vector<DiamondBoundary> boundaries = make_boundaries();
+  return boundaries;
+}
+
+const DiamondBoundary* find_diamond_boundary(std::string_view name) {
+  for (const DiamondBoundary& boundary : all_diamond_boundaries())
+    if (boundary.name == name) return &boundary;
+  return nullptr;
 }
 
 }  // namespace edgecase

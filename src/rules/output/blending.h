@@ -8,13 +8,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
 
 #include "exact/interval.h"
 #include "model/fragment_operations.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 #include "rules/values/framebuffer.h"
 

@@ -13,7 +13,6 @@
 
 #include "exact/interval.h"
 #include "model/scene.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {

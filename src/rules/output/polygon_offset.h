@@ -15,7 +15,6 @@
 
 #include "exact/interval.h"
 #include "model/scene.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 #include "rules/values/interpolation.h"
 

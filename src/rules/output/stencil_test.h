@@ -17,7 +17,6 @@
 #include <string_view>
 
 #include "model/fragment_operations.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {

@@ -13,7 +13,6 @@
 #include <string_view>
 
 #include "exact/interval.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {

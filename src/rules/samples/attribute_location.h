@@ -10,14 +10,16 @@
 // attribute is evaluated at the sample. The depth of a sample is always evaluated at that sample.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "exact/fixed.h"
+#include "exact/pixel.h"
 #include "model/sampling.h"
 #include "model/scene.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
@@ -122,5 +124,20 @@ std::vector<Point> permitted_locations(const ScenePrimitive& primitive, PixelPos
 // GL_SAMPLE_SHADING with a share of 1, else the whole pixel.
 std::vector<Point> permitted_coordinate_locations(const Multisampling& use, PixelPosition pixel,
                                                   Point sample);
+
+// Convex regions of the window are what half planes share. Of one, in units of 2^-16 pixels: the
+// points with normal_x x + normal_y y <= limit; normals of at most 2^31, limits of 2^62.
+struct HalfPlane {
+  std::int64_t normal_x = 0;
+  std::int64_t normal_y = 0;
+  Int128 limit = 0;
+};
+
+// A pixel, boundary included.
+std::array<HalfPlane, 4> half_planes_of(PixelPosition pixel);
+
+// The corners of what half planes share, which must be bounded: of each that is no multiple of
+// 2^-16 the multiples around it. Empty where they share nothing.
+std::vector<Point> corners_of(std::span<const HalfPlane> planes);
 
 }  // namespace edgecase

@@ -6,15 +6,17 @@
 // 14.5.3, centred on the segment, as long as the segment and as wide as the line. GL_LINE_SMOOTH
 // makes no difference. The line covers each sample inside the rectangle. The diamond-exit rule does
 // not apply, even to a line of width 1. The width is not rounded. Implementations round the
-// rectangle's corners (rules/samples/snapped_rectangle.h).
+// rectangle's corners.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "exact/homogeneous.h"
 #include "exact/pixel.h"
-#include "rules/alternative_table.h"
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/coverage/segment.h"
 #include "rules/coverage/tie_rule.h"
@@ -70,5 +72,49 @@ bool multisampled_line_possibly_covered(const Segment& segment, Fixed width, Poi
                                         Fixed reach);
 bool multisampled_line_possibly_uncovered(const Segment& segment, Fixed width, Point sample,
                                           Fixed reach);
+
+// ---------------------------------------------------------------- the rectangle, rounded to a grid
+//
+// The rectangle of a multisampled line, rounded to a sub-pixel grid.
+//
+// Its corners are irrational, a +- n and b +- n with n = (width / 2) (-dy, dx) / |b - a|, and
+// implementations fill polygons whose corners lie on a grid. So they round: the corners themselves,
+// or the ends and n each by itself. What is covered then is the polygon of the rounded corners.
+
+enum class RectangleRounding {
+  offset,   // ends and n to 1/256 pixel, a tie away from 0
+  corners,  // corners to 1/16 pixel, a tie to the even grid line
+};
+
+// What may be nearest to a number halfway between two multiples.
+enum class HalfwayTo { even, away_from_zero };
+
+// The multiple of 2^-bits nearest to whole + above / sqrt(below), all in units of 2^-16: magnitudes
+// of whole up to 2^30, of above and sqrt(below) up to 2^53 and 2^32, of their quotient up to 2^22.
+Fixed nearest_with_root(std::int64_t whole, std::int64_t above, std::uint64_t below, int bits,
+                        HalfwayTo halfway);
+
+// The rounded corners, in counter-clockwise order. The segment has a length; width: more than 0, at
+// most 64 pixels.
+std::array<Point, 4> rounded_corners(const Segment& segment, Fixed width,
+                                     RectangleRounding rounding);
+
+// Does the polygon hold the sample: does it lie to the left of all sides? A polygon that rounding
+// has turned over holds nothing.
+bool rounded_rectangle_covers(const std::array<Point, 4>& corners, Point sample,
+                              const TieRule& ties);
+
+// Does the left border of some column within `bounds` run through the polygon's extent in x, and
+// the lower border of some row through its extent in y? A border on the lesser side of the extent
+// does, one on the greater side does not. llvmpipe draws no other lines: its box of pixels begins
+// with the first column whose left border lies inside, and is empty where there is none.
+bool crosses_borders(const std::array<Point, 4>& corners, const PixelBounds& bounds);
+
+// The pixels within `bounds` whose sample, at `within` of the pixel, the polygon of a line holds,
+// each once, in no particular order.
+std::vector<PixelPosition> rounded_rectangle_pixels(const Segment& segment, Fixed width,
+                                                    RectangleRounding rounding,
+                                                    const PixelBounds& bounds, Point within,
+                                                    const TieRule& ties);
 
 }  // namespace edgecase

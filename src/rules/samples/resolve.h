@@ -11,7 +11,6 @@
 #include <span>
 #include <string_view>
 
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {

@@ -15,7 +15,6 @@
 
 #include "model/sampling.h"
 #include "model/scene.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "model/sampling.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {

@@ -12,7 +12,6 @@
 #include <string_view>
 
 #include "model/sampling.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {

@@ -20,7 +20,6 @@
 #include <vector>
 
 #include "exact/interval.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 #include "rules/textures/level_of_detail.h"
 

@@ -33,7 +33,6 @@
 
 #include "exact/interval.h"
 #include "model/texture.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 #include "rules/textures/log2_method.h"
 

@@ -24,7 +24,6 @@
 
 #include "exact/interval.h"
 #include "model/texture.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "model/texture.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {

@@ -21,7 +21,6 @@
 
 #include "exact/interval.h"
 #include "model/texture.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 #include "rules/textures/texture_image.h"
 #include "rules/textures/wrap.h"

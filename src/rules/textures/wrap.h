@@ -15,7 +15,6 @@
 #include <string_view>
 
 #include "model/texture.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {

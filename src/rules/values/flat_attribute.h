@@ -10,7 +10,6 @@
 #include <cstddef>
 
 #include "model/scene.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {

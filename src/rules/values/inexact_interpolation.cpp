@@ -1,16 +1,52 @@
 // SPDX-License-Identifier: MIT
-//
-// The inexact and the permitted half of rules/values/interpolation.h: arithmetic in which every
-// operation errs.
-#include <cstddef>
+#include "rules/values/inexact_interpolation.h"
 
-#include "rules/values/inexact_place.h"
-#include "rules/values/inexact_shares.h"
-#include "rules/values/interpolation.h"
-#include "rules/values/permitted_place.h"
+#include <cstddef>
 
 namespace edgecase {
 namespace {
+
+WindowPlace place_of(const HomogeneousPoint& p) {
+  const auto w = static_cast<double>(p.w);
+  return {Interval(static_cast<double>(p.x)) / w, Interval(static_cast<double>(p.y)) / w};
+}
+
+std::size_t count_of(const Interpolant& f) {
+  return static_cast<std::size_t>(vertices_of(f.kind));
+}
+
+Interval weighted_sum(const Interpolant& f, const Shares& shares) {
+  Interval sum = 0;
+  for (std::size_t i = 0; i < count_of(f); ++i)
+    sum = kInexact.add(sum, kInexact.multiply(shares[i], f.values[i]));
+  return sum;
+}
+
+}  // namespace
+
+WindowPlace place_of(Point point) {
+  return {point.x.to_double(), point.y.to_double()};
+}
+
+WindowPlaces places_of(const Interpolant& f) {
+  return {place_of(f.positions[0]), place_of(f.positions[1]), place_of(f.positions[2])};
+}
+
+Interval area_of(const Inexact& op, const WindowPlace& a, const WindowPlace& b,
+                 const WindowPlace& p) {
+  const Interval ax = op.subtract(a[0], p[0]);
+  const Interval ay = op.subtract(a[1], p[1]);
+  const Interval bx = op.subtract(b[0], p[0]);
+  const Interval by = op.subtract(b[1], p[1]);
+  return op.subtract(op.multiply(ax, by), op.multiply(ay, bx));
+}
+
+Shares triangle_shares(const WindowPlaces& v, const WindowPlace& p) {
+  const Inexact& op = kInexact;
+  const Interval area = area_of(op, v[1], v[2], v[0]);
+  return {op.divide(area_of(op, v[1], v[2], p), area), op.divide(area_of(op, v[2], v[0], p), area),
+          op.divide(area_of(op, v[0], v[1], p), area)};
+}
 
 Shares line_shares(const Interpolant& f, const WindowPlaces& v, const WindowPlace& p) {
   const Inexact& op = kInexact;
@@ -28,6 +64,43 @@ Shares line_shares(const Interpolant& f, const WindowPlaces& v, const WindowPlac
   return {op.subtract(1, t), t, 0};
 }
 
+SharesOverW divided_by_w(const Interpolant& f, const Shares& shares) {
+  SharesOverW result;
+  for (std::size_t i = 0; i < count_of(f); ++i) {
+    result.shares[i] = kInexact.divide(shares[i], f.w[i]);
+    result.total = kInexact.add(result.total, result.shares[i]);
+  }
+  return result;
+}
+
+Interval inexact_mean(const Interpolant& f, const Shares& shares) {
+  if (has_perspective(f)) return inexact_mean(f, divided_by_w(f, shares));
+  if (f.kind != PrimitiveKind::line) return weighted_sum(f, shares);
+  const Inexact& op = kInexact;
+  const Interval mean =
+      op.add(f.values[0], op.multiply(shares[1], op.subtract(f.values[1], f.values[0])));
+  // Of (1 - t) a + t b three operations err by a part of the first product, and two by one of the
+  // second; by equation 14.6, where every w is the same, five more: both sums have divisions by w,
+  // and one is divided by the other. Shares that are intervals would not sum to 1 there.
+  const double more = f.perspective ? 5 : 0;
+  const double error = op.relative * 1.001 *
+                       ((3 + more) * (shares[0] * f.values[0]).magnitude() +
+                        (2 + more) * (shares[1] * f.values[1]).magnitude());
+  return mean + Interval(-error, error);
+}
+
+Interval inexact_mean(const Interpolant& f, const SharesOverW& over_w) {
+  return kInexact.divide(weighted_sum(f, over_w.shares), over_w.total);
+}
+
+Interval point_value(const Interpolant& f) {
+  const Interval value = f.values[0];
+  if (f.w[0].low == 1 && f.w[0].high == 1) return value;
+  return kInexact.multiply(kInexact.divide(value, f.w[0]), f.w[0]);
+}
+
+namespace {
+
 Shares unmoved_shares(const Interpolant& f, const WindowPlace& p) {
   const WindowPlaces v = places_of(f);
   return f.kind == PrimitiveKind::line ? line_shares(f, v, p) : triangle_shares(v, p);
@@ -37,7 +110,31 @@ Interval unmoved_mean(const Interpolant& f, const WindowPlace& p) {
   return inexact_mean(f, unmoved_shares(f, p));
 }
 
-// -------------------------------------------------------------------------- inexact derivatives
+}  // namespace
+
+Interval interpolate_inexact(const Interpolant& f, Point sample) {
+  return InexactPlace(sample).value(f);
+}
+
+Interval InexactPlace::value(const Interpolant& f) const {
+  if (f.kind == PrimitiveKind::point) return point_value(f);
+  if (!shares_) shares_ = unmoved_shares(f, place_of(sample_));
+  if (!has_perspective(f)) return inexact_mean(f, *shares_);
+  if (!over_w_) over_w_ = divided_by_w(f, *shares_);
+  return inexact_mean(f, *over_w_);
+}
+
+Interval interpolate_inexact(const Interpolant& f, Point sample, Point w_place) {
+  if (sample == w_place || !has_perspective(f)) return interpolate_inexact(f, sample);
+  Interpolant above = over_w(f);
+  for (Interval& value : above.values) value = kInexact.multiply(value, 1);
+  const Interval w = kInexact.divide(1, interpolate_inexact(inverse_w(f), w_place));
+  return kInexact.multiply(interpolate_inexact(above, sample), w);
+}
+
+// ------------------------------------------------------------------------------------- derivatives
+
+namespace {
 
 // What a triangle's mean is divided by: the sum of the areas, each over its w.
 Interval triangle_total(const Interpolant& f, const WindowPlaces& v, const WindowPlace& p) {
@@ -89,6 +186,8 @@ Interval inexact_slope(const Interpolant& f, const Shares& slopes, Interval valu
   return op.divide(sum, total);
 }
 
+}  // namespace
+
 Interval line_slope(const Interpolant& f, const WindowPlaces& v, const WindowPlace& p, Axis axis) {
   const Shares slopes = line_slopes(f, v, axis);
   if (!has_perspective(f)) return inexact_slope(f, slopes, f.values[0], 1);
@@ -101,84 +200,12 @@ Interval triangle_slope(const Interpolant& f, const WindowPlaces& v, Axis axis, 
   return inexact_slope(f, area_slopes(v, axis), has_perspective(f) ? value : f.values[0], total);
 }
 
-// A point's attributes are those of its vertex, whatever their qualifier (14.4); what is divided by
-// w and multiplied again on the way may err twice.
-Interval point_value(const Interpolant& f) {
-  const Interval value = f.values[0];
-  if (f.w[0].low == 1 && f.w[0].high == 1) return value;
-  return kInexact.multiply(kInexact.divide(value, f.w[0]), f.w[0]);
-}
-
-}  // namespace
-
-Interval interpolate_inexact(const Interpolant& f, Point sample) {
-  return InexactPlace(sample).value(f);
-}
-
-Interval InexactPlace::value(const Interpolant& f) const {
-  if (f.kind == PrimitiveKind::point) return point_value(f);
-  if (!shares_) shares_ = unmoved_shares(f, place_of(sample_));
-  if (!has_perspective(f)) return inexact_mean(f, *shares_);
-  if (!over_w_) over_w_ = divided_by_w(f, *shares_);
-  return inexact_mean(f, *over_w_);
-}
-
-Interval interpolate_inexact(const Interpolant& f, Point sample, Point w_place) {
-  if (sample == w_place || !has_perspective(f)) return interpolate_inexact(f, sample);
-  Interpolant above = over_w(f);
-  for (Interval& value : above.values) value = kInexact.multiply(value, 1);
-  const Interval w = kInexact.divide(1, interpolate_inexact(inverse_w(f), w_place));
-  return kInexact.multiply(interpolate_inexact(above, sample), w);
-}
-
-Interval PermittedPlace::value(const Interpolant& f) const {
-  switch (f.kind) {
-    case PrimitiveKind::point:
-      return point_value(f);
-    case PrimitiveKind::line:
-      return inexact_mean(f, line_shares(f, vertices_.grown(), place_of(sample_)));
-    case PrimitiveKind::triangle:
-      return shares().mean(f);
-  }
-  return Interval::everything();
-}
-
-Interval PermittedPlace::slope(const Interpolant& f, Axis axis) const {
-  return slope(f, axis, f.kind == PrimitiveKind::triangle && has_perspective(f) ? value(f) : 0);
-}
-
-std::array<Interval, 2> PermittedPlace::slopes(const Interpolant& f, Interval value) const {
-  return {slope(f, Axis::x, value), slope(f, Axis::y, value)};
-}
-
-Interval PermittedPlace::slope(const Interpolant& f, Axis axis, Interval value) const {
-  if (f.kind == PrimitiveKind::point) return 0;
-  const WindowPlaces& v = vertices_.grown();
-  if (f.kind == PrimitiveKind::line) return line_slope(f, v, place_of(sample_), axis);
-  return triangle_slope(f, v, axis, value, shares().total(f));
-}
-
-const MovedShares& PermittedPlace::shares() const {
-  if (!shares_) shares_.emplace(vertices_, sample_);
-  return *shares_;
-}
-
-Interval interpolate_permitted(const Interpolant& f, Point sample, double reach) {
-  const MovedVertices vertices(f, reach);
-  return PermittedPlace(vertices, sample).value(f);
-}
-
 Interval differentiate_inexact(const Interpolant& f, Point sample, Axis axis) {
   if (f.kind == PrimitiveKind::point) return 0;
   const WindowPlace p = place_of(sample);
   const WindowPlaces v = places_of(f);
   if (f.kind == PrimitiveKind::line) return line_slope(f, v, p, axis);
   return triangle_slope(f, v, axis, unmoved_mean(f, p), triangle_total(f, v, p));
-}
-
-Interval differentiate_permitted(const Interpolant& f, Point sample, Axis axis, double reach) {
-  const MovedVertices vertices(f, reach);
-  return PermittedPlace(vertices, sample).slope(f, axis);
 }
 
 }  // namespace edgecase

@@ -6,8 +6,7 @@
 #include <cstddef>
 
 #include "rules/coverage/homogeneous_line.h"
-#include "rules/values/exact_place.h"
-#include "rules/values/inexact_shares.h"
+#include "rules/values/inexact_interpolation.h"
 #include "rules/values/rational_interpolation.h"
 
 namespace edgecase {

@@ -23,6 +23,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "exact/fixed.h"
 #include "exact/homogeneous.h"
@@ -95,5 +96,29 @@ Interval differentiate_exact(const Interpolant& interpolant, Point sample, Axis 
 Interval differentiate_inexact(const Interpolant& interpolant, Point sample, Axis axis);
 Interval differentiate_permitted(const Interpolant& interpolant, Point sample, Axis axis,
                                  double reach);
+
+// What interpolate_exact yields for several attributes of one primitive at one sample. What the
+// attributes share is worked out once.
+class ExactPlace {
+ public:
+  explicit ExactPlace(Point sample) : sample_(sample) {}
+
+  // Attributes have the same vertices and line parameter; those that have perspective the same w.
+  Interval value(const Interpolant& f) const;
+
+ private:
+  using Weights = std::array<Interval, 3>;
+  bool has_extent(const Interpolant& f) const;
+  const Weights& weights_of(const Interpolant& f) const;
+  const Interval& total_of(const Interpolant& f) const;
+
+  Point sample_;
+  // When they are first asked for: whether the primitive has an extent, the weights as they are,
+  // divided by w, and the sum of the former.
+  mutable std::optional<bool> has_extent_;
+  mutable std::optional<Weights> plain_;
+  mutable std::optional<Weights> over_w_;
+  mutable std::optional<Interval> total_;
+};
 
 }  // namespace edgecase

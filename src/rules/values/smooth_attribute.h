@@ -19,7 +19,6 @@
 #include <span>
 
 #include "model/scene.h"
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 #include "rules/values/interpolation.h"
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-#include "diff/pixel_blocks.h"
+#include "diff/compare.h"
 #include "results/results_json.h"
 #include "run/comparing.h"
 #include "run/judging.h"

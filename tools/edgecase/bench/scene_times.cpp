@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "diff/pixel_blocks.h"
+#include "diff/compare.h"
 #include "raster/exact_renderer.h"
 #include "raster/rasterizer.h"
 #include "tools/edgecase/bench/rates.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "rules/all_rules.h"
-#include "rules/rules_document.h"
+#include "rules/chapters.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/options.h"

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+#include "diff/coverage/neighbour_faults.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "diff/coverage/vertex_latitude.h"
+#include "raster/rasterizer.h"
+#include "rules/coverage/line_algorithm.h"
+#include "rules/coverage/line_joints.h"
+#include "rules/coverage/shared_edge.h"
+#include "rules/coverage/snap.h"
+#include "rules/coverage/triangle_algorithm.h"
+
+namespace edgecase {
+namespace {
+
+// As given; of quotients, the nearest.
+Segment segment_of(const ScenePrimitive& line) {
+  return {nearest_point(line.positions[0]), nearest_point(line.positions[1])};
+}
+
+// Connected lines of one direction: the first and last have drawn something, those between nothing.
+using Chain = std::vector<std::size_t>;
+
+class Chains {
+ public:
+  Chains(std::span<const ScenePrimitive> primitives, std::span<const PrimitiveCoverage> coverage,
+         const Target& target)
+      : primitives_(primitives), coverage_(coverage), target_(target) {
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      if (!is_thin_line(primitives[i])) continue;
+      const Point start = segment_of(primitives[i]).a;
+      starting_at_[{start.x, start.y}].push_back(i);
+    }
+  }
+
+  std::vector<Chain> all() {
+    for (std::size_t i = 0; i < primitives_.size(); ++i)
+      if (is_thin_line(primitives_[i]) && has_drawn(i)) extend({i});
+    return std::move(found_);
+  }
+
+ private:
+  // Multisampled lines are rectangles, and overlap at their joints.
+  bool is_thin_line(const ScenePrimitive& primitive) const {
+    return primitive.kind == PrimitiveKind::line && !primitive.is_clipped &&
+           !is_multisampled(*primitive.state, target_) &&
+           rounded_width(primitive.state->line_width) == 1;
+  }
+  bool has_drawn(std::size_t i) const { return !coverage_[i].drawn.front().empty(); }
+
+  // The major coordinate only grows along a chain, so no chain comes back to where it was.
+  void extend(const Chain& chain) {
+    const Segment last = segment_of(primitives_[chain.back()]);
+    const Vertex& end = *primitives_[chain.back()].vertices[1];
+    const auto next = starting_at_.find({last.b.x, last.b.y});
+    if (next == starting_at_.end()) return;
+    for (std::size_t j : next->second) {
+      if (!is_bit_identical(end, *primitives_[j].vertices[0])) continue;
+      if (!goes_on(last, segment_of(primitives_[j]))) continue;
+      Chain longer = chain;
+      longer.push_back(j);
+      if (!has_drawn(j))
+        extend(longer);
+      else
+        found_.push_back(std::move(longer));
+    }
+  }
+
+  std::span<const ScenePrimitive> primitives_;
+  std::span<const PrimitiveCoverage> coverage_;
+  const Target& target_;
+  std::map<std::pair<Fixed, Fixed>, std::vector<std::size_t>> starting_at_;
+  std::vector<Chain> found_;
+};
+
+// Do segments go on from one another? Those without length, as a snap can make them, are left out.
+bool is_one_line(std::span<const Segment> segments, Fixed reach) {
+  for (std::size_t i = 1; i < segments.size(); ++i)
+    if (!goes_on(segments[i - 1], segments[i], reach)) return false;
+  return segments.size() >= 2;
+}
+
+std::string broken_clause(const Chain& chain, std::span<const ScenePrimitive> primitives,
+                          std::span<const PrimitiveCoverage> coverage, const Scene& scene,
+                          Snap snap) {
+  std::vector<Segment> segments;
+  Fixed reach;
+  bool some_without_length = false;
+  for (std::size_t i : chain) {
+    const LooseSegment loose = snapped_segment(primitives[i], snap);
+    const Segment& segment = loose.segment;
+    const bool is_end = i == chain.front() || i == chain.back();
+    if (is_end && segment.a == segment.b) return "";
+    reach = std::max(reach, loose.reach);
+    some_without_length = some_without_length || segment.a == segment.b;
+    if (segment.a != segment.b) segments.push_back(segment);
+  }
+  // One without length may have one, of any direction, where its ends erred.
+  if (some_without_length && reach != Fixed()) return "";
+  if (!is_one_line(segments, reach)) return "";
+  const auto drawn = [&](std::size_t i, const Segment& segment) {
+    return DrawnSegment{segment, coverage[i].drawn.front(),
+                        drawable_bounds(*primitives[i].state, scene.target)};
+  };
+  return broken_joint_clause(drawn(chain.front(), segments.front()),
+                             std::span(segments).subspan(1, segments.size() - 2),
+                             drawn(chain.back(), segments.back()), reach);
+}
+
+}  // namespace
+
+std::vector<JointFault> joint_faults(std::span<const ScenePrimitive> primitives,
+                                     std::span<const PrimitiveCoverage> coverage,
+                                     const Scene& scene) {
+  std::vector<JointFault> faults;
+  for (const Chain& chain : Chains(primitives, coverage, scene.target).all()) {
+    JointFault fault{primitives[chain.front()].index, primitives[chain.back()].index, "", {}};
+    for (Snap snap : all_snaps()) {
+      const std::string clause = broken_clause(chain, primitives, coverage, scene, snap);
+      if (clause.empty()) continue;
+      fault.illegal_snaps.push_back(name_of(snap));
+      if (snap.is_none()) fault.clause = clause;
+    }
+    if (!fault.illegal_snaps.empty()) faults.push_back(std::move(fault));
+  }
+  return faults;
+}
+
+// ------------------------------------------------------------------------------------ shared edges
+
+namespace {
+
+// Of quotients, the nearest: reach_of knows how far off they are.
+Triangle triangle_of(const ScenePrimitive& primitive) {
+  return nearest_triangle(primitive.positions);
+}
+
+// How often a pixel is among pixels that are sorted row first.
+long count(std::span<const PixelPosition> pixels, PixelPosition p) {
+  const auto [first, last] = std::equal_range(
+      pixels.begin(), pixels.end(), p,
+      [](PixelPosition a, PixelPosition b) { return std::tie(a.y, a.x) < std::tie(b.y, b.x); });
+  return last - first;
+}
+
+PixelBounds common(const PixelBounds& a, const PixelBounds& b) {
+  return {std::max(a.x_min, b.x_min), std::max(a.y_min, b.y_min), std::min(a.x_max, b.x_max),
+          std::min(a.y_max, b.y_max)};
+}
+
+// Pixels whose centres may lie near the segment a-b: its bounding box, grown by one.
+PixelBounds bounds_near(Point a, Point b, const PixelBounds& target) {
+  const auto [x_low, x_high] = std::minmax(a.x, b.x);
+  const auto [y_low, y_high] = std::minmax(a.y, b.y);
+  const auto clip = [](std::int64_t value) {
+    return static_cast<int>(
+        std::clamp<std::int64_t>(value, -2 * Fixed::kMaxCoordinate, 2 * Fixed::kMaxCoordinate));
+  };
+  return common(target, {clip(x_low.floor() - 1), clip(y_low.floor() - 1), clip(x_high.floor() + 1),
+                         clip(y_high.floor() + 1)});
+}
+
+// The common edge of two triangles whose ends are bit-identical, and not only nearest to one point.
+std::optional<SharedEdge> common_edge(const ScenePrimitive& first, const ScenePrimitive& second) {
+  const Triangle one = triangle_of(first);
+  const Triangle other = triangle_of(second);
+  const auto edge = shared_edge(one, other);
+  if (!edge) return std::nullopt;
+  const auto vertex_at = [](const ScenePrimitive& primitive, const Triangle& triangle, Point p) {
+    return primitive.vertices[static_cast<std::size_t>(
+        std::find(triangle.begin(), triangle.end(), p) - triangle.begin())];
+  };
+  for (const Point end : {edge->a, edge->b})
+    if (!is_bit_identical(*vertex_at(first, one, end), *vertex_at(second, other, end)))
+      return std::nullopt;
+  return edge;
+}
+
+// What two triangles have in common, how far vertices may move, and the pixels near it.
+struct SharedSide {
+  SharedEdge edge;
+  Fixed reach;
+  PixelBounds near;
+  bool is_multisampled = false;
+};
+
+// Does every place of the pixel, and less than a pixel around it, lie inside the other edges?
+// Nowhere there may two triangles leave a sample out.
+bool lies_well_between(const SharedSide& side, PixelPosition pixel) {
+  const Fixed half = Fixed::from_raw(Fixed::kOne / 2);
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (!lies_between(side.edge, pixel_centre(pixel.x + dx, pixel.y + dy), side.reach + half))
+        return false;
+  return true;
+}
+
+// The samples that both triangles may write, by index, with where in a pixel they lie.
+std::map<int, Point> shared_samples(const ScenePrimitive& first, const ScenePrimitive& second,
+                                    const Target& target, const SamplePositions& positions) {
+  if (!is_multisampled(*first.state, target)) return {{0, centre_of_pixel()}};
+  const std::uint32_t mask = first.state->multisampling.mask & second.state->multisampling.mask;
+  std::map<int, Point> samples;
+  for (std::size_t s = 0; s < positions.size(); ++s)
+    if ((mask >> s & 1) != 0) samples.emplace(static_cast<int>(s), positions[s]);
+  return samples;
+}
+
+// Appends the pixels whose sample the two triangles do not hit once, though they must.
+void add_faults(const SharedSide& side, int first, int second, int sample, Point within,
+                std::span<const PrimitiveCoverage> coverage, std::vector<SharedEdgeFault>& faults) {
+  const auto hits_of = [&](int primitive, PixelPosition p) {
+    const SampleCoverage& drawn = coverage[static_cast<std::size_t>(primitive)].drawn;
+    return count(drawn[static_cast<std::size_t>(sample)], p);
+  };
+  for (int y = side.near.y_min; y <= side.near.y_max; ++y) {
+    for (int x = side.near.x_min; x <= side.near.x_max; ++x) {
+      const long hits = hits_of(first, {x, y}) + hits_of(second, {x, y});
+      if (hits == 1 || !must_hit_once(side.edge, place_in({x, y}, within), side.reach)) continue;
+      const bool is_certain = hits > 1 || !side.is_multisampled || lies_well_between(side, {x, y});
+      faults.push_back({{x, y}, sample, first, second, static_cast<int>(hits), is_certain});
+    }
+  }
+}
+
+// Triangles by the edges that they run along counter-clockwise.
+using TrianglesByEdge = std::map<std::array<std::int64_t, 4>, std::vector<std::size_t>>;
+
+std::array<std::int64_t, 4> key_of(Point from, Point to) {
+  return {from.x.raw(), from.y.raw(), to.x.raw(), to.y.raw()};
+}
+
+// What is known of a primitive, whichever others it is held against.
+struct Facts {
+  bool may_be_culled = false;
+  bool is_multisampled = false;
+  Fixed reach;
+  PixelBounds drawable;
+};
+
+Facts facts_of(const ScenePrimitive& primitive, const Scene& scene, int bits) {
+  return {permitted_culling(primitive, bits).may_be_culled,
+          is_multisampled(*primitive.state, scene.target), reach_of(primitive, bits),
+          drawable_bounds(*primitive.state, scene.target)};
+}
+
+}  // namespace
+
+std::vector<std::pair<std::size_t, std::size_t>> neighbours(
+    std::span<const ScenePrimitive> primitives) {
+  TrianglesByEdge before;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    // What clipping makes of two triangles need not have an edge in common.
+    if (primitives[i].kind != PrimitiveKind::triangle || primitives[i].is_clipped) continue;
+    const Triangle given = triangle_of(primitives[i]);
+    if (doubled_area(given) == 0) continue;
+    const Triangle t = counter_clockwise(given);
+    // Triangles on opposite sides run along the common edge in opposite directions; of one edge
+    // only, since they wind alike.
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto others = before.find(key_of(t[(k + 1) % 3], t[k]));
+      if (others == before.end()) continue;
+      for (const std::size_t other : others->second) pairs.emplace_back(other, i);
+    }
+    for (std::size_t k = 0; k < 3; ++k) before[key_of(t[k], t[(k + 1) % 3])].push_back(i);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> primitives,
+                                                std::span<const PrimitiveCoverage> coverage,
+                                                const Scene& scene, int bits,
+                                                const SamplePositions& positions) {
+  std::vector<SharedEdgeFault> faults;
+  std::vector<std::optional<Facts>> known(primitives.size());
+  const auto facts = [&](std::size_t i) -> const Facts& {
+    if (!known[i]) known[i] = facts_of(primitives[i], scene, bits);
+    return *known[i];
+  };
+  for (const auto& [i, j] : neighbours(primitives)) {
+    const Facts& one = facts(i);
+    const Facts& other = facts(j);
+    // Ruling 40 lets what may be culled be missing, or has it so.
+    if (one.may_be_culled || other.may_be_culled) continue;
+    if (one.is_multisampled != other.is_multisampled) continue;
+    const auto edge = common_edge(primitives[i], primitives[j]);
+    if (!edge) continue;
+    const SharedSide side{*edge, std::max(one.reach, other.reach),
+                          bounds_near(edge->a, edge->b, common(one.drawable, other.drawable)),
+                          one.is_multisampled};
+    for (const auto& [sample, within] :
+         shared_samples(primitives[i], primitives[j], scene.target, positions))
+      add_faults(side, primitives[i].index, primitives[j].index, sample, within, coverage, faults);
+  }
+  return faults;
+}
+
+}  // namespace edgecase

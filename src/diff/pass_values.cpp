@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "diff/drawing_compare.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "diff/coverage/legality.h"
+#include "diff/values/pixel_values.h"
+#include "diff/values/value_diff.h"
+#include "raster/samples.h"
+#include "rules/all_rules.h"
+#include "rules/choices.h"
+#include "rules/values/framebuffer.h"
+
+namespace edgecase {
+namespace {
+
+constexpr RuleId kRule = RuleId::supersample_accumulation;
+constexpr int kRuling = 36;
+constexpr RuleId kBytesRule = RuleId::framebuffer_unorm8;
+constexpr int kBytesRuling = 10;
+
+bool tells_all_colors(std::span<const Rendering> passes) {
+  return std::ranges::all_of(passes, [](const Rendering& pass) {
+    return std::ranges::all_of(pass.fragments, &Fragment::has_color);
+  });
+}
+
+// The renderer's passes, with each colour that it does not tell at one end of what it may be.
+std::vector<Rendering> with_colors(const Drawing& drawing, double Interval::*end) {
+  const auto& [scene, policy, exact, rendered, facts] = drawing;
+  const RuleChoices& choices = policy.on(scene.target.surface);
+  std::vector<Rendering> passes = rendered.passes;
+  for (std::size_t k = 0; k < passes.size(); ++k) {
+    const Scene pass = pass_of(scene, k);
+    const std::vector<ScenePrimitive> primitives = primitives_of(pass);
+    const ValueContext values(pass, primitives, choices,
+                              latitude_bits(facts.reported_subpixel_bits), policy.latitude());
+    for (Fragment& fragment : passes[k].fragments) {
+      if (fragment.has_color) continue;
+      const PixelTruth truth = truth_of_fragment(values, fragment);
+      for (std::size_t c = 0; c < 4; ++c) fragment.color[c] = truth.permitted[c].*end;
+    }
+  }
+  return passes;
+}
+
+class AccumulationComparison {
+ public:
+  AccumulationComparison(const Drawing& drawing, Result& result)
+      : scene_(drawing.scene),
+        rendered_(drawing.rendered),
+        chosen_(drawing.policy.on(scene_.target.surface).samples.accumulation),
+        is_told_(tells_all_colors(rendered_.passes)),
+        result_(result) {
+    if (is_told_) {
+      permitted_ = permitted_image(rendered_.passes, chosen_);
+      expected_ = accumulated_image(scene_, rendered_.passes, chosen_);
+      return;
+    }
+    permitted_ = permitted_image(with_colors(drawing, &Interval::low), chosen_);
+    const auto high = permitted_image(with_colors(drawing, &Interval::high), chosen_);
+    for (std::size_t i = 0; i < high.size(); ++i) {
+      permitted_[i] = hull(permitted_[i], high[i]);
+      expected_.push_back((permitted_[i].low + permitted_[i].high) / 2);
+    }
+  }
+
+  void run() {
+    const Cause cause = is_told_ ? find_cause() : Cause();
+    ValueAggregator means("accumulated color", kRule, kRuling, cause);
+    ValueAggregator bytes("accumulated pixel", kBytesRule, kBytesRuling);
+    for (int y = 0; y < rendered_.height; ++y) {
+      for (int x = 0; x < rendered_.width; ++x) {
+        compare_mean({x, y}, cause, means);
+        compare_bytes({x, y}, bytes);
+      }
+    }
+    means.flush(result_);
+    bytes.flush(result_);
+  }
+
+ private:
+  std::size_t first_of(PixelPosition pixel) const {
+    return 4 * rendered_.pixel_index(pixel.x, pixel.y);
+  }
+
+  std::vector<Interval> permitted_image(std::span<const Rendering> passes,
+                                        Accumulation choice) const {
+    std::vector<Interval> image;
+    for_each_shown(scene_, passes, [&](std::span<const double> shown) {
+      image.push_back(accumulation_permitted(shown, scene_.supersampling, choice));
+    });
+    return image;
+  }
+
+  // Is a number as a choice has it? To the bit where ruling 36 allows the choice, in double or in
+  // single precision; else as near as the ruling would allow.
+  bool is_as(std::size_t i, std::span<const double> shown, Accumulation choice) const {
+    const double told = rendered_.accumulated[i];
+    const Alternative& alternative = *find_alternative(rule_of(kRule), name_of(choice));
+    if (alternative.openness == Openness::illegal)
+      return accumulation_permitted(shown, scene_.supersampling, choice).contains(told);
+    return is_nearest(told, accumulated(shown, scene_.supersampling, choice));
+  }
+
+  static bool is_nearest(double told, double expected) {
+    if (std::isnan(expected)) return std::isnan(told);
+    return told == expected || told == to_float(expected);
+  }
+
+  // The first alternative that yields the whole image; none: none does, or the chosen one.
+  Cause find_cause() const {
+    std::vector<Accumulation> left(values_of<Accumulation>().begin(),
+                                   values_of<Accumulation>().end());
+    std::size_t i = 0;
+    for_each_shown(scene_, rendered_.passes, [&](std::span<const double> shown) {
+      std::erase_if(left, [&](Accumulation choice) { return !is_as(i, shown, choice); });
+      ++i;
+    });
+    if (left.empty() || std::ranges::find(left, chosen_) != left.end()) return {};
+    return alternative_id(kRule, name_of(left.front()));
+  }
+
+  bool is_permitted(std::size_t first) const {
+    for (std::size_t c = 0; c < 4; ++c)
+      if (!permitted_[first + c].contains(rendered_.accumulated[first + c]) &&
+          !holds_anything(permitted_[first + c]))
+        return false;
+    return true;
+  }
+
+  // Something that is no number is contained in no interval.
+  static bool holds_anything(const Interval& permitted) {
+    return std::isinf(permitted.low) && std::isinf(permitted.high);
+  }
+
+  void compare_mean(PixelPosition pixel, const Cause& cause, ValueAggregator& aggregator) {
+    const std::size_t first = first_of(pixel);
+    aggregator.count_compared(4);
+    if (!is_permitted(first)) {
+      report_mean(pixel, cause);
+      return;
+    }
+    if (!is_told_) return;
+    bool differs = false;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const double told = rendered_.accumulated[first + c];
+      const double expected = expected_[first + c];
+      if (is_nearest(told, expected)) continue;
+      differs = true;
+      aggregator.add_error({pixel.x, pixel.y, -1},
+                           {static_cast<int>(c), expected, told, error_in_ulp(expected, told), 1});
+    }
+    if (differs) aggregator.add_place({pixel.x, pixel.y, -1});
+  }
+
+  std::span<const double> told_at(std::size_t first) const {
+    return std::span(rendered_.accumulated).subspan(first, 4);
+  }
+
+  void report_mean(PixelPosition pixel, const Cause& cause) {
+    const std::size_t first = first_of(pixel);
+    Disagreement d = value_disagreement(pixel, -1, kRule, kRuling);
+    d.cause = cause;
+    const auto told = told_at(first);
+    std::string ranges;
+    for (std::size_t c = 0; c < 4; ++c) {
+      d.exact.push_back(expected_[first + c]);
+      d.rendered.push_back(told[c]);
+      ranges += fmt::format("{}{:.9g} to {:.9g}", c == 0 ? "" : ", ", permitted_[first + c].low,
+                            permitted_[first + c].high);
+    }
+    d.explanation = fmt::format(
+        "the accumulated pixel should hold ({:.9g}), the weighted mean of what the renderer's own "
+        "{} passes show there; it holds ({:.9g}), and ruling {} permits {}",
+        fmt::join(d.exact, ", "), rendered_.passes.size(), fmt::join(d.rendered, ", "), kRuling,
+        ranges);
+    result_.disagreements.push_back(std::move(d));
+  }
+
+  static Unorm8Range bytes_of(double component) {
+    return unorm8_permitted(std::isnan(component) ? Interval::everything() : component);
+  }
+
+  void compare_bytes(PixelPosition pixel, ValueAggregator& aggregator) {
+    const std::size_t first = first_of(pixel);
+    aggregator.count_compared(4);
+    bool differs = false;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const double told = rendered_.accumulated[first + c];
+      const std::uint8_t stored = rendered_.pixels[first + c];
+      const Unorm8Range range = bytes_of(told);
+      if (stored < range.low || stored > range.high) {
+        report_bytes(pixel);
+        return;
+      }
+      if (std::isnan(told) || stored == to_unorm8(told)) continue;
+      differs = true;
+      aggregator.add_error({pixel.x, pixel.y, -1},
+                           {static_cast<int>(c), told * 255, static_cast<double>(stored),
+                            std::fabs(stored - told * 255), 255});
+    }
+    if (differs) aggregator.add_place({pixel.x, pixel.y, -1});
+  }
+
+  void report_bytes(PixelPosition pixel) {
+    const std::size_t first = first_of(pixel);
+    Disagreement d = value_disagreement(pixel, -1, kBytesRule, kBytesRuling);
+    for (std::size_t c = 0; c < 4; ++c) {
+      d.exact.push_back(to_unorm8(rendered_.accumulated[first + c]));
+      d.rendered.push_back(rendered_.pixels[first + c]);
+    }
+    d.explanation = fmt::format(
+        "the pixel should hold ({}), the renderer's own accumulated colour ({:.9g}) in 8 bits; it "
+        "holds ({})",
+        fmt::join(d.exact, ", "), fmt::join(told_at(first), ", "), fmt::join(d.rendered, ", "));
+    result_.disagreements.push_back(std::move(d));
+  }
+
+  const Scene& scene_;
+  const Rendering& rendered_;
+  const Accumulation chosen_;
+  const bool is_told_;  // all colours of fragments
+  // By component of each pixel. Expected: under the choice; where colours are not told, the middle.
+  std::vector<Interval> permitted_;
+  std::vector<double> expected_;
+  Result& result_;
+};
+
+}  // namespace
+
+void compare_accumulated(const Drawing& drawing, Result& result) {
+  AccumulationComparison(drawing, result).run();
+}
+
+}  // namespace edgecase

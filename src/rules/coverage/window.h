@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// What holds for every primitive in the window: where its origin lies, in which order a rasterizer
+// counts its rows, and how often a pixel has a fragment.
+#pragma once
+
+#include "exact/fixed.h"
+#include "exact/homogeneous.h"
+#include "exact/pixel.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+// Essay: The window's origin
+//
+// The window's origin is its lower left corner, and y runs upward.
+//
+// The specification says so in three places. The viewport is given by its lower left corner (GL 4.6
+// core, 13.8.1). A fragment is located by the lower left corner of its grid square (14,
+// introduction). Pixels are read back from the lowest row upward (18.2.2).
+//
+// Most image formats and most windowing systems store the top row first. A rasterizer that was
+// written for them may forget to flip its picture, or flip it twice. Such a picture has a single
+// fault: its rows stand in reverse order. Reporting every sample as one on the wrong side of an
+// edge would hide that fault.
+//
+// The direction of rows while ties are decided is a separate question, which is open: see the order
+// of rows.
+
+// The rule's id, and the cause of what disagrees because of it.
+inline constexpr RuleId kWindowOrigin = RuleId::window_origin;
+inline constexpr int kRulingOnOrigin = 43;
+
+Rule window_origin_rule();
+
+// Essay: The order of rows
+//
+// Row order: the direction in which a rasterizer counts the rows of its target.
+//
+// Window coordinates have y up. The first row of a window surface in memory is the top one. A
+// rasterizer that works in the order of memory therefore sees window surfaces upside down. Its ties
+// and its rounding are upside down too. What it rounds up is rounded down in window coordinates.
+// The edges that it takes for top edges are bottom edges.
+
+enum class RowOrder { bottom_up, top_down };
+template <>
+inline constexpr auto kNames<RowOrder> = std::to_array<TabledAlternative<RowOrder>>(
+    {{RowOrder::bottom_up, "bottom-up", Openness::open, "ties and rounding see y up"},
+     {RowOrder::top_down, "top-down", Openness::open,
+      "the target is seen upside down: ties, rounding and offsets see y down"}});
+
+// The catalogue entry; `id` is "point.row-order", "line.row-order" or "triangle.row-order".
+Rule row_order_rule(RuleId id);
+
+// A point and a rectangle of pixels upside down in a target of `height` rows.
+Point turned_over(Point point, int height);
+HomogeneousPoint turned_over(const HomogeneousPoint& point, int height);
+PixelBounds turned_over(const PixelBounds& bounds, int height);
+
+// Essay: One fragment a pixel
+//
+// A primitive of width or size 1 produces at most one fragment per pixel.
+//
+// The rules for points, lines and triangles (GL 4.6 core, 14.4 to 14.6) define the set of a
+// primitive's fragments. A set holds each fragment once. A fragment that is produced twice is
+// blended twice.
+
+Rule fragment_once_rule();
+
+}  // namespace edgecase

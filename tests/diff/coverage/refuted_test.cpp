@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// Evidence against alternatives, held against drawing every one of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "diff/coverage/cause.h"
+#include "raster/rasterizer.h"
+#include "tests/raster/random_scenes.h"
+#include "tests/support/judging.h"
+
+namespace edgecase {
+namespace {
+
+// Which alternatives draw the primitive otherwise than the choice does: of those that bear one
+// name, all.
+AlternativeSet drawn_otherwise(const CauseQuestion& question, const SampleCoverage& drawn) {
+  std::map<AlternativeId, bool> draws_so;
+  const CoverageTraits traits = coverage_traits(question.primitive, question.target);
+  for (const Changes& rule : coverage_changes(traits, question.chosen))
+    for (const Change& change : rule)
+      draws_so[change.id] |=
+          covered_samples(question.primitive, question.target,
+                          change.applied_to(question.chosen).of(traits.kind), {}) == drawn;
+  AlternativeSet refuted;
+  for (const auto& [alternative, so] : draws_so)
+    if (!so) refuted.add(alternative);
+  return refuted;
+}
+
+const Policy kPolicies[] = {
+    policy_of({}),
+    policy_of({{"subpixel.snap", "8-half-even"}}),
+    policy_of({{"subpixel.snap", "4-truncate"}, {"triangle.fill-rule", "open"}}),
+    policy_of({{"triangle.fill-rule", "closed"}, {"triangle.row-order", "top-down"}}),
+    policy_of({{"triangle.algorithm", "scan"}, {"line.row-order", "top-down"}}),
+    policy_of({{"line.diamond-exit", "direct3d"}, {"triangle.row-order", "top-down"}}),
+    policy_of({{"line.diamond-exit", "closed"}, {"line.row-order", "top-down"}}),
+    policy_of({{"line.algorithm", "walk-ends-tested"}, {"subpixel.snap", "8-half-even"}}),
+};
+
+TEST(Refuted, IsWhatIsDrawnOtherwise) {
+  std::size_t primitives = 0;
+  std::size_t refuted = 0;
+  RandomScenes scenes(5);
+  // Whole pixels, pixel centres, grids of drivers, and finer than any; small, and large enough for
+  // long lines.
+  for (const std::int64_t step : {65536, 32768, 4096, 256, 1})
+    for (int i = 0; i < 60; ++i) {
+      Scene scene = scenes.next({i % 2 == 0 ? 8 : 24, step, 3, false});
+      // Of some, the facing has a say.
+      for (Draw& draw : scene.draws)
+        if (scenes.below(3) == 0) draw.cull = CullMode::back;
+      for (const Policy& policy : kPolicies) {
+        const RuleChoices choices = resolve(policy, Surface::fbo);
+        for (const ScenePrimitive& primitive : primitives_of(scene)) {
+          const CauseQuestion question{primitive, scene.target, choices};
+          const SampleCoverage drawn =
+              covered_samples(primitive, scene.target, choices.of(primitive.kind), {});
+          const AlternativeSet wanted = drawn_otherwise(question, drawn);
+          // Where another primitive has refuted some before, they are not tried, and what is known
+          // of the others must do when all are asked about.
+          AlternativeSet half;
+          std::size_t k = 0;
+          wanted.for_each([&](AlternativeId id) {
+            if (k++ % 2 != 0) half.add(id);
+          });
+          mark_refuted(question, {drawn, drawn}, half);
+          ASSERT_TRUE(half == wanted) << policy.rules.size() << " " << step << " " << i;
+          AlternativeSet marked;
+          mark_refuted(question, {drawn, drawn}, marked);
+          ASSERT_TRUE(marked == wanted) << policy.rules.size() << " " << step << " " << i;
+          ++primitives;
+          refuted += k;
+        }
+      }
+    }
+  std::printf("%zu primitives, %zu alternatives refuted\n", primitives, refuted);
+  EXPECT_GT(refuted, 3 * primitives);
+}
+
+// What is kept of a primitive is not taken for another's that differs in one thing.
+TEST(Refuted, IsKeptForOnePrimitiveAlone) {
+  Scene scene;
+  scene.target.width = scene.target.height = 8;
+  scene.viewport = {0, 0, 8, 8};
+  Draw& draw = scene.draws.emplace_back();
+  draw.primitive = Primitive::lines;
+  const auto at = [](int n) { return Fixed::from_raw(n * Fixed::kOne / 16); };
+  draw.vertices.resize(2);
+  draw.vertices[0].position = {at(9), at(23)};
+  draw.vertices[1].position = {at(100), at(70)};
+  const auto expect_right = [&](const char* what) {
+    const RuleChoices choices = resolve(Policy{}, Surface::fbo);
+    for (const ScenePrimitive& primitive : primitives_of(scene)) {
+      const CauseQuestion question{primitive, scene.target, choices};
+      const SampleCoverage drawn =
+          covered_samples(primitive, scene.target, choices.of(primitive.kind), {});
+      AlternativeSet marked;
+      mark_refuted(question, {drawn, drawn}, marked);
+      EXPECT_TRUE(marked == drawn_otherwise(question, drawn)) << what;
+    }
+  };
+  expect_right("as it is");
+  draw.line_width = Fixed::from_integer(3);
+  expect_right("wider");
+  draw.line_width = Fixed::from_integer(1);
+  draw.scissor = Viewport{2, 1, 3, 4};
+  expect_right("cut");
+  draw.scissor.reset();
+  scene.target.height = 3;
+  expect_right("of a lower target");
+  draw.primitive = Primitive::points;
+  expect_right("as points");
+  draw.point_size = Fixed::from_integer(5);
+  expect_right("as larger points");
+}
+
+}  // namespace
+}  // namespace edgecase
