@@ -39,7 +39,7 @@ std::string doubt_of_claims(const GladGLContext& gl, GLenum attachment, DepthFor
   const GLint bits = ask(GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
   if (bits != bits_of(format)) return fmt::format("its depth buffer has {} bits", bits);
   const bool is_float = ask(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
-  if (is_float != (format == DepthFormat::depth32f))
+  if (is_float != holds_floats(format))
     return fmt::format("its depth buffer holds {}", is_float ? "floats" : "integers");
   return "";
 }
@@ -58,7 +58,7 @@ double read_depth(const GladGLContext& gl, bool is_float) {
 
 // Between the integers 1 and 2, where float32 numbers lie closely.
 std::string doubt_of_contents(const GladGLContext& gl, DepthFormat format) {
-  const bool is_float = format == DepthFormat::depth32f;
+  const bool is_float = holds_floats(format);
   const double largest = is_float ? 65535 : largest_depth(format);
   const auto cleared = static_cast<float>(1.375 / largest);
   gl.Disable(GL_SCISSOR_TEST);
@@ -103,7 +103,7 @@ std::string doubt_of_depth_buffer(const GladGLContext& gl, GLenum attachment, De
 std::vector<double> read_depths(const GladGLContext& gl, DepthFormat format, int width,
                                 int height) {
   const std::size_t area = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  if (format == DepthFormat::depth32f) {
+  if (holds_floats(format)) {
     std::vector<float> floats(area);
     gl.ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, floats.data());
     return {floats.begin(), floats.end()};

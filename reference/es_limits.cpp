@@ -28,7 +28,7 @@ std::string target_beyond_es(const Scene& scene, const EsFeatures& features) {
 std::string textures_beyond_es(const Scene& scene, const EsFeatures& features) {
   for (const auto& texture : scene.textures) {
     if (texture->dimensions == 1) return "OpenGL ES has no one-dimensional textures";
-    if (texture->format == TextureFormat::rgba32f && texture->generated &&
+    if (holds_floats(texture->format) && texture->generated &&
         !(features.filters_floats && features.float_targets))
       return "levels of 32-bit floats are not generated on this driver: its OpenGL ES lacks "
              "GL_OES_texture_float_linear or GL_EXT_color_buffer_float";
@@ -45,7 +45,7 @@ std::string texture_use_beyond_es(const Texture& texture, const Sampler& sampler
            "GL_OES_texture_border_clamp and GL_EXT_texture_border_clamp";
   const bool filters = sampler.magnify == Filter::linear || sampler.minify == Filter::linear ||
                        sampler.mipmap == MipFilter::linear;
-  if (texture.format == TextureFormat::rgba32f && filters && !features.filters_floats)
+  if (holds_floats(texture.format) && filters && !features.filters_floats)
     return "32-bit floats are not filtered on this driver: its OpenGL ES lacks "
            "GL_OES_texture_float_linear";
   return "";

@@ -159,7 +159,7 @@ std::vector<float> SampleReader::largest_depths(const MultisampleTarget& target)
 std::optional<std::vector<double>> SampleReader::depths(const MultisampleTarget& target) const {
   const std::vector<float> fetched = fetched_floats(target, target.depth_image);
   std::vector<double> depths(fetched.begin(), fetched.end());
-  if (target.depth == DepthFormat::depth32f) return depths;
+  if (holds_floats(target.depth)) return depths;
   const DepthConversion conversion =
       conversions_.at({target.depth, target.stencil, target.samples});
   const double largest = largest_depth(target.depth);

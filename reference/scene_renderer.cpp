@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "model/rendering_fields.h"
 #include "reference/depth_buffer.h"
 #include "reference/draw_state.h"
 #include "reference/fragment_state.h"
@@ -306,21 +307,17 @@ std::optional<std::string> SceneRenderer::capture_fragments(const Scene& scene,
 
 void SceneRenderer::drop_details(const Scene& scene, Rendering& rendering) const {
   if (rendering.details.empty()) return;
-  const Details& asked = scene.details;
   const std::vector<ScenePrimitive> primitives = primitives_of(scene);
   for (const Fragment& fragment : rendering.fragments) {
     FragmentDetail& detail = rendering.details[static_cast<std::size_t>(fragment.detail)];
-    if (!asked.coordinates) detail.coordinates.reset();
-    for (std::size_t i = 0; i < kDerivatives; ++i) {
-      const bool is_plain = i <= static_cast<std::size_t>(Derivative::y);
-      if (!asked.derivatives || !(is_plain || objects_->programs.plain().fine_and_coarse))
-        detail.derivatives[i].reset();
-    }
+    if (!objects_->programs.plain().fine_and_coarse)
+      std::fill(detail.derivatives.begin() + 2, detail.derivatives.end(), std::nullopt);
     if (fragment.primitive == kNoPrimitive) continue;  // a doubt, see below
     const auto& texture = primitives[static_cast<std::size_t>(fragment.primitive)].state->texture;
-    if (!asked.texture || !texture) detail.texture_coordinates.reset();
-    if (!asked.texture || !texture || !queries_level_of_detail_ ||
-        texture->lookup.kind != LookupKind::implicit)
+    for_each_field<FragmentDetail>([&](const auto& field) {
+      if (!field.is_asked(scene.details, texture.has_value())) detail.*field.member = {};
+    });
+    if (texture && !(queries_level_of_detail_ && texture->lookup.kind == LookupKind::implicit))
       detail.level_of_detail.reset();
   }
 }

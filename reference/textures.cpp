@@ -69,7 +69,13 @@ GLint wrap_of(Wrap wrap) {
 }
 
 GLint filter_of(Filter filter) {
-  return filter == Filter::nearest ? GL_NEAREST : GL_LINEAR;
+  switch (filter) {
+    case Filter::nearest:
+      return GL_NEAREST;
+    case Filter::linear:
+      return GL_LINEAR;
+  }
+  return GL_NEAREST;
 }
 
 // The minifying filter holds both filters (GL 4.6 core, table 8.20).
@@ -115,7 +121,7 @@ void upload(const GladGLContext& gl, const Texture& texture) {
   for (std::size_t k = 0; k < texture.levels.size(); ++k) {
     const TextureLevel& level = texture.levels[k];
     const auto number = static_cast<GLint>(k);
-    if (texture.format == TextureFormat::rgba32f) {
+    if (holds_floats(texture.format)) {
       image(number, level, GL_FLOAT, level.texels.data());
       continue;
     }
@@ -152,7 +158,7 @@ TextureLevel read_level(const GladGLContext& gl, const Texture& texture, GLuint 
     else
       gl.GetTexImage(target, number, GL_RGBA, type, data);
   };
-  if (texture.format == TextureFormat::rgba32f) {
+  if (holds_floats(texture.format)) {
     read(GL_FLOAT, level.texels.data());
     return level;
   }

@@ -8,6 +8,7 @@
 
 #include "casefile/json/text.h"
 #include "casefile/mesh/transform.h"
+#include "casefile/scene/plain_fields.h"
 #include "casefile/sweep/variants.h"
 
 namespace edgecase {
@@ -38,7 +39,7 @@ std::vector<std::string> read_words(const Place& place, const char* what, Findin
   if (!expect_kind(place, JsonKind::array, what, findings)) return words;
   for (std::size_t i = 0; i < place.node->children.size(); ++i) {
     const Place item = place.child(i);
-    const auto word = read_text(item, fmt::format("an item of {}", what), {1, 200}, findings);
+    const auto word = read_text(item, fmt::format("an item of {}", what), kWordLimits, findings);
     if (!word) continue;
     if (std::find(words.begin(), words.end(), *word) != words.end())
       findings.add(item, fmt::format("{} stands twice in {}", quote(*word), what), "keep one");
@@ -92,7 +93,7 @@ void read_words_of_case(const ObjectReader& object, std::span<const std::string>
                         Findings& findings, Case& result) {
   std::string schema;
   read_text_into(object, "$schema", {}, findings, schema);
-  read_text_into(object, "title", {1, 200}, findings, result.title);
+  read_text_into(object, "title", kWordLimits, findings, result.title);
   read_text_into(object, "why", {0, 10000, true}, findings, result.why);
   read_text_into(object, "spec", {}, findings, result.spec);
   if (const auto rules = object.find("rules"))
@@ -102,7 +103,9 @@ void read_words_of_case(const ObjectReader& object, std::span<const std::string>
 }
 
 Details read_details(const Place& place, Findings& findings) {
-  const Names names{{"coordinates", "derivatives"}, {}};
+  Names names;
+  for_each_plain_field<Details>(
+      [&](const auto& field) { names.allowed.push_back(field.case_key); });
   const std::vector<std::string> given =
       read_words(place, "details", findings, [&](const Place& item, const std::string&) {
         read_choice(item, "a detail", names, findings);
@@ -110,10 +113,11 @@ Details read_details(const Place& place, Findings& findings) {
   if (place.node->kind == JsonKind::array && place.node->children.empty())
     findings.add(place, "details are empty",
                  "name one of " + join_names(names.allowed) + ", or remove the key");
-  const auto asked = [&](const char* name) {
-    return std::find(given.begin(), given.end(), name) != given.end();
-  };
-  return {asked("coordinates"), asked("derivatives"), false};
+  Details details;
+  for_each_plain_field<Details>([&](const auto& field) {
+    details.*field.member = std::find(given.begin(), given.end(), field.case_key) != given.end();
+  });
+  return details;
 }
 
 // What is drawn with one sample alone so far.
@@ -152,6 +156,10 @@ void read_scene(const ObjectReader& object, MeshShelf& meshes, TextureShelf& she
 }
 
 }  // namespace
+
+const Keys& case_keys() {
+  return kCaseKeys;
+}
 
 bool is_rule_id(std::string_view name) {
   std::size_t dot = name.find('.');

@@ -20,6 +20,9 @@ namespace edgecase {
 // by dots, two words at least: "line.diamond-exit".
 bool is_rule_id(std::string_view name);
 
+// The keys of a case file's root.
+const Keys& case_keys();
+
 // A case as its file says it, before anything that depends on the case's id. Its places live as
 // long as the tree.
 struct CaseFields {

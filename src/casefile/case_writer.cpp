@@ -159,11 +159,12 @@ JsonPiece draw_piece(const Draw& draw, const Scene& scene) {
   return json_object(std::move(members));
 }
 
-JsonPiece details_piece(Details details) {
-  Pieces items;
-  if (details.coordinates) items.push_back(json_string("coordinates"));
-  if (details.derivatives) items.push_back(json_string("derivatives"));
-  return json_array(std::move(items));
+Pieces detail_names(Details details) {
+  Pieces names;
+  for_each_plain_field<Details>([&](const auto& field) {
+    if (details.*field.member) names.push_back(json_string(field.case_key));
+  });
+  return names;
 }
 
 JsonPiece textures_piece(const Scene& scene) {
@@ -175,8 +176,8 @@ JsonPiece textures_piece(const Scene& scene) {
 JsonPiece case_piece(const Scene& scene, const CaseWords& words) {
   Pieces members = word_pieces(words);
   members.push_back(named("target", target_piece(scene)));
-  if (scene.details.coordinates || scene.details.derivatives)
-    members.push_back(named("details", details_piece(scene.details)));
+  if (Pieces names = detail_names(scene.details); !names.empty())
+    members.push_back(named("details", json_array(std::move(names))));
   if (!scene.textures.empty()) members.push_back(named("textures", textures_piece(scene)));
   Pieces draws;
   for (const Draw& draw : scene.draws) draws.push_back(draw_piece(draw, scene));

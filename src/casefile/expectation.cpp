@@ -304,7 +304,7 @@ Expect read_drawing(const Place& place, const Target& target, const std::filesys
   const ObjectReader object(place, "an expectation", kExpectKeys, findings);
   if (!object.valid()) return expect;
   if (const auto policy = object.find("policy"))
-    expect.policy = read_text(*policy, "a policy's name", {1, 100}, findings).value_or("");
+    expect.policy = read_text(*policy, "a policy's name", kNameLimits, findings).value_or("");
   const auto drawing = find_drawing(place, object, target.samples, findings);
   if (!drawing) return expect;
   expect.where = fmt::format("{}:{}: {}", findings.file(), drawing->node->line, drawing->pointer);

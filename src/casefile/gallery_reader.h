@@ -37,4 +37,7 @@ LoadedGallery load_gallery(const std::filesystem::path& file, std::span<const Kn
 LoadedGallery load_gallery_text(const std::string& text, const std::filesystem::path& file,
                                 std::span<const KnownRule> known);
 
+// The text of cases/gallery.schema.json: the JSON schema of gallery files.
+std::string gallery_schema();
+
 }  // namespace edgecase

@@ -47,7 +47,7 @@ Choices read_choices(const Place& place, std::span<const KnownRule> known, Findi
     const std::string& id = choice.node->name;
     if (choice.node->duplicate) continue;
     const auto alternative =
-        read_text(choice, fmt::format("the alternative of {}", quote(id)), {1, 200}, findings);
+        read_text(choice, fmt::format("the alternative of {}", quote(id)), kWordLimits, findings);
     if (!check_rule_id(choice, known, findings) || !alternative) continue;
     const auto rule = std::find_if(known.begin(), known.end(),
                                    [&](const KnownRule& candidate) { return candidate.id == id; });
@@ -68,7 +68,7 @@ void read_policy(const JsonNode& root, std::span<const KnownRule> known, Finding
   if (const auto place = object.find("$schema")) read_text(*place, "$schema", {}, findings);
   if (const auto place = object.find("why")) read_text(*place, "why", {0, 10000, true}, findings);
   if (const auto place = object.find("name"))
-    policy.name = read_text(*place, "a policy's name", {1, 100}, findings).value_or("");
+    policy.name = read_text(*place, "a policy's name", kNameLimits, findings).value_or("");
   if (const auto place = object.find("latitude")) {
     const auto latitude = read_choice(*place, "latitude", {{"opengl", "none"}, {}}, findings);
     policy.latitude = latitude == "none" ? Latitude::none : Latitude::opengl;

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/names.h"
 #include "model/sampling.h"
 #include "model/texture.h"
 
@@ -18,7 +19,15 @@ namespace edgecase {
 
 // Ways to take a derivative, in the order of FragmentDetail::derivatives.
 enum class Derivative { x, y, x_fine, y_fine, x_coarse, y_coarse };
-constexpr std::size_t kDerivatives = 6;
+template <>
+inline constexpr auto kNames<Derivative> =
+    std::to_array<Named<Derivative>>({{Derivative::x, "dFdx"},
+                                      {Derivative::y, "dFdy"},
+                                      {Derivative::x_fine, "dFdxFine"},
+                                      {Derivative::y_fine, "dFdyFine"},
+                                      {Derivative::x_coarse, "dFdxCoarse"},
+                                      {Derivative::y_coarse, "dFdyCoarse"}});
+constexpr std::size_t kDerivatives = kNames<Derivative>.size();
 
 // What a fragment is asked for beside colour and depth; null where the renderer does not tell it.
 struct FragmentDetail {

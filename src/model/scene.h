@@ -82,6 +82,19 @@ inline constexpr auto kNames<DepthFormat> =
                                        {DepthFormat::depth24, "depth24"},
                                        {DepthFormat::depth32f, "depth32f"}});
 
+// Does the depth buffer hold float32 numbers?
+constexpr bool holds_floats(DepthFormat format) {
+  switch (format) {
+    case DepthFormat::none:
+    case DepthFormat::depth16:
+    case DepthFormat::depth24:
+      return false;
+    case DepthFormat::depth32f:
+      return true;
+  }
+  return false;
+}
+
 // Of the stencil buffer: unsigned integers of 8 bits.
 enum class StencilFormat { none, stencil8 };
 template <>

@@ -36,6 +36,11 @@ struct Field {
   // Its key and its name for people in case files, where these are others than `key`.
   const char* case_key = key;
   const char* title = case_key;
+  // Its title and its description in the schema of case files; null where code beside the noun has
+  // them. "{low}" and "{high}" in the description stand for the limits.
+  const char* label = nullptr;
+  const char* description = nullptr;
+  bool is_required = false;  // by case files
 
   constexpr Field left_out() const {
     Field other = *this;
@@ -50,6 +55,17 @@ struct Field {
   constexpr Field called(const char* name) const {
     Field other = *this;
     other.title = name;
+    return other;
+  }
+  constexpr Field about(const char* its_label, const char* its_description) const {
+    Field other = *this;
+    other.label = its_label;
+    other.description = its_description;
+    return other;
+  }
+  constexpr Field required() const {
+    Field other = *this;
+    other.is_required = true;
     return other;
   }
   constexpr Field in_cases(const char* name) const {
@@ -114,40 +130,109 @@ inline constexpr auto kFields<Viewport> =
                field("height", &Viewport::height)};
 
 template <>
-inline constexpr auto kFields<Target> =
-    std::tuple{field("width", &Target::width, {1, kMaxTargetSize}),
-               field("height", &Target::height, {1, kMaxTargetSize}),
-               field("samples", &Target::samples, {1, kMaxSamples}).by_hand(),
-               field("sample_positions", &Target::sample_positions),
-               field("color", &Target::color).called("a colour format"),
-               field("depth", &Target::depth).left_out().by_hand().called("a depth format"),
-               field("stencil", &Target::stencil).left_out().by_hand().called("a stencil format"),
-               field("clear_depth", &Target::clear_depth, kUnitInterval).left_out(),
-               field("clear_stencil", &Target::clear_stencil, kByte).left_out(),
-               field("surface", &Target::surface).called("a surface"),
-               field("clear", &Target::clear, kUnitInterval).called("a clear colour")};
+inline constexpr auto kFields<Target> = std::tuple{
+    field("width", &Target::width, {1, kMaxTargetSize})
+        .required()
+        .about("Width",
+               "In pixels, {low} to {high}. Small is good: a person has to read the "
+               "picture."),
+    field("height", &Target::height, {1, kMaxTargetSize})
+        .required()
+        .about("Height", "In pixels, {low} to {high}."),
+    field("samples", &Target::samples, {1, kMaxSamples})
+        .by_hand()
+        .about("Samples",
+               "Samples per pixel, {low} to {high}. With several, the target is "
+               "multisampled: it is a framebuffer object, and textures and derivatives "
+               "are not supported yet."),
+    field("sample_positions", &Target::sample_positions),
+    field("color", &Target::color)
+        .called("a colour format")
+        .about("Colour format", "Format of the pixels."),
+    field("depth", &Target::depth)
+        .left_out()
+        .by_hand()
+        .called("a depth format")
+        .about("Depth format",
+               "Format of the depth buffer. Every fragment is written into it unless a "
+               "draw's \"depth\" says otherwise."),
+    field("stencil", &Target::stencil)
+        .left_out()
+        .by_hand()
+        .called("a stencil format")
+        .about("Stencil format",
+               "Format of the stencil buffer. OpenGL has none of \"depth16\" and "
+               "\"stencil8\" together."),
+    field("clear_depth", &Target::clear_depth, kUnitInterval)
+        .left_out()
+        .about("Clear depth",
+               "What a depth buffer is cleared to: a float32 number from {low} to "
+               "{high}."),
+    field("clear_stencil", &Target::clear_stencil, kByte)
+        .left_out()
+        .about("Clear stencil value", "What a stencil buffer is cleared to, {low} to {high}."),
+    field("surface", &Target::surface)
+        .called("a surface")
+        .about("Surface",
+               "Where pixels land: \"fbo\" is a framebuffer object, \"window\" the "
+               "window system's framebuffer (a pbuffer, or OSMesa's own buffer)."),
+    field("clear", &Target::clear, kUnitInterval).called("a clear colour")};
 
 template <>
 inline constexpr auto kFields<Multisampling> =
-    std::tuple{field("enabled", &Multisampling::enabled).in_cases("multisample"),
-               field("location", &Multisampling::location).in_cases("attribute_location"),
-               field("min_sample_shading", &Multisampling::min_sample_shading, kUnitInterval),
+    std::tuple{field("enabled", &Multisampling::enabled)
+                   .in_cases("multisample")
+                   .about("Multisampling",
+                          "Of a target with several samples: false draws as if it had one "
+                          "(GL_MULTISAMPLE disabled). The centre of a pixel decides for all its "
+                          "samples, and lines are drawn by their diamonds."),
+               field("location", &Multisampling::location)
+                   .in_cases("attribute_location")
+                   .about("Attribute location",
+                          "Of a target with several samples, where colours are interpolated, as "
+                          "the qualifiers of GLSL say: center, anywhere in the pixel; centroid, "
+                          "anywhere in both the pixel and the primitive; sample, at each sample, "
+                          "for which the shader then runs."),
+               field("min_sample_shading", &Multisampling::min_sample_shading, kUnitInterval)
+                   .about("Least share of samples to shade",
+                          "Of a target with several samples: the share of them for which the "
+                          "shader runs at least (glMinSampleShading), a float32 number from {low} "
+                          "to {high}. Left out, GL_SAMPLE_SHADING is disabled."),
                field("mask", &Multisampling::mask).in_cases("sample_mask"),
-               field("alpha_to_coverage", &Multisampling::alpha_to_coverage)};
+               field("alpha_to_coverage", &Multisampling::alpha_to_coverage)
+                   .about("Alpha to coverage",
+                          "Of a target with several samples: the alpha of a fragment says how "
+                          "many of its samples are written (GL_SAMPLE_ALPHA_TO_COVERAGE).")};
+
+inline constexpr const char* kAboutFilter =
+    "nearest: one texel; linear: the weighted mean of the nearest two along each axis.";
 
 template <>
-inline constexpr auto kFields<Sampler> =
-    std::tuple{field("wrap", &Sampler::wrap),
-               field("magnify", &Sampler::magnify),
-               field("minify", &Sampler::minify),
-               field("mipmap", &Sampler::mipmap),
-               field("lod_bias", &Sampler::lod_bias, {-kMaxLodBias, kMaxLodBias}),
-               field("min_lod", &Sampler::min_lod, {-kMaxLod, kMaxLod}),
-               field("max_lod", &Sampler::max_lod, {-kMaxLod, kMaxLod}),
-               field("base_level", &Sampler::base_level, {0, kMostLevel}),
-               field("max_level", &Sampler::max_level, {0, kMostLevel}),
-               field("border", &Sampler::border),
-               field("max_anisotropy", &Sampler::max_anisotropy, {1, kMaxAnisotropy})};
+inline constexpr auto kFields<Sampler> = std::tuple{
+    field("wrap", &Sampler::wrap),
+    field("magnify", &Sampler::magnify).about("Magnification filter", kAboutFilter),
+    field("minify", &Sampler::minify).about("Minification filter", kAboutFilter),
+    field("mipmap", &Sampler::mipmap)
+        .about("Mip filter",
+               "Where it is minified: the base level alone, the nearest level, or a "
+               "weighted mean of the nearest two. nearest and linear need a whole "
+               "chain."),
+    field("lod_bias", &Sampler::lod_bias, {-kMaxLodBias, kMaxLodBias})
+        .about("Bias",
+               "What is added to the level of detail: a float32 number from {low} to "
+               "{high}."),
+    field("min_lod", &Sampler::min_lod, {-kMaxLod, kMaxLod})
+        .about("Least level of detail", "A float32 number from {low} to {high}."),
+    field("max_lod", &Sampler::max_lod, {-kMaxLod, kMaxLod})
+        .about("Largest level of detail",
+               "A float32 number from {low} to {high}, at least min_lod."),
+    field("base_level", &Sampler::base_level, {0, kMostLevel})
+        .about("Base level", "The level that is looked up as the largest: one of the texture's."),
+    field("max_level", &Sampler::max_level, {0, kMostLevel})
+        .about("Last level", "At least base_level."),
+    field("border", &Sampler::border),
+    field("max_anisotropy", &Sampler::max_anisotropy, {1, kMaxAnisotropy})
+        .about("Largest anisotropy", "A float32 number from {low} to {high}.")};
 
 template <>
 inline constexpr auto kFields<Lookup> =
@@ -161,20 +246,33 @@ inline constexpr auto kFields<TextureUse> =
 
 // An offset of more than 1 leaves the depth buffer wherever it starts.
 template <>
-inline constexpr auto kFields<PolygonOffset> =
-    std::tuple{field("factor", &PolygonOffset::factor, {-kMaxOffset, kMaxOffset}),
-               field("units", &PolygonOffset::units, {-kMaxOffset, kMaxOffset}),
-               field("clamp", &PolygonOffset::clamp, {-1, 1})};
+inline constexpr auto kFields<PolygonOffset> = std::tuple{
+    field("factor", &PolygonOffset::factor, {-kMaxOffset, kMaxOffset})
+        .about("Factor", "Of the slope: a float32 number from {low} to {high}."),
+    field("units", &PolygonOffset::units, {-kMaxOffset, kMaxOffset})
+        .about("Units", "Of the least difference: a float32 number from {low} to {high}."),
+    field("clamp", &PolygonOffset::clamp, {-1, 1})
+        .about("Clamp", "A float32 number from {low} to {high}; 0 is none.")};
 
 template <>
-inline constexpr auto kFields<StencilFace> =
-    std::tuple{field("test", &StencilFace::function).called("a stencil test"),
-               field("reference", &StencilFace::reference, kByte),
-               field("read_mask", &StencilFace::read_mask, kByte),
-               field("write_mask", &StencilFace::write_mask, kByte),
-               field("fail", &StencilFace::fail),
-               field("depth_fail", &StencilFace::depth_fail),
-               field("pass", &StencilFace::pass)};
+inline constexpr auto kFields<StencilFace> = std::tuple{
+    field("test", &StencilFace::function)
+        .called("a stencil test")
+        .about("Test", "How the reference must compare with the stored value."),
+    field("reference", &StencilFace::reference, kByte)
+        .about("Reference", "What is compared, and what \"replace\" stores: {low} to {high}."),
+    field("read_mask", &StencilFace::read_mask, kByte)
+        .about("Read mask", "Which bits are compared, {low} to {high}."),
+    field("write_mask", &StencilFace::write_mask, kByte)
+        .about("Write mask", "Which bits may change (glStencilMask), {low} to {high}."),
+    field("fail", &StencilFace::fail)
+        .about("Operation after failure",
+               "Where the stencil test fails. incr and decr stop at the largest value "
+               "and at 0, the others wrap."),
+    field("depth_fail", &StencilFace::depth_fail)
+        .about("Operation after failure of the depth test",
+               "Where the stencil test passes, and the depth test fails."),
+    field("pass", &StencilFace::pass).about("Operation after success", "Where both tests pass.")};
 
 template <>
 inline constexpr auto kFields<StencilTest> =
@@ -182,12 +280,23 @@ inline constexpr auto kFields<StencilTest> =
 
 template <>
 inline constexpr auto kFields<DepthTest> = std::tuple{
-    field("test", &DepthTest::function).called("a depth test"), field("write", &DepthTest::write)};
+    field("test", &DepthTest::function)
+        .called("a depth test")
+        .about("Test", "How a fragment's depth must compare with the stored one."),
+    field("write", &DepthTest::write)
+        .about("Write",
+               "Whether fragments that pass are written into the depth buffer (glDepthMask).")};
 
 template <>
 inline constexpr auto kFields<BlendTerm> =
-    std::tuple{field("equation", &BlendTerm::equation), field("source", &BlendTerm::source),
-               field("destination", &BlendTerm::destination)};
+    std::tuple{field("equation", &BlendTerm::equation)
+                   .about("Equation", "How the two products are put together."),
+               field("source", &BlendTerm::source)
+                   .required()
+                   .about("Source factor", "Of the fragment's colour."),
+               field("destination", &BlendTerm::destination)
+                   .required()
+                   .about("Destination factor", "Of the stored colour.")};
 
 template <>
 inline constexpr auto kFields<Blending> =
@@ -202,25 +311,41 @@ inline constexpr auto kFields<FragmentOperations> =
                field("color_mask", &FragmentOperations::color_mask).left_out()};
 
 template <>
-inline constexpr auto kFields<Draw> =
-    std::tuple{field("primitive", &Draw::primitive).by_hand().called("a primitive"),
-               field("interpolation", &Draw::interpolation),
-               field("provoking_vertex", &Draw::provoking_vertex).called("the provoking vertex"),
-               field("line_width", &Draw::line_width, {0, kMaxThickness}),
-               field("point_size", &Draw::point_size, {0, kMaxThickness}),
-               field("scissor", &Draw::scissor, {0, kMaxViewportOnWire}),
-               field("multisampling", &Draw::multisampling),
-               field("texture", &Draw::texture),
-               field("front_face", &Draw::front_face).left_out().called("the front face"),
-               field("cull", &Draw::cull).left_out(),
-               field("polygon_offset", &Draw::polygon_offset),
-               fields_in(&Draw::operations),
-               field("vertices", &Draw::vertices)};
+inline constexpr auto kFields<Draw> = std::tuple{
+    field("primitive", &Draw::primitive).by_hand().called("a primitive"),
+    field("interpolation", &Draw::interpolation)
+        .about("Interpolation",
+               "flat: each primitive has the colour of its provoking vertex; smooth: "
+               "colours are interpolated; noperspective: interpolated linearly in "
+               "window coordinates. Of a draw with a texture the same of texture "
+               "coordinates, and smooth where nothing is said."),
+    field("provoking_vertex", &Draw::provoking_vertex)
+        .called("the provoking vertex")
+        .about("Provoking vertex", "Which vertex of a primitive gives it its flat colour."),
+    field("line_width", &Draw::line_width, {0, kMaxThickness})
+        .about("Line width", "In pixels, above {low}, {high} at most."),
+    field("point_size", &Draw::point_size, {0, kMaxThickness})
+        .about("Point size", "In pixels, above {low}, {high} at most."),
+    field("scissor", &Draw::scissor, {0, kMaxViewportOnWire}),
+    field("multisampling", &Draw::multisampling),
+    field("texture", &Draw::texture),
+    field("front_face", &Draw::front_face)
+        .left_out()
+        .called("the front face")
+        .about("Front face",
+               "Which way round the vertices of a front-facing polygon run in the "
+               "window, y up, whatever the target's \"y\" says."),
+    field("cull", &Draw::cull)
+        .left_out()
+        .about("Culled faces", "Which triangles are dropped; lines and points never are."),
+    field("polygon_offset", &Draw::polygon_offset),
+    fields_in(&Draw::operations),
+    field("vertices", &Draw::vertices)};
 
 template <>
-inline constexpr auto kFields<Details> =
-    std::tuple{field("coordinates", &Details::coordinates),
-               field("derivatives", &Details::derivatives), field("texture", &Details::texture)};
+inline constexpr auto kFields<Details> = std::tuple{field("coordinates", &Details::coordinates),
+                                                    field("derivatives", &Details::derivatives),
+                                                    field("texture", &Details::texture).by_hand()};
 
 template <>
 inline constexpr auto kFields<TextureLevel> =

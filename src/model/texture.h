@@ -23,6 +23,18 @@ inline constexpr auto kNames<TextureFormat> =
                                          {TextureFormat::srgb8, "srgb8"},
                                          {TextureFormat::rgba32f, "rgba32f"}});
 
+// Are the format's texels any float32 numbers? Otherwise they are codes of 8 bits.
+constexpr bool holds_floats(TextureFormat format) {
+  switch (format) {
+    case TextureFormat::rgba8:
+    case TextureFormat::srgb8:
+      return false;
+    case TextureFormat::rgba32f:
+      return true;
+  }
+  return false;
+}
+
 // What stands where coordinates leave the image (GL 4.6 core, 8.14.2).
 enum class Wrap { repeat, mirrored_repeat, clamp_to_edge, clamp_to_border };
 template <>
@@ -31,6 +43,19 @@ inline constexpr auto kNames<Wrap> =
                                 {Wrap::mirrored_repeat, "mirrored-repeat"},
                                 {Wrap::clamp_to_edge, "clamp-to-edge"},
                                 {Wrap::clamp_to_border, "clamp-to-border"}});
+
+// Does the image come again beyond 0 to 1, as it is or mirrored? Its period is 1, or 2.
+constexpr bool is_periodic(Wrap wrap) {
+  switch (wrap) {
+    case Wrap::repeat:
+    case Wrap::mirrored_repeat:
+      return true;
+    case Wrap::clamp_to_edge:
+    case Wrap::clamp_to_border:
+      return false;
+  }
+  return false;
+}
 
 // How texels make a colour within a level.
 enum class Filter { nearest, linear };

@@ -25,9 +25,15 @@ void add_case(Json& json, const Scene& scene, const std::string& title,
 }
 
 const char* rule_of(ValueKind kind) {
-  if (kind == ValueKind::depth) return name_of(RuleId::fragment_depth);
-  return kind == ValueKind::inverse_w ? name_of(RuleId::fragment_coordinates)
-                                      : name_of(RuleId::attribute_smooth);
+  switch (kind) {
+    case ValueKind::color:
+      break;
+    case ValueKind::depth:
+      return name_of(RuleId::fragment_depth);
+    case ValueKind::inverse_w:
+      return name_of(RuleId::fragment_coordinates);
+  }
+  return name_of(RuleId::attribute_smooth);
 }
 
 Json to_json(const ValueExample& example, const ValueErrors& row) {
@@ -149,7 +155,7 @@ Json to_json(const CodeEvidence& evidence) {
 
 Json to_json(const MeasuredUnit& unit) {
   Json json = {{"format", name_of(unit.format)}};
-  if (unit.format == DepthFormat::depth32f) json["exponent"] = unit.exponent;
+  if (holds_floats(unit.format)) json["exponent"] = unit.exponent;
   json["depths"] = unit.depths;
   json["unit"] = {unit.least, unit.largest};
   return json;

@@ -206,7 +206,7 @@ void print_codes(Buffer& out, const CodeEvidence& evidence) {
 }
 
 void print_unit(Buffer& out, const MeasuredUnit& unit) {
-  const bool is_float = unit.format == DepthFormat::depth32f;
+  const bool is_float = holds_floats(unit.format);
   const std::string of =
       is_float ? fmt::format("2^({} - 23)", unit.exponent) : std::string("the format's steps");
   print(out, "    {:<10}one unit of offset is {:.7g} to {:.7g} {}, {} depths\n",

@@ -36,22 +36,32 @@ std::optional<bool> is_below_border(const Rational& scaled, TexelBorders borders
   return is_whole((scaled - 1) / 4);
 }
 
+// Without a grid: nearest chooses between texels, and linear has a value between any two.
+TexelBorders borders_of(Filter filter) {
+  switch (filter) {
+    case Filter::nearest:
+      return {1, false};
+    case Filter::linear:
+      return {0, false};
+  }
+  return {0, false};
+}
+
 }  // namespace
 
 TexelBorders texel_borders(Filter filter, TexelGrid grid, TextureFormat format) {
-  const TexelBorders of_filter{filter == Filter::nearest ? 1 : 0, false};
   switch (grid) {
     case TexelGrid::none:
-      return of_filter;
+      return borders_of(filter);
     case TexelGrid::floor_8:
       return {256, false};
     case TexelGrid::nearest_8:
       return {512, false};
     case TexelGrid::linear_even_8:
       return filter == Filter::linear && format == TextureFormat::rgba8 ? TexelBorders{512, true}
-                                                                        : of_filter;
+                                                                        : borders_of(filter);
   }
-  return of_filter;
+  return borders_of(filter);
 }
 
 const std::optional<RationalInterpolation>& TextureAxis::rational() {
@@ -61,8 +71,7 @@ const std::optional<RationalInterpolation>& TextureAxis::rational() {
 
 // Repetition has the period 1 or, mirrored, 2; what is clamped is so from the first texel beyond.
 Rational TextureAxis::brought_near(const Rational& value) const {
-  if (wrap_ == Wrap::repeat || wrap_ == Wrap::mirrored_repeat)
-    return value - 2 * floor_of(value / 2);
+  if (is_periodic(wrap_)) return value - 2 * floor_of(value / 2);
   return value < 0 ? Rational(-1) : Rational(2);
 }
 
@@ -130,14 +139,20 @@ std::optional<double> border_in(Interval value, LevelWeight weight) {
 
 // The square of the scale factor whose logarithm is `base`; none where it is irrational.
 std::optional<Rational> squared_power(const Rational& base, Log2Method method) {
-  if (method == Log2Method::linear_mantissa) {
-    const Integer exponent = floor_of(base);
-    return square(power_of_two(static_cast<int>(exponent)) * (1 + base - exponent));
-  }
   const Rational doubled = base * 2;
-  if (method == Log2Method::linear_mantissa_of_square) {
-    const Integer exponent = floor_of(doubled);
-    return power_of_two(static_cast<int>(exponent)) * (1 + doubled - exponent);
+  switch (method) {
+    case Log2Method::linear_mantissa: {
+      const Integer exponent = floor_of(base);
+      return square(power_of_two(static_cast<int>(exponent)) * (1 + base - exponent));
+    }
+    case Log2Method::linear_mantissa_of_square: {
+      const Integer exponent = floor_of(doubled);
+      return power_of_two(static_cast<int>(exponent)) * (1 + doubled - exponent);
+    }
+    case Log2Method::exact:
+    case Log2Method::linear_mantissa_of_fourth_power:
+    case Log2Method::mantissa_8:
+      break;
   }
   if (!is_whole(doubled)) return std::nullopt;
   return power_of_two(static_cast<int>(numerator(doubled)));

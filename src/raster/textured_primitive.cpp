@@ -200,16 +200,23 @@ Level TexturedPrimitive::Lookups::finished(Level level) const {
 
 std::optional<Level> TexturedPrimitive::Lookups::given_level() const {
   const Lookup& lookup = use_.lookup;
-  if (lookup.kind == LookupKind::lod) {
-    Level level;
-    level.footprint.dimensions = texture_.dimensions;
-    level.lambda_prime = biased(static_cast<double>(lookup.value), lookup);
-    return finished(level);
+  switch (lookup.kind) {
+    case LookupKind::implicit:
+    case LookupKind::bias:
+      break;
+    case LookupKind::lod: {
+      Level level;
+      level.footprint.dimensions = texture_.dimensions;
+      level.lambda_prime = biased(static_cast<double>(lookup.value), lookup);
+      return finished(level);
+    }
+    case LookupKind::gradients: {
+      RationalFootprint given{rational_of(lookup.dx), rational_of(lookup.dy), texture_.dimensions};
+      if (texture_.dimensions == 1) given.dx[1] = given.dy[1] = 0;
+      return level_of(given, lookup);
+    }
   }
-  if (lookup.kind != LookupKind::gradients) return std::nullopt;
-  RationalFootprint given{rational_of(lookup.dx), rational_of(lookup.dy), texture_.dimensions};
-  if (texture_.dimensions == 1) given.dx[1] = given.dy[1] = 0;
-  return level_of(given, lookup);
+  return std::nullopt;
 }
 
 const Level& TexturedPrimitive::Lookups::level_at(PixelPosition pixel) {

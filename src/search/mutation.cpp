@@ -106,9 +106,14 @@ std::size_t group_of(const Draw& draw) {
       return 2;
     case Primitive::triangles:
       return 3;
-    default:
+    case Primitive::points:
+    case Primitive::line_strip:
+    case Primitive::line_loop:
+    case Primitive::triangle_strip:
+    case Primitive::triangle_fan:
       return 1;
   }
+  return 1;
 }
 
 bool drop_primitive(Scene& scene, RandomSource& random) {

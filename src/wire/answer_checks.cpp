@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/rendering_fields.h"
 #include "wire/answer_line.h"
 #include "wire/reading.h"
 
@@ -27,13 +28,9 @@ void require_size_if_any(std::string_view what, std::size_t size, std::size_t wa
   if (size > 0) require_size(what, size, wanted);
 }
 
-bool derives(const FragmentDetail& detail) {
-  return std::ranges::any_of(detail.derivatives, [](const auto& four) { return four.has_value(); });
-}
-
 // A float32 buffer may hold a depth that rounding took beyond 0 or 1; an unsigned one cannot.
 void check_depths(const std::vector<double>& depths, DepthFormat format) {
-  const bool is_float = format == DepthFormat::depth32f;
+  const bool is_float = holds_floats(format);
   for (const double depth : depths)
     if (!std::isfinite(depth) || (!is_float && !(depth >= 0 && depth <= 1)))
       throw Refusal(fmt::format("a depth is {}, which {} does not hold", depth, name_of(format)));
@@ -99,15 +96,17 @@ void check_supersampled(const Rendering& rendering, const Scene& scene) {
 }  // namespace
 
 bool tells_something(const FragmentDetail& detail) {
-  return detail.coordinates || detail.texture_coordinates || detail.level_of_detail ||
-         derives(detail);
+  bool something = false;
+  for_each_field<FragmentDetail>(
+      [&](const auto& field) { something = something || is_told(detail.*field.member); });
+  return something;
 }
 
 void check_detail(const FragmentDetail& detail, Details asked, bool is_textured) {
-  const bool textured = detail.texture_coordinates || detail.level_of_detail;
-  if ((detail.coordinates && !asked.coordinates) || (derives(detail) && !asked.derivatives) ||
-      (textured && !(asked.texture && is_textured)))
-    throw Refusal("a fragment tells a detail that the request does not ask for");
+  for_each_field<FragmentDetail>([&](const auto& field) {
+    if (is_told(detail.*field.member) && !field.is_asked(asked, is_textured))
+      throw Refusal("a fragment tells a detail that the request does not ask for");
+  });
 }
 
 void check_hits(const Rendering& rendering, const Scene& scene) {

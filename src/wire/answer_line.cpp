@@ -115,7 +115,7 @@ std::vector<double> read_depths(const json& value, const Path& path, std::size_t
     const Path at(path, i);
     depths.push_back(wire::read_finite(value[i], at));
     const bool inside = depths.back() >= 0 && depths.back() <= 1;
-    if (!inside && format != DepthFormat::depth32f)
+    if (!inside && !holds_floats(format))
       throw Refusal(fmt::format("{} is {}, but it must be 0 to 1", at.text(), value[i].dump()));
   }
   return depths;

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "model/renderer.h"
+#include "model/rendering_fields.h"
 #include "model/scene_fields.h"
 #include "wire/reading.h"
 
@@ -199,12 +200,6 @@ void carry(Io& io, T& noun) {
 template <class Io, Of<RendererInfo> T>
 void carry(Io& io, T& info) {
   carry_all(io, info.vendor, info.version, info.device, info.subpixel_bits, info.traits);
-}
-
-template <class Io, Of<FragmentDetail> T>
-void carry(Io& io, T& detail) {
-  carry_all(io, detail.coordinates, detail.derivatives, detail.texture_coordinates,
-            detail.level_of_detail);
 }
 
 }  // namespace edgecase::wire

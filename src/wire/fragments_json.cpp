@@ -11,8 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <tuple>
+#include <vector>
 
-#include "wire/rendering_json.h"
+#include "model/rendering_fields.h"
 
 namespace edgecase::wire {
 
@@ -122,50 +123,52 @@ void read_numbers(const json& value, const Path& path, std::array<double, N>& nu
   for (std::size_t i = 0; i < N; ++i) numbers[i] = read_number(value[i], {path, i});
 }
 
-void read_derivatives(const json& value, const Path& path, FragmentDetail& detail) {
-  require_object(value, path,
-                 {kDerivativeNames[0], kDerivativeNames[1], kDerivativeNames[2],
-                  kDerivativeNames[3], kDerivativeNames[4], kDerivativeNames[5]});
-  for (std::size_t i = 0; i < kDerivatives; ++i) {
-    const json* four = optional_member(value, kDerivativeNames[i]);
-    if (four == nullptr) continue;
-    read_numbers(*four, {path, kDerivativeNames[i]}, detail.derivatives[i].emplace());
-  }
+template <std::size_t N>
+void read_told(const json& value, const Path& path, std::optional<std::array<double, N>>& numbers) {
+  read_numbers(value, path, numbers.emplace());
+}
+
+// An object of those derivatives that are told.
+template <std::size_t N>
+void read_told(const json& value, const Path& path,
+               std::array<std::optional<std::array<double, 4>>, N>& derivatives) {
+  static const std::vector<const char*> kKeys = [] {
+    std::vector<const char*> keys;
+    for (const auto& row : kNames<Derivative>) keys.push_back(row.name);
+    return keys;
+  }();
+  require_object(value, path, kKeys);
+  for (std::size_t i = 0; i < N; ++i)
+    if (const json* four = optional_member(value, kKeys[i]))
+      read_told(*four, {path, kKeys[i]}, derivatives[i]);
 }
 
 // What a fragment tells beside colour and depth; none where it tells nothing of the kind.
 std::optional<FragmentDetail> read_detail(const json& value, const Path& path, Details asked,
                                           bool is_textured) {
-  const auto find = [&](const char* key, bool is_asked, bool is_there = true) {
-    const json* found = optional_member(value, key);
-    if (found != nullptr && !is_asked)
+  std::optional<FragmentDetail> detail;
+  for_each_field<FragmentDetail>([&](const auto& field) {
+    const json* found = optional_member(value, field.key);
+    if (found == nullptr) return;
+    if (!(asked.*field.asked))
       throw Refusal(
-          fmt::format("{} has \"{}\", which the request does not ask for", path.text(), key));
-    if (found != nullptr && !is_there)
-      throw Refusal(fmt::format("{} has \"{}\", but its draw has no texture", path.text(), key));
-    return found;
-  };
-  const json* coordinates = find("coordinates", asked.coordinates);
-  const json* derivatives = find("derivatives", asked.derivatives);
-  const json* texture = find("texture_coordinates", asked.texture, is_textured);
-  const json* level = find("level_of_detail", asked.texture, is_textured);
-  if (coordinates == nullptr && derivatives == nullptr && texture == nullptr && level == nullptr)
-    return std::nullopt;
-  FragmentDetail detail;
-  const auto read = [&](const json* found, const char* key, auto& numbers) {
-    if (found != nullptr) read_numbers(*found, {path, key}, numbers.emplace());
-  };
-  read(coordinates, "coordinates", detail.coordinates);
-  read(texture, "texture_coordinates", detail.texture_coordinates);
-  read(level, "level_of_detail", detail.level_of_detail);
-  if (derivatives != nullptr) read_derivatives(*derivatives, {path, "derivatives"}, detail);
+          fmt::format("{} has \"{}\", which the request does not ask for", path.text(), field.key));
+    if (!field.is_asked(asked, is_textured))
+      throw Refusal(
+          fmt::format("{} has \"{}\", but its draw has no texture", path.text(), field.key));
+    if (!detail) detail.emplace();
+    read_told(*found, {path, field.key}, *detail.*field.member);
+  });
   return detail;
 }
 
 Fragment read_fragment(const json& value, const Path& path, const Bounds& bounds) {
-  require_object(value, path,
-                 {"x", "y", "primitive", "coverage", "depth", "color", "coordinates", "derivatives",
-                  "texture_coordinates", "level_of_detail"});
+  static const std::vector<const char*> kKeys = [] {
+    std::vector<const char*> keys{"x", "y", "primitive", "coverage", "depth", "color"};
+    for_each_field<FragmentDetail>([&](const auto& field) { keys.push_back(field.key); });
+    return keys;
+  }();
+  require_object(value, path, kKeys);
   const auto read_index = [&](const char* key, int count) {
     return static_cast<int>(read_integer(member(value, path, key), {path, key}, 0, count - 1));
   };

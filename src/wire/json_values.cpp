@@ -221,7 +221,7 @@ void write_level(Output out, const TextureLevel& level) {
 }
 
 std::vector<TextureLevel> read_levels(const json& value, const Path& path, TextureFormat format) {
-  return read_levels(value, path, format == TextureFormat::rgba32f ? read_any_float32 : read_code);
+  return read_levels(value, path, holds_floats(format) ? read_any_float32 : read_code);
 }
 
 std::map<std::size_t, std::vector<TextureLevel>> read_mip_chains(const json& value,
@@ -239,8 +239,8 @@ std::map<std::size_t, std::vector<TextureLevel>> read_mip_chains(const json& val
     const Path at(path, key.c_str());
     if (!texture.generated)
       throw Refusal(at.text() + " is there, but the request gives this texture's levels");
-    chains[number] = read_levels(
-        levels, at, texture.format == TextureFormat::rgba32f ? read_generated_float32 : read_code);
+    chains[number] =
+        read_levels(levels, at, holds_floats(texture.format) ? read_generated_float32 : read_code);
   }
   return chains;
 }

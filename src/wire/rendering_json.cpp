@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "model/rendering_fields.h"
 #include "wire/json_values.h"
 
 namespace edgecase {
@@ -43,27 +43,32 @@ void write_numbers(Output out, const std::array<double, N>& numbers) {
   *out++ = ']';
 }
 
+template <std::size_t N>
+void write_told(Output out, const char* key, const std::optional<std::array<double, N>>& numbers) {
+  if (!numbers) return;
+  fmt::format_to(out, ",\"{}\":", key);
+  write_numbers(out, *numbers);
+}
+
+// Of several, an object of those that are told.
+template <std::size_t N>
+void write_told(Output out, const char* key,
+                const std::array<std::optional<std::array<double, 4>>, N>& derivatives) {
+  if (!is_told(derivatives)) return;
+  fmt::format_to(out, ",\"{}\":", key);
+  char before = '{';
+  for (std::size_t i = 0; i < N; ++i) {
+    if (!derivatives[i]) continue;
+    fmt::format_to(out, "{}\"{}\":", before, kNames<Derivative>[i].name);
+    write_numbers(out, *derivatives[i]);
+    before = ',';
+  }
+  *out++ = '}';
+}
+
 void write_detail(Output out, const FragmentDetail& detail) {
-  if (detail.coordinates) {
-    fmt::format_to(out, ",\"coordinates\":");
-    write_numbers(out, *detail.coordinates);
-  }
-  const char* before = ",\"derivatives\":{";
-  for (std::size_t i = 0; i < kDerivatives; ++i) {
-    if (!detail.derivatives[i]) continue;
-    fmt::format_to(out, "{}\"{}\":", before, kDerivativeNames[i]);
-    write_numbers(out, *detail.derivatives[i]);
-    before = ",";
-  }
-  if (before[1] == '\0') *out++ = '}';
-  if (detail.texture_coordinates) {
-    fmt::format_to(out, ",\"texture_coordinates\":");
-    write_numbers(out, *detail.texture_coordinates);
-  }
-  if (detail.level_of_detail) {
-    fmt::format_to(out, ",\"level_of_detail\":");
-    write_numbers(out, *detail.level_of_detail);
-  }
+  for_each_field<FragmentDetail>(
+      [&](const auto& field) { write_told(out, field.key, detail.*field.member); });
 }
 
 void write_fragment(Output out, const Rendering& rendering, const Fragment& fragment) {

@@ -3,16 +3,11 @@
 // A rendering as `edgecase render --json` writes it.
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "model/rendering.h"
 
 namespace edgecase {
-
-// What a fragment's "derivatives" are called, in the order of enum Derivative: as in GLSL.
-constexpr std::array<const char*, kDerivatives> kDerivativeNames = {
-    "dFdx", "dFdy", "dFdxFine", "dFdyFine", "dFdxCoarse", "dFdyCoarse"};
 
 // One object on one line, without the line break at its end: id, width, height, samples, fragments
 // in the order of the rendering, pixels (RGBA8, row by row from the bottom), and where the

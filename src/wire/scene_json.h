@@ -22,8 +22,17 @@ inline constexpr const char* kSupersampling = "supersampling";
 
 // Does a lookup of this kind have the field? All have "kind".
 constexpr bool takes(LookupKind kind, std::string_view key) {
-  if (key == "value") return kind == LookupKind::bias || kind == LookupKind::lod;
-  return key == "kind" || kind == LookupKind::gradients;
+  if (key == "kind") return true;
+  switch (kind) {
+    case LookupKind::implicit:
+      return false;
+    case LookupKind::bias:
+    case LookupKind::lod:
+      return key == "value";
+    case LookupKind::gradients:
+      return key != "value";
+  }
+  return false;
 }
 
 // A vertex as JSON: where it lands in the window, the clip coordinates that take it there, and its

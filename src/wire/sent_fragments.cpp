@@ -187,14 +187,13 @@ int read_as(Reader& io, std::size_t primitives, Rendering& rendering) {
   return details;
 }
 
-void drop_signs_of_zero(FragmentDetail& detail) {
-  const auto drop = [](auto& numbers) {
-    if (numbers) wire::drop_signs_of_zero(*numbers);
-  };
-  drop(detail.coordinates);
-  for (auto& derivative : detail.derivatives) drop(derivative);
-  drop(detail.texture_coordinates);
-  drop(detail.level_of_detail);
+template <class Numbers>
+void drop_told_signs(std::optional<Numbers>& numbers) {
+  if (numbers) drop_signs_of_zero(*numbers);
+}
+template <class Numbers, std::size_t N>
+void drop_told_signs(std::array<std::optional<Numbers>, N>& parts) {
+  for (auto& numbers : parts) drop_told_signs(numbers);
 }
 
 }  // namespace
@@ -226,7 +225,8 @@ void read_fragments(Reader& io, const Scene& scene, Rendering& rendering) {
     FragmentDetail& detail = rendering.details.emplace_back();
     carry(io, detail);
     check_detail(detail, scene.details, textured[static_cast<std::size_t>(fragment.primitive)]);
-    drop_signs_of_zero(detail);
+    for_each_field<FragmentDetail>(
+        [&](const auto& field) { drop_told_signs(detail.*field.member); });
   }
 }
 

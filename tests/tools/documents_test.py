@@ -73,8 +73,6 @@ OF_WHOLE_SUITE = ("edgecase gallery", "edgecase rules --book", "edgecase run cas
 
 # Commands that do not end with 0, by how they begin.
 EXITS = {
-    # A few cases tell few alternatives apart.
-    "build/release/bin/edgecase separation --least": {1},
     # A case that nobody has accepted yet, and rasterizers with a fault or for flat colours alone.
     "edgecase run --against exec:./rasterizer": {1},
     "edgecase run cases/lines/mine.json": {1},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Coordinates, derivatives and depth buffers on their way in an answer.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -94,8 +95,9 @@ TEST(AnswerDetails, EachDerivativeMayBeMissing) {
     Rendering rendering = detailed_rendering();
     rendering.details[1].derivatives[missing].reset();
     const std::string text = answer_line(kDigest, rendering, nullptr);
-    EXPECT_THAT(line, HasSubstr("\"" + std::string(kDerivativeNames[missing]) + "\":"));
-    EXPECT_THAT(text, Not(HasSubstr("\"" + std::string(kDerivativeNames[missing]) + "\":")));
+    const std::string key = fmt::format("\"{}\":", kNames<Derivative>[missing].name);
+    EXPECT_THAT(line, HasSubstr(key));
+    EXPECT_THAT(text, Not(HasSubstr(key)));
     const auto parsed = parse(text, asking_scene());
     ASSERT_TRUE(std::holds_alternative<Answer>(parsed)) << std::get<WireError>(parsed).message;
     const Rendering& read = std::get<Rendering>(std::get<Answer>(parsed).outcome);

@@ -90,6 +90,9 @@ struct TextLimits {
   std::size_t most = 10000;
   bool lines = false;
 };
+constexpr TextLimits kWordLimits{1, 200};   // a title, a rule, a tag, an alternative
+constexpr TextLimits kNameLimits{1, 100};   // of a policy, of a zip group
+constexpr TextLimits kPathLimits{1, 1000};  // of a file beside a case
 std::optional<std::string> read_text(const Place& place, std::string_view what, TextLimits limits,
                                      Findings& findings);
 

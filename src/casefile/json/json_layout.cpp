@@ -127,9 +127,12 @@ JsonPiece scalar_piece(const JsonNode& node) {
       return json_scalar(node.text);
     case JsonKind::string:
       return json_string(node.text);
-    default:
-      return json_scalar("null");
+    case JsonKind::null:
+    case JsonKind::array:
+    case JsonKind::object:
+      break;
   }
+  return json_scalar("null");
 }
 
 JsonPiece piece_of(const JsonNode& node) {

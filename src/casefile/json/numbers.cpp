@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "casefile/json/float32.h"
+#include "casefile/json/schema.h"
 #include "casefile/json/text.h"
 #include "exact/numeral.h"
 
@@ -25,8 +26,6 @@ void add_numeral_error(const Place& place, std::string_view what, const NumeralE
                                                       : error.message.substr(cut + 2);
   findings.add(place, fmt::format("{}: {}", what, error.message.substr(0, cut)), remedy);
 }
-
-constexpr std::size_t kMostCharacters = 200;  // of a float32 number with all its digits
 
 bool is_inside(double value, Float32Range range) {
   return value >= static_cast<double>(range.low) && value <= static_cast<double>(range.high);
@@ -187,6 +186,71 @@ JsonPiece exact_list(std::span<const float> values) {
   std::vector<JsonPiece> items;
   for (const float value : values) items.push_back(exact_piece(value));
   return json_array(std::move(items));
+}
+
+namespace {
+
+constexpr std::string_view kNumberSchema = R"json({
+  "coordinate": {
+    "description": "An exact multiple of @step from -@largest to @largest: a number (10.5), or a \
+        string with a decimal (\"10.5\"), a fraction (\"21/2\"), a whole number with a fraction \
+        (\"10+3/256\"), or ~ and a decimal (\"~0.1\") for the nearest multiple. A decimal whose \
+        nearest double is such a multiple is taken as that (14.644210815429688).",
+    "type": ["number", "string"],
+    "minimum": "@least",
+    "maximum": "@largest",
+    "multipleOf": "@step_number",
+    "maxLength": "@numeral",
+    "pattern": "^(~-?(0|[1-9][0-9]{0,3})(\\.[0-9]+)?|-?(0|[1-9][0-9]{0,3})(\\.0+|\\.(5|[27]5|[16]25|[38]75|[0-9]*([05]625|[16]875|[38]125|[49]375))0*|\\.[0-9]{11,})?|~?-?(0|[1-9][0-9]*)(\\.[0-9]+)?[eE][+-]?[0-9]{1,3}|-?((0|[1-9][0-9]*)[+-])?(0|[1-9][0-9]*)/(1|2|4|8|16|32|64|128|256|512|1024|2048|4096|8192|16384|32768|65536))$"
+  },
+  "float32": {
+    "description": "A number, or a string with a decimal, a fraction (\"21/2\"), or ~ and a \
+        decimal (\"~0.1\") for the nearest float32 number.",
+    "type": ["number", "string"],
+    "maxLength": "@characters",
+    "pattern": "^~?-?(0|[1-9][0-9]*)(\\.[0-9]+)?([eE][+-]?[0-9]+)?$|^-?((0|[1-9][0-9]*)[+-])?(0|[1-9][0-9]*)/(1|2|4|8|16|32|64|128|256|512|1024|2048|4096|8192|16384|32768|65536)$"
+  },
+  "window_depth": {
+    "description": "A float32 number from 0 to 1.",
+    "$ref": "#/$defs/float32",
+    "minimum": 0,
+    "maximum": 1
+  },
+  "color": {
+    "description": "[red, green, blue] or [red, green, blue, alpha], linear, each taken to the \
+        nearest float32; alpha is 1 if not said. Any number of magnitude @largest_color at most: \
+        what leaves 0 to 1 is clamped only by the target.",
+    "type": "array",
+    "minItems": 3,
+    "maxItems": 4,
+    "items": {
+      "title": "Component",
+      "description": "0 to 1, or beyond.",
+      "type": "number",
+      "minimum": "@least_color",
+      "maximum": "@largest_color"
+    }
+  },
+  "clear": {
+    "description": "[red, green, blue] or [red, green, blue, alpha], linear, each 0 to 1 and \
+        taken to the nearest float32; alpha is 1 if not said.",
+    "$ref": "#/$defs/color",
+    "items": {"title": "Component", "description": "0 to 1.", "minimum": 0, "maximum": 1}
+  }
+})json";
+
+}  // namespace
+
+Pieces number_schemas() {
+  return schema_pieces(kNumberSchema,
+                       {named("step", json_scalar(fmt::format("1/{}", Fixed::kOne))),
+                        named("step_number", schema_number(1.0 / static_cast<double>(Fixed::kOne))),
+                        named("largest", schema_number(Fixed::kMaxCoordinate)),
+                        named("least", schema_number(-Fixed::kMaxCoordinate)),
+                        named("numeral", schema_number(kMostNumeralCharacters)),
+                        named("characters", schema_number(kMostCharacters)),
+                        named("largest_color", schema_number(kMaxColor)),
+                        named("least_color", schema_number(-kMaxColor))});
 }
 
 }  // namespace edgecase

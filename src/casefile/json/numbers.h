@@ -18,6 +18,11 @@
 
 namespace edgecase {
 
+// Characters of a number that is written as a string, at most, as editors are told: of a
+// coordinate, and of a float32 number with all its digits.
+constexpr int kMostNumeralCharacters = 64;
+constexpr int kMostCharacters = 200;
+
 // A closed range of exact numbers.
 struct FixedRange {
   Fixed low;
@@ -93,5 +98,8 @@ JsonPiece color_piece(const std::array<float, 4>& color);
 // A finite float32 number with all its digits; -0 is written as 0.
 JsonPiece exact_piece(float value);
 JsonPiece exact_list(std::span<const float> values);
+
+// Their definitions in the schema: coordinate, float32, color and the like.
+Pieces number_schemas();
 
 }  // namespace edgecase

@@ -75,7 +75,7 @@ LoadedMesh parse_mesh(const std::string& obj_text) {
 }
 
 const Mesh* MeshShelf::find(const Place& place, Findings& findings) {
-  if (!read_text(place, "a mesh", {1, 1000}, findings)) return nullptr;
+  if (!read_text(place, "a mesh", kPathLimits, findings)) return nullptr;
   const auto file = find_in_suite(case_file_, place, "an OBJ file", findings);
   if (!file) return nullptr;
   const auto [entry, fresh] = meshes_.try_emplace(*file);

@@ -90,8 +90,7 @@ const Keys kProjectionKeys{{}, {"perspective", "frustum", "orthographic", "matri
 const Keys kPerspectiveKeys{{"fov_y_degrees", "aspect", "near", "far"}, {}, {}};
 const Keys kSidesKeys{{"left", "right", "bottom", "top", "near", "far"}, {}, {}};
 
-constexpr float kLargest = 1073741824;  // 2^30: of every number of a transform
-constexpr Float32Range kRange{-kLargest, kLargest};
+constexpr Float32Range kRange{-kMaxTransformNumber, kMaxTransformNumber};
 
 // The nearest float32 numbers: what is computed with them is rounded anyway.
 float read_number(const Place& place, std::string_view what, Findings& findings) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "casefile/json/fields.h"
+#include "casefile/json/json_layout.h"
 #include "exact/fixed.h"
 #include "model/scene.h"
 
@@ -32,8 +33,9 @@ struct AffineStep {
   bool exact = true;                     // false: a and the others were rounded themselves
 };
 
-constexpr int kMaxAffineFactor = 1024;  // largest magnitude of a, b, c, d
-constexpr int kMaxAffineShift = 16384;  // of e and f, pixels
+constexpr float kMaxTransformNumber = 1073741824;  // 2^30: largest magnitude of any number
+constexpr int kMaxAffineFactor = 1024;             // largest magnitude of a, b, c, d
+constexpr int kMaxAffineShift = 16384;             // of e and f, pixels
 
 // x' = a x + c y + e, y' = b x + d y + f, with exact numbers.
 AffineStep affine_step(const std::array<Fixed, 6>& a_to_f);
@@ -107,5 +109,9 @@ Matrix read_operations(const Place& place, Findings& findings);
 // {"orthographic": ...} or {"matrix": ...}.
 Matrix read_view(const Place& place, Findings& findings);
 Matrix read_projection(const Place& place, Findings& findings);
+
+// Their definitions in the schema: "transform", and what it is made of.
+Pieces transform_schemas();
+Pieces affine_schemas();
 
 }  // namespace edgecase

@@ -174,10 +174,10 @@ DepthTest read_depth_test(const Place& place, Findings& findings) {
     return read_plain_object<DepthTest>(place, "a depth test", findings);
   DepthTest test;
   Names names{names_of<CompareFunction>(), {}};
-  names.allowed.push_back("off");
+  names.allowed.emplace_back(kDepthOff);
   const auto name = read_choice(place, "a depth test", names, findings);
-  if (name == "off") test.write = false;
-  if (name && name != "off") parse_name(*name, test.function);
+  if (name == kDepthOff) test.write = false;
+  if (name && name != kDepthOff) parse_name(*name, test.function);
   return test;
 }
 
@@ -241,7 +241,7 @@ void refuse_without_buffer(const ObjectReader& state, const TargetFields& target
 
 JsonPiece depth_piece(const DepthTest& test) {
   if (test.write) return json_string(name_of(test.function));
-  if (test.function == CompareFunction::always) return json_string("off");
+  if (test.function == CompareFunction::always) return json_string(kDepthOff);
   return json_object(
       {named("test", json_string(name_of(test.function))), named("write", json_scalar("false"))});
 }

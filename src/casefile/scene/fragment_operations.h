@@ -40,6 +40,9 @@ constexpr std::array<BlendPreset, 4> kBlendPresets{{
      {BlendEquation::add, BlendFactor::dst_color, BlendFactor::zero}},
 }};
 
+// A depth test that neither tests nor writes.
+inline constexpr const char* kDepthOff = "off";
+
 // Do the products play a part? `min` and `max` take colours without factors.
 inline bool takes_factors(BlendEquation equation) {
   return equation != BlendEquation::min && equation != BlendEquation::max;
@@ -71,5 +74,8 @@ void read_fragment_operations(const ObjectReader& state, const TargetFields& tar
 
 // The inverse: members of a draw's "state". What equals the default is left out.
 std::vector<JsonPiece> fragment_operation_pieces(const Draw& draw);
+
+// Their definitions in the schema.
+Pieces fragment_operation_schemas();
 
 }  // namespace edgecase

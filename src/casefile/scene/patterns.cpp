@@ -130,10 +130,6 @@ namespace {
 
 constexpr int kLargestCode = 255;
 
-bool is_coded(TextureFormat format) {
-  return format != TextureFormat::rgba32f;
-}
-
 TextureLevel blank(PatternSize size) {
   TextureLevel level{size.width, size.height, {}};
   level.texels.resize(4 * static_cast<std::size_t>(size.width) *
@@ -162,9 +158,9 @@ float weighted_mean(std::span<const float> values, std::span<const int> weights,
   std::int64_t codes = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     terms[i] = static_cast<double>(values[i]) * weights[i];
-    if (is_coded(format)) codes += static_cast<std::int64_t>(values[i]) * weights[i];
+    if (!holds_floats(format)) codes += static_cast<std::int64_t>(values[i]) * weights[i];
   }
-  if (is_coded(format)) return static_cast<float>(rounded_quotient(codes, divisor));
+  if (!holds_floats(format)) return static_cast<float>(rounded_quotient(codes, divisor));
   return nearest_quotient({terms.data(), values.size()}, divisor);
 }
 
@@ -184,7 +180,7 @@ double raised_cosine(std::int64_t turned, std::int64_t quarter) {
 }  // namespace
 
 StoredTexel stored_texel(const std::array<float, 4>& color, TextureFormat format) {
-  if (!is_coded(format)) return color;
+  if (holds_floats(format)) return color;
   StoredTexel texel{};
   for (std::size_t c = 0; c < texel.size(); ++c)  // 24 bits times 8: exact in a double
     texel[c] = static_cast<float>(std::nearbyint(static_cast<double>(color[c]) * kLargestCode));
@@ -228,7 +224,7 @@ TextureLevel zone_plate_image(PatternSize size, TextureFormat format) {
     const std::int64_t x = 2 * i + 1 - size.width;
     const std::int64_t y = 2 * j + 1 - size.height;
     const double grey = raised_cosine(x * x + y * y, 2 * larger);
-    if (!is_coded(format)) {
+    if (holds_floats(format)) {
       const auto value = static_cast<float>(grey);
       return StoredTexel{value, value, value, 1};
     }
@@ -241,8 +237,8 @@ TextureLevel noise_image(PatternSize size, TextureFormat format, std::uint64_t s
   TextureLevel level = blank(size);
   for (float& number : level.texels) {
     const std::uint64_t word = next_word(seed);
-    number = is_coded(format) ? static_cast<float>(word >> 56)
-                              : std::ldexp(static_cast<float>(word >> 40), -24);
+    number = !holds_floats(format) ? static_cast<float>(word >> 56)
+                                   : std::ldexp(static_cast<float>(word >> 40), -24);
   }
   return level;
 }
@@ -270,7 +266,7 @@ std::vector<StoredTexel> level_colors(int count, TextureFormat format) {
   std::vector<StoredTexel> colors;
   for (int k = 0; k < count; ++k) {
     const auto level = static_cast<float>(k);
-    colors.push_back(is_coded(format) ? kCodes[k] : StoredTexel{level, level / 2, 0.25F, 1});
+    colors.push_back(!holds_floats(format) ? kCodes[k] : StoredTexel{level, level / 2, 0.25F, 1});
   }
   return colors;
 }

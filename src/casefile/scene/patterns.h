@@ -21,6 +21,13 @@ namespace edgecase {
 //
 // Places are multiples of 2^-16 of a pixel, so nothing but the choice of them is rounded.
 
+constexpr int kMaxSide = 32;  // of a grid of cells: kMaxSide^2 == kMaxPasses
+constexpr int kMaxSeed = 65535;
+// x and y of a place that a file lists, pixels: it may lie in a pixel beside.
+constexpr int kLeastPlace = -1;
+constexpr int kLargestPlace = 2;
+constexpr Fixed kMaxRadius = Fixed::from_raw(3 * Fixed::kOne / 2);  // of a filter, pixels
+
 // Points of one pixel, from its lower left corner: 0 to below 1, y up.
 using Pattern = std::vector<Point>;
 
@@ -39,6 +46,9 @@ Pattern n_rooks_pattern(int n, std::uint64_t seed);
 Pattern random_pattern(int n, std::uint64_t seed);
 
 enum class Kernel { box, tent, gaussian };
+template <>
+inline constexpr auto kNames<Kernel> = std::to_array<Named<Kernel>>(
+    {{Kernel::box, "box"}, {Kernel::tent, "tent"}, {Kernel::gaussian, "gaussian"}});
 
 // A weight that is the product of one along x and one along y. With d the distance from the pixel's
 // centre along an axis and r the radius, 0 where |d| > r, and else

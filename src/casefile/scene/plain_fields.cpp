@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "casefile/scene/plain_fields.h"
 
+#include <fmt/format.h>
+
+#include "casefile/scene/field_schema.h"
 #include "exact/numeral.h"
 
 namespace edgecase {
@@ -58,6 +61,16 @@ JsonPiece plain_piece(Fixed value) {
   constexpr std::int64_t kReadable = Fixed::kOne / 16;
   if (value.raw() % kReadable == 0) return json_scalar(to_decimal(value));
   return json_string(to_fraction(value));
+}
+
+std::string with_limits(std::string_view description, Limits limits) {
+  return fmt::format(fmt::runtime(description), fmt::arg("low", number_words(limits.low)),
+                     fmt::arg("high", number_words(limits.high)));
+}
+
+void add_limits(Limits limits, bool is_size, Pieces& members) {
+  members.push_back(named(is_size ? "exclusiveMinimum" : "minimum", schema_number(limits.low)));
+  members.push_back(named("maximum", schema_number(limits.high)));
 }
 
 }  // namespace edgecase

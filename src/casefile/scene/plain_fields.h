@@ -27,7 +27,7 @@ inline constexpr bool kIsPlain =
 
 // Calls `visit` with each plain field of a noun.
 template <HasFields Noun, class Visit>
-void for_each_plain_field(Visit&& visit) {
+constexpr void for_each_plain_field(Visit&& visit) {
   for_each_field<Noun>([&](const auto& field) {
     using Value = std::remove_cvref_t<decltype(std::declval<Noun&>().*field.member)>;
     if constexpr (kIsPlain<Value>) {
@@ -40,6 +40,16 @@ template <HasFields Noun>
 std::vector<std::string> plain_keys() {
   std::vector<std::string> keys;
   for_each_plain_field<Noun>([&](const auto& field) { keys.emplace_back(field.case_key); });
+  return keys;
+}
+
+// Those of all fields, plain or not, that a case file must have.
+template <HasFields Noun>
+std::vector<std::string> required_keys() {
+  std::vector<std::string> keys;
+  for_each_field<Noun>([&](const auto& field) {
+    if (field.is_required) keys.emplace_back(field.case_key);
+  });
   return keys;
 }
 

@@ -112,13 +112,12 @@ const Keys kSupersampleKeys{
     {"grid", "jittered", "n-rooks", "random", "samples", "seed", "weights", "kernel", "radius"},
     {}};
 const std::vector<std::string> kPatterns{"grid", "jittered", "n-rooks", "random", "samples"};
-constexpr int kMaxSide = 32;  // of a grid of cells: kMaxSide^2 == kMaxPasses
-constexpr int kMaxSeed = 65535;
 constexpr int kMaxCount = static_cast<int>(kMaxPasses);
 constexpr int kMaxWeight = static_cast<int>(kMaxPassWeight);
 
-constexpr FixedRange kRoundPixel{Fixed::from_integer(-1), Fixed::from_integer(2)};
-constexpr FixedRange kRadii{Fixed::from_raw(1), Fixed::from_raw(3 * Fixed::kOne / 2)};
+constexpr FixedRange kRoundPixel{Fixed::from_integer(kLeastPlace),
+                                 Fixed::from_integer(kLargestPlace)};
+constexpr FixedRange kRadii{Fixed::from_raw(1), kMaxRadius};
 
 // The one key that names a pattern; none, and a finding, where there is no such.
 std::optional<Place> find_pattern(const Place& place, const ObjectReader& object,
@@ -211,14 +210,8 @@ struct GivenFilter {
 GivenFilter read_filter(const ObjectReader& object, Findings& findings) {
   GivenFilter result;
   ReconstructionFilter& filter = result.filter;
-  constexpr std::array<std::pair<const char*, Kernel>, 3> kKernels{
-      {{"box", Kernel::box}, {"tent", Kernel::tent}, {"gaussian", Kernel::gaussian}}};
   const auto kernel = object.find("kernel");
-  if (kernel) {
-    const auto name = read_choice(*kernel, "a kernel", {{"box", "tent", "gaussian"}, {}}, findings);
-    for (const auto& [own, value] : kKernels)
-      if (name == own) filter.kernel = value;
-  }
+  if (kernel) read_plain(*kernel, "a kernel", {}, findings, filter.kernel);
   if (filter.kernel != Kernel::box) filter.radius = Fixed::from_integer(1);
   const auto radius = object.find("radius");
   if (radius)

@@ -35,4 +35,7 @@ void check_pass_work(const Scene& scene, const TargetFields& fields, Findings& f
 // Refuses drawings of coverage: each pass covers pixels of its own.
 void check_no_drawing(const TargetFields& fields, const Place& drawing, Findings& findings);
 
+// The definitions of "supersample" and of places within a pixel in the schema.
+Pieces sample_schemas();
+
 }  // namespace edgecase

@@ -16,7 +16,7 @@ namespace edgecase {
 namespace {
 
 Keys target_keys() {
-  Keys keys{{"width", "height"},
+  Keys keys{required_keys<Target>(),
             {"samples", "sample_positions", "depth", "clear", "viewport", "y", "supersample"},
             {}};
   for (std::string& name : plain_keys<Target>()) keys.optional.push_back(std::move(name));

@@ -150,4 +150,10 @@ std::uint64_t most_drawn_samples(const Scene& scene);
 // Refuses a scene of which that is more than kMaxDrawnSamples. `draws`: where the file has them.
 void check_draw_work(const Scene& scene, const Place& draws, Findings& findings);
 
+// The definitions of all this in the schema: target, rectangle, draw, vertex, and what they are
+// made of but for textures, samples and fragment operations.
+Pieces target_schemas();
+Pieces draw_schemas();
+Pieces vertex_schemas();
+
 }  // namespace edgecase

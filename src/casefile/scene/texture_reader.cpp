@@ -66,7 +66,7 @@ void read_size(const Place& place, Findings& findings, Outline& outline) {
 
 std::optional<StoredTexel> read_texel(const Place& place, TextureFormat format,
                                       Findings& findings) {
-  const bool coded = format != TextureFormat::rgba32f;
+  const bool coded = !holds_floats(format);
   const Float32Range range = coded ? Float32Range{0, 1} : Float32Range{-kMaxTexel, kMaxTexel};
   const auto color = read_color(place, "a texture's colour", range, findings);
   if (!color) return std::nullopt;
@@ -207,7 +207,7 @@ Levels read_picture(const Place& place, const Outline& outline, Findings& findin
 
 // Why a file that was read cannot be a texture of this format; empty: it can.
 std::string fault_of(const ImageFile& image, TextureFormat format) {
-  if (format != TextureFormat::rgba32f && image.bits != 8)
+  if (!holds_floats(format) && image.bits != 8)
     return fmt::format("its components have {} bits, and {} holds 8", image.bits, name_of(format));
   if (!std::all_of(image.rgba.begin(), image.rgba.end(),
                    [](float number) { return std::isfinite(number); }))
@@ -217,7 +217,7 @@ std::string fault_of(const ImageFile& image, TextureFormat format) {
 
 Levels read_file(const Place& place, const fs::path& case_file, const Outline& outline,
                  Findings& findings) {
-  if (!read_text(place, "a file", {1, 1000}, findings)) return {};
+  if (!read_text(place, "a file", kPathLimits, findings)) return {};
   const auto path = find_in_suite(case_file, place, "an image file", findings);
   if (!path) return {};
   const auto refuse = [&](const std::string& message, const char* remedy) {
@@ -239,7 +239,7 @@ Levels read_file(const Place& place, const fs::path& case_file, const Outline& o
     return refuse(image.error,
                   "use an image of up to 1024 x 1024 pixels, with 8 bits, or with 16 or floating "
                   "point as \"rgba32f\"");
-  const bool scaled = outline.format == TextureFormat::rgba32f && image.bits != 32;
+  const bool scaled = holds_floats(outline.format) && image.bits != 32;
   const float one = image.bits == 8 ? 255.0F : 65535.0F;
   for (float& number : image.rgba) number = (scaled ? number / one : number) + 0.0F;
   if (!is_sized(place, {image.width, image.height}, outline, findings)) return {};
@@ -281,8 +281,7 @@ std::string read_mipmaps(const ObjectReader& object, bool whole, Findings& findi
   if (whole)
     findings.add(*place, "\"levels\" are a whole chain, and \"mipmaps\" would make another",
                  "remove one of the two");
-  return read_choice(*place, "mipmaps", {{"none", "box", "generated"}, {}}, findings)
-      .value_or("none");
+  return read_choice(*place, "mipmaps", {kMipmaps, {}}, findings).value_or("none");
 }
 
 std::optional<Texture> read_texture(const Place& place, const fs::path& case_file,
@@ -291,7 +290,7 @@ std::optional<Texture> read_texture(const Place& place, const fs::path& case_fil
   const ObjectReader object(place, "a texture", kTextureKeys, findings);
   Outline outline;
   if (const auto format = object.find("format"))
-    read_enum(*format, "a texture's format", {{"rgba8", "srgb8", "rgba32f"}, {}}, findings,
+    read_enum(*format, "a texture's format", {names_of<TextureFormat>(), {}}, findings,
               outline.format);
   if (const auto size = object.find("size")) read_size(*size, findings, outline);
   const auto source = find_source(place, object, findings);

@@ -6,7 +6,9 @@
 #include <array>
 
 #include "casefile/json/float32.h"
+#include "casefile/json/schema.h"
 #include "casefile/json/text.h"
+#include "casefile/scene/field_schema.h"
 #include "casefile/scene/plain_fields.h"
 
 namespace edgecase {
@@ -49,7 +51,7 @@ void read_wrap(const Place& place, int dimensions, Findings& findings, std::arra
 
 void read_border(const Place& place, const Texture* texture, Findings& findings,
                  std::array<float, 4>& border) {
-  const bool wide = texture == nullptr || texture->format == TextureFormat::rgba32f;
+  const bool wide = texture == nullptr || holds_floats(texture->format);
   const Float32Range range = wide ? Float32Range{-kMaxTexel, kMaxTexel} : Float32Range{0, 1};
   border = read_color(place, "a border", range, findings).value_or(border);
 }
@@ -133,13 +135,23 @@ Lookup read_lookup(const Place& place, int dimensions, Findings& findings) {
   }
   const Place member = place.child(0);
   parse_name(member.node->name, lookup.kind);
-  if (lookup.kind == LookupKind::gradients)
-    read_gradients(member, dimensions, findings, lookup);
-  else
-    lookup.value = read_float32(member, member.node->name,
-                                lookup.kind == LookupKind::bias ? kBiasRange : kLodRange,
-                                Float32Kind::exact, findings)
-                       .value_or(0);
+  const auto read_value = [&](Float32Range range) {
+    lookup.value =
+        read_float32(member, member.node->name, range, Float32Kind::exact, findings).value_or(0);
+  };
+  switch (lookup.kind) {
+    case LookupKind::implicit:  // has no key
+      break;
+    case LookupKind::bias:
+      read_value(kBiasRange);
+      break;
+    case LookupKind::lod:
+      read_value(kLodRange);
+      break;
+    case LookupKind::gradients:
+      read_gradients(member, dimensions, findings, lookup);
+      break;
+  }
   return lookup;
 }
 
@@ -176,10 +188,19 @@ JsonPiece sampler_piece(const Sampler& sampler, int dimensions) {
 }
 
 JsonPiece lookup_piece(const Lookup& lookup, int dimensions) {
-  if (lookup.kind != LookupKind::gradients)
-    return json_object({named(name_of(lookup.kind), exact_piece(lookup.value))});
-  return json_object({named("gradients", json_array({uv_piece(lookup.dx, dimensions),
-                                                     uv_piece(lookup.dy, dimensions)}))});
+  const auto only = [&](JsonPiece piece) {
+    return json_object({named(name_of(lookup.kind), std::move(piece))});
+  };
+  switch (lookup.kind) {
+    case LookupKind::implicit:  // says nothing
+      break;
+    case LookupKind::bias:
+    case LookupKind::lod:
+      return only(exact_piece(lookup.value));
+    case LookupKind::gradients:
+      return only(json_array({uv_piece(lookup.dx, dimensions), uv_piece(lookup.dy, dimensions)}));
+  }
+  return json_object({});
 }
 
 }  // namespace
@@ -221,6 +242,104 @@ std::vector<JsonPiece> texture_use_pieces(const TextureUse& use, int dimensions)
 
 JsonPiece uv_piece(const std::array<float, 2>& coordinates, int dimensions) {
   return exact_list({coordinates.data(), dimensions == 1 ? 1U : 2U});
+}
+
+namespace {
+
+constexpr std::string_view kTextureUseSchema = R"json({
+  "gradient": {
+    "description": "[ds, dt] per pixel, or [ds] of a one-dimensional texture: float32 numbers of \
+        magnitude @gradient at most.",
+    "type": "array",
+    "minItems": 1,
+    "maxItems": 2,
+    "items": {"$ref": "#/$defs/float32", "minimum": "@least_gradient", "maximum": "@gradient"}
+  },
+  "lod_number": {
+    "description": "A level of detail: a float32 number from @least_lod to @lod.",
+    "$ref": "#/$defs/float32",
+    "minimum": "@least_lod",
+    "maximum": "@lod"
+  },
+  "bias_number": {
+    "description": "What is added to the level of detail: a float32 number from @least_bias to \
+        @bias.",
+    "$ref": "#/$defs/float32",
+    "minimum": "@least_bias",
+    "maximum": "@bias"
+  },
+  "wrap": {
+    "description": "What stands beyond 0 to 1: the image again, mirrored by turns, its edge \
+        texels, or the border colour.",
+    "enum": "@wraps"
+  },
+  "sampler": {
+    "title": "Sampler",
+    "description": "How the draw's texture is looked up.",
+    "type": "object",
+    "additionalProperties": false,
+    "properties": {
+      "wrap": {
+        "title": "Wrap",
+        "description": "One name for both directions, or [s, t].",
+        "default": "@wrap",
+        "if": {"type": "array"},
+        "then": {"minItems": 2, "maxItems": 2, "items": {"$ref": "#/$defs/wrap"}},
+        "else": {"$ref": "#/$defs/wrap"}
+      },
+      "@fields": 0,
+      "border": {
+        "title": "Border",
+        "description": "Colour beyond the image, (0, 0, 0, 0) if not said.",
+        "$ref": "#/$defs/texel_color"
+      }
+    }
+  },
+  "lookup": {
+    "title": "Lookup",
+    "description": "What the shader gives beside texture coordinates; left out, nothing: the \
+        level of detail comes from their derivatives.",
+    "type": "object",
+    "minProperties": 1,
+    "maxProperties": 1,
+    "additionalProperties": false,
+    "properties": {
+      "lod": {
+        "title": "Level of detail",
+        "description": "textureLod.",
+        "$ref": "#/$defs/lod_number"
+      },
+      "bias": {
+        "title": "Bias",
+        "description": "texture with a bias.",
+        "$ref": "#/$defs/bias_number"
+      },
+      "gradients": {
+        "title": "Gradients",
+        "description": "textureGrad: [[ds/dx, dt/dx], [ds/dy, dt/dy]]. Variants and \"y\": \
+            \"down\" turn them with the image.",
+        "type": "array",
+        "minItems": 2,
+        "maxItems": 2,
+        "items": {"$ref": "#/$defs/gradient"}
+      }
+    }
+  }
+})json";
+
+}  // namespace
+
+Pieces texture_use_schemas() {
+  return schema_pieces(
+      kTextureUseSchema,
+      {named("gradient", schema_number(kGradientRange.high)),
+       named("least_gradient", schema_number(kGradientRange.low)),
+       named("lod", schema_number(kLodRange.high)),
+       named("least_lod", schema_number(kLodRange.low)),
+       named("bias", schema_number(kBiasRange.high)),
+       named("least_bias", schema_number(kBiasRange.low)), named("wraps", schema_names<Wrap>()),
+       named("wrap", json_string(name_of(Sampler().wrap[0]))),
+       named("fields", json_object(field_schemas<Sampler>()))});
 }
 
 }  // namespace edgecase

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "casefile/json/numbers.h"
+#include "casefile/json/schema.h"
 #include "casefile/scene/patterns.h"
 
 namespace edgecase {
@@ -30,7 +31,7 @@ StoredTexel texel_of(const TextureLevel& level, int i, int j) {
 }
 
 JsonPiece texel_piece(StoredTexel texel, TextureFormat format) {
-  if (format != TextureFormat::rgba32f)
+  if (!holds_floats(format))
     for (float& number : texel) number /= 255;
   return color_piece(texel);
 }
@@ -150,6 +151,200 @@ JsonPiece texture_piece(const Texture& texture) {
   }
   members.push_back(image_piece(base, texture.format));
   return json_object(std::move(members));
+}
+
+namespace {
+
+constexpr std::string_view kTextureSchema = R"json({
+  "texel_color": {
+    "description": "[red, green, blue] or [red, green, blue, alpha], each taken to the nearest \
+        float32; alpha is 1 if not said. Of rgba8 and srgb8, 0 to 1, then taken to the nearest \
+        of 255 steps, a tie to the even one; of rgba32f, any.",
+    "type": "array",
+    "minItems": 3,
+    "maxItems": 4,
+    "items": {
+      "title": "Component",
+      "description": "0 to 1; of rgba32f any float32 number.",
+      "type": "number",
+      "minimum": "@least_texel",
+      "maximum": "@largest_texel"
+    }
+  },
+  "two_texel_colors": {
+    "description": "Two colours.",
+    "type": "array",
+    "minItems": 2,
+    "maxItems": 2,
+    "items": {"$ref": "#/$defs/texel_color"}
+  },
+  "texture": {
+    "title": "Texture",
+    "description": "An image of one kind, and what makes its smaller levels. Texel (0, 0) is at \
+        the lower left, at texture coordinates (0, 0).",
+    "type": "object",
+    "additionalProperties": false,
+    "oneOf": [
+      {"required": ["checker", "size"]},
+      {"required": ["gradient", "size"]},
+      {"required": ["zone-plate", "size"]},
+      {"required": ["levels", "size"], "not": {"required": ["mipmaps"]}},
+      {"required": ["noise", "size"]},
+      {"required": ["texels"]},
+      {"required": ["file"]}
+    ],
+    "properties": {
+      "size": {
+        "title": "Size",
+        "description": "[width, height] in texels, or [width] of a one-dimensional texture. Of \
+            \"texels\" and \"file\" it may be left out.",
+        "type": "array",
+        "minItems": 1,
+        "maxItems": 2,
+        "items": {"type": "integer", "minimum": 1, "maximum": "@side"}
+      },
+      "format": {
+        "title": "Format",
+        "description": "rgba8: 0 to 255 stand for 0 to 1; srgb8: the same, of which red, green \
+            and blue are decoded by the sRGB curve when they are looked up; rgba32f: float32 \
+            numbers.",
+        "enum": "@formats",
+        "default": "@format"
+      },
+      "mipmaps": {
+        "title": "Mip chain",
+        "description": "none: level 0 alone. box: each texel is the mean of the 2 x 2 of the \
+            level before, as stored, rounded once, a tie to even; the last row or column of an \
+            odd size goes nowhere. generated: the renderer makes them (glGenerateMipmap).",
+        "enum": "@mipmaps",
+        "default": "none"
+      },
+      "checker": {
+        "title": "Checker",
+        "description": "Squares of two colours by turns; the one at the lower left has the \
+            first.",
+        "type": "object",
+        "additionalProperties": false,
+        "properties": {
+          "cell": {
+            "title": "Cell",
+            "description": "Side of a square, in texels.",
+            "type": "integer",
+            "minimum": 1,
+            "maximum": "@side",
+            "default": 1
+          },
+          "colors": {
+            "title": "Colours",
+            "description": "Black and white if not said.",
+            "$ref": "#/$defs/two_texel_colors"
+          }
+        }
+      },
+      "gradient": {
+        "title": "Gradient",
+        "description": "From the first column to the last, or between the four corners: the \
+            nearest stored numbers, ties to even.",
+        "type": "object",
+        "required": ["colors"],
+        "additionalProperties": false,
+        "properties": {
+          "colors": {
+            "title": "Colours",
+            "description": "[left, right], or [bottom left, bottom right, top left, top right].",
+            "type": "array",
+            "minItems": 2,
+            "maxItems": 4,
+            "not": {"minItems": 3, "maxItems": 3},
+            "items": {"$ref": "#/$defs/texel_color"}
+          }
+        }
+      },
+      "zone-plate": {
+        "title": "Zone plate",
+        "description": "Rings that get narrower outwards: grey 1/2 + 1/2 cos(pi (x^2 + y^2) / \
+            larger side), x and y in texels from the centre.",
+        "type": "object",
+        "additionalProperties": false
+      },
+      "levels": {
+        "title": "Levels",
+        "description": "A whole mip chain, each level of one colour. Without colours, level k of \
+            rgba32f is (k, k/2, 1/4, 1), and the others have a fixed list.",
+        "type": "object",
+        "additionalProperties": false,
+        "properties": {
+          "colors": {
+            "title": "Colours",
+            "description": "One for each level, the largest first.",
+            "type": "array",
+            "minItems": 1,
+            "maxItems": "@levels",
+            "items": {"$ref": "#/$defs/texel_color"}
+          }
+        }
+      },
+      "noise": {
+        "title": "Noise",
+        "description": "Every component of every texel drawn at random, the same on every \
+            machine (SplitMix64): all 256 steps, or, of rgba32f, multiples of 2^-24 from 0 to 1.",
+        "type": "object",
+        "required": ["seed"],
+        "additionalProperties": false,
+        "properties": {
+          "seed": {
+            "title": "Seed",
+            "description": "Which noise.",
+            "type": "integer",
+            "minimum": 0,
+            "maximum": "@seed"
+          }
+        }
+      },
+      "texels": {
+        "title": "Texels",
+        "description": "A picture: rows of equally many colours, the top row first.",
+        "type": "array",
+        "minItems": 1,
+        "maxItems": "@side",
+        "items": {
+          "title": "Row",
+          "description": "Colours from left to right.",
+          "type": "array",
+          "minItems": 1,
+          "maxItems": "@side",
+          "items": {"$ref": "#/$defs/texel_color"}
+        }
+      },
+      "file": {
+        "title": "File",
+        "description": "Path of a PNG, TIFF or EXR file, relative to the case's folder and \
+            inside the suite, of @side x @side pixels at most. Its numbers are taken as they \
+            are: 8 bits for rgba8 and srgb8; 8 bits, 16 bits (both 0 to 1) or floating point for \
+            rgba32f.",
+        "type": "string",
+        "minLength": 5,
+        "maxLength": "@path",
+        "pattern": "^[^/\\u0000-\\u001f\\u007f][^\\u0000-\\u001f\\u007f]*\\.(png|tif|exr)$"
+      }
+    }
+  }
+})json";
+
+}  // namespace
+
+Pieces texture_schemas() {
+  return schema_pieces(
+      kTextureSchema,
+      {named("largest_texel", schema_number(kMaxTexel)),
+       named("path", schema_number(kPathLimits.most)),
+       named("least_texel", schema_number(-kMaxTexel)),
+       named("side", schema_number(kMaxTextureSize)),
+       named("formats", schema_names<TextureFormat>()),
+       named("format", json_string(name_of(Texture().format))),
+       named("mipmaps", schema_names(kMipmaps)),
+       named("levels", schema_number(level_count(kMaxTextureSize, kMaxTextureSize))),
+       named("seed", schema_number(kMaxNoiseSeed))});
 }
 
 }  // namespace edgecase

@@ -23,6 +23,8 @@ namespace edgecase {
 
 constexpr std::size_t kMaxTextures = 16;  // of a case
 constexpr int kMaxNoiseSeed = 65535;
+// What makes the levels below the first, the one that is meant where none is named first.
+inline const std::vector<std::string> kMipmaps{"none", "box", "generated"};
 
 // Numbers of an rgba32f texture: any finite float32.
 constexpr float kMaxTexel = 3.40282346638528859811704183484516925e+38F;
@@ -82,5 +84,9 @@ JsonPiece uv_piece(const std::array<float, 2>& coordinates, int dimensions);
 // them, where there is one. A chain that is neither generated, nor made by boxes, nor flat level by
 // level cannot be said: its first level is written alone.
 JsonPiece texture_piece(const Texture& texture);
+
+// The definitions of textures, samplers and lookups in the schema.
+Pieces texture_schemas();
+Pieces texture_use_schemas();
 
 }  // namespace edgecase

@@ -7,6 +7,7 @@
 
 #include "casefile/json/float32.h"
 #include "casefile/json/numbers.h"
+#include "casefile/json/schema.h"
 #include "casefile/json/text.h"
 #include "casefile/scene/viewport.h"
 #include "exact/numeral.h"
@@ -245,6 +246,114 @@ TransformUse transform_vertices(const Transform* transform, std::vector<VertexFi
     }
   }
   return use;
+}
+
+namespace {
+
+constexpr std::string_view kVertexSchema = R"json({
+  "vertex": {
+    "title": "Vertex",
+    "description": "[x, y], [x, y, z], [x, y, z, w], or an object with one of \"at\", \"clip\" \
+        and \"object\", and \"color\", or \"uv\" where the draw is textured.",
+    "if": {"type": "object"},
+    "then": {
+      "oneOf": [{"required": ["at"]}, {"required": ["clip"]}, {"required": ["object"]}],
+      "additionalProperties": false,
+      "properties": {
+        "at": {"$ref": "#/$defs/position"},
+        "clip": {
+          "title": "Clip coordinates",
+          "description": "[x, y, z, w] as a vertex shader hands them on: float32 numbers, \
+              rounded to multiples of 2^-30 times the power of two at or below the largest \
+              magnitude among them, which is from @least_w to @largest_w. Outside -w <= x, y, z \
+              <= w lines and triangles are clipped, and points dropped.",
+          "type": "array",
+          "minItems": 4,
+          "maxItems": 4,
+          "prefixItems": [
+            {"title": "x", "$ref": "#/$defs/clip_number"},
+            {"title": "y", "$ref": "#/$defs/clip_number"},
+            {"title": "z", "$ref": "#/$defs/clip_number"},
+            {"title": "w", "$ref": "#/$defs/clip_number"}
+          ]
+        },
+        "object": {
+          "title": "Object space",
+          "description": "[x, y, z], which the transform's model, view and projection take to \
+              clip coordinates, in float32.",
+          "$ref": "#/$defs/three"
+        },
+        "color": {
+          "title": "Colour",
+          "description": "Colour of this vertex.",
+          "$ref": "#/$defs/color"
+        },
+        "uv": {
+          "title": "Texture coordinates",
+          "description": "[s, t], or [s] of a one-dimensional texture: float32 numbers of \
+              magnitude @largest_uv at most. A texture's lower left corner is (0, 0), its upper \
+              right one (1, 1).",
+          "type": "array",
+          "minItems": 1,
+          "maxItems": 2,
+          "items": {"$ref": "#/$defs/texture_number"}
+        }
+      },
+      "not": {"required": ["color", "uv"]}
+    },
+    "else": {"$ref": "#/$defs/position"}
+  },
+  "position": {
+    "title": "Position",
+    "description": "x and y in pixels (y up), where the vertex lands; z from -1 (near) to 1 \
+        (far) after the division by w; w of the clip coordinates, 1 if not said.",
+    "type": "array",
+    "minItems": 2,
+    "maxItems": 4,
+    "prefixItems": [
+      {"title": "x", "$ref": "#/$defs/coordinate"},
+      {"title": "y", "$ref": "#/$defs/coordinate"},
+      {"title": "z", "$ref": "#/$defs/depth"},
+      {"title": "w", "$ref": "#/$defs/w"}
+    ]
+  },
+  "depth": {
+    "description": "An exact multiple of 1/65536 from -1 (near) to 1 (far), written like a \
+        coordinate.",
+    "$ref": "#/$defs/coordinate",
+    "minimum": -1,
+    "maximum": 1
+  },
+  "w": {
+    "description": "A float32 number from @least_w to @largest_w. In window coordinates (clip \
+        coordinates before w, from -1 to 1) times w must be float32 numbers, too: a power of two \
+        keeps them so.",
+    "$ref": "#/$defs/float32",
+    "minimum": "@least_w",
+    "maximum": "@largest_w"
+  },
+  "clip_number": {
+    "description": "A float32 number of magnitude @largest_w at most.",
+    "$ref": "#/$defs/float32",
+    "minimum": "@least_clip",
+    "maximum": "@largest_w"
+  },
+  "texture_number": {
+    "description": "A float32 number of magnitude @largest_uv at most.",
+    "$ref": "#/$defs/float32",
+    "minimum": "@least_uv",
+    "maximum": "@largest_uv"
+  }
+})json";
+
+}  // namespace
+
+Pieces vertex_schemas() {
+  return schema_pieces(kVertexSchema, {named("least_w", schema_number(kMinW)),
+                                       named("largest_w", schema_number(kMaxW)),
+                                       named("least_clip", schema_number(-kMaxW)),
+                                       named("largest_uv", schema_number(kTextureRange.high)),
+                                       named("least_uv", schema_number(kTextureRange.low))});
 }
 
 }  // namespace edgecase

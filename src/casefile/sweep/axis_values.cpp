@@ -10,6 +10,7 @@
 
 #include "casefile/json/float32.h"
 #include "casefile/json/numbers.h"
+#include "casefile/json/schema.h"
 #include "casefile/json/text.h"
 #include "exact/numeral.h"
 
@@ -184,6 +185,183 @@ std::optional<std::size_t> read_value_of(const Place& place, const SweepAxis& ax
       place, fmt::format("{} is no value of the axis {}", describe(*place.node), quote(axis.name)),
       fmt::format("write one of {}", join_names(names)));
   return std::nullopt;
+}
+
+namespace {
+
+constexpr std::string_view kSweepSchema = R"json({
+  "swept": {
+    "description": "A number that a sweep runs through: an exact multiple of 1/65536 from \
+        -@swept to @swept, written like a coordinate.",
+    "type": ["number", "string"],
+    "if": {"type": "string"},
+    "then": {"maxLength": "@numeral", "pattern": "^~?-?[0-9][0-9+/.eE-]*$"},
+    "else": {"minimum": "@least_swept", "maximum": "@swept", "multipleOf": "@step"}
+  },
+  "set_number": {
+    "description": "A number that a sweep sets: an exact multiple of 1/65536 from -@swept to \
+        @swept, written like a coordinate, or a float32 number of magnitude @color at most.",
+    "type": ["number", "string"],
+    "if": {"type": "string"},
+    "then": {"maxLength": "@characters", "pattern": "^~?-?[0-9][0-9+/.eE-]*$"},
+    "else": {"minimum": "@least_color", "maximum": "@color"}
+  },
+  "set_list": {
+    "description": "A list that a sweep sets: a colour, vertices, a texture's size or colours, \
+        wraps, texture coordinates, gradients.",
+    "type": "array",
+    "minItems": 1,
+    "items": {"type": ["number", "string", "array", "object"]}
+  },
+  "axis_name": {
+    "description": "A letter from a to z first, then a to z, 0 to 9 and dashes; not \"variant\".",
+    "type": "string",
+    "pattern": "^[a-z][a-z0-9-]*$",
+    "not": {"const": "variant"}
+  },
+  "value_name": {
+    "description": "A value of an axis: a number, a word, true or false, or \"#\" and the index \
+        (from 0) of a point or colour.",
+    "type": ["number", "string", "boolean"]
+  },
+  "pointers": {
+    "description": "JSON pointers into the target, the textures, the draws or the transform. \
+        /draws/I/vertices/J/x (y, z, w) is a coordinate in whatever form the vertex is written, \
+        and s and t are its texture coordinates; everything else is addressed as in the file.",
+    "type": "array",
+    "minItems": 1,
+    "uniqueItems": true,
+    "items": {
+      "title": "Pointer",
+      "description": "For example /draws/0/vertices/0/x or /draws/0/state/line_width.",
+      "type": "string",
+      "pattern": "^/(target|textures|draws|transform)(/([^/~]|~[01])*)+$"
+    }
+  },
+  "axis": {
+    "title": "Axis",
+    "description": "Some values, and what takes them.",
+    "type": "object",
+    "additionalProperties": false,
+    "allOf": [
+      {"oneOf": [{"required": ["set"]}, {"required": ["add_to"]}]},
+      {"oneOf": [{"required": ["values"]}, {"required": ["range"]}, {"required": ["points"]}]},
+      {
+        "if": {"required": ["points"]},
+        "then": {
+          "required": ["set"],
+          "properties": {
+            "set": {
+              "description": "Points go to vertices.",
+              "items": {"pattern": "^/draws/[^/]+/vertices/[^/]+$"}
+            }
+          }
+        }
+      },
+      {
+        "if": {"required": ["add_to"]},
+        "then": {
+          "properties": {
+            "values": {
+              "description": "Only numbers can be added.",
+              "items": {"$ref": "#/$defs/swept"}
+            }
+          }
+        }
+      }
+    ],
+    "properties": {
+      "set": {
+        "title": "Set",
+        "description": "Where the values are put; optional keys need not be there.",
+        "$ref": "#/$defs/pointers"
+      },
+      "add_to": {
+        "title": "Add to",
+        "description": "Numbers of the file to which the values are added.",
+        "$ref": "#/$defs/pointers"
+      },
+      "values": {
+        "title": "Values",
+        "description": "1 to @cases numbers, numerals, words, true, false, colours or other \
+            lists, none twice. Numbers that are set may also be float32 numbers that no \
+            coordinate can be.",
+        "type": "array",
+        "minItems": 1,
+        "maxItems": "@cases",
+        "uniqueItems": true,
+        "items": {
+          "title": "Value",
+          "description": "What is set or added.",
+          "if": {"anyOf": [{"type": "boolean"}, {"type": "string", "pattern": "^[a-z]"}]},
+          "then": {"if": {"type": "string"}, "then": {"pattern": "^[a-z][a-z0-9_-]*$"}},
+          "else": {
+            "if": {"type": "array"},
+            "then": {"$ref": "#/$defs/set_list"},
+            "else": {"$ref": "#/$defs/set_number"}
+          }
+        }
+      },
+      "range": {
+        "title": "Range",
+        "description": "from, from + step, and so on, as long as it is not above to; @cases \
+            values at most.",
+        "type": "object",
+        "required": ["from", "to", "step"],
+        "additionalProperties": false,
+        "properties": {
+          "from": {"title": "From", "description": "The first value.", "$ref": "#/$defs/swept"},
+          "to": {
+            "title": "To",
+            "description": "The end, included where a step meets it.",
+            "$ref": "#/$defs/swept"
+          },
+          "step": {
+            "title": "Step",
+            "description": "Above 0.",
+            "$ref": "#/$defs/swept",
+            "exclusiveMinimum": 0
+          }
+        }
+      },
+      "points": {
+        "title": "Points",
+        "description": "Positions, which leave a vertex its colour, or whole vertices; named by \
+            their index: #0, #1.",
+        "type": "array",
+        "minItems": 1,
+        "maxItems": "@cases",
+        "uniqueItems": true,
+        "items": {"$ref": "#/$defs/vertex"}
+      },
+      "base": {
+        "title": "Base",
+        "description": "The value of the base case, the first if not said.",
+        "$ref": "#/$defs/value_name"
+      },
+      "zip": {
+        "title": "Zip",
+        "description": "Name of a group: its axes run together, and have equally many values.",
+        "type": "string",
+        "maxLength": "@name",
+        "pattern": "^[a-z][a-z0-9-]*$"
+      }
+    }
+  }
+})json";
+
+}  // namespace
+
+Pieces sweep_schemas() {
+  return schema_pieces(
+      kSweepSchema,
+      {named("name", schema_number(kNameLimits.most)), named("swept", schema_number(kMaxSwept)),
+       named("least_swept", schema_number(-kMaxSwept)),
+       named("step", schema_number(1.0 / static_cast<double>(Fixed::kOne))),
+       named("numeral", schema_number(kMostNumeralCharacters)),
+       named("characters", schema_number(kMostCharacters)),
+       named("color", schema_number(kMaxColor)), named("least_color", schema_number(-kMaxColor)),
+       named("cases", schema_number(kMaxCases))});
 }
 
 }  // namespace edgecase

@@ -84,7 +84,7 @@ void read_values_of_axis(const ObjectReader& object, const std::string& kind, Sw
 }
 
 void read_zip(const Place& place, SweepAxis& axis, Findings& findings) {
-  const auto name = read_text(place, "zip", {1, 100}, findings);
+  const auto name = read_text(place, "zip", kNameLimits, findings);
   if (!name) return;
   axis.zip = *name;
   if (!is_axis_name(*name))

@@ -20,6 +20,7 @@
 
 #include "casefile/json/fields.h"
 #include "casefile/json/json_document.h"
+#include "casefile/json/json_layout.h"
 #include "exact/fixed.h"
 
 namespace edgecase {
@@ -98,5 +99,8 @@ std::vector<AxisValue> read_range(const Place& place, Findings& findings);
 
 // [vertex, ...]: arrays or objects, none twice.
 std::vector<AxisValue> read_points(const Place& place, Findings& findings);
+
+// The definitions of axes and of what runs through them in the schema.
+Pieces sweep_schemas();
 
 }  // namespace edgecase

@@ -226,6 +226,10 @@ std::string Image::part() const {
   return "";
 }
 
+const std::vector<std::string>& variant_names() {
+  return kVariantNames.allowed;
+}
+
 Variants read_variants(const Place& place, Findings& findings) {
   Variants variants;
   variants.images.push_back({});

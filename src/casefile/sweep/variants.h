@@ -29,6 +29,9 @@
 
 namespace edgecase {
 
+// What a file may ask for.
+const std::vector<std::string>& variant_names();
+
 enum class VariantKind { none, reverse, winding, octant, translate };
 
 // One image; `octant` is 1 to 7: bit 0 mirrors x, bit 1 mirrors y, bit 2 then exchanges x and y.

@@ -188,7 +188,7 @@ Interval range_of(const TextureLevel& level, std::size_t component) {
 
 // Codes may be rounded once, and decoded and coded again; floats err by 1 part in 10^5.
 Interval with_rounding(Interval range, TextureFormat format) {
-  const double error = format == TextureFormat::rgba32f ? range.magnitude() * 1e-5 : 1;
+  const double error = holds_floats(format) ? range.magnitude() * 1e-5 : 1;
   return {range.low - error, range.high + error};
 }
 

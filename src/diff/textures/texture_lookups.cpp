@@ -263,7 +263,6 @@ Interval TextureLookups::lookup_lambda(const Fragment& fragment, Interval scale,
 // that is what it looks up by, and whether it may is judged of the level itself.
 Interval TextureLookups::permitted_lookup_lambda(const Fragment& fragment, Reach reach) {
   const TextureUse& use = use_of(fragment);
-  const LookupKind kind = use.lookup.kind;
   const double error = precision_within(reach).level;
   if (tells_level(fragment)) return clamped(within(*told_lambda(fragment), error), use.sampler);
   const auto biased = [&](Interval base) {
@@ -271,12 +270,19 @@ Interval TextureLookups::permitted_lookup_lambda(const Fragment& fragment, Reach
     return clamped(within(with_permitted_bias(base, use.sampler, use.lookup, limits), error),
                    use.sampler);
   };
-  if (kind == LookupKind::lod) return biased(static_cast<double>(use.lookup.value));
   Interval scale;
-  if (kind == LookupKind::gradients)
-    scale = permitted_scale(footprint_of(fragment, asked_gradients(fragment)));
-  else if (shows_level(kinship_of(fragment, false)))
-    scale = permitted_scale(footprint_of(fragment, permitted_gradients(fragment, reach)));
+  switch (use.lookup.kind) {
+    case LookupKind::implicit:
+    case LookupKind::bias:
+      if (shows_level(kinship_of(fragment, false)))
+        scale = permitted_scale(footprint_of(fragment, permitted_gradients(fragment, reach)));
+      break;
+    case LookupKind::lod:
+      return biased(static_cast<double>(use.lookup.value));
+    case LookupKind::gradients:
+      scale = permitted_scale(footprint_of(fragment, asked_gradients(fragment)));
+      break;
+  }
   return biased(logarithm_of(scale, Log2Method::exact));
 }
 
@@ -290,8 +296,7 @@ double TextureLookups::largest_of(const TextureUse& use) const {
 
 bool TextureLookups::may_round(const Fragment& fragment) const {
   const Texture& texture = texture_of(fragment);
-  return texture.format != TextureFormat::rgba32f &&
-         means_of(use_of(fragment).sampler, texture) > 0;
+  return !holds_floats(texture.format) && means_of(use_of(fragment).sampler, texture) > 0;
 }
 
 // `of_srgb`: by which red, green and blue of an sRGB texture may be off beside.

@@ -20,8 +20,8 @@ namespace edgecase {
 namespace {
 
 Changes unit_changes(const RuleChoices& chosen, DepthFormat format) {
-  return changes_beside(
-      format == DepthFormat::depth32f ? RuleId::offset_exponent : RuleId::offset_unit, chosen);
+  return changes_beside(holds_floats(format) ? RuleId::offset_exponent : RuleId::offset_unit,
+                        chosen);
 }
 
 // Every alternative beside what is chosen, and then every slope with every unit.
@@ -84,8 +84,7 @@ bool has_offset(const ValueContext& context, const Fragment& fragment) {
 RuleId offset_rule(const ValueContext& context, const Fragment& fragment) {
   if (context.primitive_of(fragment).state->polygon_offset->factor != 0)
     return RuleId::offset_slope;
-  return context.scene.target.depth == DepthFormat::depth32f ? RuleId::offset_exponent
-                                                             : RuleId::offset_unit;
+  return holds_floats(context.scene.target.depth) ? RuleId::offset_exponent : RuleId::offset_unit;
 }
 
 Cause cause_of_offset(const ValueContext& context, const Fragment& fragment) {

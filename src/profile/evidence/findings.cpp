@@ -10,8 +10,14 @@ namespace edgecase {
 
 const char* component_name(ValueKind kind, int component) {
   constexpr std::array kColors{"red", "green", "blue", "alpha"};
-  if (kind == ValueKind::depth) return "depth";
-  if (kind == ValueKind::inverse_w) return "gl_FragCoord.w";
+  switch (kind) {
+    case ValueKind::color:
+      break;
+    case ValueKind::depth:
+      return "depth";
+    case ValueKind::inverse_w:
+      return "gl_FragCoord.w";
+  }
   return kColors[static_cast<std::size_t>(component)];
 }
 

@@ -89,9 +89,12 @@ bool has_no_snap(const CoverageChoice& choice) {
     case MultisampledLine::snapped_offset_across_borders:
     case MultisampledLine::snapped_corners:
       return true;
-    default:
+    case MultisampledLine::rectangle:
+    case MultisampledLine::parallelogram:
+    case MultisampledLine::single_sampled:
       return false;
   }
+  return false;
 }
 
 // In how many scenes choices draw what was seen; those that draw alike are asked once.

@@ -210,7 +210,7 @@ Scene float_units_scene(Surface surface) {
 }  // namespace
 
 std::vector<Scene> offset_unit_scenes(Surface surface, DepthFormat format) {
-  if (format == DepthFormat::depth32f) return {float_units_scene(surface)};
+  if (holds_floats(format)) return {float_units_scene(surface)};
   return {fixed_units_scene(surface, format)};
 }
 

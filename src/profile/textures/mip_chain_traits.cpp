@@ -41,7 +41,7 @@ using Yields = std::vector<bool>;
 
 // Floats may err by what float32 arithmetic takes; their numbers lie in 0 to 1.
 bool is_same(float rendered, float made, TextureFormat format) {
-  return format == TextureFormat::rgba32f ? std::fabs(rendered - made) <= 0x1p-19f
+  return holds_floats(format) ? std::fabs(rendered - made) <= 0x1p-19f
                                           : rendered == made;
 }
 
@@ -102,7 +102,7 @@ std::vector<Trait> infer_mip_chains(std::span<const GeneratedChain> chains) {
     const Parts best = best_of(all);
     const std::string probe = probe_of(format);
     traits.push_back(trait_of({RuleId::mipmap_filter, probe}, &Parts::filter, best, all));
-    if (format != TextureFormat::rgba32f)
+    if (!holds_floats(format))
       traits.push_back(trait_of({RuleId::mipmap_rounding, probe}, &Parts::rounding, best, all));
     if (format == TextureFormat::srgb8)
       traits.push_back(trait_of(RuleId::mipmap_srgb, &Parts::srgb, best, all));

@@ -292,7 +292,7 @@ Scene chain_scene(std::uint64_t seed, Surface surface, TextureFormat format, std
   const ImageSize size = index < kFirst.size() ? kFirst[index]
                                                : ImageSize{static_cast<int>(random.between(2, 24)),
                                                            static_cast<int>(random.between(1, 24))};
-  const bool is_float = format == TextureFormat::rgba32f;
+  const bool is_float = holds_floats(format);
   Texture texture = texture_of(format, size, 1, [&](int, int, int, int) {
     return is_float ? static_cast<float>(unit(random)) : static_cast<float>(random.below(256));
   });

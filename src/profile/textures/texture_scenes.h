@@ -102,7 +102,7 @@ Texture numbered_levels(ImageSize size);
 
 // The number that stands for 1 in a format.
 constexpr float full(TextureFormat format) {
-  return format == TextureFormat::rgba32f ? 1.0f : 255.0f;
+  return holds_floats(format) ? 1.0f : 255.0f;
 }
 
 // A target with one texture, without draws; details of lookups are asked for.

@@ -119,7 +119,7 @@ class TextureMeasurement {
       const TraitId id{rule, probe_of(format)};
       Trait trait = infer_texture_rule(id, probes(id, question, format), found_);
       adopt(trait);
-      if (format != TextureFormat::rgba32f) continue;
+      if (!holds_floats(format)) continue;
       trait.id = rule;
       choose(trait, found_floats_);
     }

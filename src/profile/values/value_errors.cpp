@@ -168,8 +168,14 @@ bool matters(const ValueChoice& found, const CoverageChoice& coverage, const Val
 
 const Interpolant& formula_of(const PrimitiveAttributes& attributes, ValueKind kind,
                               int component) {
-  if (kind == ValueKind::depth) return attributes.depth;
-  if (kind == ValueKind::inverse_w) return attributes.inverse_w;
+  switch (kind) {
+    case ValueKind::color:
+      break;
+    case ValueKind::depth:
+      return attributes.depth;
+    case ValueKind::inverse_w:
+      return attributes.inverse_w;
+  }
   return attributes.color[static_cast<std::size_t>(component)];
 }
 

@@ -79,7 +79,15 @@ Interval clamped_or_not(Interval term, double least_limit) {
 }
 
 Interval shader_bias(const Lookup& lookup) {
-  return lookup.kind == LookupKind::bias ? known(static_cast<double>(lookup.value)) : Interval(0);
+  switch (lookup.kind) {
+    case LookupKind::bias:
+      return known(static_cast<double>(lookup.value));
+    case LookupKind::implicit:
+    case LookupKind::lod:
+    case LookupKind::gradients:
+      break;
+  }
+  return 0;
 }
 
 }  // namespace

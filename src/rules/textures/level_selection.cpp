@@ -134,6 +134,15 @@ std::vector<LevelPick> minified_picks(Interval lambda, const Sampler& sampler, i
   return {{sampler.minify, sampler.base_level, sampler.base_level, 0, false}};
 }
 
+// Two levels and the weight between them, as one number.
+Interval linear_levels(Interval lambda, double most, const LevelRules& rules) {
+  const double first = std::floor(lambda.low);
+  const double second = std::floor(lambda.high);
+  const double low = first + weights_between(lambda, first, rules).low;
+  const double high = second + (second == most ? 0 : weights_between(lambda, second, rules).high);
+  return {std::min(low, most), high};
+}
+
 }  // namespace
 
 int last_level(const Sampler& sampler, const Texture& texture) {
@@ -160,16 +169,18 @@ std::vector<LevelPick> pick_levels(Interval lambda, const Sampler& sampler, int 
 
 Interval accessed_level(Interval lambda, const Sampler& sampler, int last,
                         const LevelRules& rules) {
-  if (sampler.mipmap == MipFilter::none) return 0;
   const double most = std::max(last - sampler.base_level, 0);
   lambda = known(lambda);
   lambda = {std::clamp(lambda.low, 0.0, most), std::clamp(lambda.high, 0.0, most)};
-  if (sampler.mipmap == MipFilter::nearest) return nearest_levels(lambda, most, rules);
-  const double first = std::floor(lambda.low);
-  const double second = std::floor(lambda.high);
-  const double low = first + weights_between(lambda, first, rules).low;
-  const double high = second + (second == most ? 0 : weights_between(lambda, second, rules).high);
-  return {std::min(low, most), high};
+  switch (sampler.mipmap) {
+    case MipFilter::none:
+      break;
+    case MipFilter::nearest:
+      return nearest_levels(lambda, most, rules);
+    case MipFilter::linear:
+      return linear_levels(lambda, most, rules);
+  }
+  return 0;
 }
 
 Rule crossover_rule() {

@@ -56,7 +56,7 @@ class Footing {
     constexpr std::size_t kAlpha = 3;
     const bool by_rows = method.rounding == MipmapRounding::half_up_by_rows;
     const MipmapRounding rounding = by_rows ? MipmapRounding::nearest_even : method.rounding;
-    if (format == TextureFormat::rgba32f) return weighted(values, mean_of_floats, rounding);
+    if (holds_floats(format)) return weighted(values, mean_of_floats, rounding);
     if (format == TextureFormat::srgb8 && method.srgb == MipmapSrgb::linear)
       return weighted(values, component == kAlpha ? mean_of_codes : mean_of_srgb, rounding);
     if (by_rows) return mean_of_rows(values, columns_.weights, rows_.weights);

@@ -50,7 +50,6 @@ struct Axis {
   TexelGrid grid;
   double slack;
 
-  bool is_periodic() const { return wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat; }
   // All there is, in texels: from the centre of a texel to that of the one two images further, from
   // where on every wrap mode begins anew.
   Interval everywhere() const { return {0.5, 2 * size + 0.5}; }
@@ -77,14 +76,14 @@ Interval brought_near(Interval s) {
 // below the number rounded down, but not that below the number rounded up.
 Interval in_texels(Interval s, const Axis& axis, bool whole) {
   s = defined(s);
-  if (axis.is_periodic()) {
+  if (is_periodic(axis.wrap)) {
     if (s.high - s.low + 2 * axis.slack / axis.size >= 2) return axis.everywhere();
     s = brought_near(s);
   }
   Interval u{Down::product(s.low, axis.size),
              whole ? Down::product(s.high, axis.size) : Up::product(s.high, axis.size)};
   if (axis.slack > 0) u = u + Interval(-axis.slack, axis.slack);
-  if (!axis.is_periodic()) {
+  if (!is_periodic(axis.wrap)) {
     // A texel and a half beyond an edge there is nothing but the edge or the border.
     const double last = axis.size + 1.5;
     u = {std::clamp(u.low, -1.5, last), std::clamp(u.high, -1.5, last)};
@@ -144,9 +143,19 @@ struct AxisCells {
 
 AxisCells cells_of(Interval s, const Axis& axis, Filter filter) {
   constexpr double kNarrow = 0x1p-20;
-  const bool nearest = filter == Filter::nearest;
-  const Interval u = in_texels(s, axis, nearest || axis.grid != TexelGrid::none);
-  Cells cells = nearest ? nearest_cells(u, axis) : linear_cells(u, axis);
+  const bool has_grid = axis.grid != TexelGrid::none;
+  Interval u;
+  Cells cells;
+  switch (filter) {
+    case Filter::nearest:
+      u = in_texels(s, axis, true);
+      cells = nearest_cells(u, axis);
+      break;
+    case Filter::linear:
+      u = in_texels(s, axis, has_grid);
+      cells = linear_cells(u, axis);
+      break;
+  }
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   return {std::move(cells), u.high - u.low < kNarrow};

@@ -28,7 +28,7 @@ class Decoder {
 
   Interval operator()(float stored, std::size_t component) const {
     constexpr std::size_t kAlpha = 3;
-    if (format_ == TextureFormat::rgba32f) return number_of(stored);
+    if (holds_floats(format_)) return number_of(stored);
     const bool coded = format_ == TextureFormat::srgb8 && component != kAlpha;
     return (coded ? linear_ : numbers_)[code_of(stored)];
   }
@@ -114,7 +114,7 @@ Texel decode_border(const std::array<float, 4>& border, TextureFormat format) {
   Texel texel;
   for (std::size_t k = 0; k < texel.size(); ++k) {
     const float value = border[k];
-    if (format == TextureFormat::rgba32f)
+    if (holds_floats(format))
       texel[k] = number_of(value);
     else
       texel[k] = value > 0 ? std::min(static_cast<double>(value), 1.0) : 0.0;

@@ -54,11 +54,6 @@ RuleId derivative_rule_of(Derivative derivative) {
   return kRules[form_of(derivative)];
 }
 
-const char* name_of(Derivative derivative) {
-  constexpr std::array kNames{"dFdx", "dFdy", "dFdxFine", "dFdyFine", "dFdxCoarse", "dFdyCoarse"};
-  return kNames[static_cast<std::size_t>(derivative)];
-}
-
 QuadPixel in_quad(PixelPosition pixel, RowOrder rows, int height) {
   // Counted from the top, the lower row of a quad is odd where the height is.
   const int first = rows == RowOrder::top_down ? height % 2 : 0;

@@ -79,8 +79,6 @@ constexpr Axis axis_of(Derivative derivative) {
   return static_cast<std::size_t>(derivative) % 2 == 0 ? Axis::x : Axis::y;
 }
 RuleId derivative_rule_of(Derivative derivative);
-// "dFdx", "dFdyFine", …
-const char* name_of(Derivative derivative);
 
 // A pixel, and the lower left pixel of the quad that it is shaded in.
 struct QuadPixel {

@@ -7,6 +7,8 @@
 #include <memory>
 #include <set>
 
+#include "casefile/case_schema.h"
+#include "casefile/gallery_reader.h"
 #include "casefile/json/json_layout.h"
 #include "model/counted.h"
 #include "raster/rasterizer.h"
@@ -23,6 +25,7 @@ struct ValidateCommand {
   SelectionOptions selection;
   bool check_format = false;
   bool format = false;
+  std::string schema;  // which one to print; empty: none
 };
 
 // The files of the cases, in the order of their ids, each with its text.
@@ -65,6 +68,10 @@ std::size_t print_unmet(const Suite& suite) {
 }
 
 ExitCode validate(const ValidateCommand& command) {
+  if (!command.schema.empty()) {
+    fmt::print("{}", command.schema == "case" ? case_schema() : gallery_schema());
+    return ExitCode::as_expected;
+  }
   const Suite suite = load_suite(command.selection.selection());
   print_diagnostics(suite.diagnostics);
   if (suite.is_misspelt) return ExitCode::usage;
@@ -97,6 +104,10 @@ void add_validate_command(CLI::App& app, ExitCode& exit) {
                                          "Also report files whose layout is not that of a suite");
   command->add_flag("--format", options->format, "Rewrite such files in the layout of a suite")
       ->excludes(check);
+  command
+      ->add_option("--schema", options->schema,
+                   "Print the JSON schema of case or gallery files, and check nothing")
+      ->check(CLI::IsMember({"case", "gallery"}));
   command->callback([options, &exit] { exit = validate(*options); });
 }
 

@@ -90,8 +90,10 @@ Reply ProtocolSession::silence(ChildProcess::Status status) {
     case ChildProcess::Status::stopped:
       reply.problem = "interrupted";
       break;
-    default:
+    case ChildProcess::Status::answered:
+    case ChildProcess::Status::ended:
       reply.problem = how.empty() ? "it closes its output" : "it ends with " + how;
+      break;
   }
   reply.problem += quoted_end(child_->error_output());
   child_.reset();

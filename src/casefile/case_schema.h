@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+//
+// The JSON schema of case files, by which editors help and check (draft 2020-12): the parts of all
+// nouns, each made beside its reader, and the root round them.
+#pragma once
+
+#include <string>
+
+namespace edgecase {
+
+// The text of cases/case.schema.json.
+std::string case_schema();
+
+}  // namespace edgecase

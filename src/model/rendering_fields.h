@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// What a fragment may be asked for beside colour and depth, each said once: its key in answers,
+// where it is kept, and what asks for it. Answers as bytes and as JSON and what is checked of them
+// walk over this list, in its order.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+
+#include "model/rendering.h"
+#include "model/scene_fields.h"
+
+namespace edgecase {
+
+template <class Value>
+struct DetailField {
+  const char* key;
+  Value FragmentDetail::*member;
+  bool Details::*asked;         // the part of Scene::details that asks for it
+  bool is_of_textures = false;  // only fragments of textured draws have it
+
+  constexpr DetailField of_textures() const { return {key, member, asked, true}; }
+  // May a fragment tell it?
+  constexpr bool is_asked(Details details, bool is_textured) const {
+    return details.*asked && (is_textured || !is_of_textures);
+  }
+};
+
+template <class Value>
+constexpr DetailField<Value> detail_field(const char* key, Value FragmentDetail::*member,
+                                          bool Details::*asked) {
+  return {key, member, asked};
+}
+
+template <>
+inline constexpr auto kFields<FragmentDetail> = std::tuple{
+    detail_field("coordinates", &FragmentDetail::coordinates, &Details::coordinates),
+    detail_field("derivatives", &FragmentDetail::derivatives, &Details::derivatives),
+    detail_field("texture_coordinates", &FragmentDetail::texture_coordinates, &Details::texture)
+        .of_textures(),
+    detail_field("level_of_detail", &FragmentDetail::level_of_detail, &Details::texture)
+        .of_textures()};
+
+// Does the fragment tell it? Of derivatives: any of them.
+template <class Numbers>
+bool is_told(const std::optional<Numbers>& numbers) {
+  return numbers.has_value();
+}
+template <class Numbers, std::size_t N>
+bool is_told(const std::array<std::optional<Numbers>, N>& parts) {
+  return std::ranges::any_of(parts, is_told<Numbers>);
+}
+
+}  // namespace edgecase
