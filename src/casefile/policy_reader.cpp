@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "casefile/case_reader.h"
 #include "casefile/json/fields.h"
+#include "casefile/json/schema.h"
 #include "casefile/json/text.h"
 #include "casefile/json/text_file.h"
 
@@ -61,12 +63,13 @@ namespace {
 
 const Keys kPolicyKeys{{"name"}, {"$schema", "why", "latitude", "rules", "surfaces"}, {}};
 const Keys kSurfaceKeys{{}, {"fbo", "window"}, {}};
+constexpr TextLimits kWhy{0, 10000, true};
 
 void read_policy(const JsonNode& root, std::span<const KnownRule> known, Findings& findings,
                  Policy& policy) {
   const ObjectReader object({&root, ""}, "a policy", kPolicyKeys, findings);
   if (const auto place = object.find("$schema")) read_text(*place, "$schema", {}, findings);
-  if (const auto place = object.find("why")) read_text(*place, "why", {0, 10000, true}, findings);
+  if (const auto place = object.find("why")) read_text(*place, "why", kWhy, findings);
   if (const auto place = object.find("name"))
     policy.name = read_text(*place, "a policy's name", kNameLimits, findings).value_or("");
   if (const auto place = object.find("latitude")) {
@@ -104,6 +107,85 @@ LoadedPolicy load_policy_text(const std::string& text, const std::filesystem::pa
   loaded.diagnostics = findings.take();
   if (loaded.diagnostics.empty()) loaded.value = std::move(policy);
   return loaded;
+}
+
+namespace {
+
+constexpr std::string_view kPolicySchema = R"json({
+  "$schema": "https://json-schema.org/draft/2020-12/schema",
+  "title": "Edgecase policy file",
+  "description": "A choice of alternatives for rules: what a system does where others do \
+      otherwise. A rule that is left out has the alternative that OpenGL asks for. The program's \
+      own loader checks what a schema cannot: keys that stand twice.",
+  "type": "object",
+  "required": "@required",
+  "additionalProperties": false,
+  "properties": {
+    "$schema": {
+      "description": "Path of this schema, so that editors offer help: \
+          \"../policy.schema.json\".",
+      "type": "string",
+      "maxLength": "@text"
+    },
+    "name": {
+      "description": "By which reports call it.",
+      "type": "string",
+      "minLength": 1,
+      "maxLength": "@name",
+      "pattern": "^[^\\u0000-\\u001f\\u007f]*$"
+    },
+    "why": {
+      "description": "Whose choices these are, and where they are described.",
+      "type": "string",
+      "maxLength": "@why"
+    },
+    "latitude": {
+      "description": "\"opengl\": what OpenGL leaves open is permitted. \"none\": every \
+          difference is a violation of the policy.",
+      "enum": ["opengl", "none"],
+      "default": "opengl"
+    },
+    "rules": {
+      "description": "On all surfaces.",
+      "$ref": "#/$defs/choices"
+    },
+    "surfaces": {
+      "description": "What is otherwise on one kind of surface.",
+      "type": "object",
+      "additionalProperties": false,
+      "properties": {
+        "fbo": {"description": "A framebuffer object.", "$ref": "#/$defs/choices"},
+        "window": {"description": "The window system's framebuffer.", "$ref": "#/$defs/choices"}
+      }
+    }
+  },
+  "$defs": {
+    "choices": {
+      "type": "object",
+      "additionalProperties": false,
+      "properties": {"@rules": 0}
+    }
+  }
+})json";
+
+JsonPiece schema_of(const KnownRule& rule) {
+  return json_object({named("description", json_string(rule.title)),
+                      named("enum", schema_names(rule.alternatives))});
+}
+
+}  // namespace
+
+std::string policy_schema(std::span<const KnownRule> known) {
+  Pieces rules;
+  for (const KnownRule& rule : known)
+    if (!rule.alternatives.empty()) rules.push_back(named(rule.id, schema_of(rule)));
+  const auto most = [](const char* name, TextLimits limits) {
+    return named(name, schema_number(static_cast<double>(limits.most)));
+  };
+  return lay_out(json_object(
+      schema_pieces(kPolicySchema, {named("required", schema_names(kPolicyKeys.required)),
+                                    most("text", {}), most("name", kNameLimits), most("why", kWhy),
+                                    named("rules", json_object(std::move(rules)))})));
 }
 
 }  // namespace edgecase

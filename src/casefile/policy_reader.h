@@ -18,6 +18,7 @@ namespace edgecase {
 struct KnownRule {
   std::string id;
   std::vector<std::string> alternatives;
+  std::string title = {};  // what the rule says, for people
 };
 
 // Whether a member's key is the id of a rule, of a known one where any are; adds a finding
@@ -46,5 +47,9 @@ LoadedPolicy load_policy(const std::filesystem::path& file, std::span<const Know
 
 LoadedPolicy load_policy_text(const std::string& text, const std::filesystem::path& file,
                               std::span<const KnownRule> known);
+
+// The text of cases/policy.schema.json, by which editors help and check: the rules of `known` that
+// have alternatives, each with their names.
+std::string policy_schema(std::span<const KnownRule> known);
 
 }  // namespace edgecase

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Holds cases/case.schema.json against the case files that the loader is tested with, and
-cases/gallery.schema.json against the suite's galleries.
+cases/gallery.schema.json and cases/policy.schema.json against the suite's galleries, policies and profiles.
 
 The schema of cases must accept every good case and all of cases/, and refuse every file of bad/. Files of
 bad_loader_only/ are those that no schema can refuse: they are no JSON at all, or the schema accepts
@@ -21,6 +21,9 @@ LEAST_BAD_FILES = 60
 GALLERIES = sorted((CASES / "galleries").glob("*.json"))
 GALLERY_SCHEMA = json.loads((CASES / "gallery.schema.json").read_text(encoding="utf-8"))
 GALLERY_VALIDATOR = Draft202012Validator(GALLERY_SCHEMA)
+POLICIES = sorted([*(CASES / "policies").glob("*.json"), *(CASES / "profiles").glob("*.json")])
+POLICY_SCHEMA = json.loads((CASES / "policy.schema.json").read_text(encoding="utf-8"))
+POLICY_VALIDATOR = Draft202012Validator(POLICY_SCHEMA)
 
 
 class NotJson(Exception):
@@ -134,6 +137,30 @@ class GallerySchemaTest(unittest.TestCase):
                       {"caption": "x"}):
             with self.subTest(wrong):
                 self.assertFalse(GALLERY_VALIDATOR.is_valid(good | wrong))
+
+
+class PolicySchemaTest(unittest.TestCase):
+    def test_schema_is_valid(self):
+        Draft202012Validator.check_schema(POLICY_SCHEMA)
+
+    def test_accepts_the_suite(self):
+        self.assertGreaterEqual(len(POLICIES), 12)
+        for file in POLICIES:
+            with self.subTest(file.name):
+                errors = POLICY_VALIDATOR.iter_errors(parse(file))
+                self.assertEqual([error.message for error in errors], [])
+
+    def test_refuses_what_the_loader_refuses(self):
+        good = {"name": "p", "rules": {"line.snap": "none"},
+                "surfaces": {"fbo": {"triangle.fill-rule": "left-top"}}}
+        self.assertTrue(POLICY_VALIDATOR.is_valid(good))
+        for wrong in ({"name": ""}, {"name": "a\tb"}, {"latitude": "all"}, {"rules": []},
+                      {"rules": {"line.snaps": "none"}}, {"rules": {"line.snap": "nonce"}},
+                      {"rules": {"line.snap": 1}}, {"surfaces": {"pbuffer": {}}},
+                      {"surfaces": {"fbo": {"line.snap": ""}}}, {"why": 1}, {"choices": {}}):
+            with self.subTest(wrong):
+                self.assertFalse(POLICY_VALIDATOR.is_valid(good | wrong))
+        self.assertFalse(POLICY_VALIDATOR.is_valid({"rules": {}}))
 
 
 if __name__ == "__main__":

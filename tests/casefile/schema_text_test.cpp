@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The schema of case files is made of the tables and limits that the loader uses: the file beside
-// the cases is what the program makes, and nothing is left blank in it.
+// The schemas are made of the tables and limits that the loaders use: the files beside the cases
+// are what the program makes, and nothing is left blank in them.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -13,6 +13,7 @@
 #include "casefile/gallery_reader.h"
 #include "casefile/json/schema.h"
 #include "casefile/scene/field_schema.h"
+#include "tests/support/known_rules.h"
 
 namespace edgecase {
 namespace {
@@ -33,11 +34,13 @@ void expect_file(const std::string& name, const std::string& schema) {
 TEST(Schemas, AreTheFilesBesideTheCases) {
   expect_file("case", case_schema());
   expect_file("gallery", gallery_schema());
+  expect_file("policy", policy_schema(known_rules()));
 }
 
 TEST(Schemas, HaveNoBlanks) {
   EXPECT_THAT(case_schema(), Not(HasSubstr("@")));
   EXPECT_THAT(gallery_schema(), Not(HasSubstr("@")));
+  EXPECT_THAT(policy_schema(known_rules()), Not(HasSubstr("@")));
 }
 
 TEST(SchemaPieces, FillInNumbersTextsAndMembers) {

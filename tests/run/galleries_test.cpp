@@ -9,10 +9,10 @@
 
 #include "casefile/gallery_reader.h"
 #include "raster/rasterizer.h"
-#include "rules/all_rules.h"
 #include "run/policy_contrast.h"
 #include "run/selection.h"
 #include "tests/support/causes.h"
+#include "tests/support/known_rules.h"
 
 namespace edgecase {
 namespace {
@@ -20,16 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kSuite = fs::path(EDGECASE_ROOT) / "cases";
-
-std::vector<KnownRule> known_rules() {
-  std::vector<KnownRule> known;
-  for (const Rule& rule : all_rules()) {
-    known.push_back({name_of(rule.id), {}});
-    for (const Alternative& alternative : rule.alternatives)
-      known.back().alternatives.push_back(alternative.name);
-  }
-  return known;
-}
 
 std::set<std::string> names_in(const char* folder) {
   std::set<std::string> names;

@@ -188,7 +188,7 @@ class Documents(CommandTest):
         shutil.copytree(ROOT / "reference/examples", cls.checkout / "reference/examples")
         for folder in ("policies", "profiles"):
             shutil.copytree(ROOT / "cases" / folder, cls.checkout / "cases" / folder)
-        for schema in ("case.schema.json", "gallery.schema.json"):
+        for schema in ("case.schema.json", "gallery.schema.json", "policy.schema.json"):
             shutil.copy(ROOT / "cases" / schema, cls.checkout / "cases")
         for name in named_cases():
             path = cls.checkout / f"cases/{name}.json"

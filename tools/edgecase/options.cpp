@@ -132,7 +132,7 @@ std::optional<std::filesystem::path> find_policy(const std::string& policy,
 std::vector<KnownRule> known_rules() {
   std::vector<KnownRule> result;
   for (const Rule& rule : all_rules()) {
-    KnownRule known{name_of(rule.id), {}};
+    KnownRule known{name_of(rule.id), {}, rule.title};
     for (const Alternative& alternative : rule.alternatives)
       known.alternatives.push_back(alternative.name);
     result.push_back(std::move(known));

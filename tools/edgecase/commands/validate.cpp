@@ -10,6 +10,7 @@
 #include "casefile/case_schema.h"
 #include "casefile/gallery_reader.h"
 #include "casefile/json/json_layout.h"
+#include "casefile/policy_reader.h"
 #include "model/counted.h"
 #include "raster/rasterizer.h"
 #include "reports/text.h"
@@ -67,9 +68,14 @@ std::size_t print_unmet(const Suite& suite) {
   return unmet;
 }
 
+std::string schema_of(const std::string& files) {
+  if (files == "gallery") return gallery_schema();
+  return files == "policy" ? policy_schema(known_rules()) : case_schema();
+}
+
 ExitCode validate(const ValidateCommand& command) {
   if (!command.schema.empty()) {
-    fmt::print("{}", command.schema == "case" ? case_schema() : gallery_schema());
+    fmt::print("{}", schema_of(command.schema));
     return ExitCode::as_expected;
   }
   const Suite suite = load_suite(command.selection.selection());
@@ -106,8 +112,8 @@ void add_validate_command(CLI::App& app, ExitCode& exit) {
       ->excludes(check);
   command
       ->add_option("--schema", options->schema,
-                   "Print the JSON schema of case or gallery files, and check nothing")
-      ->check(CLI::IsMember({"case", "gallery"}));
+                   "Print the JSON schema of case, gallery or policy files, and check nothing")
+      ->check(CLI::IsMember({"case", "gallery", "policy"}));
   command->callback([options, &exit] { exit = validate(*options); });
 }
 
