@@ -41,8 +41,7 @@ using Yields = std::vector<bool>;
 
 // Floats may err by what float32 arithmetic takes; their numbers lie in 0 to 1.
 bool is_same(float rendered, float made, TextureFormat format) {
-  return holds_floats(format) ? std::fabs(rendered - made) <= 0x1p-19f
-                                          : rendered == made;
+  return holds_floats(format) ? std::fabs(rendered - made) <= 0x1p-19f : rendered == made;
 }
 
 void add_yields(const GeneratedChain& chain, std::vector<Yields>& all) {
