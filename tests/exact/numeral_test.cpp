@@ -102,6 +102,9 @@ TEST(Numeral, TakesWhatProgramsPrintForTheDoubleOfAMultiple) {
   EXPECT_NE(error_of("1.00000000000000011102230246251565405"), "");
   EXPECT_EQ(raw_of("0.999999999999999944488848768742172979"), kOne);
   EXPECT_NE(error_of("0.999999999999999944488848768742172978"), "");
+  // 2^24 + 2^-29 lies halfway to the next double, and goes to the even one.
+  EXPECT_EQ(raw_of("16777216.00000000186264514923095703125"), (1 << 24) * kOne);
+  EXPECT_NE(error_of("16777216.00000000186264514923095703126"), "");
 }
 
 double nearest_double(const std::string& text) {
