@@ -50,9 +50,7 @@ std::variant<Answer, WireError> parse(const std::string& line) {
 }
 
 std::string message_of(const std::string& line) {
-  const auto parsed = parse(line);
-  const auto* error = std::get_if<WireError>(&parsed);
-  return error == nullptr ? "" : error->message;
+  return fault_in(parse(line));
 }
 
 // An answer of a 3x2 target with these fragments and further members.

@@ -63,9 +63,7 @@ std::variant<Answer, WireError> parse(const std::string& line, const Scene& scen
 }
 
 std::string message_of(const std::string& line, const Scene& scene = asking_scene()) {
-  const auto parsed = parse(line, scene);
-  const auto* error = std::get_if<WireError>(&parsed);
-  return error == nullptr ? "" : error->message;
+  return fault_in(parse(line, scene));
 }
 
 TEST(AnswerDetails, AreReadBack) {

@@ -54,9 +54,7 @@ Scene operations_scene() {
 }
 
 std::string refusal_of(const std::string& scene) {
-  const auto parsed = parse_request(request_line("a", scene));
-  const auto* error = std::get_if<WireError>(&parsed);
-  return error == nullptr ? "" : error->message;
+  return fault_in(parse_request(request_line("a", scene)));
 }
 
 Scene read_back(const Scene& scene) {
@@ -183,9 +181,7 @@ Rendering tested() {
 }
 
 std::string message_of(const std::string& line, const Scene& scene, bool coverage_only = false) {
-  const auto parsed = parse_answer(line, kDigest, scene, coverage_only);
-  const auto* error = std::get_if<WireError>(&parsed);
-  return error == nullptr ? "" : error->message;
+  return fault_in(parse_answer(line, kDigest, scene, coverage_only));
 }
 
 TEST(OperationAnswers, AreReadBack) {

@@ -11,9 +11,7 @@ namespace {
 using ::testing::HasSubstr;
 
 std::string message_of(const std::string& line) {
-  const auto parsed = parse_request(line);
-  const auto* error = std::get_if<WireError>(&parsed);
-  return error == nullptr ? "" : error->message;
+  return fault_in(parse_request(line));
 }
 
 // A request with this scene and the digest that belongs to it.

@@ -180,9 +180,7 @@ std::variant<Answer, WireError> parse(const std::string& line,
 }
 
 std::string message_of(const std::string& line, const Scene& scene = scene_of_planes()) {
-  const auto parsed = parse(line, scene);
-  const auto* error = std::get_if<WireError>(&parsed);
-  return error == nullptr ? "" : error->message;
+  return fault_in(parse(line, scene));
 }
 
 Rendering read_answer(const std::string& line) {

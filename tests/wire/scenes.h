@@ -8,8 +8,10 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <variant>
 
 #include "model/scene.h"
+#include "wire/request_line.h"
 
 namespace edgecase {
 
@@ -18,6 +20,13 @@ inline std::string replaced(std::string text, const std::string& from, const std
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   return text.replace(at, from.size(), to);
+}
+
+// What a parser says against a text; empty: nothing.
+template <class Parsed>
+std::string fault_in(const Parsed& parsed) {
+  const auto* error = std::get_if<WireError>(&parsed);
+  return error == nullptr ? "" : error->message;
 }
 
 // A 3x2 target with one triangle and one line: primitives 0 and 1.

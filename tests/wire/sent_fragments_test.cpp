@@ -139,9 +139,7 @@ std::string with_lengths(std::string message, std::uint32_t told, std::uint32_t 
 }
 
 std::string refusal_of_bytes(const Scene& scene, const std::string& message) {
-  const auto parsed = parse_answer_message(message, kDigest, scene, false);
-  const auto* error = std::get_if<WireError>(&parsed);
-  return error == nullptr ? "" : error->message;
+  return fault_in(parse_answer_message(message, kDigest, scene, false));
 }
 
 constexpr std::uint32_t kDepthAndColor = 3;

@@ -35,9 +35,7 @@ std::variant<Request, WireError> parse_scene(const std::string& scene) {
 }
 
 std::string refusal_of(const Scene& scene) {
-  const auto parsed = parse_scene(scene_json(scene));
-  const auto* error = std::get_if<WireError>(&parsed);
-  return error == nullptr ? "" : error->message;
+  return fault_in(parse_scene(scene_json(scene)));
 }
 
 TEST(SupersampledRequests, AreReadBack) {
@@ -147,9 +145,7 @@ std::variant<Answer, WireError> parse(const std::string& line,
 }
 
 std::string message_of(const std::string& line, const Scene& scene = scene_of_answer()) {
-  const auto parsed = parse(line, scene);
-  const auto* error = std::get_if<WireError>(&parsed);
-  return error == nullptr ? "" : error->message;
+  return fault_in(parse(line, scene));
 }
 
 TEST(SupersampledAnswers, AreReadBackPassByPass) {

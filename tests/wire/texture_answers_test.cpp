@@ -24,9 +24,7 @@ std::variant<Answer, WireError> parse(const std::string& line, const Scene& scen
 }
 
 std::string message_of(const std::string& line, const Scene& scene = textured_scene()) {
-  const auto parsed = parse(line, scene);
-  const auto* error = std::get_if<WireError>(&parsed);
-  return error == nullptr ? "" : error->message;
+  return fault_in(parse(line, scene));
 }
 
 // Four fragments of the textured triangle: both details, each alone, none. One of the line.

@@ -21,9 +21,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 std::string message_of(const std::string& scene) {
-  const auto parsed = parse_request(request_line("a", scene));
-  const auto* error = std::get_if<WireError>(&parsed);
-  return error == nullptr ? "" : error->message;
+  return fault_in(parse_request(request_line("a", scene)));
 }
 
 // A scene whose text has been read back and is the same scene.
