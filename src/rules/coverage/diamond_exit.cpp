@@ -115,7 +115,7 @@ unsigned owned_parts(const Segment& segment, const DiamondBoundary& boundary) {
   return segment.x_major() ? boundary.x_major_parts : boundary.y_major_parts;
 }
 
-// Smallest |dx| + |dy| between the centre and the segment, pixels; for explanations only.
+// Smallest |dx| + |dy| between the centre and the segment, pixels; for people only.
 double manhattan_distance(const Segment& s, Point centre) {
   const double ax = s.a.x.to_double() - centre.x.to_double();
   const double ay = s.a.y.to_double() - centre.y.to_double();

@@ -22,8 +22,7 @@ bool edge_owned(Point a, Point b, const TieRule& ties) {
   return ties.positive(0, a.y.raw() - b.y.raw(), b.x.raw() - a.x.raw());
 }
 
-// Distance of the sample from the line through a and b, pixels, positive inside; for explanations
-// only.
+// Distance of the sample from the line through a and b, pixels, positive inside; for people only.
 double distance_inside(Point a, Point b, Point sample) {
   const double length = std::hypot(static_cast<double>(b.x.raw() - a.x.raw()),
                                    static_cast<double>(b.y.raw() - a.y.raw()));
