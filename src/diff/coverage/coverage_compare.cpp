@@ -125,7 +125,7 @@ class CoverageComparison {
     }
     for (Disagreement& d : result_.disagreements)
       if (d.primitive == primitive.index && d.kind != DisagreementKind::value && !d.policy_agrees)
-        d.explanation += fmt::format(" With samples {} exchanged exact draws so.", pairs);
+        d.explanation += fmt::format(" With samples {} exchanged, exact draws the same.", pairs);
   }
 
   // True if every difference from exact arises because alpha to coverage keeps invocations from

@@ -369,9 +369,8 @@ class HitComparison {
     d.exact = {static_cast<double>(writes(fragments, sample, chosen_))};
     d.rendered = {static_cast<double>(hits)};
     d.explanation = fmt::format(
-        "fragments wrote sample {}: {}; by those that the renderer tells of, it should have been "
-        "{}. "
-        "Ruling {}",
+        "fragments wrote sample {}: {}; by those that the renderer reports, it should have been "
+        "{}. Ruling {}",
         sample, hits, d.exact[0], ruling);
     if (d.rule == kAlphaRule) d.cause = cause_;
     for (const MultisampleSwitch choice : switches_beside(context_, fragments))

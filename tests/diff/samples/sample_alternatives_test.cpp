@@ -210,7 +210,7 @@ TEST(SampleAlternatives, SamplesThatAreExchangedAreNamed) {
   for (const Disagreement& d : result.disagreements) {
     if (d.kind == DisagreementKind::value) continue;
     ++reported;
-    EXPECT_NE(d.explanation.find("With samples 1 and 3 exchanged exact draws so."),
+    EXPECT_NE(d.explanation.find("With samples 1 and 3 exchanged, exact draws the same."),
               std::string::npos)
         << d.explanation;
   }
