@@ -140,7 +140,7 @@ void add_images(Json& json, const CaseResults& one, const Result& result) {
 }
 
 // Those of one side, as far as disagreements are listed.
-Json fragments_json(const std::vector<Result::ToldFragment>& fragments, const Result& result) {
+Json fragments_json(const std::vector<Result::ReportedFragment>& fragments, const Result& result) {
   const std::size_t listed = std::min(result.disagreements.size(), kMaxDisagreementsPerAnswer);
   const std::vector<const Disagreement*> disagreements = worst_first(result);
   std::set<std::pair<int, int>> pixels;

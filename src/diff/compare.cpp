@@ -42,14 +42,13 @@ Result compare_whole(const Drawing& drawing, const AlternativeSet& refuted) {
   return compare_drawing(drawing, refuted, exact_values ? Compared::coverage : Compared::all);
 }
 
-// Notes in the result whether the answer is upside down, or is evidence that those of its renderer
-// are not.
+// Notes whether the answer is upside down, or is evidence that its renderer's answers are not.
 void read_upside_down(const Drawing& drawing, Result& result) {
   const auto holds_upside_down = [&] {
     if (!is_covered_upside_down(drawing.exact, drawing.rendered)) return false;
     if (result.disagreements.empty()) return true;
     const Rendering turned = turned_over(drawing.rendered);
-    // What is refuted already is not tried again.
+    // An alternative that is refuted already is not tried again.
     return compare_whole({drawing.scene, drawing.policy, drawing.exact, turned, drawing.facts},
                          AlternativeSet::all())
         .disagreements.empty();
@@ -60,8 +59,8 @@ void read_upside_down(const Drawing& drawing, Result& result) {
     note_upside_down(result);
 }
 
-// What a renderer claims by its traits "max_texture_lod_bias" and "api". What is missing, or no
-// limit that OpenGL allows, tells nothing.
+// The limits that a renderer claims by its traits "max_texture_lod_bias" and "api". A missing
+// trait, or a limit that OpenGL does not allow, means nothing is known.
 LookupLimits lookup_limits(const std::map<std::string, std::string>& traits) {
   LookupLimits limits;
   if (const auto bias = traits.find("max_texture_lod_bias"); bias != traits.end())
@@ -85,7 +84,7 @@ Result compare(const Scene& scene, const ResolvedPolicy& policy, const Rendering
   read_upside_down(drawing, result);
   std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
-  // A run keeps its results until all are there.
+  // A run keeps all its results until the last one is there.
   result.disagreements.shrink_to_fit();
   result.pixel_counts.agree = rendered.pixels.size() / 4;
   result.pixel_counts.same = count_same_pixels(exact.pixels, rendered.pixels);
@@ -154,12 +153,12 @@ std::vector<PixelExplanation> explain_pixel(const Scene& scene, const ResolvedPo
 namespace {
 
 constexpr std::size_t kPixel = 4;  // bytes
-// Two of them lie in the first level of every cache.
+// Two blocks fit in the first level of every cache.
 constexpr std::size_t kBlock = 4096;
 
-// Pixels as words, copied so that neither side need be aligned; the copies cost nothing.
+// Compares pixels as 32-bit words, copied since neither side need be aligned; the copies are free.
 std::size_t count_words(const std::uint8_t* a, const std::uint8_t* b, std::size_t pixels) {
-  // As wide as a word: the sum of a block needs no more, and the compiler keeps lanes of one width.
+  // The sum of a block fits in 32 bits, and with one width the compiler keeps the lanes.
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < pixels; ++i) {
     std::uint32_t own = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Compare: everything that can be said of one renderer's answer to one case by itself.
+// Compare: everything that one renderer's answer to one case shows by itself.
 //
 //   match -> legality, cause, explanation per difference -> values -> Result (not judged yet)
 #pragma once
@@ -20,31 +20,31 @@
 
 namespace edgecase {
 
-// What is known of the renderer beside the rendering.
+// Facts about the renderer, apart from its rendering.
 struct RendererFacts {
   int reported_subpixel_bits = 4;
-  const ResolvedPolicy* profile = nullptr;  // what it is measured to follow; null: not known
-  SupportedSizes sizes = {};                // of points and of multisampled lines
-  LookupLimits lookups = {};                // of levels of detail
+  const ResolvedPolicy* profile = nullptr;  // the policy it is measured to follow; null: unknown
+  SupportedSizes sizes = {};                // supported sizes of points and multisampled lines
+  LookupLimits lookups = {};                // limits on levels of detail
 };
 
-// What a renderer says of itself. `profile` must outlive it.
+// Reads the facts that a renderer states. `profile` must outlive the result.
 RendererFacts facts_of(const RendererInfo& info, const ResolvedPolicy* profile);
 
 // Compares a rendering of `scene` with the exact one under `policy`. Both must have the scene's
-// size and only primitives of the scene. The verdict stays open until judge(), and pictures are
-// left to those who keep results (run/comparing.h).
+// size and only primitives of the scene. judge() decides the verdict later, and whoever keeps
+// results adds the pictures (run/comparing.h).
 Result compare(const Scene& scene, const ResolvedPolicy& policy, const Rendering& exact,
                const Rendering& rendered, const RendererFacts& facts);
 
 // The result of a scene that has no rendering.
 Result not_run(Failure failure);
 
-// The outlines of a scene's primitives and their vertices, each place marked once.
+// The outlines of a scene's primitives and their vertices; each position is marked once.
 Figure scene_figure(const Scene& scene);
 
-// Why pixel (x, y), of multisampled primitives each of its samples, is or is not drawn by each
-// primitive under a policy: a sentence each, with the rule's figure.
+// Why each primitive does or does not draw pixel (x, y) under a policy, or each of its samples if
+// the primitive is multisampled: a sentence each, with the rule's figure.
 struct PixelExplanation {
   int primitive = 0;
   int sample = -1;  // -1: the pixel
@@ -59,11 +59,11 @@ std::vector<PixelExplanation> explain_pixel(const Scene& scene, const ResolvedPo
 
 // ------------------------------------------------------------------------------------ equal pixels
 //
-// Pictures held against each other block by block: most blocks of most pictures are the same, which
-// memcmp says as fast as memory can be read, and only the others are looked at pixel by pixel.
+// Pictures are compared block by block: most blocks of most pictures are equal, which memcmp finds
+// as fast as memory can be read. Only the other blocks are compared pixel by pixel.
 
-// How many pixels of two RGBA8 pictures are the same in all four bytes; of pictures of different
-// sizes, pixels that one of them lacks differ.
+// The number of pixels that are equal in all four bytes in two RGBA8 pictures. Pixels that only one
+// of the pictures has count as different.
 std::size_t count_same_pixels(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b);
 
 }  // namespace edgecase

@@ -16,7 +16,7 @@
 #include "diff/coverage/coverage_compare.h"
 #include "diff/coverage/coverage_diff.h"
 #include "diff/coverage/legality.h"
-#include "diff/output/fate_compare.h"
+#include "diff/output/operations_compare.h"
 #include "diff/samples/sample_values.h"
 #include "diff/textures/texture_values.h"
 #include "diff/values/offset_causes.h"
@@ -30,22 +30,23 @@
 namespace edgecase {
 namespace {
 
-// What the target holds: by the last fragment of each sample, or by all that becomes of them.
+// Compares the target's planes: with the last fragment of each sample or, if the scene has fragment
+// operations, with the result of all of them.
 void compare_planes(const ValueContext& values, const Rendering& rendered, Result& result) {
   const bool multisampled = rendered.samples > 1;
-  const bool has_fates = has_fragment_operations(values.scene);
-  // A renderer that was asked for coverage alone has neither pixels nor depths.
-  if (!has_fates && !(multisampled ? rendered.sample_pixels : rendered.pixels).empty())
+  const bool has_operations = has_fragment_operations(values.scene);
+  // A renderer that was asked only for coverage sends neither pixels nor depths.
+  if (!has_operations && !(multisampled ? rendered.sample_pixels : rendered.pixels).empty())
     compare_pixels(values, rendered, result);
-  if (has_fates) compare_fates(values, rendered, result);
+  if (has_operations) compare_operations(values, rendered, result);
   if (multisampled) compare_invocations(values, rendered, result);
   if (multisampled && !rendered.pixels.empty()) compare_resolved_pixels(values, rendered, result);
-  if (has_fates) return;
+  if (has_operations) return;
   if (multisampled && !rendered.hits.empty()) compare_sample_hits(values, rendered, result);
   if (!rendered.depths.empty()) compare_depths(values, rendered, result);
 }
 
-// What fragments tell beside where they are, and what comes of it.
+// Compares the values of fragments, and what they leave in the target.
 void compare_values(const ValueContext& values, const Rendering& exact, const Rendering& rendered,
                     const RuleChoices* profile, Result& result) {
   compare_fragment_values(values, rendered, result);
@@ -56,7 +57,7 @@ void compare_values(const ValueContext& values, const Rendering& exact, const Re
   compare_planes(values, rendered, result);
 }
 
-// A disagreement on what a sample holds is shown where the sample lies.
+// Moves the mark of a disagreement about a sample to the sample's position.
 void mark_sample(Disagreement& d, const SamplePositions& positions) {
   const auto sample = static_cast<std::size_t>(d.sample);
   if (d.kind != DisagreementKind::value || d.sample < 0 || sample >= positions.size()) return;
@@ -103,14 +104,14 @@ Result compare_drawing(const Drawing& drawing, const AlternativeSet& refuted, Co
 
 namespace {
 
-// Sums up what passes say of values: an attribute's compared values over all passes, and those that
-// differ by their cause.
+// Sums up the aggregates of all passes: the number of compared values of each attribute, and its
+// differing values by cause.
 class PassValues {
  public:
   void add(const std::vector<ValueAggregate>& of_pass) {
     std::map<Attribute, Count> counts;
     for (const ValueAggregate& values : of_pass) {
-      // Several causes of one attribute tell of the same values.
+      // Several causes of one attribute share the same compared values.
       Count& count = counts[attribute_of(values)];
       count = {std::max(count.compared, values.compared),
                std::max(count.components, values.components)};
@@ -126,7 +127,7 @@ class PassValues {
   std::vector<ValueAggregate> take() {
     for (ValueAggregate& values : merged_) {
       const Count& total = counts_.at(attribute_of(values));
-      // Until now a sum.
+      // The sum becomes a mean.
       values.mean_ulp /= static_cast<double>(total.components);
       values.compared = total.compared;
       values.components = total.components;
@@ -135,7 +136,7 @@ class PassValues {
   }
 
  private:
-  using Attribute = std::pair<std::string, RuleId>;  // and its rule
+  using Attribute = std::pair<std::string, RuleId>;  // name and rule
   struct Count {
     std::uint64_t compared = 0;
     std::uint64_t components = 0;
@@ -202,7 +203,7 @@ class PassComparison {
   }
 
  private:
-  // Says which pass it belongs to, and moves its figure back.
+  // Names the pass that the disagreement belongs to, and moves its figure back.
   void attribute(std::size_t k, Disagreement& d) const {
     const Point shift = shift_of(scene_.supersampling[k]);
     d.sample = static_cast<int>(k);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What is drawn at one go, a scene that is not supersampled or a pass, compared. For compare() and
-// for the passes of a supersampled scene; see diff/compare.h for what is given.
+// Compares one drawing: a scene that is not supersampled, or one pass of a supersampled scene. Used
+// by compare(); see diff/compare.h for the arguments.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace edgecase {
 
-// All must outlive it.
+// Everything referred to must outlive it.
 struct Drawing {
   const Scene& scene;
   const ResolvedPolicy& policy;
@@ -19,25 +19,24 @@ struct Drawing {
   const RendererFacts& facts;
 };
 
-// Coverage alone where it is known of all values that they are correct (has_exact_values).
+// `coverage`: only coverage, for answers whose values are known to be correct (has_exact_values).
 enum class Compared { all, coverage };
 
-// Disagreements are not sorted, and values tell of attributes, too, of which nothing differs.
-// `refuted`: which alternatives are refuted already, as Result::refuted. They stay so, and are not
-// tried again.
+// Disagreements are unsorted, and `values` includes attributes without a difference. `refuted`:
+// alternatives that are refuted already (Result::refuted); they stay so and are not tried again.
 Result compare_drawing(const Drawing& drawing, const AlternativeSet& refuted,
                        Compared compared = Compared::all);
 
-// As compare_drawing, of a supersampled scene: each pass as a scene of its own, then the image of
-// all of them against the renderer's own passes. A Result over all passes. Disagreements and
-// evidence tell which pass they belong to, and figures are moved back from it, so that they lie
-// upon the scene's own. Values are counted over all passes.
+// Like compare_drawing, for a supersampled scene: compares each pass as a scene of its own, then
+// the image of all passes with the renderer's own passes. Disagreements and evidence name their
+// pass, and their figures are moved back by its shift to fit the scene's own figure. Values are
+// counted over all passes.
 Result compare_passes(const Drawing& drawing, const AlternativeSet& refuted);
 
-// The image of a supersampled scene (ruling 36): each number of it is the weighted mean of what the
-// renderer's own passes show, and each pixel that number in 8 bits (ruling 10). A renderer that
-// draws all passes rightly and accumulates them wrongly is caught here, and one whose passes are
-// wrong is not blamed a second time. Appends disagreements and aggregates to `result`.
+// Compares the image of a supersampled scene (ruling 36): each number must be the weighted mean of
+// what the renderer's own passes show, and each pixel that number in 8 bits (ruling 10). This
+// catches a renderer that draws all passes correctly and accumulates them wrongly, and does not
+// blame one whose passes are wrong a second time. Appends disagreements and aggregates to `result`.
 void compare_accumulated(const Drawing& drawing, Result& result);
 
 }  // namespace edgecase

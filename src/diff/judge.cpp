@@ -29,7 +29,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// The snap under which most cases are legal; the first in catalogue order of those that tie.
+// The snap under which most cases are legal; of several, the first in catalogue order.
 std::string choose_line_reading(std::span<Result* const> results) {
   std::string best;
   std::ptrdiff_t most = -1;
@@ -47,7 +47,7 @@ std::string choose_line_reading(std::span<Result* const> results) {
 
 using Counts = std::map<AlternativeId, std::ptrdiff_t>;
 
-// RunReading::alternatives and RunReading::refuted. A primitive of several passes counts once.
+// Fills RunReading::alternatives and refuted. A primitive of several passes counts once.
 void read_alternatives(std::span<Result* const> results, RunReading& reading) {
   Counts& counts = reading.alternatives;
   for (const Result* result : results) {
@@ -63,18 +63,18 @@ void read_alternatives(std::span<Result* const> results, RunReading& reading) {
   }
 }
 
-// Of an alternative that a run does not know, nothing speaks for or against it.
+// An alternative that the run does not mention counts 0.
 std::ptrdiff_t count_of(const Counts& counts, AlternativeId alternative) {
   const auto found = counts.find(alternative);
   return found == counts.end() ? 0 : found->second;
 }
 
-// Is it what the evidence is about?
+// True if the evidence is about the same primitive and pass as the disagreement.
 bool is_of(const Disagreement& d, const Result::Evidence& evidence) {
   return d.primitive == evidence.primitive && (evidence.pass < 0 || d.sample == evidence.pass);
 }
 
-// Is what was drawn of a primitive inside the specification, lines read as they are?
+// True if the drawn primitive is legal, with lines read under `reading`.
 bool is_legal(const Result& result, const Result::Evidence& evidence, const std::string& reading) {
   return std::all_of(
       result.disagreements.begin(), result.disagreements.end(), [&](const Disagreement& d) {
@@ -84,7 +84,7 @@ bool is_legal(const Result& result, const Result::Evidence& evidence, const std:
       });
 }
 
-// Does the run speak for each of these alternatives more often than against it?
+// True if more of the run speaks for each of these alternatives than against it.
 bool is_followed(const Cause& cause, const Counts& counts) {
   return std::ranges::all_of(cause.parts,
                              [&](AlternativeId part) { return count_of(counts, part) > 0; });
@@ -97,15 +97,15 @@ double support_of(const Cause& cause, const Counts& counts) {
   return static_cast<double>(sum) / static_cast<double>(cause.size());
 }
 
-// Does some case of the run that agrees refute one of these?
+// True if an agreeing case of the run refutes one of these alternatives.
 bool is_refuted(const Cause& cause, const RunReading& reading) {
   return std::ranges::any_of(cause.parts,
                              [&](AlternativeId part) { return reading.refuted.contains(part); });
 }
 
-// The most support that a fault has among the candidates, none of whose alternatives any case of
-// the run refutes. A renderer that has such a fault draws by chance, now and then, what an open
-// choice draws; elsewhere in the run that choice is refuted.
+// The largest support among faults of the candidates that no case of the run refutes. A renderer
+// with such a fault sometimes draws, by chance, what an open choice draws; elsewhere in the run
+// that choice is refuted.
 double most_support_of_a_fault(const Result::Evidence& evidence, const RunReading& reading) {
   double most = 0;
   for (const Cause& cause : evidence.causes)
@@ -114,11 +114,11 @@ double most_support_of_a_fault(const Result::Evidence& evidence, const RunReadin
   return most;
 }
 
-// The candidate whose alternatives explain most of the run, on average; the first of those that
-// tie. Of what is legal, one that the specification leaves open comes before one that it does not;
-// if it is not among the smallest, it must be what the renderer does elsewhere, and if the run
-// refutes it, no fault that the run does not refute may explain more. What is illegal, a hole in a
-// shared edge say, speaks for neither.
+// The candidate whose alternatives explain most of the run, on average; of several, the first. For
+// a legal drawing, an alternative that the specification leaves open comes before one that it does
+// not. If it is not among the smallest candidates, the renderer must follow it elsewhere; if the
+// run refutes it, no unrefuted fault may explain more. Illegal drawings, such as a hole in a shared
+// edge, are evidence for neither.
 Cause choose_cause(const Result::Evidence& evidence, bool legal, const RunReading& reading) {
   const Counts& counts = reading.alternatives;
   const Cause* best = nullptr;
@@ -146,20 +146,20 @@ void judge_primitive(const Result::Evidence& evidence, const std::string& readin
     d.cause = cause;
     if (!is_about_a_line(d)) continue;
     d.legality = by_letter(!contains(evidence.illegal_line_snaps, reading));
-    // An illegal gap is judged as compare() did; it may have been legal among other results.
+    // An illegal gap keeps the verdict of compare(); with other results it may have been legal.
     if (cause == Cause(kInteriorGap))
       d.ruling = is_legal(d) ? 3 : d.rule == RuleId::line_joint ? 14 : 1;
   }
 }
 
-// Alternatives of sample.enable that ignore it for points and triangles: what follows from that is
-// the same.
+// Alternatives of sample.enable that ignore the switch for points and triangles have the same
+// consequences.
 constexpr MultisampleSwitch kIgnored[] = {MultisampleSwitch::ignored,
                                           MultisampleSwitch::ignored_but_for_lines,
                                           MultisampleSwitch::ignored_but_whole_lines};
 
-// What follows from ignoring GL_MULTISAMPLE is told with the alternative that explains most of what
-// the run covers.
+// Consequences of ignoring GL_MULTISAMPLE get the alternative that explains most of the coverage in
+// the run as their cause.
 void name_switch(const Counts& counts, Result& result) {
   std::vector<AlternativeId> ignored;
   std::optional<AlternativeId> most;
@@ -175,8 +175,9 @@ void name_switch(const Counts& counts, Result& result) {
         if (std::ranges::find(ignored, part) != ignored.end()) part = *most;
 }
 
-// Of what the letter of a ruling forbids, the basis of the ruling says whether it is contested.
-// Nothing else knows which rulings are. Judged again, it is what the ruling makes of it now.
+// For a difference that the letter of a ruling forbids, the basis of the ruling decides whether it
+// is contested. This is the only place that knows. Judging again applies the rulings as they are
+// now.
 void weigh_rulings(Result& result) {
   for (Disagreement& d : result.disagreements)
     if (!is_legal(d)) d.legality = legality_against(d.ruling);
@@ -193,10 +194,10 @@ Verdict verdict_of(const Result& result, Latitude latitude) {
 }
 
 // FNV-1a, 64 bits, of rule, kind and set of pixels or samples. Values inside the permitted interval
-// count by rule only, and beside what the letter forbids not at all: which of them are off by an
-// ULP may change with the processor. Whether the whole answer is upside down is left to the run:
-// rules are those that the case alone tells. Without a rendering, the kind of failure stands in its
-// place.
+// count by rule only, and not at all beside a difference that the letter forbids, since which of
+// them are off by an ULP may depend on the processor. The run decides whether the whole answer is
+// upside down, so the fingerprint has the rules that the case alone gives. Without a rendering it
+// has the kind of failure.
 std::string fingerprint_of(const Result& result) {
   if (result.failure) return name_of(result.failure->kind);
   std::set<std::string> lines;
@@ -227,7 +228,7 @@ RunReading read_run(std::span<Result* const> results) {
 void judge(std::span<Result* const> results, Latitude latitude, const RunReading& reading) {
   const Counts& counts = reading.alternatives;
   for (Result* result : results) {
-    tell_upright(*result);
+    report_upright(*result);
     if (!result->failure)
       for (const Result::Evidence& evidence : result->evidence) {
         const bool legal = is_legal(*result, evidence, reading.line_snap);
@@ -236,7 +237,7 @@ void judge(std::span<Result* const> results, Latitude latitude, const RunReading
       }
     name_switch(counts, *result);
     if (is_noted_upside_down(*result) && count_of(counts, {kWindowOrigin}) > 0)
-      tell_upside_down(*result);
+      report_upside_down(*result);
     weigh_rulings(*result);
     result->verdict = verdict_of(*result, latitude);
     count_pixels(*result, latitude);
@@ -264,7 +265,7 @@ bool is_same_pixel(const JudgedPixel& a, const JudgedPixel& b) {
   return a.x == b.x && a.y == b.y;
 }
 
-// Each pixel at which something differs, with the worst of it.
+// Every pixel that differs, with its worst legality.
 std::vector<JudgedPixel> judged_pixels(const Result& result, Latitude latitude) {
   std::vector<JudgedPixel> pixels;
   for (const Disagreement& d : result.disagreements)
@@ -274,7 +275,7 @@ std::vector<JudgedPixel> judged_pixels(const Result& result, Latitude latitude) 
     for (const ValueAggregate::Place& place : values.differing)
       pixels.push_back({place.x, place.y, verdict});
   }
-  // The worst of a pixel first, which is the one that stays.
+  // The worst disagreement of a pixel comes first, and is the one that is kept.
   std::sort(pixels.begin(), pixels.end(), [](const JudgedPixel& a, const JudgedPixel& b) {
     return std::tie(a.y, a.x, b.verdict) < std::tie(b.y, b.x, a.verdict);
   });

@@ -2,17 +2,16 @@
 //
 // Judge: from compared results to verdicts, over all results of one renderer on one surface.
 //
-// Two things can only be said of a whole run. Lines are read with one catalogued snap, the same for
-// all of them: the first of those under which most cases are legal (ruling 1). And of several
-// causes that reproduce a primitive equally well, the one whose alternatives explain most
-// primitives of the run, and are refuted by fewest cases, is the likeliest: it is what the renderer
-// does everywhere. Where what was drawn is legal, one that the specification leaves open comes
-// before one that it does not, unless the run refutes it and no case refutes a fault that explains
-// more. Judging is a function of the results alone, so judging merged shards gives what judging the
-// whole run gives.
+// Two decisions need the whole run. Lines are read with one catalogued snap for all of them: the
+// first of those under which most cases are legal (ruling 1). And if several causes reproduce a
+// primitive equally well, the likeliest is the one whose alternatives explain most primitives of
+// the run and are refuted by fewest cases. For a legal drawing, an alternative that the
+// specification leaves open comes before one that it does not, unless the run refutes it and no
+// case refutes a fault that explains more. Judging is a function of the results alone, so merged
+// shards are judged like the whole run.
 //
-// Both make a RunReading. Whoever has a run may read it once, and then judge any result, one of the
-// run or a new one, as the run as a whole reads it.
+// Both decisions form a RunReading. A run can be read once and its reading used to judge any
+// result, whether it is one of the run or new.
 #pragma once
 
 #include <cstddef>
@@ -25,36 +24,36 @@
 
 namespace edgecase {
 
-// What a run says of each of its results.
+// The findings of a run, by which each of its results is judged.
 struct RunReading {
   std::string line_snap = "none";  // the catalogued snap with which lines are read
   // How many primitives of the run an alternative helps to reproduce, alone or with another, less
-  // the cases that refute it. One that is not there counts 0.
+  // the number of cases that refute it. A missing alternative counts 0.
   std::map<AlternativeId, std::ptrdiff_t> alternatives;
-  AlternativeSet refuted;  // those that some case refutes
+  AlternativeSet refuted;  // alternatives that some case refutes
 };
 
-// The reading of all results of one renderer on one surface, which compare() made; those without a
-// rendering say nothing. Judged results have the reading that they had before.
+// Reads all results of one renderer on one surface, which compare() has made. Results without a
+// rendering add nothing. Results that are judged already give the same reading.
 RunReading read_run(std::span<Result* const> results);
 
 // Fills legality (of lines, and by the basis of rulings), cause, ruling, verdict and fingerprint of
-// every result that ran, under the reading of a run that they need not be part of. Judging twice
+// every result that ran, under the reading of a run that they need not belong to. Judging twice
 // changes nothing.
 void judge(std::span<Result* const> results, Latitude latitude, const RunReading& reading);
 
-// The same under their own reading. Returns the name of the snap with which lines were read.
+// Judges results under their own reading. Returns the name of the snap with which lines were read.
 std::string judge(std::span<Result* const> results, Latitude latitude);
 
 // ------------------------------------------------------------------------------- verdicts of parts
 //
-// Verdicts below those of a whole case: of one difference, and of each pixel.
+// Verdicts on parts of a case: one difference, or each pixel.
 
-// Causes and legality have been decided. Never agree: something differs.
+// Cause and legality must have been decided. Never `agree`, since something differs.
 Verdict verdict_of(const Disagreement& disagreement, Latitude latitude);
 Verdict verdict_of(const ValueAggregate& values, Latitude latitude);
 
-// Says of the pixels that are counted how they fare: compare() has all of them agree. `same` stays.
+// Sorts the counted pixels by verdict; compare() counts all as agreeing. `same` is unchanged.
 void count_pixels(Result& result, Latitude latitude);
 
 }  // namespace edgecase

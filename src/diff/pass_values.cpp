@@ -28,13 +28,14 @@ constexpr int kRuling = 36;
 constexpr RuleId kBytesRule = RuleId::framebuffer_unorm8;
 constexpr int kBytesRuling = 10;
 
-bool tells_all_colors(std::span<const Rendering> passes) {
+bool reports_all_colors(std::span<const Rendering> passes) {
   return std::ranges::all_of(passes, [](const Rendering& pass) {
     return std::ranges::all_of(pass.fragments, &Fragment::has_color);
   });
 }
 
-// The renderer's passes, with each colour that it does not tell at one end of what it may be.
+// The renderer's passes, with each colour that it does not report at one end of its permitted
+// range.
 std::vector<Rendering> with_colors(const Drawing& drawing, double Interval::*end) {
   const auto& [scene, policy, exact, rendered, facts] = drawing;
   const RuleChoices& choices = policy.on(scene.target.surface);
@@ -59,9 +60,9 @@ class AccumulationComparison {
       : scene_(drawing.scene),
         rendered_(drawing.rendered),
         chosen_(drawing.policy.on(scene_.target.surface).samples.accumulation),
-        is_told_(tells_all_colors(rendered_.passes)),
+        are_colors_reported_(reports_all_colors(rendered_.passes)),
         result_(result) {
-    if (is_told_) {
+    if (are_colors_reported_) {
       permitted_ = permitted_image(rendered_.passes, chosen_);
       expected_ = accumulated_image(scene_, rendered_.passes, chosen_);
       return;
@@ -75,7 +76,7 @@ class AccumulationComparison {
   }
 
   void run() {
-    const Cause cause = is_told_ ? find_cause() : Cause();
+    const Cause cause = are_colors_reported_ ? find_cause() : Cause();
     ValueAggregator means("accumulated color", kRule, kRuling, cause);
     ValueAggregator bytes("accumulated pixel", kBytesRule, kBytesRuling);
     for (int y = 0; y < rendered_.height; ++y) {
@@ -102,22 +103,23 @@ class AccumulationComparison {
     return image;
   }
 
-  // Is a number as a choice has it? To the bit where ruling 36 allows the choice, in double or in
-  // single precision; else as near as the ruling would allow.
+  // True if a number follows a choice: to the bit where ruling 36 allows the choice, in double or
+  // in single precision; otherwise to within what the ruling would allow.
   bool is_as(std::size_t i, std::span<const double> shown, Accumulation choice) const {
-    const double told = rendered_.accumulated[i];
+    const double reported = rendered_.accumulated[i];
     const Alternative& alternative = *find_alternative(rule_of(kRule), name_of(choice));
     if (alternative.openness == Openness::illegal)
-      return accumulation_permitted(shown, scene_.supersampling, choice).contains(told);
-    return is_nearest(told, accumulated(shown, scene_.supersampling, choice));
+      return accumulation_permitted(shown, scene_.supersampling, choice).contains(reported);
+    return is_nearest(reported, accumulated(shown, scene_.supersampling, choice));
   }
 
-  static bool is_nearest(double told, double expected) {
-    if (std::isnan(expected)) return std::isnan(told);
-    return told == expected || told == to_float(expected);
+  static bool is_nearest(double reported, double expected) {
+    if (std::isnan(expected)) return std::isnan(reported);
+    return reported == expected || reported == to_float(expected);
   }
 
-  // The first alternative that yields the whole image; none: none does, or the chosen one.
+  // The first alternative that yields the whole image; none if no alternative does, or the chosen
+  // one.
   Cause find_cause() const {
     std::vector<Accumulation> left(values_of<Accumulation>().begin(),
                                    values_of<Accumulation>().end());
@@ -138,7 +140,7 @@ class AccumulationComparison {
     return true;
   }
 
-  // Something that is no number is contained in no interval.
+  // NaN lies in no interval.
   static bool holds_anything(const Interval& permitted) {
     return std::isinf(permitted.low) && std::isinf(permitted.high);
   }
@@ -150,20 +152,20 @@ class AccumulationComparison {
       report_mean(pixel, cause);
       return;
     }
-    if (!is_told_) return;
+    if (!are_colors_reported_) return;
     bool differs = false;
     for (std::size_t c = 0; c < 4; ++c) {
-      const double told = rendered_.accumulated[first + c];
+      const double reported = rendered_.accumulated[first + c];
       const double expected = expected_[first + c];
-      if (is_nearest(told, expected)) continue;
+      if (is_nearest(reported, expected)) continue;
       differs = true;
-      aggregator.add_error({pixel.x, pixel.y, -1},
-                           {static_cast<int>(c), expected, told, error_in_ulp(expected, told), 1});
+      aggregator.add_error({pixel.x, pixel.y, -1}, {static_cast<int>(c), expected, reported,
+                                                    error_in_ulp(expected, reported), 1});
     }
     if (differs) aggregator.add_place({pixel.x, pixel.y, -1});
   }
 
-  std::span<const double> told_at(std::size_t first) const {
+  std::span<const double> reported_at(std::size_t first) const {
     return std::span(rendered_.accumulated).subspan(first, 4);
   }
 
@@ -171,11 +173,11 @@ class AccumulationComparison {
     const std::size_t first = first_of(pixel);
     Disagreement d = value_disagreement(pixel, -1, kRule, kRuling);
     d.cause = cause;
-    const auto told = told_at(first);
+    const auto reported = reported_at(first);
     std::string ranges;
     for (std::size_t c = 0; c < 4; ++c) {
       d.exact.push_back(expected_[first + c]);
-      d.rendered.push_back(told[c]);
+      d.rendered.push_back(reported[c]);
       ranges += fmt::format("{}{:.9g} to {:.9g}", c == 0 ? "" : ", ", permitted_[first + c].low,
                             permitted_[first + c].high);
     }
@@ -196,18 +198,18 @@ class AccumulationComparison {
     aggregator.count_compared(4);
     bool differs = false;
     for (std::size_t c = 0; c < 4; ++c) {
-      const double told = rendered_.accumulated[first + c];
+      const double reported = rendered_.accumulated[first + c];
       const std::uint8_t stored = rendered_.pixels[first + c];
-      const Unorm8Range range = bytes_of(told);
+      const Unorm8Range range = bytes_of(reported);
       if (stored < range.low || stored > range.high) {
         report_bytes(pixel);
         return;
       }
-      if (std::isnan(told) || stored == to_unorm8(told)) continue;
+      if (std::isnan(reported) || stored == to_unorm8(reported)) continue;
       differs = true;
       aggregator.add_error({pixel.x, pixel.y, -1},
-                           {static_cast<int>(c), told * 255, static_cast<double>(stored),
-                            std::fabs(stored - told * 255), 255});
+                           {static_cast<int>(c), reported * 255, static_cast<double>(stored),
+                            std::fabs(stored - reported * 255), 255});
     }
     if (differs) aggregator.add_place({pixel.x, pixel.y, -1});
   }
@@ -222,15 +224,15 @@ class AccumulationComparison {
     d.explanation = fmt::format(
         "the pixel should hold ({}), the renderer's own accumulated colour ({:.9g}) in 8 bits; it "
         "holds ({})",
-        fmt::join(d.exact, ", "), fmt::join(told_at(first), ", "), fmt::join(d.rendered, ", "));
+        fmt::join(d.exact, ", "), fmt::join(reported_at(first), ", "), fmt::join(d.rendered, ", "));
     result_.disagreements.push_back(std::move(d));
   }
 
   const Scene& scene_;
   const Rendering& rendered_;
   const Accumulation chosen_;
-  const bool is_told_;  // all colours of fragments
-  // By component of each pixel. Expected: under the choice; where colours are not told, the middle.
+  const bool are_colors_reported_;  // all colours of fragments are reported
+  // By component of each pixel. Expected: under the choice; for colours not reported, the middle.
   std::vector<Interval> permitted_;
   std::vector<double> expected_;
   Result& result_;

@@ -17,7 +17,7 @@ std::size_t count_fragments(const Rendering& rendering) {
   return count;
 }
 
-// By pixel: does something differ there?
+// By pixel: true if something differs there.
 std::vector<bool> disputed_pixels(const Rendering& exact, const Result& result) {
   std::vector<bool> disputed(static_cast<std::size_t>(exact.width) *
                              static_cast<std::size_t>(exact.height));
@@ -28,26 +28,26 @@ std::vector<bool> disputed_pixels(const Rendering& exact, const Result& result) 
   return disputed;
 }
 
-std::vector<Result::ToldFragment> fragments_at(const std::vector<bool>& pixels,
-                                               const Rendering& rendering) {
-  std::vector<Result::ToldFragment> told;
+std::vector<Result::ReportedFragment> fragments_at(const std::vector<bool>& pixels,
+                                                   const Rendering& rendering) {
+  std::vector<Result::ReportedFragment> reported;
   const auto add = [&](const Rendering& one, int pass) {
     for (const Fragment& fragment : one.fragments) {
       if (!pixels[rendering.pixel_index(fragment.x, fragment.y)]) continue;
-      told.push_back({fragment, pass});
-      told.back().fragment.detail = -1;
+      reported.push_back({fragment, pass});
+      reported.back().fragment.detail = -1;
     }
   };
   add(rendering, -1);
   for (std::size_t i = 0; i < rendering.passes.size(); ++i)
     add(rendering.passes[i], static_cast<int>(i));
-  told.shrink_to_fit();
-  return told;
+  reported.shrink_to_fit();
+  return reported;
 }
 
 }  // namespace
 
-void tell_fragments(const Rendering& exact, const Rendering& rendered, Result& result) {
+void report_fragments(const Rendering& exact, const Rendering& rendered, Result& result) {
   if (result.disagreements.empty() && result.values.empty()) return;
   std::vector<bool> pixels = disputed_pixels(exact, result);
   if (count_fragments(exact) + count_fragments(rendered) <= kMostOfSmall)
@@ -65,10 +65,10 @@ std::vector<Result::LevelPoint> level_ramp(const Scene& scene, const ResolvedPol
   ValueContext context(scene, primitives, choices, latitude_bits(facts.reported_subpixel_bits),
                        policy.latitude());
   context.follow_limits(facts.lookups);
-  const Rendering not_drawn;  // a row is soon looked up
+  const Rendering not_drawn;  // empty: looking up one row is cheap
   TextureLookups lookups(context, not_drawn, rendered);
   std::vector<Result::LevelPoint> ramp;
-  // Fragments come row by row.
+  // Fragments are sorted by row.
   for (const Fragment& f : rendered.fragments) {
     if (!ramp.empty() && f.y != ramp.front().y) break;
     if (!context.primitive_of(f).state->texture) continue;

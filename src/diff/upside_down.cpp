@@ -24,7 +24,7 @@ const std::string& sentence() {
   return text;
 }
 
-// Reverses the rows of each plane; `row` is how many numbers one holds.
+// Reverses the rows of each plane; `row` is the count of numbers in a row.
 template <class Number>
 void turn_rows_over(std::vector<Number>& planes, std::size_t row, std::size_t height) {
   for (std::size_t plane = 0; plane + row * height <= planes.size(); plane += row * height)
@@ -42,7 +42,7 @@ auto place_within_row(const Fragment& f) {
 
 bool drawing_is_covered_upside_down(const Rendering& exact, const Rendering& rendered) {
   if (exact.fragments.size() != rendered.fragments.size()) return false;
-  // Both are sorted by rows first: one is walked from the lowest, the other from the highest.
+  // Both are sorted by row: one is read from the lowest row, the other from the highest.
   auto row_end = rendered.fragments.end();
   for (auto own = exact.fragments.begin(); own != exact.fragments.end();) {
     if (row_end == rendered.fragments.begin()) return false;
@@ -106,10 +106,10 @@ bool is_noted_upside_down(const Result& result) {
                      [](const Result::Evidence& e) { return e.primitive == kWholeAnswer; });
 }
 
-void tell_upside_down(Result& result) {
+void report_upside_down(Result& result) {
   for (Disagreement& d : result.disagreements) {
     if (d.upright) continue;
-    d.upright = Disagreement::Told{d.rule, d.ruling, d.legality, d.cause};
+    d.upright = Disagreement::Upright{d.rule, d.ruling, d.legality, d.cause};
     d.rule = kWindowOrigin;
     d.cause = AlternativeId{kWindowOrigin};
     d.ruling = kRulingOnOrigin;
@@ -118,7 +118,7 @@ void tell_upside_down(Result& result) {
   }
 }
 
-void tell_upright(Result& result) {
+void report_upright(Result& result) {
   for (Disagreement& d : result.disagreements) {
     if (!d.upright) continue;
     d.rule = d.upright->rule;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Answers that are right but for their rows, which stand in the opposite order: rule window.origin.
+// Answers that are right except that their rows are in the opposite order: rule window.origin.
 //
-// One answer alone cannot tell such a renderer from others. A scene may look the same upside down;
-// ties may be decided the other way up, which is open; and a sample drawn one row off the middle of
-// the target is mirrored there, too. So compare() notes what an answer by itself says, and judge()
-// decides by what most of the run says, as it does of every other cause.
+// One answer alone cannot identify such a renderer. A scene may look the same upside down; ties may
+// be decided the other way up, which the specification leaves open; and a sample drawn one row off
+// the middle of the target is mirrored there, too. So compare() notes the evidence of each answer,
+// and judge() decides by the majority of the run, as for every other cause.
 #pragma once
 
 #include "diff/drawing_compare.h"
@@ -14,26 +14,27 @@
 
 namespace edgecase {
 
-// The primitive of the evidence that an answer is upside down: none, since it is about all of them.
+// The primitive in evidence that an answer is upside down: no single one.
 inline constexpr int kWholeAnswer = -1;
 
-// The same answer with its rows in the opposite order; samples keep their places within pixels.
+// The answer with its rows in the opposite order; samples keep their places within pixels.
 Rendering turned_over(Rendering rendering);
 
-// Do the fragments of one rendering lie where those of the other lie upside down? Both have one
-// size, and fragments in order.
+// True if the fragments of one rendering lie where those of the other lie upside down. Both must
+// have the same size and sorted fragments.
 bool is_covered_upside_down(const Rendering& exact, const Rendering& rendered);
 
-// Whether every snap makes something of a compared answer illegal, or something is in any case.
+// True if something in a compared answer is illegal under every snap, or whatever the snap.
 bool breaks_a_ruling(const Result& result);
 
-// Notes that the compared answer is upside down: as evidence about kWholeAnswer, whose cause is
-// window.origin. If the answer is legal as it stands, it has none: it does not speak for the cause.
+// Notes that the compared answer is upside down, as evidence about kWholeAnswer with the cause
+// window.origin. An answer that is legal as it stands gets no cause, since it does not speak for
+// this one.
 void note_upside_down(Result& result);
 bool is_noted_upside_down(const Result& result);
 
-// Says of all that disagrees that it breaks window.origin, or what it breaks without that.
-void tell_upside_down(Result& result);
-void tell_upright(Result& result);
+// Reports every disagreement as breaking window.origin, or undoes that.
+void report_upside_down(Result& result);
+void report_upright(Result& result);
 
 }  // namespace edgecase

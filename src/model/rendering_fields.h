@@ -47,12 +47,12 @@ inline constexpr auto kFields<FragmentDetail> = std::tuple{
 
 // Does the fragment tell it? Of derivatives: any of them.
 template <class Numbers>
-bool is_told(const std::optional<Numbers>& numbers) {
+bool is_reported(const std::optional<Numbers>& numbers) {
   return numbers.has_value();
 }
 template <class Numbers, std::size_t N>
-bool is_told(const std::array<std::optional<Numbers>, N>& parts) {
-  return std::ranges::any_of(parts, is_told<Numbers>);
+bool is_reported(const std::array<std::optional<Numbers>, N>& parts) {
+  return std::ranges::any_of(parts, is_reported<Numbers>);
 }
 
 }  // namespace edgecase

@@ -80,7 +80,7 @@ struct Result {
   };
 
   // A fragment of one side, without its details.
-  struct ToldFragment {
+  struct ReportedFragment {
     Fragment fragment;
     int pass = -1;  // index, where the scene is supersampled; else -1
   };
@@ -98,8 +98,8 @@ struct Result {
   // fragments of textured draws tell.
   std::vector<LevelPoint> ramp;
   // What either side makes where they differ (diff/shown.h); empty where nothing does.
-  std::vector<ToldFragment> exact_fragments;
-  std::vector<ToldFragment> rendered_fragments;
+  std::vector<ReportedFragment> exact_fragments;
+  std::vector<ReportedFragment> rendered_fragments;
   Shared<PackedWords> pixels;  // RGBA8, bottom row first; empty when not run, or not kept
   PixelCounts pixel_counts;
   // The same of exact, where it is another than the case's: with samples where this renderer says

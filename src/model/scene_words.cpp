@@ -48,23 +48,23 @@ std::string separate_words(const Draw& draw) {
   const PrimitiveKind kind = kind_of(draw.primitive);
   const auto each = static_cast<std::size_t>(vertices_of(kind));
   const std::size_t count = draw.vertices.size() / each;
-  const std::size_t told = count <= kMostPrimitives ? count : 1;
+  const std::size_t shown = count <= kMostPrimitives ? count : 1;
   const std::string_view separator = kind == PrimitiveKind::line ? " to " : ", ";
   std::string text;
-  for (std::size_t i = 0; i < told; ++i) {
+  for (std::size_t i = 0; i < shown; ++i) {
     if (i != 0) text += " and ";
     text += std::string(name_of(kind)) + " ";
     text += list_vertices(draw, i * each, (i + 1) * each, separator);
   }
-  if (told == count) return text;
+  if (shown == count) return text;
   return std::to_string(count) + " " + name_of(draw.primitive) + ", the first " + text;
 }
 
 std::string connected_words(const Draw& draw) {
   const std::size_t count = draw.vertices.size();
-  const std::size_t told = std::min(count, kMostVertices);
-  std::string text = in_words(name_of(draw.primitive)) + " " + list_vertices(draw, 0, told, ", ");
-  if (told != count) text += " and " + std::to_string(count - told) + " more";
+  const std::size_t shown = std::min(count, kMostVertices);
+  std::string text = in_words(name_of(draw.primitive)) + " " + list_vertices(draw, 0, shown, ", ");
+  if (shown != count) text += " and " + std::to_string(count - shown) + " more";
   return text;
 }
 

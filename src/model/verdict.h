@@ -61,13 +61,13 @@ struct Disagreement {
   bool policy_agrees = false;  // the policy draws it too: held against the specification alone
   // Set where the whole answer is told to be upside down (rule window.origin): what is told of this
   // sample without that.
-  struct Told {
+  struct Upright {
     RuleId rule = RuleId::none;
     int ruling = 0;
     Legality legality = Legality::illegal;
     Cause cause;
   };
-  std::optional<Told> upright;
+  std::optional<Upright> upright;
   std::vector<double> exact;  // hits (missing, extra, duplicate) or components (value)
   std::vector<double> rendered;
   std::string explanation;  // a sentence with numbers

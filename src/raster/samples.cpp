@@ -50,12 +50,12 @@ class MultisampledPrimitive {
         use_(primitive.state->multisampling),
         sampling_(sampling_of(primitive, target, choices.of(primitive.kind))),
         attributes_(attributes_of(primitive, choices, target)),
-        told_(attributes_),
+        shaded_(attributes_),
         stage_(rendering, target, choices.output),
         front_facing_(is_front_facing(primitive, target, choices.of(primitive.kind))) {
     use_.enabled = sampling_ == Unsampled::by_each_sample;
     if (fragment_depth_is_zero(primitive.state->multisampling, locations()))
-      told_.depth.values.fill(0);
+      shaded_.depth.values.fill(0);
   }
 
   void draw(PixelPosition pixel, std::uint32_t mask) {
@@ -115,11 +115,11 @@ class MultisampledPrimitive {
 
   // Tells the fragment.
   const Fragment& shaded(PixelPosition pixel, std::uint32_t coverage, const ShadingPlaces& places) {
-    Fragment fragment = shade(primitive_, told_, pixel, places);
+    Fragment fragment = shade(primitive_, shaded_, pixel, places);
     fragment.coverage = coverage;
     if (details_.coordinates) {
       fragment.detail = static_cast<int>(rendering_.details.size());
-      rendering_.details.emplace_back().coordinates = coordinates_at(told_, places);
+      rendering_.details.emplace_back().coordinates = coordinates_at(shaded_, places);
     }
     return rendering_.fragments.emplace_back(fragment);
   }
@@ -142,7 +142,7 @@ class MultisampledPrimitive {
   Multisampling use_;
   Unsampled sampling_;
   PrimitiveAttributes attributes_;
-  PrimitiveAttributes told_;  // to the shader
+  PrimitiveAttributes shaded_;  // to the shader
   FragmentStage stage_;
   bool front_facing_;
 };

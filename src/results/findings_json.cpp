@@ -12,7 +12,7 @@ void write_point(JsonWriter& json, const std::pair<double, double>& point) {
   json.array(point.first, point.second);
 }
 
-void write_told(JsonWriter& json, const Disagreement::Told& told) {
+void write_told(JsonWriter& json, const Disagreement::Upright& told) {
   json.object([&] {
     json.member("rule", name_of(told.rule));
     json.member("ruling", told.ruling);
@@ -64,7 +64,7 @@ void write_evidence(JsonWriter& json, const Result::Evidence& evidence) {
   });
 }
 
-void write_fragment(JsonWriter& json, const Result::ToldFragment& told) {
+void write_fragment(JsonWriter& json, const Result::ReportedFragment& told) {
   const Fragment& f = told.fragment;
   json.list([&] {
     for (const int place : {f.x, f.y, f.primitive}) json.value(place);

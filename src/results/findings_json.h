@@ -13,7 +13,7 @@ void write_disagreement(JsonWriter& json, const Disagreement& disagreement);
 void write_evidence(JsonWriter& json, const Result::Evidence& evidence);
 
 // [x, y, primitive, coverage, depth, [red, green, blue, alpha], pass].
-void write_fragment(JsonWriter& json, const Result::ToldFragment& told);
+void write_fragment(JsonWriter& json, const Result::ReportedFragment& told);
 
 // [x, y, exact, low, high, rendered].
 void write_level(JsonWriter& json, const Result::LevelPoint& point);

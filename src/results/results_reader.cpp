@@ -115,9 +115,9 @@ Disagreement to_disagreement(const Json& json) {
   if (json.contains("upright")) {
     const Json& upright = json.at("upright");
     d.upright =
-        Disagreement::Told{to_rule(upright.at("rule")), upright.at("ruling"),
-                           to_enum(upright.at("legality"), Legality::legal, Legality::illegal),
-                           to_cause(upright.at("cause"))};
+        Disagreement::Upright{to_rule(upright.at("rule")), upright.at("ruling"),
+                              to_enum(upright.at("legality"), Legality::legal, Legality::illegal),
+                              to_cause(upright.at("cause"))};
   }
   d.exact = to_list<double>(json.at("exact"), to_number);
   d.rendered = to_list<double>(json.at("rendered"), to_number);
@@ -161,8 +161,8 @@ Result::Evidence to_evidence(const Json& json) {
   return evidence;
 }
 
-Result::ToldFragment to_fragment(const Json& json) {
-  Result::ToldFragment told;
+Result::ReportedFragment to_fragment(const Json& json) {
+  Result::ReportedFragment told;
   Fragment& f = told.fragment;
   f.x = WholeNumber(json.at(0));
   f.y = WholeNumber(json.at(1));
@@ -188,9 +188,9 @@ Shared<PackedWords> to_picture(const Json& json, const CaseResults& exact) {
 }
 
 // Of one side; none where there is no such member.
-std::vector<Result::ToldFragment> to_fragments(const Json& json, const char* member) {
+std::vector<Result::ReportedFragment> to_fragments(const Json& json, const char* member) {
   if (!json.contains(member)) return {};
-  return to_list<Result::ToldFragment>(unfolded(json.at(member)), to_fragment);
+  return to_list<Result::ReportedFragment>(unfolded(json.at(member)), to_fragment);
 }
 
 Result::LevelPoint to_level(const Json& json) {

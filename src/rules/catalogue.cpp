@@ -69,7 +69,7 @@ std::string kept_name(const Choice& choice) {
   return name_of(choice);
 }
 
-// What stands at the end of a path of members.
+// The member at the end of a path of members.
 template <auto First, auto... Rest, class Whole>
 auto& at(Whole& whole) {
   if constexpr (sizeof...(Rest) == 0)
@@ -97,7 +97,7 @@ constexpr Slot of_triangles() {
   return kept_at<&RuleChoices::triangles, Path...>();
 }
 
-// Kept with every kind of primitive.
+// A choice kept once for every kind of primitive.
 template <auto... Path>
 constexpr Slot of_all_kinds() {
   Slot slot = of_triangles<Path...>();
@@ -108,7 +108,7 @@ constexpr Slot of_all_kinds() {
   return slot;
 }
 
-// Lines that are drawn as areas have the ties of polygons, which see the target as polygons do.
+// Lines drawn as areas use the ties of polygons, and see the target as polygons do.
 constexpr Slot ties_of_polygons() {
   Slot slot = of_triangles<&CoverageChoice::ties>();
   slot.put = [](RuleChoices& c, std::string_view name) {
@@ -127,7 +127,7 @@ constexpr Slot rows_of_polygons() {
   return slot;
 }
 
-// A kind's own grid is that of all, where nothing else is said.
+// A kind's own grid; the common one, unless the policy chooses it.
 template <auto Kind>
 constexpr Slot own_snap() {
   Slot slot = kept_at<Kind, &CoverageChoice::snap>();
@@ -216,7 +216,7 @@ bool has_depths_of_samples(const Scene& scene) {
 
 constexpr Say kInLookups{.in_lookups = true};
 
-// `ruling`: of a rule that has none of its own.
+// `ruling`: for a rule that has none of its own.
 Rule with(Rule rule, Slot slot, Say say = {}, int ruling = 0) {
   rule.slot = slot;
   rule.say = say;
@@ -232,8 +232,8 @@ using O = OutputChoice;
 
 }  // namespace
 
-// The table of contents: every rule, where its choice is kept, and in what it has a say. An
-// explicit list: nothing registers itself.
+// The table of contents: every rule, where its choice is kept, and what it decides. An explicit
+// list: nothing registers itself.
 std::vector<Rule> table_of_contents() {
   return {
       window_origin_rule(),

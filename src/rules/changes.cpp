@@ -105,10 +105,10 @@ Changes coverage_changes_between(const ScenePrimitive& primitive, const Target& 
   return changes;
 }
 
-Changes fate_changes(const Scene& scene, const RuleChoices& chosen) {
+Changes operations_changes(const Scene& scene, const RuleChoices& chosen) {
   Changes changes;
   for_each_choice([&](const Rule& rule) {
-    if (rule.say.in_fate == nullptr || !rule.say.in_fate(scene)) return;
+    if (rule.say.in_operations == nullptr || !rule.say.in_operations(scene)) return;
     const Changes more = changes_beside(rule.id, chosen);
     changes.insert(changes.end(), more.begin(), more.end());
   });
@@ -139,7 +139,7 @@ const std::vector<RuleId>& coverage_rules() {
 
 namespace {
 
-// What a primitive that agrees can refute.
+// The alternatives that an agreeing primitive can refute.
 const std::vector<AlternativeId>& refutable() {
   static const std::vector<AlternativeId> all = [] {
     std::vector<AlternativeId> ids;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Changes: the alternatives of a rule beside the one that is chosen, to try one after another.
+// Changes: the alternatives of a rule besides the chosen one, to be tried one after another.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ namespace edgecase {
 // Another alternative of one rule.
 struct Change {
   AlternativeId id;
-  // Of sample.positions, whose alternative `swapped` is one for each pair of samples.
+  // For sample.positions, whose alternative `swapped` has a placement for each pair of samples.
   std::optional<SamplePlacement> placement = {};
 
   void apply(RuleChoices& choices) const;
@@ -28,16 +28,16 @@ struct Change {
 };
 using Changes = std::vector<Change>;
 
-// Without repetition, the cause of all of them together.
+// The cause of all changes together, without repetition.
 Cause cause_of(const Changes& changes);
 RuleChoices applied(const Changes& changes, RuleChoices choices);
 
-// The alternatives of a rule, but for the one that is chosen.
+// The alternatives of a rule, except the chosen one.
 Changes changes_beside(RuleId rule, const RuleChoices& chosen);
-// What leads from one choice of the rule to another; nothing where both are the same.
+// The change from one choice of the rule to another; none if both are the same.
 std::optional<Change> change_between(RuleId rule, const RuleChoices& from, const RuleChoices& to);
 
-// What decides which rules have a say in a primitive's coverage.
+// The traits that decide which rules affect a primitive's coverage.
 struct CoverageTraits {
   PrimitiveKind kind = PrimitiveKind::point;
   int samples = 1;  // of the target
@@ -51,25 +51,25 @@ struct CoverageTraits {
 };
 CoverageTraits coverage_traits(const ScenePrimitive& primitive, const Target& target);
 
-// The alternatives of every rule that has a say in what the primitive covers, rule by rule.
+// The alternatives of every rule that affects what the primitive covers, rule by rule.
 std::vector<Changes> coverage_changes(const CoverageTraits& traits, const RuleChoices& chosen);
-// What leads from one choice to another: a change for each such rule in which they differ; the ties
-// of polygons too, where the other draws lines as areas. No cause is searched for among those: with
-// ties to choose, areas draw nearly anything.
+// The changes from one choice to another, one for each such rule in which they differ; also the
+// ties of polygons, if the other choice draws lines as areas. No cause is searched for among those:
+// with free ties, areas draw nearly anything.
 Changes coverage_changes_between(const ScenePrimitive& primitive, const Target& target,
                                  const RuleChoices& from, const RuleChoices& to);
 
-// The same of every rule that has a say in what becomes of a scene's fragments.
-Changes fate_changes(const Scene& scene, const RuleChoices& chosen);
+// The alternatives of every rule that affects a scene's per-fragment operations.
+Changes operations_changes(const Scene& scene, const RuleChoices& chosen);
 
-// The rules that have a say in lookups of textures, in the order of their ids.
+// The rules that affect lookups of textures, in the order of their ids.
 const std::vector<RuleId>& lookup_rules();
 
-// The rules that have a say in what primitives cover, in the order of their ids.
+// The rules that affect what primitives cover, in the order of their ids.
 const std::vector<RuleId>& coverage_rules();
 
-// A character per alternative of these rules, rule by rule, and a last one for window.origin: '1'
-// where the set has it, else '0'; nothing of an empty set. And the set that such a text is of.
+// One character per alternative of these rules, rule by rule, and a last one for window.origin: '1'
+// if the set has it, else '0'; empty for an empty set. And the inverse.
 std::string text_of_refuted(const AlternativeSet& refuted);
 std::optional<AlternativeSet> parse_refuted(std::string_view text);
 

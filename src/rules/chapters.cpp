@@ -138,7 +138,7 @@ the implementation, *mandated* where it is the only one that conforms, and *ille
 known from faulty implementations. The one in bold is the choice of policy `opengl`.
 )";
 
-// Characters that Markdown would take for its own.
+// Escapes characters that have a meaning in Markdown.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -159,7 +159,7 @@ std::string link_to(const Rule& rule) {
   return fmt::format("[`{}`](#{})", name_of(rule.id), anchor);
 }
 
-// By their numbers, which are unique.
+// By number, which is unique.
 std::map<int, std::pair<const Ruling*, const Rule*>> numbered_rulings() {
   std::map<int, std::pair<const Ruling*, const Rule*>> rulings;
   for (const Rule& rule : all_rules())
@@ -189,7 +189,7 @@ bool same_alternatives(const Rule& a, const Rule& b) {
              });
 }
 
-// The first rule of the catalogue with the same alternatives; the rule itself if there is none.
+// The first rule of the catalogue with the same alternatives, possibly the rule itself.
 const Rule& first_with_alternatives_of(const Rule& rule) {
   for (const Rule& earlier : all_rules())
     if (same_alternatives(earlier, rule)) return earlier;

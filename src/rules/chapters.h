@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The rules in the order in which they are taught: chapters by family, and in them a section for
-// each essay. That is the comment on top of the header where its rules are declared, or, where a
-// header holds several sections, the comment there that begins with "Essay: " and the title.
+// each essay. An essay is the comment on top of the header that declares its rules or, if a header
+// has several sections, the comment there that begins with "Essay: " and the title.
 #pragma once
 
 #include <span>
@@ -30,16 +30,16 @@ struct Chapter {
 // Every rule of the catalogue stands in exactly one section.
 std::span<const Chapter> chapters();
 
-// Lines without the marks of a comment; a line that starts with a space belongs to a table, formula
-// or drawing.
+// The text without comment marks; a line that starts with a space belongs to a table, formula or
+// drawing.
 std::string_view essay_of(const Section& section);
 
 // ------------------------------------------------------------------------------- rulings and rules
 //
-// The catalogue as one document: src/rules/RULINGS.md is what this returns, and a test holds the
-// two together.
+// The catalogue as one document: this returns the text of src/rules/RULINGS.md, and a test compares
+// the two.
 
-// Markdown, as GitHub reads it: all rulings in the order of their numbers, then every rule with its
+// Markdown in GitHub's dialect: all rulings in the order of their numbers, then every rule with its
 // section of the specification, its latitude and its alternatives, in the order of all_rules.
 std::string rules_document();
 

@@ -6,7 +6,7 @@
 namespace edgecase {
 namespace {
 
-// The alternative that a policy chooses for a rule on a surface; empty where it chooses none.
+// The alternative that a policy chooses for a rule on a surface; empty if it chooses none.
 std::string chosen(const Policy& policy, Surface surface, const std::string& rule) {
   if (const auto overrides = policy.surfaces.find(surface); overrides != policy.surfaces.end())
     if (const auto choice = overrides->second.find(rule); choice != overrides->second.end())

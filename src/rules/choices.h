@@ -42,67 +42,67 @@
 
 namespace edgecase {
 
-// What a policy says for one kind of primitive.
+// A policy's choices for one kind of primitive.
 struct CoverageChoice {
   Snap snap;
-  RowOrder rows = RowOrder::bottom_up;  // snapping, ties and all else see the target so
-  // Lines that are drawn as areas have the ties of polygons, which see the target so.
+  RowOrder rows = RowOrder::bottom_up;  // the target's direction for snapping, ties and all else
+  // The direction for lines drawn as areas, which have the ties of polygons.
   RowOrder polygon_rows = RowOrder::bottom_up;
   TieRule ties;     // of a point's square, a triangle's edges, a line drawn as an area
-  LineChoice line;  // of lines alone
-  PointOffset point_offset = PointOffset::none;                              // of points alone
-  TriangleAlgorithm triangle_algorithm = TriangleAlgorithm::edge_functions;  // of triangles alone
-  FacingMethod facing = FacingMethod::as_set;                                // of triangles alone
-  ClipMethod clip = ClipMethod::homogeneous;                                 // of triangles alone
-  // Of multisampled targets.
+  LineChoice line;  // for lines only
+  PointOffset point_offset = PointOffset::none;                              // for points only
+  TriangleAlgorithm triangle_algorithm = TriangleAlgorithm::edge_functions;  // for triangles only
+  FacingMethod facing = FacingMethod::as_set;                                // for triangles only
+  ClipMethod clip = ClipMethod::homogeneous;                                 // for triangles only
+  // For multisampled targets.
   SamplePlacement placement;
-  MultisampledLine multisampled_line = MultisampledLine::rectangle;  // of lines alone
+  MultisampledLine multisampled_line = MultisampledLine::rectangle;  // for lines only
   MultisampleSwitch multisample_switch = MultisampleSwitch::honoured;
   SampleMask sample_mask = SampleMask::applied;
   friend bool operator==(const CoverageChoice&, const CoverageChoice&) = default;
 };
 
-// What a policy says of attributes.
+// A policy's choices for attributes.
 struct ValueChoice {
   ProvokingChoice provoking = ProvokingChoice::as_set;
   LineParameter line_parameter = LineParameter::projection;
   PerspectiveChoice perspective = PerspectiveChoice::as_set;
   AttributePositions positions = AttributePositions::unsnapped;
-  // Of the plain, the fine and the coarse forms (form_of in rules/values/derivative.h).
+  // For the plain, fine and coarse forms (form_of in rules/values/derivative.h).
   std::array<DerivativeMethod, 3> derivatives{DerivativeMethod::fine, DerivativeMethod::fine,
                                               DerivativeMethod::coarse_bottom_left};
   RowOrder quad_rows = RowOrder::bottom_up;
-  LocationChoice locations;  // of multisampled targets
-  OffsetChoice offset;       // of triangles' depths
+  LocationChoice locations;  // on multisampled targets
+  OffsetChoice offset;       // for triangles' depths
 };
 
-// What a policy says of texture lookups.
+// A policy's choices for texture lookups.
 struct TextureChoice {
   WrapChoice wrap = WrapChoice::as_set;
   TexelGrid texel_grid = TexelGrid::none;
   ScaleFactor scale_factor = ScaleFactor::lengths;
   Log2Method log2 = Log2Method::exact;
-  DerivativeMethod derivatives = DerivativeMethod::fine;  // that the scale factor is made of
+  DerivativeMethod derivatives = DerivativeMethod::fine;  // from which the scale factor is made
   BiasChoice bias = BiasChoice::as_set;
   Crossover crossover = Crossover::zero;
   NearestLevel nearest_level = NearestLevel::down_at_ties;
   LevelWeight level_weight = LevelWeight::exact;
   Anisotropy anisotropy = Anisotropy::extension;
   LevelCount level_count = LevelCount::larger_side;
-  MipmapMethod mipmap;  // of generated chains
+  MipmapMethod mipmap;  // for generated chains
 
   friend bool operator==(const TextureChoice&, const TextureChoice&) = default;
 };
 
-// What a policy says of invocations and samples of multisampled targets, and of passes.
+// A policy's choices for invocations and samples of multisampled targets, and for passes.
 struct SampleChoice {
   ShadingRate rate = ShadingRate::as_needed;
   AlphaToCoverage alpha_to_coverage = AlphaToCoverage::proportional;
   ResolveMethod resolve = ResolveMethod::nearest_even;
-  Accumulation accumulation = Accumulation::exact_mean;  // of supersampled scenes
+  Accumulation accumulation = Accumulation::exact_mean;  // for supersampled scenes
 };
 
-// What a policy says of what becomes of fragments.
+// A policy's choices for per-fragment operations: tests, blending, masks.
 struct OutputChoice {
   DepthTestMethod depth = DepthTestMethod::as_set;
   DepthMaskMethod depth_mask = DepthMaskMethod::as_set;
@@ -110,7 +110,7 @@ struct OutputChoice {
   BlendChoice blend;
 };
 
-// What a policy says for one surface.
+// All choices of a policy for one surface.
 struct RuleChoices {
   CoverageChoice points;
   CoverageChoice lines;
@@ -123,22 +123,22 @@ struct RuleChoices {
   const CoverageChoice& of(PrimitiveKind kind) const;
 };
 
-// Rules and alternatives that the policy names must be of the catalogue.
+// Rules and alternatives that the policy names must exist in the catalogue.
 RuleChoices resolve(const Policy& policy, Surface surface);
 
-// What OpenGL's own policy, which chooses nothing, has on every surface.
+// The choices of OpenGL's own policy, which names none, on every surface.
 const RuleChoices& standard_choices();
 
-// A policy with its choices looked up for every surface: once, and then handed down.
+// A policy whose choices are looked up once for every surface, and then passed on.
 class ResolvedPolicy {
  public:
-  ResolvedPolicy(const Policy& policy = {});  // implicit: whoever has a policy may draw by it
+  ResolvedPolicy(const Policy& policy = {});  // implicit: a policy is enough to draw
 
   const RuleChoices& on(Surface surface) const {
     return choices_[static_cast<std::size_t>(surface)];
   }
   Latitude latitude() const { return latitude_; }
-  // Does the policy choose nothing?
+  // True if the policy chooses nothing.
   bool is_standard() const { return is_standard_; }
 
  private:
@@ -147,7 +147,7 @@ class ResolvedPolicy {
   bool is_standard_;
 };
 
-// The rules by which ties of a kind of primitive are decided, of its snapping and its row order.
+// The rules by which ties of a kind of primitive are decided, and those of its snapping and rows.
 RuleId coverage_rule_of(PrimitiveKind kind);
 RuleId snap_rule_of(PrimitiveKind kind);
 RuleId row_order_rule_of(PrimitiveKind kind);

@@ -2,9 +2,9 @@
 //
 // Rule: one statement of the OpenGL specification, as an entry of the catalogue.
 //
-// The predicate that decides lives beside the entry, in the rule's own pair of files; the entry
-// says in words what it is, which alternatives are known, which of them the specification leaves
-// open, and by which rulings a difference is judged.
+// The predicate that decides stands beside the entry, in the rule's own pair of files. The entry
+// describes the rule, its known alternatives, which of them the specification leaves open, and the
+// rulings by which a difference is judged.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct Scene;
 enum class Openness {
   open,      // the specification leaves the choice to the implementation
   mandated,  // the only choice that conforms
-  illegal,   // known from faulty implementations; never conforms as such
+  illegal,   // known from faulty implementations; never conforms by itself
 };
 template <>
 inline constexpr auto kNames<Openness> = std::to_array<Named<Openness>>(
@@ -36,8 +36,8 @@ struct Alternative {
   std::string meaning;  // one sentence
 };
 
-// Most rules have their alternatives in one table beside the enumeration that stands for them
-// (model/names.h): the name that policies use, whether it conforms, and what it means.
+// Most rules have their alternatives in one table beside their enumeration (model/names.h): the
+// name that policies use, whether it conforms, and what it means.
 template <class Enum>
 struct TabledAlternative {
   Enum value;
@@ -54,54 +54,53 @@ std::vector<Alternative> alternatives_of() {
   return alternatives;
 }
 
-// What a ruling rests on.
+// The basis of a ruling.
 enum class Basis {
-  normative,  // a sentence of the specification, held against all others of its subject
-  contested,  // its letter; another sentence, an open issue or the conformance tests read it
-              // otherwise
+  normative,  // a sentence of the specification, compared with all others on its subject
+  contested,  // its letter, which another sentence, an open issue or the conformance tests read
+              // differently
 };
 template <>
 inline constexpr auto kNames<Basis> =
     std::to_array<Named<Basis>>({{Basis::normative, "normative"}, {Basis::contested, "contested"}});
 
-// The specification that rulings are held against, and its revision.
+// The specification of the rulings, and its revision.
 inline constexpr const char* kRevision = "OpenGL 4.6 core, May 5, 2022";
 
-// What a ruling rests on (all_rules.cpp puts them beside the rulings).
+// The source of a ruling (all_rules.cpp adds it to the ruling).
 struct RulingSource {
   std::string clause = {};           // "14.5.1 (Basic Line Segment Rasterization)"; or several
-  std::string revision = kRevision;  // of the text that is quoted
+  std::string revision = kRevision;  // of the quoted text
   std::string quotation = {};        // the sentence, at most 25 words of it
   Basis basis = Basis::normative;
-  std::string contest = {};    // of contested ones: the reason to read it otherwise
-  std::string khronos = {};    // what the conformance tests ask: group and tolerance
-  std::string es = {};         // what OpenGL ES 3.2 says instead, or that it says the same
-  std::string withdrawn = {};  // why the ruling fell; empty: it holds. Nothing cites one that fell
+  std::string contest = {};    // for contested rulings: the reason to read the text otherwise
+  std::string khronos = {};    // what the conformance tests require: group and tolerance
+  std::string es = {};         // the differing text of OpenGL ES 3.2, or that it agrees
+  std::string withdrawn = {};  // why it was withdrawn, and is cited no more; empty: in force
 };
 
-// How we read the specification where it is silent or loose. Numbers are unique and never reused. A
-// ruling with a part that is contested is two, each with a number of its own.
+// Our reading of the specification where it is silent or vague. Numbers are unique and never
+// reused. A ruling with a contested part becomes two, each with its own number.
 struct Ruling {
   int number = 0;
   std::string text;
   RulingSource source = {};  // all_rules() fills it in
 };
 
-// Where choices (rules/choices.h) keep what is chosen for a rule. Rules that are not about a choice
-// have none.
+// Where choices (rules/choices.h) keep the choice for a rule; empty for a rule without a choice.
 struct Slot {
   // The name must be one of the rule's alternatives.
   void (*put)(RuleChoices&, std::string_view alternative) = nullptr;
   std::string (*kept)(const RuleChoices&) = nullptr;
-  // A policy that says nothing of the rule has its standard; or, of these, what is there before.
+  // If a policy does not name the rule: false restores its standard, true keeps the earlier value.
   bool stays = false;
 };
 
-// In what a rule has a say, and when.
+// Where, and when, a rule takes part.
 struct Say {
   bool (*in_coverage)(const CoverageTraits&) = nullptr;  // which samples a primitive covers
-  bool (*in_fate)(const Scene&) = nullptr;  // what becomes of a scene's fragments on the way
-  bool in_lookups = false;                  // of textures, mip chains aside
+  bool (*in_operations)(const Scene&) = nullptr;         // the outcome of per-fragment operations
+  bool in_lookups = false;                               // of textures, except mip chains
 };
 
 struct Rule {
@@ -114,8 +113,7 @@ struct Rule {
   std::vector<Ruling> rulings;
   Slot slot = {};  // all_rules() fills these in
   Say say = {};
-  int ruling =
-      0;  // by which a difference under the rule is judged: its own first one, else another
+  int ruling = 0;  // that judges a difference under the rule: its own first one, else another
 };
 
 }  // namespace edgecase

@@ -61,7 +61,7 @@ Result CaseComparison::compare_with_exact(std::size_t index, const Rendering& re
   const Scene& scene = suite_.cases[index].scene;
   const auto compare_with = [&](const ExactSide& exact) {
     Result result = compare(scene, policy_, exact.rendering, rendering, facts);
-    tell_fragments(exact.rendering, rendering, result);
+    report_fragments(exact.rendering, rendering, result);
     keep_pictures(rendering, exact, result);
     return result;
   };

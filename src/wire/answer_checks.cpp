@@ -98,13 +98,13 @@ void check_supersampled(const Rendering& rendering, const Scene& scene) {
 bool tells_something(const FragmentDetail& detail) {
   bool something = false;
   for_each_field<FragmentDetail>(
-      [&](const auto& field) { something = something || is_told(detail.*field.member); });
+      [&](const auto& field) { something = something || is_reported(detail.*field.member); });
   return something;
 }
 
 void check_detail(const FragmentDetail& detail, Details asked, bool is_textured) {
   for_each_field<FragmentDetail>([&](const auto& field) {
-    if (is_told(detail.*field.member) && !field.is_asked(asked, is_textured))
+    if (is_reported(detail.*field.member) && !field.is_asked(asked, is_textured))
       throw Refusal("a fragment tells a detail that the request does not ask for");
   });
 }

@@ -54,7 +54,7 @@ void write_told(Output out, const char* key, const std::optional<std::array<doub
 template <std::size_t N>
 void write_told(Output out, const char* key,
                 const std::array<std::optional<std::array<double, 4>>, N>& derivatives) {
-  if (!is_told(derivatives)) return;
+  if (!is_reported(derivatives)) return;
   fmt::format_to(out, ",\"{}\":", key);
   char before = '{';
   for (std::size_t i = 0; i < N; ++i) {

@@ -11,7 +11,7 @@
 namespace edgecase {
 namespace {
 
-using Told = Result::ToldFragment;
+using Reported = Result::ReportedFragment;
 using Places = std::vector<std::tuple<int, int, int>>;  // y, x, pass
 
 // Each pixel of a square drawn once, by primitive 2.
@@ -23,9 +23,10 @@ Rendering square(int size) {
   return rendering;
 }
 
-Places places_of(const std::vector<Told>& told) {
+Places places_of(const std::vector<Reported>& reported) {
   Places places;
-  for (const Told& one : told) places.emplace_back(one.fragment.y, one.fragment.x, one.pass);
+  for (const Reported& one : reported)
+    places.emplace_back(one.fragment.y, one.fragment.x, one.pass);
   return places;
 }
 
@@ -39,14 +40,14 @@ Result with_disagreement_at(int x, int y) {
 
 TEST(DisputedFragments, AreNoneWhereNothingDiffers) {
   Result result;
-  tell_fragments(square(4), square(4), result);
+  report_fragments(square(4), square(4), result);
   EXPECT_TRUE(result.exact_fragments.empty());
   EXPECT_TRUE(result.rendered_fragments.empty());
 }
 
 TEST(DisputedFragments, AreAllOfASmallComparison) {
   Result result = with_disagreement_at(1, 0);
-  tell_fragments(square(5), square(5), result);
+  report_fragments(square(5), square(5), result);
   EXPECT_EQ(result.exact_fragments.size(), 25u);
   EXPECT_EQ(result.rendered_fragments.size(), 25u);
 }
@@ -61,7 +62,7 @@ TEST(DisputedFragments, AreThoseAtDisputedPixelsOfALargeOne) {
   Rendering rendered = exact;
   std::erase_if(rendered.fragments, [](const Fragment& f) { return f.x == 3 && f.y == 5; });
   rendered.fragments.front().detail = 4;
-  tell_fragments(exact, rendered, result);
+  report_fragments(exact, rendered, result);
   EXPECT_EQ(places_of(result.exact_fragments), (Places{{1, 6, -1}, {5, 3, -1}}));
   EXPECT_EQ(places_of(result.rendered_fragments), (Places{{1, 6, -1}}));
   EXPECT_EQ(result.exact_fragments[0].fragment.primitive, 2);
@@ -74,12 +75,12 @@ TEST(DisputedFragments, AreSmallUpToTheLimit) {
   rendered.fragments.clear();
   ASSERT_EQ(exact.fragments.size(), kMostOfSmall);
   Result small = with_disagreement_at(0, 0);
-  tell_fragments(exact, rendered, small);
+  report_fragments(exact, rendered, small);
   EXPECT_EQ(small.exact_fragments.size(), kMostOfSmall);
   rendered.passes = {exact};
   rendered.passes[0].fragments.resize(1);
   Result large = with_disagreement_at(0, 0);
-  tell_fragments(exact, rendered, large);
+  report_fragments(exact, rendered, large);
   EXPECT_EQ(large.exact_fragments.size(), 1u);
   EXPECT_EQ(large.rendered_fragments.size(), 1u);
 }
@@ -91,7 +92,7 @@ TEST(DisputedFragments, NameTheirPass) {
   exact.passes[0].fragments.resize(1);
   exact.passes[1].fragments[0].detail = 3;
   Result result = with_disagreement_at(0, 0);
-  tell_fragments(exact, exact, result);
+  report_fragments(exact, exact, result);
   EXPECT_EQ(places_of(result.exact_fragments),
             (Places{{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {1, 0, 1}, {1, 1, 1}}));
   EXPECT_EQ(result.exact_fragments[1].fragment.detail, -1) << "details stay behind";

@@ -300,7 +300,7 @@ TEST(Judge, FindsWhatTheRendererOfARunFollows) {
 }
 
 // What a verdict and a report are made of.
-std::string words_of(const Result& result) {
+std::string description_of(const Result& result) {
   std::string text = std::string(name_of(result.verdict)) + " " + result.fingerprint;
   for (const Disagreement& d : result.disagreements)
     text += (is_legal(d) ? "; legal " : "; illegal ") + text_of(d.cause) + " " +
@@ -336,10 +336,10 @@ TEST(Judge, UnderTheReadingOfTheRunIsJudgingTheRun) {
     // One by one, as a search meets them.
     Result* const one = &apart[i];
     judge({&one, 1}, Latitude::opengl, reading);
-    EXPECT_EQ(words_of(apart[i]), words_of(at_once[i])) << i;
+    EXPECT_EQ(description_of(apart[i]), description_of(at_once[i])) << i;
     std::deque<Result> alone = {drawn[i]};
     judge_all(alone);
-    differ_alone += words_of(alone[0]) != words_of(at_once[i]) ? 1 : 0;
+    differ_alone += description_of(alone[0]) != description_of(at_once[i]) ? 1 : 0;
   }
   EXPECT_GT(differ_alone, 0) << "the reading is of no account here";
 }

@@ -286,7 +286,7 @@ TEST(PassJudging, ValuesAreCountedOverAllPasses) {
 }
 
 // Who tells no colours is given every colour that ruling 9 permits, and no more.
-TEST(PassJudging, ColoursThatAreNotTold) {
+TEST(PassJudging, ColoursThatAreNotReported) {
   const Scene scene = lopsided();
   Rendering rendering = rasterize(scene, {});
   for (Rendering& pass : rendering.passes)

@@ -92,7 +92,7 @@ TEST(UpsideDown, EveryFragmentMustStandInItsRow) {
 }
 
 // Whatever is drawn: no other rule is told where the picture upside down breaks one.
-TEST(UpsideDown, ARunIsToldSoByItsOwnRule) {
+TEST(UpsideDown, ARunIsReportedUnderItsOwnRule) {
   std::deque<Result> run;
   for (const NamedScene& one : named_scenes()) run.push_back(upside_down(one.name));
   judge_all(run);

@@ -134,7 +134,7 @@ TEST(FragmentOperations, EachMakesAnotherScene) {
   expect_all_differ(plain_scene(), kOthers);
 }
 
-TEST(FragmentOperations, AreToldInWords) {
+TEST(FragmentOperations, AreDescribed) {
   Scene scene;
   scene.target.width = scene.target.height = 4;
   scene.target.stencil = StencilFormat::stencil8;

@@ -39,14 +39,14 @@ TEST(Rendering, SortedRunsOfFragmentsAreSortedAsAWhole) {
   for (int round = 0; round < 200; ++round) {
     Rendering rendering;
     rendering.width = rendering.height = 40;
-    int told = 0;
+    int reported = 0;
     for (int primitive = 0; primitive < 1 + round % 12; ++primitive) {
       std::vector<Fragment> run(1 + engine() % 30);
       for (Fragment& f : run) {
         f.x = static_cast<int>(engine() % 6);
         f.y = static_cast<int>(engine() % 6);
         f.primitive = primitive % 3;
-        f.depth = ++told;
+        f.depth = ++reported;
       }
       std::stable_sort(run.begin(), run.end(), precedes);
       rendering.fragments.insert(rendering.fragments.end(), run.begin(), run.end());

@@ -296,7 +296,7 @@ TEST_F(Attributes, TexturedDrawsInterpolateWhereTheyAreLookedUp) {
   }
 }
 
-TEST_F(Attributes, LookupsAreToldWhereAskedFor) {
+TEST_F(Attributes, LookupsAreReportedOnRequest) {
   ExactLookup lookup;
   lookup.coordinates = {Interval(0.25), Interval(3)};
   lookup.queried = {2, 2.5};
@@ -309,10 +309,10 @@ TEST_F(Attributes, LookupsAreToldWhereAskedFor) {
     for (const bool textured : {false, true}) {
       const FragmentDetail detail =
           details_at(given, pixel, {false, false, asked}, textured ? &lookup : nullptr);
-      const bool told = asked && textured;
+      const bool reported = asked && textured;
       using Pair = std::optional<std::array<double, 2>>;
-      EXPECT_EQ(detail.texture_coordinates, told ? Pair({0.25, 3}) : Pair());
-      EXPECT_EQ(detail.level_of_detail, told ? Pair({2, 2.5}) : Pair());
+      EXPECT_EQ(detail.texture_coordinates, reported ? Pair({0.25, 3}) : Pair());
+      EXPECT_EQ(detail.level_of_detail, reported ? Pair({2, 2.5}) : Pair());
     }
 }
 

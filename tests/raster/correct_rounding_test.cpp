@@ -20,17 +20,17 @@ Rational distance(const Rational& a, const Rational& b) {
   return a < b ? Rational(b - a) : Rational(a - b);
 }
 
-bool is_correctly_rounded(float told, const Rational& value) {
-  const Rational error = distance(rational_of(told), value);
+bool is_correctly_rounded(float reported, const Rational& value) {
+  const Rational error = distance(rational_of(reported), value);
   for (const float end : {-HUGE_VALF, HUGE_VALF}) {
-    const Rational of_other = distance(rational_of(std::nextafterf(told, end)), value);
-    const bool is_even = (std::bit_cast<std::uint32_t>(told) & 1) == 0;
+    const Rational of_other = distance(rational_of(std::nextafterf(reported, end)), value);
+    const bool is_even = (std::bit_cast<std::uint32_t>(reported) & 1) == 0;
     if (of_other < error || (of_other == error && !is_even)) return false;
   }
   return true;
 }
 
-float told_of(const Interpolant& f, Point sample) {
+float value_of(const Interpolant& f, Point sample) {
   return static_cast<float>(middle(interpolate_exact(f, sample)));
 }
 
@@ -54,7 +54,7 @@ TEST(CorrectRounding, OfValuesThatCancel) {
       const auto value = plane->at(sample);
       if (!value || distance(*value, 0) > rational_of(double{std::numeric_limits<float>::max()}))
         continue;
-      ASSERT_TRUE(is_correctly_rounded(told_of(f, sample), *value))
+      ASSERT_TRUE(is_correctly_rounded(value_of(f, sample), *value))
           << "trial " << trial << " " << x;
       ++wide;
     }
@@ -72,9 +72,9 @@ TEST(CorrectRounding, HalfwayAndBesideIt) {
     const float low = 1 + static_cast<float>(step) * ulp;
     f.values = {low, low + ulp, 0};
     const float even = step % 2 == 0 ? low : low + ulp;
-    EXPECT_EQ(told_of(f, at(1, 0)), even);
-    EXPECT_EQ(told_of(f, at(1 - 0x1p-16, 0)), low);
-    EXPECT_EQ(told_of(f, at(1 + 0x1p-16, 0)), low + ulp);
+    EXPECT_EQ(value_of(f, at(1, 0)), even);
+    EXPECT_EQ(value_of(f, at(1 - 0x1p-16, 0)), low);
+    EXPECT_EQ(value_of(f, at(1 + 0x1p-16, 0)), low + ulp);
   }
 }
 
@@ -85,7 +85,7 @@ TEST(CorrectRounding, OfZeroAndWhatLiesBesideIt) {
   f.values = {-1, 2, 2};
   EXPECT_EQ(interpolate_exact(f, at(1, 0)).low, 0);
   EXPECT_EQ(interpolate_exact(f, at(1, 0)).high, 0);
-  EXPECT_EQ(told_of(f, at(1 + 0x1p-16, 0)), 0x1p-16F);
+  EXPECT_EQ(value_of(f, at(1 + 0x1p-16, 0)), 0x1p-16F);
 }
 
 // A number of which no double is known is one of the two round it: the odd one, which float32 does

@@ -55,7 +55,7 @@ TEST(OperationDrawings, ADepthTestComparesWithWhatIsStored) {
     EXPECT_EQ(colors(drawn(staircase(function))), picture) << name_of(function);
 }
 
-TEST(OperationDrawings, AllFragmentsAreToldAndThoseThatPassAreCounted) {
+TEST(OperationDrawings, AllFragmentsAreReportedAndThoseThatPassAreCounted) {
   const Rendering rendering = drawn(staircase(CompareFunction::less));
   EXPECT_EQ(rendering.fragments.size(), 15u);
   EXPECT_EQ(hits(rendering), "211/211/111/");
@@ -136,7 +136,7 @@ TEST(OperationDrawings, AStencilMarksAreasAndAdmitsFragmentsToThem) {
 }
 
 // Stored 7 everywhere; the draw's stencil test passes to the left, its depth test above.
-Scene fates() {
+Scene every_outcome() {
   Scene scene = operation_scene(3);
   scene.target.clear_stencil = 1;
   Draw mark = with_stencil(rectangle(kLeft, 0.5, kBlue), marking(7));
@@ -152,8 +152,8 @@ Scene fates() {
   return scene;
 }
 
-TEST(OperationDrawings, EachFateHasItsStencilOperation) {
-  const Rendering rendering = drawn(fates());
+TEST(OperationDrawings, EachOutcomeHasItsStencilOperation) {
+  const Rendering rendering = drawn(every_outcome());
   EXPECT_EQ(stencils(rendering), "662/662/002/");
   EXPECT_EQ(colors(rendering), "RR./RR./BBB/");
   EXPECT_EQ(depths(rendering), "448/448/222/");
@@ -161,13 +161,13 @@ TEST(OperationDrawings, EachFateHasItsStencilOperation) {
 }
 
 TEST(OperationDrawings, WithoutADepthBufferNoDepthFails) {
-  Scene scene = fates();
+  Scene scene = every_outcome();
   scene.target.depth = DepthFormat::none;
   EXPECT_EQ(stencils(drawn(scene)), "662/662/662/");
 }
 
 TEST(OperationDrawings, WithoutAStencilBufferTheTestPasses) {
-  Scene scene = fates();
+  Scene scene = every_outcome();
   scene.target.stencil = StencilFormat::none;
   EXPECT_EQ(colors(drawn(scene)), "RRR/RRR/BBB/");
   EXPECT_TRUE(drawn(scene).stencils.empty());

@@ -34,19 +34,19 @@ std::map<Key, double> depths_of_samples(Scene scene) {
   return depths;
 }
 
-std::vector<oracle::Stored> replayed(const Scene& scene, const Rendering& told) {
+std::vector<oracle::Stored> replayed(const Scene& scene, const Rendering& reported) {
   const auto primitives = primitives_of(scene);
   const auto depths = depths_of_samples(without_operations(scene));
-  std::vector<oracle::Stored> samples(told.hits.size(), oracle::cleared(scene.target));
-  for (const Fragment& f : told.fragments) {
+  std::vector<oracle::Stored> samples(reported.hits.size(), oracle::cleared(scene.target));
+  for (const Fragment& f : reported.fragments) {
     const ScenePrimitive& primitive = primitives[static_cast<std::size_t>(f.primitive)];
     const bool multisampled = is_multisampled(*primitive.state, scene.target);
-    for (int s = 0; s < told.samples; ++s) {
+    for (int s = 0; s < reported.samples; ++s) {
       const std::uint32_t bit = std::uint32_t{1} << s;
       if (multisampled && (f.coverage & bit) == 0) continue;
       const double depth = multisampled ? depths.at({f.x, f.y, f.primitive, bit}) : f.depth;
       oracle::arrive({f.color, depth, oracle::faces_front(primitive)}, primitive.state->operations,
-                     scene.target, samples[told.sample_index(f.x, f.y, s)]);
+                     scene.target, samples[reported.sample_index(f.x, f.y, s)]);
     }
   }
   return samples;
@@ -69,11 +69,11 @@ void expect_same_fragments(const Rendering& a, const Rendering& b) {
 
 void check(const Scene& scene, Tally& tally) {
   const Rendering ours = rasterize(scene, {});
-  const Rendering told = rasterize(without_operations(scene), {});
-  expect_same_fragments(ours, told);
+  const Rendering reported = rasterize(without_operations(scene), {});
+  expect_same_fragments(ours, reported);
   const auto& colors = ours.samples > 1 ? ours.sample_pixels : ours.pixels;
-  const auto& plain = ours.samples > 1 ? told.sample_pixels : told.pixels;
-  const std::vector<oracle::Stored> expected = replayed(scene, told);
+  const auto& plain = ours.samples > 1 ? reported.sample_pixels : reported.pixels;
+  const std::vector<oracle::Stored> expected = replayed(scene, reported);
   ASSERT_EQ(ours.hits.size(), expected.size());
   ASSERT_EQ(ours.depths.size(), scene.target.depth == DepthFormat::none ? 0 : expected.size());
   ASSERT_EQ(ours.stencils.size(),

@@ -35,8 +35,8 @@ struct Tally {
   long rounded = 0;
 };
 
-void check_image(const Scene& scene, const std::vector<Rendering>& passes, const Rendering& told,
-                 Tally& tally) {
+void check_image(const Scene& scene, const std::vector<Rendering>& passes,
+                 const Rendering& reported, Tally& tally) {
   std::size_t i = 0;
   for (int y = 0; y < scene.target.height; ++y)
     for (int x = 0; x < scene.target.width; ++x)
@@ -49,16 +49,16 @@ void check_image(const Scene& scene, const std::vector<Rendering>& passes, const
           weights += weight;
         }
         const Rational exact = sum / weights;
-        const double value = told.accumulated.at(i);
+        const double value = reported.accumulated.at(i);
         const Rational error = distance(value, exact);
         ++tally.numbers;
         if (error != 0) ++tally.rounded;
         ASSERT_LE(error, distance(next_above(value), exact)) << x << ", " << y << " " << c;
         ASSERT_LE(error, distance(next_below(value), exact)) << x << ", " << y << " " << c;
-        ASSERT_EQ(told.pixels.at(i), to_unorm8(value));
+        ASSERT_EQ(reported.pixels.at(i), to_unorm8(value));
       }
-  ASSERT_EQ(i, told.accumulated.size());
-  ASSERT_EQ(i, told.pixels.size());
+  ASSERT_EQ(i, reported.accumulated.size());
+  ASSERT_EQ(i, reported.pixels.size());
 }
 
 Scene moved_by_hand(Scene scene, Point place) {
@@ -86,13 +86,13 @@ TEST(SupersampleOracle, RandomScenesWithRandomPasses) {
       const Fixed x = place();
       scene.supersampling.push_back({{x, place()}, 1 + random.below(random.below(2) ? 9 : 70000)});
     }
-    const Rendering told = rasterize(scene, {});
+    const Rendering reported = rasterize(scene, {});
     std::vector<Rendering> passes;
     for (const ShadingPass& pass : scene.supersampling) {
       passes.push_back(rasterize(moved_by_hand(scene, pass.at), {}));
       fragments += static_cast<long>(passes.back().fragments.size());
     }
-    check_image(scene, passes, told, tally);
+    check_image(scene, passes, reported, tally);
     if (HasFatalFailure()) return;
   }
   EXPECT_EQ(tally.numbers, 120 * 5 * 5 * 4);

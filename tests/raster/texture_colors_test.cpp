@@ -16,7 +16,7 @@ namespace edgecase {
 namespace {
 
 // Each component of a texel tells something else of it; none is 0.
-std::array<float, 4> told(int i, int j, int level) {
+std::array<float, 4> texel_at(int i, int j, int level) {
   return {static_cast<float>(i + 1), static_cast<float>(j + 1),
           static_cast<float>(7 * i + 3 * j + 1), static_cast<float>(100 * level + i * j + 1)};
 }
@@ -71,7 +71,7 @@ Row gaussian_row(std::array<double, 2> longer, std::array<double, 2> shorter) {
 // The colour is the weighted mean of the texels that hold the probes, in every component.
 void compare(const Row& row, int dimensions, bool along_x) {
   const int width = 32, height = dimensions == 1 ? 1 : 16;
-  Texture texture = single_of(width, height, TextureFormat::rgba32f, told);
+  Texture texture = single_of(width, height, TextureFormat::rgba32f, texel_at);
   texture.dimensions = dimensions;
   Sampler sampler = sampler_of(Filter::nearest, MipFilter::none);
   sampler.max_anisotropy = 16;
@@ -93,7 +93,7 @@ void compare(const Row& row, int dimensions, bool along_x) {
       const int column = wrapped_into(u + row.offsets[i] * row.longer[0], width);
       const int line =
           dimensions == 1 ? 0 : wrapped_into(v + row.offsets[i] * row.longer[1], height);
-      const auto texel = told(column, line, 0);
+      const auto texel = texel_at(column, line, 0);
       for (std::size_t c = 0; c < 4; ++c)
         expected[c] += row.weights[i] * static_cast<double>(texel[c]);
     }
@@ -117,7 +117,7 @@ TEST(TextureColors, ProbesAreWeightedTexels) {
 // A third of the image is within a texel of the one level, of 7, and on a border of the other,
 // of 3.
 TEST(TextureColors, BordersOfBothLevelsCount) {
-  Texture texture = chain_of(7, 1, TextureFormat::rgba32f, told);
+  Texture texture = chain_of(7, 1, TextureFormat::rgba32f, texel_at);
   texture.dimensions = 1;
   Lookup lookup;
   lookup.kind = LookupKind::lod;
@@ -131,7 +131,7 @@ TEST(TextureColors, BordersOfBothLevelsCount) {
   const auto attributes = attributes_of(primitive, choices, scene.target);
   for (int k = 0; k < 3; ++k) {
     const ExactLookup found = stage.look_up(primitive, attributes, {k, 0});
-    const auto first = told(7 * k / 3, 0, 0), second = told(k, 0, 1);
+    const auto first = texel_at(7 * k / 3, 0, 0), second = texel_at(k, 0, 1);
     for (std::size_t c = 0; c < 4; ++c) {
       const double expected =
           0.75 * static_cast<double>(first[c]) + 0.25 * static_cast<double>(second[c]);
@@ -143,7 +143,7 @@ TEST(TextureColors, BordersOfBothLevelsCount) {
 
 // Far from 0 each axis is brought near as its own wrap mode allows.
 TEST(TextureColors, DistantCoordinatesWrapByTheirAxis) {
-  const Texture texture = single_of(3, 3, TextureFormat::rgba32f, told);
+  const Texture texture = single_of(3, 3, TextureFormat::rgba32f, texel_at);
   constexpr float kFar = 0x1p20F;
   for (const bool s_repeats : {false, true}) {
     Sampler sampler = sampler_of(Filter::nearest, MipFilter::none, Wrap::clamp_to_edge);
@@ -157,7 +157,7 @@ TEST(TextureColors, DistantCoordinatesWrapByTheirAxis) {
     const auto attributes = attributes_of(primitive, choices, scene.target);
     for (int y = 0; y < 3; ++y)
       for (int x = 0; x < 3; ++x) {
-        const auto expected = told(s_repeats ? x : 2, s_repeats ? 2 : y, 0);
+        const auto expected = texel_at(s_repeats ? x : 2, s_repeats ? 2 : y, 0);
         const ExactLookup found = stage.look_up(primitive, attributes, {x, y});
         for (std::size_t c = 0; c < 4; ++c) {
           EXPECT_EQ(found.color[c].low, expected[c]) << x << ", " << y;

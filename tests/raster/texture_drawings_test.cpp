@@ -177,7 +177,7 @@ TEST(TextureDrawings, ExplicitLevelsAndGradients) {
   EXPECT_EQ(color(), 1.5);
 }
 
-TEST(TextureDrawings, GeneratedChainsAreTold) {
+TEST(TextureDrawings, GeneratedChainsAreReported) {
   Texture texture = single_of(4, 4, TextureFormat::rgba8, [](int i, int j, int) {
     const float shade = (i + j) % 2 == 0 ? 100 : 0;
     return std::array<float, 4>{shade, 0, 0, 255};

@@ -42,7 +42,7 @@ double rounded(double depth) {
 }
 
 // Of the lower row, as fragments tell them.
-std::array<double, 2> told_depths(const Rendering& rendering) {
+std::array<double, 2> reported_depths(const Rendering& rendering) {
   return {rounded(rendering.fragments.at(0).depth), rounded(rendering.fragments.at(1).depth)};
 }
 
@@ -94,10 +94,10 @@ TEST(WindowDepth, ARangeMapsQuotients) {
 
 TEST(WindowDepth, FragmentsAndBuffersHaveTheRangesDepth) {
   Scene scene = ramp(DepthFormat::depth32f);
-  EXPECT_EQ(told_depths(drawn(scene)), (Depths{13 / 32.0, 15 / 32.0}));
+  EXPECT_EQ(reported_depths(drawn(scene)), (Depths{13 / 32.0, 15 / 32.0}));
   scene.depth_range = {0.75F, 0.25F};
   const Rendering rendering = drawn(scene);
-  EXPECT_EQ(told_depths(rendering), (Depths{35 / 64.0, 33 / 64.0}));
+  EXPECT_EQ(reported_depths(rendering), (Depths{35 / 64.0, 33 / 64.0}));
   EXPECT_EQ(rounded(rendering.details.at(0).coordinates.value()[2]), 35 / 64.0);
   EXPECT_EQ(rendering.depths[0], 35 / 64.0);
   // A range that is turned round shows what is farther.
@@ -113,13 +113,13 @@ TEST(WindowDepth, FragmentsAndBuffersHaveTheRangesDepth) {
 TEST(WindowDepth, AnOffsetAddsSlopeAndUnits) {
   Scene scene = ramp(DepthFormat::depth24);
   scene.draws[0].polygon_offset = PolygonOffset{2, 0, 0};
-  EXPECT_EQ(told_depths(drawn(scene)), (Depths{17 / 32.0, 19 / 32.0}));
+  EXPECT_EQ(reported_depths(drawn(scene)), (Depths{17 / 32.0, 19 / 32.0}));
   EXPECT_EQ(rounded(drawn(scene).details.at(1).coordinates.value()[2]), 19 / 32.0);
   scene.draws[0].polygon_offset = PolygonOffset{-1, 0, 0};
-  EXPECT_EQ(told_depths(drawn(scene)), (Depths{11 / 32.0, 13 / 32.0}));
+  EXPECT_EQ(reported_depths(drawn(scene)), (Depths{11 / 32.0, 13 / 32.0}));
   scene.draws[0].polygon_offset = PolygonOffset{8, 0, 0.25F};
-  EXPECT_EQ(told_depths(drawn(scene)), (Depths{21 / 32.0, 23 / 32.0}));
-  EXPECT_EQ(told_depths(drawn(scene, {{"offset.slope", "ignored"}})),
+  EXPECT_EQ(reported_depths(drawn(scene)), (Depths{21 / 32.0, 23 / 32.0}));
+  EXPECT_EQ(reported_depths(drawn(scene, {{"offset.slope", "ignored"}})),
             (Depths{13 / 32.0, 15 / 32.0}));
 }
 
@@ -156,12 +156,12 @@ TEST(WindowDepth, DepthsAreClampedOnceTheOffsetIsAdded) {
     Scene scene = ramp(format, 0.5);  // 21/32 and 23/32
     scene.draws[0].polygon_offset = PolygonOffset{5, 0, 0};
     const Rendering above = drawn(scene);
-    EXPECT_EQ(told_depths(above), (Depths{31 / 32.0, 1}));
+    EXPECT_EQ(reported_depths(above), (Depths{31 / 32.0, 1}));
     EXPECT_EQ(above.fragments[1].depth, 1);
     EXPECT_EQ(above.depths[1], 1);
     scene.draws[0].polygon_offset = PolygonOffset{-11, 0, 0};
     const Rendering below = drawn(scene);
-    EXPECT_EQ(told_depths(below), (Depths{0, 1 / 32.0}));
+    EXPECT_EQ(reported_depths(below), (Depths{0, 1 / 32.0}));
     EXPECT_EQ(below.fragments[0].depth, 0);
     EXPECT_EQ(below.depths[0], 0);
     EXPECT_EQ(below.details.at(0).coordinates.value()[2], 0);
@@ -186,7 +186,7 @@ TEST(WindowDepth, EachSampleHasTheOffsetAndAClampOfItsOwn) {
   scene.target.samples = 4;
   scene.draws[0].polygon_offset = PolygonOffset{4.5F, 0, 0};
   const Rendering rendering = drawn(scene);
-  EXPECT_EQ(told_depths(rendering), (Depths{15 / 16.0, 1}));
+  EXPECT_EQ(reported_depths(rendering), (Depths{15 / 16.0, 1}));
   // Samples at 3/8, 7/8, 1/8 and 5/8: x/16 + 29/32.
   const double expected[2][4] = {{119 / 128.0, 123 / 128.0, 117 / 128.0, 121 / 128.0},
                                  {127 / 128.0, 1, 125 / 128.0, 1}};
@@ -222,7 +222,7 @@ TEST(WindowDepth, PassesHaveOffsetAndFacing) {
       EXPECT_EQ(rounded(offset.passes[k].fragments[i].depth),
                 rounded(without.passes[k].fragments[i].depth) + 0.125);
   }
-  EXPECT_EQ(told_depths(offset.passes[0]), (Depths{33 / 64.0, 37 / 64.0}));
+  EXPECT_EQ(reported_depths(offset.passes[0]), (Depths{33 / 64.0, 37 / 64.0}));
   EXPECT_EQ(offset.pixels, without.pixels);
   scene.draws[0].cull = CullMode::front;
   for (const Rendering& pass : drawn(scene).passes) EXPECT_TRUE(pass.fragments.empty());

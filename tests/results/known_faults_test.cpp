@@ -143,8 +143,8 @@ TEST(KnownFaults, AccountForWhatFitsInAllThatTheyName) {
   other = difference();
   other.rule = RuleId::line_joint;
   EXPECT_FALSE(fits(other));
-  other.upright = Disagreement::Told{RuleId::line_diamond_exit, 1, Legality::illegal,
-                                     cause_named("line.algorithm=bresenham")};
+  other.upright = Disagreement::Upright{RuleId::line_diamond_exit, 1, Legality::illegal,
+                                        cause_named("line.algorithm=bresenham")};
   EXPECT_TRUE(fits(other)) << "upside down, it is the same fault";
   other = difference();
   other.cause = cause_named("line.snap=none");

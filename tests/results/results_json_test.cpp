@@ -92,8 +92,8 @@ void expect_ramp(const std::vector<Result::LevelPoint>& a,
   }
 }
 
-void expect_fragments(const std::vector<Result::ToldFragment>& a,
-                      const std::vector<Result::ToldFragment>& b) {
+void expect_fragments(const std::vector<Result::ReportedFragment>& a,
+                      const std::vector<Result::ReportedFragment>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Fragment &f = a[i].fragment, &g = b[i].fragment;

@@ -44,8 +44,8 @@ Disagreement disagreement() {
   d.cause = cause_named("triangle.fill-rule=left-bottom + triangle.snap=8-half-up");
   d.situation = kHostile;
   d.ruling = 9;
-  d.upright = Disagreement::Told{RuleId::triangle_fill_rule, 4, Legality::contested,
-                                 cause_named("triangle.fill-rule=open")};
+  d.upright = Disagreement::Upright{RuleId::triangle_fill_rule, 4, Legality::contested,
+                                    cause_named("triangle.fill-rule=open")};
   d.exact = {0.1, 1.0 / 3, -0.0, 5e-324};
   d.rendered = {kNaN, kInfinity, -kInfinity, 1.7976931348623157e308};
   d.explanation = kHostile;
@@ -74,8 +74,8 @@ ValueAggregate aggregate() {
 }
 
 // With and without what a renderer need not tell.
-std::vector<Result::ToldFragment> fragments() {
-  std::vector<Result::ToldFragment> told(3);
+std::vector<Result::ReportedFragment> fragments() {
+  std::vector<Result::ReportedFragment> told(3);
   told[0].fragment = {1, 0, 4, 0xffffffffU, 1.0 / 3, {0.1, -0.0, kInfinity, 5e-324}};
   told[1].fragment = {1, 0, 5, 1, kNaN, {}, true, false};
   told[2].fragment = {0, 0, 4, 3, 0, {kNaN, 1, 1, 1}, false};

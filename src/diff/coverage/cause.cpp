@@ -13,7 +13,7 @@
 namespace edgecase {
 namespace {
 
-// Does one fragment lack inside the run of those that were drawn, and nothing else differ?
+// True if exactly one fragment is missing between others that were drawn, and nothing else differs.
 bool is_interior_gap(const ScenePrimitive& line, const PrimitiveCoverage& coverage) {
   if (line.state->line_width != Fixed::from_integer(1)) return false;
   if (coverage.drawn.size() != 1) return false;
@@ -30,7 +30,7 @@ bool is_interior_gap(const ScenePrimitive& line, const PrimitiveCoverage& covera
          drawn_where([&](int at) { return at > gap; });
 }
 
-// Looks for sets of alternatives that draw a primitive as it was drawn.
+// Searches for sets of alternatives that draw a primitive as it was drawn.
 class Search {
  public:
   Search(const CauseQuestion& question, const PrimitiveCoverage& coverage)
@@ -43,7 +43,7 @@ class Search {
   std::vector<Changes> operator()() const {
     auto found = beside({});
     if (found.empty()) return preferred(beside_profile());
-    // What the renderer does elsewhere says more than what draws the same by chance.
+    // What the renderer does elsewhere is stronger evidence than a set that fits by chance.
     if (!knows_own(found) && !profile_.empty() && reproduces(profile_))
       if (Changes own = needed(profile_); is_open(own)) found.push_back(std::move(own));
     return preferred(std::move(found));
@@ -61,7 +61,7 @@ class Search {
                            question_.reported) == coverage_.drawn;
   }
 
-  // `base` with one more alternative, in the place of its own of that rule if it has one.
+  // `base` with one more alternative, which replaces the one of the same rule if there is one.
   static Changes with(Changes base, const Change& change) {
     std::erase_if(base, [&](const Change& c) { return c.id.rule == change.id.rule; });
     base.push_back(change);
@@ -70,15 +70,15 @@ class Search {
 
   static bool is_open(const Changes& changes) { return is_open_choice(cause_of(changes)); }
 
-  // Is there one that the specification leaves open, or that is what the renderer does elsewhere?
+  // True if one of the sets is left open by the specification or lies in the profile.
   bool has_answer(const std::vector<Changes>& found) const {
     return std::any_of(found.begin(), found.end(), [&](const Changes& changes) {
       return is_open(changes) || in_profile(changes);
     });
   }
 
-  // All sets of one alternative; where none of them has an answer, those of two: all where there is
-  // none of one, else those that are open.
+  // All sets of one alternative. If none of them is an answer, also sets of two: all of them if
+  // there is none of one, else only open ones.
   std::vector<Changes> beside(const Changes& base) const {
     std::vector<Changes> rules = coverage_changes(
         coverage_traits(question_.primitive, question_.target), applied(base, question_.chosen));
@@ -97,7 +97,7 @@ class Search {
     return found;
   }
 
-  // What the profile differs in, or that and more, without what can be left out.
+  // The profile's differences, with more if needed, without those that can be left out.
   std::vector<Changes> beside_profile() const {
     if (profile_.empty()) return {};
     if (reproduces(profile_)) return {needed(profile_)};
@@ -110,7 +110,7 @@ class Search {
     if (reproduces(changes)) found.push_back(std::move(changes));
   }
 
-  // Without those changes that can be left out.
+  // Drops changes that can be left out.
   Changes needed(Changes changes) const {
     for (std::size_t i = 0; i < changes.size();) {
       Changes without = changes;
@@ -173,12 +173,12 @@ class Witnesses {
         rules_(coverage_changes(coverage_traits(question.primitive, question.target),
                                 question.chosen)) {
     if (question.profile == nullptr) return;
-    // What a profile differs in may go beyond what is searched for.
+    // A profile's differences may include rules that are not searched.
     rules_.push_back(coverage_changes_between(question.primitive, question.target, question.chosen,
                                               *question.profile));
   }
 
-  // None where a part of the cause is no alternative, or one of several of a name.
+  // None if a part of the cause is no alternative, or if several alternatives share its name.
   std::optional<RuleChoices> choice_of(const Cause& cause) const {
     RuleChoices choice = question_.chosen;
     for (const AlternativeId part : cause.parts) {
@@ -190,7 +190,7 @@ class Witnesses {
     return choice;
   }
 
-  // Is another primitive drawn so, with one more alternative at most?
+  // True if the choice, with at most one more alternative, draws another primitive as it was drawn.
   bool explains(const RuleChoices& choice, const DrawnPrimitive& other) const {
     if (draws(other, choice)) return true;
     return std::ranges::any_of(rules_, [&](const Changes& rule) {

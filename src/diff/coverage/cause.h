@@ -13,36 +13,36 @@
 
 namespace edgecase {
 
-// The cause of a line that lacks one fragment between others (ruling 3); no alternative draws so.
+// The cause of a line that lacks one fragment between others (ruling 3); no alternative does so.
 inline constexpr AlternativeId kInteriorGap{RuleId::line_interior_gap};
 
-// One primitive, with what the policy chooses and, where it is known, what the renderer is measured
-// to follow.
+// One primitive, the policy's choices and, if known, the choices that the renderer is measured to
+// follow.
 struct CauseQuestion {
   const ScenePrimitive& primitive;
   const Target& target;
   const RuleChoices& chosen;
   const RuleChoices* profile = nullptr;
-  SamplePositions reported{};  // where the renderer says that samples lie
+  SamplePositions reported{};  // sample positions as the renderer reports them
 };
 
 // The smallest sets of alternatives under which the primitive covers exactly `coverage.drawn`, in
-// the order of their rules' ids: all sets of one alternative beside what the policy chooses;
-// without any, of two; without any, what the profile differs in from the policy, with nothing, one
-// or two more alternatives on top of it. Where none of these conforms as such, larger sets that do,
-// all of whose alternatives the specification leaves open, come with them: of two, and what the
-// profile differs in. Sets that the profile holds wholly come alone, since it is what the renderer
-// does elsewhere. A line without any set, whose only fault is one fragment missing between others,
-// gets kInteriorGap. Empty: nothing catalogued explains it.
+// the order of their rules' ids: all sets of one alternative besides the policy's choices; if there
+// are none, sets of two; if there are none, the profile's differences from the policy with zero,
+// one or two more alternatives. If no such set conforms, larger sets of alternatives that the
+// specification leaves open are added if they fit: pairs, and the profile's differences. Sets that
+// lie wholly in the profile come alone, since the renderer follows them elsewhere. A line without
+// any set, whose only fault is one fragment missing between others, gets kInteriorGap. Empty:
+// nothing in the catalogue explains it.
 std::vector<Cause> find_causes(const CauseQuestion& question, const PrimitiveCoverage& coverage);
 
-// What the profile differs in from the policy, without what can be left out, where that draws the
-// primitive as `coverage.drawn` has it; else nothing.
+// The profile's differences from the policy, without those that can be left out, if they draw the
+// primitive as `coverage.drawn` has it; else empty.
 Cause cause_in_profile(const CauseQuestion& question, const PrimitiveCoverage& coverage);
 
-// Common causes: a renderer has one way of drawing for all primitives of a draw. Of what breaks a
-// ruling, an alternative that draws one primitive as it was drawn, and others not, is no cause: a
-// hole between two triangles is not made by a tie order that each of them could follow alone.
+// Common causes: a renderer draws all primitives of a draw in one way. For a broken ruling, an
+// alternative that draws one primitive as it was drawn but not the others is no cause: a hole
+// between two triangles does not come from a tie order that each of them could follow alone.
 //
 // One primitive and what was drawn of it.
 struct DrawnPrimitive {
@@ -50,15 +50,15 @@ struct DrawnPrimitive {
   const PrimitiveCoverage* coverage = nullptr;
 };
 
-// Those of `causes`, which draw question.primitive as `own` has it, under which the other
-// primitives, of the same kind, are drawn as they were, too; a further alternative beside the cause
-// may help where it changes nothing of the first. Causes that are no alternatives of coverage stay.
+// Those of `causes`, which draw question.primitive as in `own`, under which the other primitives,
+// of the same kind, are also drawn as they were. One more alternative may help if it changes
+// nothing of the first primitive. Causes that are no alternatives of coverage stay.
 std::vector<Cause> common_causes(const CauseQuestion& question, const PrimitiveCoverage& own,
                                  const std::vector<Cause>& causes,
                                  std::span<const DrawnPrimitive> others);
 
-// Evidence against alternatives: the renderer draws this primitive as exact does, so what would
-// draw it otherwise is not what the renderer follows. Marks those in `refuted` (see
+// Evidence against alternatives: the renderer draws this primitive as exact does, so it does not
+// follow an alternative that would draw it differently. Marks those in `refuted` (see
 // Result::refuted).
 void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
                   AlternativeSet& refuted);

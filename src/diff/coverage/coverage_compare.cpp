@@ -45,7 +45,7 @@ class CoverageComparison {
   }
 
  private:
-  // By primitive, those with which it breaks ruling 5.
+  // For each primitive, the others with which it breaks ruling 5.
   using Partners = std::map<int, std::set<int>>;
 
   const Scene& scene() const { return context_.scene; }
@@ -62,8 +62,8 @@ class CoverageComparison {
   bool is_multisampled(const ScenePrimitive& primitive) const {
     return edgecase::is_multisampled(*primitive.state, target());
   }
-  // A line whose coverage is judged as a whole, by the diamond-exit rule. Where nothing of it lies
-  // in the clip volume, there is no such line.
+  // True for lines whose coverage the diamond-exit rule decides for the whole segment. A line
+  // wholly outside the clip volume is none.
   bool is_line(const ScenePrimitive& primitive) const {
     return primitive.kind == PrimitiveKind::line && !primitive.is_clipped &&
            !is_multisampled(primitive);
@@ -108,7 +108,7 @@ class CoverageComparison {
     result_.evidence.push_back(std::move(evidence));
   }
 
-  // Says which samples are exchanged, since all pairs have one name.
+  // Names the exchanged samples, since all pairs share one name.
   void note_swapped(const ScenePrimitive& primitive, const std::vector<Cause>& causes) {
     const AlternativeId swapped =
         alternative_id(RuleId::sample_positions, name_of(SamplePlacement::Kind::swapped));
@@ -125,11 +125,11 @@ class CoverageComparison {
     }
     for (Disagreement& d : result_.disagreements)
       if (d.primitive == primitive.index && d.kind != DisagreementKind::value && !d.policy_agrees)
-        d.explanation += fmt::format(" With samples {} exchanged exact draws so.", pairs);
+        d.explanation += fmt::format(" With samples {} exchanged, exact draws the same.", pairs);
   }
 
-  // Does all that differs from exact differ because alpha to coverage keeps invocations from
-  // running by the alphas of other samples?
+  // True if every difference from exact arises because alpha to coverage keeps invocations from
+  // running by the alphas of other samples.
   bool lacks_invocations_by_others(const ScenePrimitive& primitive) const {
     const SampleChoice choice{context_.choices.samples.rate,
                               AlphaToCoverage::above_quotient_of_others};
@@ -159,7 +159,7 @@ class CoverageComparison {
         target().samples > 1 ? fmt::format("sample {}", difference.sample) : "the pixel",
         difference.drawn > 0 ? "draws it" : "does not");
     d.figure = std::move(why.figure);
-    // Rulings on lines speak of whole segments: judge_line and judge() complete these.
+    // Rulings on lines are about whole segments: judge_line and judge() complete these.
     if (is_line(primitive) && difference.sample == 0) return d;
     const CoverageLegality legality = judge(primitive, difference);
     d.legality = by_letter(legality.legal);
@@ -180,14 +180,14 @@ class CoverageComparison {
                         context_.bits);
   }
 
-  // Was nothing of it drawn?
+  // True if nothing of the primitive was drawn.
   bool is_missing(const ScenePrimitive& primitive) const {
     return std::ranges::all_of(coverage_of(primitive).drawn,
                                [](const auto& pixels) { return pixels.empty(); });
   }
 
-  // What the specification's own choice and the renderer differ in where the policy sides with the
-  // renderer.
+  // Differences between the specification's own choice and the renderer where the policy agrees
+  // with the renderer.
   std::vector<CoverageDifference> excused_by_policy(const ScenePrimitive& primitive) const {
     const CoverageChoice& standard = standard_.of(primitive.kind);
     if (!is_multisampled(primitive) && standard == context_.choices.of(primitive.kind)) return {};
@@ -221,8 +221,8 @@ class CoverageComparison {
     result_.disagreements.push_back(std::move(d));
   }
 
-  // Which of the policy's alternatives draw the primitive so; where it is drawn otherwise
-  // elsewhere, any that draw it so.
+  // The policy's alternatives that draw the primitive so; if primitives elsewhere are drawn
+  // differently, any alternatives that draw it so.
   const Cause& cause_of_excused(const ScenePrimitive& primitive) {
     const auto [place, is_new] = excused_causes_.try_emplace(primitive.index);
     if (!is_new) return place->second;
@@ -249,8 +249,8 @@ class CoverageComparison {
     return nullptr;
   }
 
-  // A broken ruling on lines. A line that differs from the policy has it as evidence, since judge()
-  // decides how lines are read; one that agrees is read as the policy says.
+  // Reports a broken ruling on lines. A line that differs from the policy has it as evidence, since
+  // judge() decides how lines are read; one that agrees is read as the policy says.
   void break_line(const ScenePrimitive& line, const std::vector<std::string>& illegal_snaps,
                   const std::string& clause, RuleId rule, int ruling) {
     if (Result::Evidence* evidence = evidence_of(line)) {
@@ -303,8 +303,8 @@ class CoverageComparison {
     }
   }
 
-  // Does what was drawn of a point, a triangle or a multisampled line break a ruling? Of other
-  // lines the run decides.
+  // True if what was drawn of a point, a triangle or a multisampled line breaks a ruling. The run
+  // decides this for other lines.
   bool breaks_a_ruling(const ScenePrimitive& primitive) const {
     return !is_line(primitive) &&
            std::ranges::any_of(result_.disagreements, [&](const Disagreement& d) {
@@ -313,7 +313,7 @@ class CoverageComparison {
            });
   }
 
-  // The other primitives of a primitive's draw, and those of other draws with which it breaks
+  // The other primitives of the same draw, and primitives of other draws with which this one breaks
   // ruling 5.
   std::vector<DrawnPrimitive> others_of(const ScenePrimitive& primitive,
                                         const Partners& partners) const {
@@ -361,8 +361,8 @@ class CoverageComparison {
     return fault.is_certain ? 5 : kRulingOnOtherPlaces;
   }
 
-  // Turns the disagreements of both triangles at the pixel; false where there is none. Of one that
-  // breaks a ruling by itself that ruling stays, unless it is contested.
+  // Turns the disagreements of both triangles at the pixel into violations; false if there are
+  // none. A triangle that breaks a ruling by itself keeps that ruling, unless it is contested.
   bool blame(const SharedEdgeFault& fault, const std::string& reason) {
     bool found = false;
     for (Disagreement& d : result_.disagreements) {
@@ -383,8 +383,8 @@ class CoverageComparison {
 
   const CoverageContext& context_;
   const RuleChoices& standard_;
-  const SamplePositions lawful_;         // of samples, as they are reported
-  const SamplePositions chosen_;         // as the policy has them
+  const SamplePositions lawful_;         // of samples, as reported
+  const SamplePositions chosen_;         // of samples, under the policy
   std::map<int, Cause> excused_causes_;  // by primitive
   Result& result_;
 };

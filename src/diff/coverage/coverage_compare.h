@@ -2,10 +2,10 @@
 //
 // Coverage: which fragments differ, whether that is legal, and which alternatives explain it.
 //
-// Two questions are asked of every primitive. Does the renderer draw what the policy says? And is
-// what it draws inside the specification? A policy that OpenGL judges (latitude `opengl`) cannot
-// excuse what OpenGL forbids: a primitive that agrees with the policy and breaks a ruling is held
-// against the specification's own choice instead, and disagrees.
+// Each primitive is tested twice. Does the renderer draw what the policy says? And is what it draws
+// inside the specification? A policy that OpenGL judges (latitude `opengl`) cannot excuse what
+// OpenGL forbids: a primitive that agrees with the policy and breaks a ruling is compared with the
+// specification's own choice instead, and disagrees.
 #pragma once
 
 #include <span>
@@ -19,17 +19,17 @@
 
 namespace edgecase {
 
-// What the comparison of coverage needs of a case.
+// A case, as the comparison of coverage needs it.
 struct CoverageContext {
   const Scene& scene;
   std::span<const ScenePrimitive> primitives;
   std::span<const PrimitiveCoverage> coverage;  // by primitive; `exact` is what the policy draws
   RuleChoices choices;                          // of the policy
-  const RuleChoices* profile = nullptr;         // of the renderer, where it is known
+  const RuleChoices* profile = nullptr;         // of the renderer, if known
   Latitude latitude = Latitude::opengl;
   int bits = 4;                // as in ruling 4
-  bool refute = true;          // gather evidence against alternatives; costs more than all the rest
-  SamplePositions reported{};  // where the renderer says that samples lie
+  bool refute = true;          // gather evidence against alternatives: the larger part of the cost
+  SamplePositions reported{};  // sample positions as the renderer reports them
   SupportedSizes sizes{};      // of points and multisampled lines
 };
 

@@ -66,7 +66,7 @@ std::vector<PrimitiveCoverage> match_coverage(std::size_t primitives, const Rend
   const SampleCoverage none(static_cast<std::size_t>(exact.samples));
   std::vector<PrimitiveCoverage> result(primitives, {none, none});
   add_side(exact, &PrimitiveCoverage::exact, result);
-  // Most renderers cover what exact covers, and copying is cheaper than going through fragments.
+  // Most renderers cover what exact covers, and copying is cheaper than matching fragments.
   if (std::ranges::equal(exact.fragments, drawn.fragments, cover_alike)) {
     for (PrimitiveCoverage& coverage : result) coverage.drawn = coverage.exact;
     return result;
@@ -78,7 +78,7 @@ std::vector<PrimitiveCoverage> match_coverage(std::size_t primitives, const Rend
 std::vector<CoverageDifference> differences(const PrimitiveCoverage& coverage) {
   std::vector<CoverageDifference> result;
   for (std::size_t s = 0; s < coverage.exact.size(); ++s) {
-    // The usual case, and comparing is much cheaper than counting.
+    // The usual case; comparing is much cheaper than counting.
     if (coverage.exact[s] == coverage.drawn[s]) continue;
     const auto found = differences(coverage.exact[s], coverage.drawn[s], static_cast<int>(s));
     result.insert(result.end(), found.begin(), found.end());
@@ -86,7 +86,7 @@ std::vector<CoverageDifference> differences(const PrimitiveCoverage& coverage) {
   return result;
 }
 
-// ------------------------------------------------------------------------------------ what is told
+// -------------------------------------------------------------------------------- what is reported
 
 Disagreement at_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
                        Point sample, const Target& target) {
@@ -134,7 +134,7 @@ PixelPosition pixel_of(Point sample) {
   return {static_cast<int>(sample.x.floor()), static_cast<int>(sample.y.floor())};
 }
 
-// A multisampled line is explained by where its rectangle lies.
+// Explains a multisampled line by the position of its rectangle.
 Explanation explain_rectangle(const ScenePrimitive& line, const Segment& segment, Point sample,
                               const CoverageChoice& choice) {
   const double dx = (segment.b.x - segment.a.x).to_double();
@@ -168,7 +168,7 @@ Explanation explain_rectangle(const ScenePrimitive& line, const Segment& segment
   return why;
 }
 
-// Lines of width 1 by the diamond-exit rule are explained by its numbers, others by the algorithm.
+// Explains lines of width 1 under the diamond-exit rule by its numbers, others by the algorithm.
 Explanation explain_line_choice(const ScenePrimitive& line, const Segment& segment, PixelPosition p,
                                 const CoverageChoice& choice) {
   Explanation why = explain_line(segment, p.x, p.y, *choice.line.boundary);
@@ -183,8 +183,8 @@ Explanation explain_line_choice(const ScenePrimitive& line, const Segment& segme
   return why;
 }
 
-// What the rule's own explanation does not know: an algorithm other than edge functions, an offset,
-// a target that is seen upside down.
+// Adds what the rule's own explanation leaves out: an algorithm other than edge functions, an
+// offset, a target that is seen upside down.
 std::string notes_on(const ScenePrimitive& primitive, const Target& target,
                      const CoverageChoice& choice) {
   std::string notes;
@@ -206,8 +206,8 @@ std::string notes_on(const ScenePrimitive& primitive, const Target& target,
   return notes;
 }
 
-// Does the rule that decides by quotients have the pixel covered? Known for the ideal rules alone,
-// with y up.
+// True if the rule that decides by quotients covers the pixel. Known only for the ideal rules, with
+// y up.
 std::optional<bool> covered_by(const ScenePrimitive& primitive,
                                const std::array<HomogeneousPoint, 3>& positions, Point sample,
                                const CoverageChoice& choice) {
@@ -231,12 +231,12 @@ std::optional<bool> covered_by(const ScenePrimitive& primitive,
   return std::nullopt;
 }
 
-// Words and figures tell positions in decimals: of a vertex that is a quotient, the nearest. Where
-// that changes the decision, it must be said.
+// Text and figures give positions as decimals: of a vertex that is a quotient, the nearest. Adds a
+// note where that would change the decision.
 std::string note_on_quotients(const ScenePrimitive& primitive, Point sample,
                               const CoverageChoice& choice) {
   if (!choice.snap.is_none() || !has_clip_positions(primitive)) return "";
-  // Its own words tell of quotients.
+  // The explanation of a clipped primitive mentions quotients itself.
   if (primitive.is_clipped) return "";
   std::array<HomogeneousPoint, 3> nearest;
   for (std::size_t i = 0; i < nearest.size(); ++i)
@@ -244,14 +244,14 @@ std::string note_on_quotients(const ScenePrimitive& primitive, Point sample,
   const auto exact = covered_by(primitive, primitive.positions, sample, choice);
   const bool differs = exact != covered_by(primitive, nearest, sample, choice);
   std::string note =
-      "; vertices given as clip coordinates are quotients by w, here told to the nearest 1/65536 "
+      "; vertices given as clip coordinates are quotients by w, here given to the nearest 1/65536 "
       "pixel";
   if (differs)
     note += fmt::format(", and as quotients they {} the pixel", *exact ? "cover" : "do not cover");
   return note;
 }
 
-// By the rule that decides, with the vertices where the choice has them.
+// Explains by the rule that decides, with the vertices as the choice has them.
 Explanation explain_by_rule(const ScenePrimitive& primitive, Point sample, const Target& target,
                             const CoverageChoice& choice) {
   if (primitive.is_clipped)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which fragments of a primitive are missing, extra or doubled, and what is told of each: where it
+// Which fragments of a primitive are missing, extra or doubled, and the report of each: where it
 // lies, and why it is covered or not.
 #pragma once
 
@@ -38,35 +38,35 @@ struct CoverageDifference {
 // Sorted by sample, row, column.
 std::vector<CoverageDifference> differences(const PrimitiveCoverage& coverage);
 
-// ------------------------------------------------------------------------------------ what is told
+// -------------------------------------------------------------------------------- what is reported
 
-// Of a sample that a primitive should cover and does not, or covers and should not. `sample`: where
-// it lies in the window. Its legality, cause and explanation are left open.
+// A sample that a primitive should cover and does not, or covers and should not. `sample`: its
+// position in the window. Legality, cause and explanation are left open.
 Disagreement at_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
                        Point sample, const Target& target);
 
-// The same of one that is covered more than once, complete (ruling 7).
+// Reports a sample that is covered more than once; complete (ruling 7).
 Disagreement duplicate(const ScenePrimitive& primitive, const CoverageDifference& difference,
                        Point sample, const Target& target);
 
-// Adds names of snaps to others, the whole in catalogue order.
+// Merges names of snaps into `names`, in catalogue order.
 void merge_snaps(const std::vector<std::string>& more, std::vector<std::string>& names);
 
-// Why a primitive covers a sample under a choice of rules, or does not: a sentence by the rule that
-// decides, with numbers and its figure. A line that is not multisampled draws the pixel of a sample
-// that is its centre.
+// Why a primitive covers a sample under a choice of rules, or does not: a sentence with numbers by
+// the rule that decides, and its figure. For a line that is not multisampled, the sample is the
+// centre of the pixel.
 Explanation explain(const ScenePrimitive& primitive, Point sample, const Target& target,
                     const CoverageChoice& choice);
 
-// Where on a primitive a sample lies, in words that many disagreements can share. What no
-// catalogued alternative explains is sorted by its geometry: all first pixels of vertical lines
-// that start on the lower corner of their diamond belong together, wherever the lines lie.
+// The position of a sample relative to a primitive, in text that many disagreements can share.
+// Differences that no catalogued alternative explains are sorted by geometry: all first pixels of
+// vertical lines that start on the lower corner of their diamond belong together, wherever the
+// lines lie.
 //
-// With the vertices as given; of a line that is not multisampled, of the
-// pixel that holds it:
+// Uses the vertices as given and, for a line that is not multisampled, the pixel:
 // "line, vertical down, first pixel, start on the lower corner of its diamond",
 // "triangle, sample exactly on a left edge", "point of size 1, centre exactly on the top side".
-// Vertices that are quotients are taken to the nearest multiple of 2^-16, which the words say.
+// Vertices that are quotients are rounded to a multiple of 2^-16, which the text says.
 std::string situation_of(const ScenePrimitive& primitive, Point sample, const Target& target);
 
 }  // namespace edgecase

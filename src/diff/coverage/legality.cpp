@@ -23,7 +23,7 @@
 namespace edgecase {
 namespace {
 
-// Of quotients, the nearest: reach_of knows how far off they are.
+// Quotients are rounded to the nearest point; reach_of accounts for the error.
 Triangle triangle_of(const ScenePrimitive& primitive) {
   return nearest_triangle(primitive.positions);
 }
@@ -32,7 +32,7 @@ SizedPoint point_of(const ScenePrimitive& primitive) {
   return {nearest_point(primitive.positions[0]), primitive.state->point_size};
 }
 
-// SeenLine::find, by kernels where they are used.
+// SeenLine::find, with kernels if they are in use.
 std::vector<PixelPosition> fragments_of_rule(const Segment& segment, const PixelBounds& bounds) {
   static const CoverageChoice choice = [] {
     CoverageChoice standard;
@@ -42,13 +42,13 @@ std::vector<PixelPosition> fragments_of_rule(const Segment& segment, const Pixel
   return found_line_pixels(segment, Fixed::from_integer(1), bounds, choice);
 }
 
-// What a line is held against: how wide it may be, and where its fragments are asked for.
+// The terms by which a line is judged: its permitted widths, and the pixels that are tested.
 struct LineTerms {
   std::vector<int> widths;
   PixelBounds bounds;
 };
 
-// The nearest integers to the width: of a half there are two (14.5.2.2 says nothing of ties).
+// The nearest integers to the width: two for a half, since 14.5.2.2 does not decide ties.
 LineTerms terms_of(const ScenePrimitive& line, const Scene& scene) {
   const Fixed width = line.state->line_width;
   LineTerms terms{{rounded_width(width)}, drawable_bounds(*line.state, scene.target)};
@@ -62,7 +62,7 @@ SeenLine seen_line(const ScenePrimitive& line, Snap snap, const LineTerms& terms
   return {segment, terms.widths[0], terms.bounds, reach, fragments_of_rule};
 }
 
-// The clause that is broken whichever of the widths the line has.
+// The clause that is broken for every permitted width.
 std::string broken_clause(SeenLine line, const LineTerms& terms,
                           std::span<const PixelPosition> drawn) {
   std::string first;
@@ -79,8 +79,8 @@ Segment segment_of(const ScenePrimitive& line) {
   return {nearest_point(line.positions[0]), nearest_point(line.positions[1])};
 }
 
-// How large a point may be, or how wide a multisampled line. A multisampled point of a size below
-// the fade threshold, which is 1, may be as large as that (14.4, equation 14.1).
+// The permitted size of a point or width of a multisampled line. A multisampled point smaller than
+// the fade threshold, which is 1, may be as large as the threshold (14.4, equation 14.1).
 SizeRange sizes_of(const ScenePrimitive& primitive, const SupportedSizes& supported) {
   const Draw& state = *primitive.state;
   if (primitive.kind == PrimitiveKind::line)
@@ -91,7 +91,7 @@ SizeRange sizes_of(const ScenePrimitive& primitive, const SupportedSizes& suppor
   return range;
 }
 
-// Where vertices may lie, and how large points and lines may be.
+// The latitude of vertices, and of sizes of points and lines.
 struct Latitudes {
   Fixed reach;
   SizeRange sizes;
@@ -123,7 +123,7 @@ bool possibly_uncovered(const ScenePrimitive& primitive, Point sample, const Lat
   return true;
 }
 
-// "less than 1/256 pixel", and what ruling 15 adds to it.
+// "less than 1/256 pixel", with the addition of ruling 15.
 std::string move_of(Fixed error, int bits) {
   std::string text = fmt::format("less than 1/{} pixel", 1 << bits);
   if (error != Fixed())
@@ -146,7 +146,7 @@ RuleId rule_on_coverage(const ScenePrimitive& primitive, const Target& target) {
 
 namespace {
 
-// What no sample may be covered by, wherever the primitive lies; none.
+// The reason why no primitive may cover the sample, wherever it lies; none if there is no reason.
 std::optional<CoverageLegality> judge_mask(const ScenePrimitive& primitive,
                                            const CoverageDifference& difference) {
   const Multisampling& use = primitive.state->multisampling;
@@ -164,8 +164,8 @@ std::optional<CoverageLegality> judge_mask(const ScenePrimitive& primitive,
 
 namespace {
 
-// A point outside the clip volume, if clipping may pass it all the same: it lies between near and
-// far, to within 1 part in 10^5 of w, and near enough to the target for a place in the window.
+// A point outside the clip volume that clipping may still pass: it lies between near and far, to
+// within 1 part in 10^5 of w, and near enough to the target to have a position in the window.
 std::optional<SizedPoint> passed_point(const ScenePrimitive& point) {
   const ClipPosition& clip = *point.vertices[0]->clip;
   const double farthest = static_cast<double>(clip.w) * (1 + 1e-5);
@@ -176,8 +176,8 @@ std::optional<SizedPoint> passed_point(const ScenePrimitive& point) {
   return point_of(point);
 }
 
-// An implementation may draw a point that lies outside the sides of the view volume, or not; no
-// exact one does (ruling 42).
+// An implementation may draw a point outside the sides of the view volume, or not; exact does not
+// (ruling 42).
 CoverageLegality judge_clipped_point(const ScenePrimitive& point, bool extra, Point sample,
                                      int bits) {
   constexpr int kRuling = 42;
@@ -196,7 +196,7 @@ CoverageLegality judge_clipped_point(const ScenePrimitive& point, bool extra, Po
                       move_of(error, bits))};
 }
 
-// Of a primitive that reaches out of the clip volume: ruling 42.
+// Judges a primitive that reaches out of the clip volume: ruling 42.
 CoverageLegality judge_clipped(const ScenePrimitive& primitive, bool extra, Point sample,
                                int bits) {
   constexpr int kRuling = 42;
@@ -255,15 +255,15 @@ CoverageLegality judge_facing(const ScenePrimitive& primitive, const CoverageDif
   if (extra && is_culled(primitive, primitive.positions, FacingMethod::as_set))
     return {otherwise.legal, kRuling, kRule,
             otherwise.legal ? reason : reason + ", but " + otherwise.reason};
-  // All fragments of a triangle face one way.
+  // All fragments of a triangle face the same way.
   if (extra || !whole || otherwise.legal) return otherwise;
   return {turns, kRuling, kRule, "nothing of the triangle is drawn, and " + reason};
 }
 
 namespace {
 
-// Would a sample elsewhere in the pixel, or less than a pixel beyond it, be covered, or not, as the
-// difference has it?
+// True if a sample elsewhere in the pixel, or less than a pixel outside it, would be covered (or
+// not) as the difference has it.
 bool is_so_elsewhere(const ScenePrimitive& primitive, const CoverageDifference& difference,
                      int bits, const SupportedSizes& sizes) {
   const bool extra = difference.drawn > difference.exact;
@@ -282,15 +282,15 @@ bool is_so_elsewhere(const ScenePrimitive& primitive, const CoverageDifference& 
     return extra ? possibly_covered(primitive, sample, latitudes)
                  : possibly_uncovered(primitive, sample, latitudes);
   };
-  // A sample that lies half a pixel from a centre at most is a centre with vertices moved by as
-  // much; the pixel and what lies around it are those squares round nine centres.
+  // A sample at most half a pixel from a centre is like a centre with the vertices moved by as
+  // much; the pixel and its surroundings are those squares round nine centres.
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx)
       if (is_so(pixel_centre(difference.pixel.x + dx, difference.pixel.y + dy))) return true;
   return false;
 }
 
-// Is the difference one that a cut at the viewport's sides makes?
+// True if a cut at the viewport's sides makes the difference.
 bool is_cut_at_viewport(const ScenePrimitive& primitive, const CoverageDifference& difference) {
   return primitive.kind != PrimitiveKind::triangle && difference.drawn < difference.exact &&
          !pixels_in(primitive.viewport).contains(difference.pixel);
@@ -317,7 +317,7 @@ namespace {
 std::vector<std::string> snaps_that_break(const ScenePrimitive& line,
                                           std::span<const PixelPosition> drawn,
                                           const LineTerms& terms) {
-  // Many snaps leave a line in the same place, where it is judged once.
+  // Many snaps leave a line where it is; each position is judged once.
   std::vector<std::pair<SeenLine, bool>> judged;
   std::vector<std::string> result;
   for (Snap snap : all_snaps()) {
@@ -343,7 +343,7 @@ std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,
 
 namespace {
 
-// One fragment, no more than a unit from a pixel whose closed diamond the segment meets.
+// True for one fragment at most one unit from a pixel whose closed diamond the segment meets.
 bool is_near_empty_line(const SeenLine& line, std::span<const PixelPosition> drawn) {
   if (line.width != 1 || drawn.size() != 1 || !is_unseen(line)) return false;
   for (int dy = -1; dy <= 1; ++dy)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Legality: is a difference inside the specification? Computed from the scene and from what was
-// drawn alone, without any policy or profile.
+// Legality: is a difference inside the specification? Computed only from the scene and the drawing,
+// without any policy or profile.
 #pragma once
 
 #include <span>
@@ -15,43 +15,43 @@
 
 namespace edgecase {
 
-// b of ruling 4: the larger of 4 and what the renderer reports, and no finer than our coordinates.
+// b of ruling 4: the larger of 4 and the reported bits, but no finer than our coordinates.
 int latitude_bits(int reported_subpixel_bits);
 
-// The rule of lines of multisampled draws; the others' is coverage_rule_of.
+// The rule of lines of multisampled draws; coverage_rule_of has the rules of others.
 inline constexpr RuleId kMultisampledLine = RuleId::line_multisampled;
 // The rule of primitives that reach out of the clip volume.
 inline constexpr RuleId kClipVolume = RuleId::clip_volume;
-// The rule that says what the primitive covers.
+// The rule that decides what the primitive covers.
 RuleId rule_on_coverage(const ScenePrimitive& primitive, const Target& target);
 
-// Whether one difference of one primitive is allowed, by which rule and ruling.
+// Whether one difference of one primitive is allowed, and by which rule and ruling.
 struct CoverageLegality {
   bool legal = false;  // by the letter
   int ruling = 0;
   RuleId rule;         // the rule that is broken or under which the difference is allowed
-  std::string reason;  // one clause, why
+  std::string reason;  // the reason, one clause
 };
 
-// Points, triangles and multisampled lines: `difference` judged by itself. `within`: where in its
-// pixel the sample lies. `sizes`: that the renderer supports.
+// Points, triangles and multisampled lines: judges one `difference` by itself. `within`: the
+// sample's position in its pixel. `sizes`: those that the renderer supports.
 CoverageLegality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
                               Point within, int bits, const SupportedSizes& sizes = {});
 
-// The same of triangles of draws that cull: which way they face may be what differs (ruling 40).
-// `whole`: nothing of the triangle was drawn. `otherwise`: what judge_sample says.
+// Judges triangles of draws that cull, whose facing may be the cause of the difference (ruling 40).
+// `whole`: nothing of the triangle was drawn. `otherwise`: the result of judge_sample.
 CoverageLegality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
                               bool whole, CoverageLegality otherwise, int bits);
 
-// The ruling on coverage at other places than are reported, and the one on fragments of points and
+// The ruling on coverage at other positions than reported, and the one on fragments of points and
 // lines that are left out beyond the viewport's sides.
 inline constexpr int kRulingOnOtherPlaces = 47;
 inline constexpr int kRulingOnViewport = 54;
 
-// What judge_sample does not allow, but by one of these: the ruling becomes theirs. Of multisampled
-// draws where the points lie by which coverage is found is not told, and they may lie beyond the
-// pixel (14.3.1): ruling 47 is broken where a sample elsewhere in the pixel, or less than a pixel
-// beyond it, would be covered, or not, as the difference has it.
+// Differences that judge_sample forbids and one of these rulings contests: the ruling becomes
+// theirs. For multisampled draws, the points at which coverage is found are not reported, and may
+// lie outside the pixel (14.3.1): ruling 47 is broken if a sample elsewhere in the pixel, or less
+// than a pixel outside it, would be covered, or not, as the difference has it.
 struct ContestTerms {
   bool is_multisampled = false;
   int bits = 4;
@@ -60,29 +60,29 @@ struct ContestTerms {
 void contest(const ScenePrimitive& primitive, const CoverageDifference& difference,
              const ContestTerms& terms, CoverageLegality& legality);
 
-// The ruling on wide lines that are as wide as the next smaller integer.
+// The ruling on wide lines drawn as wide as the next smaller integer.
 inline constexpr int kRulingOnSmallerWidth = 56;
-// The ruling on a single fragment of a line of which the diamond-exit rule has none.
+// The ruling on a single fragment of a line for which the diamond-exit rule has none.
 inline constexpr int kRulingOnEmptyLine = 58;
-// Lines that break a ruling: the contested ruling that they break alone, if there is one, since
-// they hold all others under more of the catalogued snaps; else 0.
+// For lines that break a ruling: the only ruling they break, if it is contested, which means that
+// they satisfy all others under more of the catalogued snaps; else 0.
 int contested_ruling_on_line(const ScenePrimitive& line, std::span<const PixelPosition> drawn,
                              const Scene& scene);
 
-// Lines: names of the catalogued snaps under which the segment's drawn pixels break a ruling.
+// Lines: the catalogued snaps under which the segment's drawn pixels break a ruling.
 std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,
                                             std::span<const PixelPosition> drawn,
                                             const Scene& scene);
 
-// The clause of rulings 1 and 2 that the segment as given breaks, or empty.
+// The clause of rulings 1 and 2 that the unsnapped segment breaks, or empty.
 std::string broken_clause_unsnapped(const ScenePrimitive& line,
                                     std::span<const PixelPosition> drawn, const Scene& scene);
 
-// The ruling that speaks of the line as given: 12 for a wide one, 2 where the diamond-exit rule
-// draws nothing of it, else 1.
+// The ruling on the line as given: 12 for a wide line, 2 if the diamond-exit rule draws nothing of
+// it, else 1.
 int ruling_on_line(const ScenePrimitive& line, const Scene& scene);
 
-// Is a disagreement judged by the rulings on lines, which speak of whole segments?
+// True if the rulings on lines, which are about whole segments, decide the disagreement.
 bool is_about_a_line(const Disagreement& disagreement);
 
 }  // namespace edgecase

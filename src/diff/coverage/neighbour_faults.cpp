@@ -20,12 +20,12 @@
 namespace edgecase {
 namespace {
 
-// As given; of quotients, the nearest.
+// The line as given; quotients are rounded to the nearest point.
 Segment segment_of(const ScenePrimitive& line) {
   return {nearest_point(line.positions[0]), nearest_point(line.positions[1])};
 }
 
-// Connected lines of one direction: the first and last have drawn something, those between nothing.
+// Connected lines in one direction: the first and last have drawn fragments, those between none.
 using Chain = std::vector<std::size_t>;
 
 class Chains {
@@ -55,7 +55,7 @@ class Chains {
   }
   bool has_drawn(std::size_t i) const { return !coverage_[i].drawn.front().empty(); }
 
-  // The major coordinate only grows along a chain, so no chain comes back to where it was.
+  // The major coordinate grows along a chain, so no chain returns to an earlier point.
   void extend(const Chain& chain) {
     const Segment last = segment_of(primitives_[chain.back()]);
     const Vertex& end = *primitives_[chain.back()].vertices[1];
@@ -80,7 +80,8 @@ class Chains {
   std::vector<Chain> found_;
 };
 
-// Do segments go on from one another? Those without length, as a snap can make them, are left out.
+// True if each segment continues the one before. Segments without length, which a snap can make,
+// are skipped.
 bool is_one_line(std::span<const Segment> segments, Fixed reach) {
   for (std::size_t i = 1; i < segments.size(); ++i)
     if (!goes_on(segments[i - 1], segments[i], reach)) return false;
@@ -102,7 +103,7 @@ std::string broken_clause(const Chain& chain, std::span<const ScenePrimitive> pr
     some_without_length = some_without_length || segment.a == segment.b;
     if (segment.a != segment.b) segments.push_back(segment);
   }
-  // One without length may have one, of any direction, where its ends erred.
+  // A segment without length may have any direction, if its ends erred.
   if (some_without_length && reach != Fixed()) return "";
   if (!is_one_line(segments, reach)) return "";
   const auto drawn = [&](std::size_t i, const Segment& segment) {
@@ -137,12 +138,12 @@ std::vector<JointFault> joint_faults(std::span<const ScenePrimitive> primitives,
 
 namespace {
 
-// Of quotients, the nearest: reach_of knows how far off they are.
+// Quotients are rounded to the nearest point; reach_of accounts for the error.
 Triangle triangle_of(const ScenePrimitive& primitive) {
   return nearest_triangle(primitive.positions);
 }
 
-// How often a pixel is among pixels that are sorted row first.
+// How often a pixel occurs among pixels sorted by row.
 long count(std::span<const PixelPosition> pixels, PixelPosition p) {
   const auto [first, last] = std::equal_range(
       pixels.begin(), pixels.end(), p,
@@ -167,7 +168,7 @@ PixelBounds bounds_near(Point a, Point b, const PixelBounds& target) {
                          clip(y_high.floor() + 1)});
 }
 
-// The common edge of two triangles whose ends are bit-identical, and not only nearest to one point.
+// The common edge of two triangles, whose ends must be bit-identical and not only close.
 std::optional<SharedEdge> common_edge(const ScenePrimitive& first, const ScenePrimitive& second) {
   const Triangle one = triangle_of(first);
   const Triangle other = triangle_of(second);
@@ -183,7 +184,7 @@ std::optional<SharedEdge> common_edge(const ScenePrimitive& first, const ScenePr
   return edge;
 }
 
-// What two triangles have in common, how far vertices may move, and the pixels near it.
+// The common edge of two triangles, how far vertices may move, and the pixels near it.
 struct SharedSide {
   SharedEdge edge;
   Fixed reach;
@@ -191,8 +192,8 @@ struct SharedSide {
   bool is_multisampled = false;
 };
 
-// Does every place of the pixel, and less than a pixel around it, lie inside the other edges?
-// Nowhere there may two triangles leave a sample out.
+// True if the whole pixel, and less than a pixel around it, lies inside the other edges. There two
+// triangles may nowhere leave a sample out.
 bool lies_well_between(const SharedSide& side, PixelPosition pixel) {
   const Fixed half = Fixed::from_raw(Fixed::kOne / 2);
   for (int dy = -1; dy <= 1; ++dy)
@@ -202,7 +203,7 @@ bool lies_well_between(const SharedSide& side, PixelPosition pixel) {
   return true;
 }
 
-// The samples that both triangles may write, by index, with where in a pixel they lie.
+// The samples that both triangles may write, by index, with their positions in a pixel.
 std::map<int, Point> shared_samples(const ScenePrimitive& first, const ScenePrimitive& second,
                                     const Target& target, const SamplePositions& positions) {
   if (!is_multisampled(*first.state, target)) return {{0, centre_of_pixel()}};
@@ -213,7 +214,7 @@ std::map<int, Point> shared_samples(const ScenePrimitive& first, const ScenePrim
   return samples;
 }
 
-// Appends the pixels whose sample the two triangles do not hit once, though they must.
+// Appends the pixels whose sample the two triangles must hit once but do not.
 void add_faults(const SharedSide& side, int first, int second, int sample, Point within,
                 std::span<const PrimitiveCoverage> coverage, std::vector<SharedEdgeFault>& faults) {
   const auto hits_of = [&](int primitive, PixelPosition p) {
@@ -230,14 +231,14 @@ void add_faults(const SharedSide& side, int first, int second, int sample, Point
   }
 }
 
-// Triangles by the edges that they run along counter-clockwise.
+// Triangles by their edges, counter-clockwise.
 using TrianglesByEdge = std::map<std::array<std::int64_t, 4>, std::vector<std::size_t>>;
 
 std::array<std::int64_t, 4> key_of(Point from, Point to) {
   return {from.x.raw(), from.y.raw(), to.x.raw(), to.y.raw()};
 }
 
-// What is known of a primitive, whichever others it is held against.
+// Facts about one primitive that do not depend on its partner.
 struct Facts {
   bool may_be_culled = false;
   bool is_multisampled = false;
@@ -258,13 +259,13 @@ std::vector<std::pair<std::size_t, std::size_t>> neighbours(
   TrianglesByEdge before;
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < primitives.size(); ++i) {
-    // What clipping makes of two triangles need not have an edge in common.
+    // Two clipped triangles need not have an edge in common.
     if (primitives[i].kind != PrimitiveKind::triangle || primitives[i].is_clipped) continue;
     const Triangle given = triangle_of(primitives[i]);
     if (doubled_area(given) == 0) continue;
     const Triangle t = counter_clockwise(given);
-    // Triangles on opposite sides run along the common edge in opposite directions; of one edge
-    // only, since they wind alike.
+    // Triangles on opposite sides of an edge run along it in opposite directions. Each is looked up
+    // by one edge only, since both wind alike.
     for (std::size_t k = 0; k < 3; ++k) {
       const auto others = before.find(key_of(t[(k + 1) % 3], t[k]));
       if (others == before.end()) continue;
@@ -289,7 +290,7 @@ std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> 
   for (const auto& [i, j] : neighbours(primitives)) {
     const Facts& one = facts(i);
     const Facts& other = facts(j);
-    // Ruling 40 lets what may be culled be missing, or has it so.
+    // Ruling 40 permits fragments of triangles that may be culled to be missing.
     if (one.may_be_culled || other.may_be_culled) continue;
     if (one.is_multisampled != other.is_multisampled) continue;
     const auto edge = common_edge(primitives[i], primitives[j]);

@@ -23,12 +23,12 @@ namespace {
 
 using Pixels = std::vector<PixelPosition>;
 
-// Would single changes of what is chosen draw what exact draws? Most answers agree, and are held
-// against all alternatives: what cannot differ is not drawn, and what differs at a line's ends not
-// wholly.
+// Tests whether single changes of the choice draw what exact draws. Most answers agree, and are
+// tested against all alternatives, so changes that cannot make a difference are not drawn, and
+// those that differ at a line's ends are not drawn whole.
 class SingleChanges {
  public:
-  // `drawn` must be what the choice draws.
+  // `drawn` must be the drawing of the choice.
   SingleChanges(const CauseQuestion& question, const SampleCoverage& drawn)
       : question_(question), drawn_(drawn) {}
 
@@ -54,13 +54,13 @@ class SingleChanges {
     return covered_samples(primitive(), question_.target, choice, question_.reported) == drawn_;
   }
 
-  // Are there pixels with one sample each, the vertices multiples of 2^-16 once they are snapped?
+  // True for pixels with one sample each and vertices at multiples of 2^-16 after snapping.
   bool is_plain() const {
     return question_.target.samples == 1 && !primitive().is_clipped &&
            !(chosen().snap.is_none() && has_clip_positions(primitive()));
   }
 
-  // Does snapping decide on where vertices are, and on nothing else?
+  // True if snapping decides nothing but the positions of vertices.
   bool decides_by_vertices() const {
     return question_.target.samples == 1 && !primitive().is_clipped &&
            !has_clip_positions(primitive()) && chosen().rows == RowOrder::bottom_up;
@@ -71,7 +71,7 @@ class SingleChanges {
     return {snap(p[0]), snap(p[1]), snap(p[2])};
   }
 
-  // Grids that take the vertices to the same places draw the same.
+  // Grids that snap the vertices to the same points draw the same.
   bool snapped_so(const CoverageChoice& changed) {
     if (known_.empty()) known_.emplace_back(snapped(chosen().snap), true);
     const Positions positions = snapped(changed.snap);
@@ -94,8 +94,8 @@ class SingleChanges {
     return is_thin_line() && chosen().line.algorithm == LineAlgorithm::diamond_exit;
   }
 
-  // Can only the samples differ that lie on an edge, or the diamonds that a line only touches? From
-  // the other side a target looks the same, but for them, where nothing is snapped or culled.
+  // True if only samples on an edge, or diamonds that a line only touches, can differ. From the
+  // other side a target looks the same except for these, if nothing is snapped or culled.
   bool only_ties_differ(const CoverageChoice& changed) const {
     const bool turns = changed.rows != chosen().rows;
     const bool seen_alike = chosen().snap.is_none() && primitive().state->cull == CullMode::none;
@@ -131,7 +131,7 @@ class SingleChanges {
   }
   bool sees_turned() const { return chosen().rows == RowOrder::top_down; }
 
-  // Where ties are to be decided.
+  // The pixels at which ties are decided.
   Pixels tied_pixels() const {
     if (primitive().kind == PrimitiveKind::line)
       return tied_line_pixels(seen_segment(), seen_bounds());
@@ -162,8 +162,8 @@ class SingleChanges {
     });
   }
 
-  // Is a line that is an area drawn otherwise near one of its ends, where most differ first? False
-  // says nothing: others are found whole sooner.
+  // True if a line that is an area is drawn differently near one of its ends, where most differ
+  // first. False means unknown: other differences are found sooner in the whole line.
   bool differs_at_ends(const CoverageChoice& changed) const {
     constexpr std::size_t kLong = 8;
     if (!is_thin_line() || drawn_[0].size() < kLong) return false;
@@ -190,8 +190,8 @@ class SingleChanges {
 
 }  // namespace
 
-// Several changes may bear one name, as all swapped pairs of samples do: it is refuted where none
-// of them draws so.
+// Several changes may share a name, as all swapped pairs of samples do: the name is refuted only if
+// none of them draws so.
 void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
                   AlternativeSet& refuted) {
   AlternativeSet draw_so, draw_otherwise;

@@ -19,7 +19,7 @@
 namespace edgecase {
 namespace {
 
-// Distances that are told apart, raw, with their names; whatever is farther is "farther".
+// Distances that are distinguished, raw, with their names; anything farther is "farther".
 struct Reach {
   std::int64_t raw;
   const char* name;
@@ -35,7 +35,7 @@ const char* name_of_reach(IsWithin is_within) {
   return "more than 1 pixel";
 }
 
-// Where a point lies in the diamond of the pixel that holds it, or whose corner it is.
+// The position of a point in the diamond of the pixel that contains it or whose corner it is.
 std::string place_in_diamond(Point p, PixelPosition pixel) {
   const Point centre = pixel_centre(pixel.x, pixel.y);
   const std::int64_t dx = p.x.raw() - centre.x.raw();
@@ -67,7 +67,7 @@ bool pixel_has(PixelPosition pixel, Point p) {
   return p.x.floor() == pixel.x && p.y.floor() == pixel.y;
 }
 
-// A pixel whose closed diamond holds the point, or the pixel that holds it.
+// A pixel whose closed diamond contains the point, or the pixel that contains it.
 bool is_at(PixelPosition pixel, Point p) {
   const Point centre = pixel_centre(pixel.x, pixel.y);
   return pixel_has(pixel, p) ||
@@ -107,7 +107,7 @@ const char* edge_name(Point a, Point b) {
   return b.x > a.x ? "bottom" : "top";
 }
 
-// Is the sample within a distance of the edge's line (raw), or on its inner side?
+// True if the sample lies within a distance of the edge's line (raw), or on its inner side.
 bool is_beyond(Point a, Point b, Point sample, std::int64_t distance) {
   const std::int64_t side = cross(a, b, sample);
   if (side >= 0) return true;
@@ -116,7 +116,7 @@ bool is_beyond(Point a, Point b, Point sample, std::int64_t distance) {
   return static_cast<Int128>(side) * side <= (dx * dx + dy * dy) * distance * distance;
 }
 
-// Where a sample lies to a convex polygon whose vertices run counter-clockwise.
+// The position of a sample relative to a convex polygon with counter-clockwise vertices.
 std::string polygon_situation(const char* name, std::span<const Point> t, Point sample) {
   if (std::find(t.begin(), t.end(), sample) != t.end())
     return fmt::format("{}, sample at a vertex", name);
@@ -131,7 +131,7 @@ std::string polygon_situation(const char* name, std::span<const Point> t, Point 
       if (cross(t[i], t[(i + 1) % t.size()], sample) == 0)
         return fmt::format("{}, sample exactly on a {} edge", name,
                            edge_name(t[i], t[(i + 1) % t.size()]));
-  // Inside, turning an edge round asks how far its line is on the other side.
+  // Inside, the reversed edge gives the distance to its line on the other side.
   const char* reach = name_of_reach([&](std::int64_t distance) {
     return outside
                ? every_edge([&](Point a, Point b) { return is_beyond(a, b, sample, distance); })
@@ -160,7 +160,7 @@ std::string clipped_situation(const ScenePrimitive& primitive, Point sample) {
 std::string point_situation(const ScenePrimitive& point, Point sample, bool multisampled) {
   const Point vertex = nearest_point(point.positions[0]);
   const Fixed size = point.state->point_size;
-  // Twice the distances, since half a size need not be a whole raw unit.
+  // All distances are doubled, since half a size need not be a whole raw unit.
   const std::int64_t dx = 2 * (sample.x.raw() - vertex.x.raw());
   const std::int64_t dy = 2 * (sample.y.raw() - vertex.y.raw());
   const std::int64_t beyond = std::max(std::abs(dx), std::abs(dy)) - size.raw();
@@ -178,14 +178,15 @@ std::string point_situation(const ScenePrimitive& point, Point sample, bool mult
   return fmt::format("{}, {} {} {}", kind, what, beyond > 0 ? "outside," : "inside,", reach);
 }
 
-// Where a sample lies to the rectangle of a multisampled line.
+// The position of a sample relative to the rectangle of a multisampled line.
 std::string rectangle_situation(const ScenePrimitive& line, Point sample) {
   const Segment s{nearest_point(line.positions[0]), nearest_point(line.positions[1])};
   const Int128 dx = s.b.x.raw() - s.a.x.raw();
   const Int128 dy = s.b.y.raw() - s.a.y.raw();
   const Int128 along = dx * (sample.x.raw() - s.a.x.raw()) + dy * (sample.y.raw() - s.a.y.raw());
   const Int128 length = dx * dx + dy * dy;
-  // Four times the squares of the distance from the line and of half the width, times the length's.
+  // Both squares are multiplied by four times the squared length: of the distance from the line,
+  // and of half the width.
   const Int128 side = cross(s.a, s.b, sample);
   const Int128 width = line.state->line_width.raw();
   const Int128 beyond = 4 * side * side - length * width * width;

@@ -34,7 +34,7 @@ SupportedSizes supported_sizes(const std::map<std::string, std::string>& traits)
 SizeRange permitted_sizes(Fixed asked, const SizeSteps& supported) {
   const double size = asked.to_double();
   if (supported.step == 0 || size == 1) return {asked, asked};
-  // As accurate as float32 numbers in which ranges and steps are told.
+  // Ranges and steps are reported as float32 numbers; this is as accurate as those.
   const double steps = (size - supported.least) / supported.step;
   if (std::fabs(steps - std::round(steps)) * supported.step <= 1e-5 * size) return {asked, asked};
   const Fixed least = Fixed::from_raw(1);

@@ -2,9 +2,10 @@
 //
 // Sizes that a renderer supports (GL 4.6 core, 14.4.1, 14.5.2.3 and 14.5.4; table 23.55).
 //
-// Not all sizes of points, nor all widths of multisampled lines, need be supported: one that is not
-// becomes the nearest that is. GL_POINT_SIZE_GRANULARITY and GL_SMOOTH_LINE_WIDTH_GRANULARITY tell
-// how far supported ones lie apart; others may be supported besides.
+// Implementations need not support all sizes of points, nor all widths of multisampled lines: an
+// unsupported size becomes the nearest supported one. GL_POINT_SIZE_GRANULARITY and
+// GL_SMOOTH_LINE_WIDTH_GRANULARITY give the distance between supported sizes; others may be
+// supported besides.
 #pragma once
 
 #include <map>
@@ -14,8 +15,7 @@
 
 namespace edgecase {
 
-// Evenly spaced sizes, pixels, from `least` on. step 0: nothing is told, and every size is taken to
-// be supported.
+// Evenly spaced sizes, pixels, from `least` on. step 0: unknown; every size is taken as supported.
 struct SizeSteps {
   double least = 1;
   double step = 0;
@@ -26,11 +26,11 @@ struct SupportedSizes {
   SizeSteps lines;  // multisampled ones
 };
 
-// What a renderer claims by its traits "point_size_steps" and "sampled_line_width_steps", as "1 by
-// 0.125". One that is missing, or that says something else, tells nothing.
+// The sizes that a renderer claims by its traits "point_size_steps" and "sampled_line_width_steps",
+// as "1 by 0.125". A trait that is missing, or has another form, means unknown.
 SupportedSizes supported_sizes(const std::map<std::string, std::string>& traits);
 
-// The least and the largest size that one that is asked for may become, both more than 0.
+// The least and the largest size that a requested size may become, both more than 0.
 struct SizeRange {
   Fixed low;
   Fixed high;

@@ -18,17 +18,17 @@ namespace {
 // "About 1 part in 10^5" (GL 4.6 core, 2.3.1).
 constexpr std::int64_t kParts = 100000;
 
-// Of one coordinate, raw: the division and the scaling err by a part of the distance from the
-// viewport's centre each, the addition of the centre by a part of the sum. One raw unit more holds
-// the rounding of the coordinate, half a unit at most, and the products of errors, less than 3
-// parts in 10^10 of 2^13 pixels each.
+// For one coordinate, raw: the division and the scaling each err by a part of the distance from the
+// viewport's centre, the addition of the centre by a part of the sum. One more raw unit covers the
+// rounding of the coordinate, half a unit at most, and the products of errors, less than 3 parts in
+// 10^10 of 2^13 pixels each.
 std::int64_t error_of_coordinate(Fixed at, int low, int size) {
   const std::int64_t centre = (2 * std::int64_t{low} + size) * (Fixed::kOne / 2);
   const std::int64_t parts = 2 * std::abs(at.raw() - centre) + std::abs(at.raw());
   return (parts + kParts - 1) / kParts + 1;
 }
 
-// How far the grid line of one coordinate may be from where the exact coordinate is snapped to.
+// How far the grid line of one coordinate may be from the one that exact snaps to.
 Fixed snapped_error(Snap snap, Fixed exact, Fixed nearest, Fixed error) {
   return std::max(snap(nearest + error) - exact, exact - snap(nearest - error));
 }
@@ -38,7 +38,7 @@ Fixed error_of_position(Point at, const Viewport& viewport) {
                                   error_of_coordinate(at.y, viewport.y, viewport.height)));
 }
 
-// A vertex that clipping made is divided as the others are, and is off by more besides.
+// A vertex made by clipping is divided as the others are, and has the further error of its making.
 Fixed error_of_seen(const ScenePrimitive& triangle) {
   Fixed largest;
   for (const ClipPolygonVertex& vertex : seen_polygon(triangle, kParts))
@@ -47,8 +47,8 @@ Fixed error_of_seen(const ScenePrimitive& triangle) {
   return largest;
 }
 
-// The end of a line that clipping made is a mean of the vertices: each of its coordinates is off by
-// a part of the larger vertex' own, and so is w, which divides them.
+// The end of a line made by clipping is a mean of the vertices: each of its coordinates errs by a
+// part of the larger vertex' own, and so does w, by which they are divided.
 Fixed error_of_cut(const ScenePrimitive& line, std::size_t end) {
   const RationalClip from = rational_clip(*line.vertices[0], line.viewport);
   const RationalClip to = rational_clip(*line.vertices[1], line.viewport);
@@ -69,7 +69,7 @@ Fixed error_of_cut(const ScenePrimitive& line, std::size_t end) {
   return Fixed::from_raw(static_cast<std::int64_t>(std::min<Integer>(raw, limit)));
 }
 
-// Of one vertex of a primitive, or of what takes its place.
+// For one vertex of a primitive, or the vertex that replaces it.
 Fixed error_of_vertex(const ScenePrimitive& primitive, std::size_t i) {
   const Point position = nearest_point(primitive.positions[i]);
   if (!primitive.is_cut)
@@ -132,7 +132,7 @@ struct Signs {
 };
 
 // The area is linear in each of the six components of the vertices' moves: over the open box of
-// moves it takes a sign exactly where a corner of the box has it.
+// moves it takes a sign exactly if it has that sign at a corner of the box.
 Signs signs_of_area(const Triangle& t, Fixed reach) {
   Signs signs;
   for (int corner = 0; corner < 64; ++corner) {
@@ -149,7 +149,7 @@ Signs signs_of_area(const Triangle& t, Fixed reach) {
   return signs;
 }
 
-// Of a clipped triangle, by a bound: where each vertex moves by at most r in x and in y, twice the
+// For a clipped triangle, by a bound: if each vertex moves by at most r in x and in y, twice the
 // area changes by at most the sum of r (|dx| + |dy|) from each vertex' neighbour to its other one,
 // and 2 r^2 for each pair of neighbours.
 Signs signs_of_seen_area(const LoosePolygon& polygon) {
@@ -169,9 +169,9 @@ Signs signs_of_seen_area(const LoosePolygon& polygon) {
   return {area + change > 0, area - change < 0};
 }
 
-// 14.6.1 lets the area be that of the polygon as it was before clipping, too. The quotients of a
-// vertex behind the eye lie on its other side: where there are one or three of these, that area has
-// the opposite sign. A vertex in the plane of the eye has no quotients, and so no sign.
+// 14.6.1 also permits the area of the polygon before clipping. The quotients of a vertex behind the
+// eye lie on its other side: with one or three such vertices, that area has the opposite sign. A
+// vertex in the plane of the eye has no quotients, and so no sign.
 bool may_turn_unclipped(const ScenePrimitive& triangle) {
   int behind = 0;
   for (const HomogeneousPoint& vertex : triangle.positions) {
@@ -187,7 +187,7 @@ Signs signs_of(const ScenePrimitive& triangle, int bits) {
     if (!may_turn_unclipped(triangle)) return seen;
     return {true, true};
   }
-  // Of quotients, the nearest: reach_of knows how far off they are.
+  // Quotients are rounded to the nearest point; reach_of accounts for the error.
   return signs_of_area(nearest_triangle(triangle.positions), reach_of(triangle, bits));
 }
 

@@ -22,7 +22,7 @@ struct Invocations {
   PixelPosition pixel;
   int primitive = 0;
   int count = 0;
-  std::uint32_t coverage = 0;  // by all of them together
+  std::uint32_t coverage = 0;  // of all of them together
 
   int samples() const { return std::popcount(coverage); }
 };
@@ -48,7 +48,8 @@ class InvocationComparison {
         all_(invocations_of(context, rendered)),
         chosen_(context.choices.samples.rate) {}
 
-  // The rate that yields all of them, the chosen one before others, and it where none does.
+  // The first rate that yields all invocations, starting with the chosen one; the chosen one if
+  // none does.
   ShadingRate followed() const {
     if (yields(chosen_)) return chosen_;
     const auto rates = values_of<ShadingRate>();
@@ -84,15 +85,15 @@ class InvocationComparison {
     return runs_per_sample(use_of(one), context_.scene.target.samples, rate) ? one.samples() : 1;
   }
 
-  // Of a pixel that is covered in part, in proportion: samples that share an invocation may be
-  // covered together.
+  // For a pixel that is covered in part, the least is proportional: samples that share an
+  // invocation may be covered together.
   int least(const Invocations& one) const {
     const int samples = context_.scene.target.samples;
     const int whole = least_invocations(use_of(one), samples);
     return (whole * one.samples() + samples - 1) / samples;
   }
 
-  // Where samples share invocations as they like: the others, that are not covered, have one each.
+  // The least if samples share invocations in any way: each sample that is not covered has its own.
   int least_of_any_sharing(const Invocations& one) const {
     const int samples = context_.scene.target.samples;
     const int whole = least_invocations(use_of(one), samples);

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "diff/output/fate_compare.h"
+#include "diff/output/operations_compare.h"
 #include "diff/values/pixel_values.h"
 #include "raster/samples.h"
 #include "rules/values/framebuffer.h"
@@ -49,7 +49,7 @@ class Inference {
     return ends_ == AlphaEnds::heeded ? left_by_alpha(context_, all) : all;
   }
 
-  // All but the last of the writers depend on their alphas.
+  // All writers but the last depend on their alphas.
   Writers left_by_hits(const Writers& all, std::span<const Fragment> fragments, int sample,
                        std::size_t index) const {
     std::uint32_t least = 0;
@@ -64,7 +64,7 @@ class Inference {
     return all;
   }
 
-  // The one that wrote the sample last if alpha to coverage does what the policy says.
+  // The last writer of the sample if alpha to coverage follows the policy.
   const Fragment* likely(const Writers& writers, int sample) const {
     const AlphaToCoverage choice = context_.choices.samples.alpha_to_coverage;
     const auto writes = [&](const Fragment* writer) {
@@ -100,13 +100,13 @@ class Inference {
 
 }  // namespace
 
-SamplePlanes told_samples(const Rendering& rendered) {
+SamplePlanes reported_samples(const Rendering& rendered) {
   return {rendered.sample_pixels, rendered.sample_pixels, rendered.sample_pixels};
 }
 
 SamplePlanes inferred_samples(const ValueContext& context, const Rendering& rendered,
                               AlphaEnds ends) {
-  if (has_fragment_operations(context.scene)) return fated_samples(context, rendered, ends);
+  if (has_fragment_operations(context.scene)) return samples_by_operations(context, rendered, ends);
   return Inference(context, rendered, ends).run();
 }
 

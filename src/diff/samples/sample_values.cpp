@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What a multisampled target holds as a whole (rulings 31 to 33): each resolved pixel lies between
-// the renderer's own samples, those that it tells or else those that its fragments make, and each
-// sample was written as often as the renderer's own fragments cover it, less what alpha to coverage
-// takes from them.
+// Compares a multisampled target as a whole (rulings 31 to 33): each resolved pixel must lie
+// between the renderer's own samples, either those that it reports or those that its fragments
+// make, and each sample must have been written as often as the renderer's own fragments cover it,
+// less those that alpha to coverage removes.
 #include "diff/samples/sample_values.h"
 
 #include <fmt/format.h>
@@ -36,9 +36,9 @@ class ResolveComparison {
       : context_(context),
         rendered_(rendered),
         chosen_(context.choices.samples.resolve),
-        are_told_(!rendered.sample_pixels.empty()),
-        samples_(are_told_ ? told_samples(rendered)
-                           : inferred_samples(context, rendered, AlphaEnds::heeded)) {}
+        are_reported_(!rendered.sample_pixels.empty()),
+        samples_(are_reported_ ? reported_samples(rendered)
+                               : inferred_samples(context, rendered, AlphaEnds::heeded)) {}
 
   void run(Result& result) {
     ValueAggregator aggregator("resolved pixel", kRule, kRuling, cause());
@@ -58,7 +58,7 @@ class ResolveComparison {
   static constexpr int kRuling = 31;
   static constexpr int kRulingBeyond = 51;
 
-  // Until `visit` returns false; whether it never did.
+  // Stops when `visit` returns false; returns true if it never did.
   template <class Visit>
   bool for_each_pixel(const Visit& visit) const {
     for (int y = 0; y < rendered_.height; ++y)
@@ -81,8 +81,8 @@ class ResolveComparison {
     return rendered_.pixels[4 * rendered_.pixel_index(pixel.x, pixel.y) + component];
   }
 
-  // Does the method make all that is stored of such samples? It never falls as a sample grows, and
-  // by one code at most for one code.
+  // True if the method makes everything that is stored of such samples. It never falls as a sample
+  // grows, and moves by one code at most for one code.
   bool yields(ResolveMethod method, const std::vector<std::uint8_t>& low,
               const std::vector<std::uint8_t>& high) const {
     return for_each_pixel([&](PixelPosition pixel) {
@@ -94,7 +94,7 @@ class ResolveComparison {
     });
   }
 
-  // Samples that are not told are taken to hold what is nearest before they explain anything.
+  // Samples that are not reported are assumed to hold the nearest values when a cause is sought.
   Cause cause() const {
     const auto among = [&](const std::vector<std::uint8_t>& low,
                            const std::vector<std::uint8_t>& high) {
@@ -102,11 +102,12 @@ class ResolveComparison {
                          [&](ResolveMethod method) { return yields(method, low, high); });
     };
     const Cause found = among(samples_.nearest, samples_.nearest);
-    if (are_told_ || !found.empty() || yields(chosen_, samples_.low, samples_.high)) return found;
+    if (are_reported_ || !found.empty() || yields(chosen_, samples_.low, samples_.high))
+      return found;
     return among(samples_.low, samples_.high);
   }
 
-  // Of the pixel and its neighbours: filters wider than a pixel exist.
+  // From the samples of the pixel and its neighbours, since filters wider than a pixel exist.
   ResolvedRange permitted(const SamplePlanes& samples, PixelPosition pixel,
                           std::size_t component) const {
     ResolvedRange range{255, 0};
@@ -139,9 +140,9 @@ class ResolveComparison {
     if (differs) aggregator.add_place(place);
   }
 
-  // Samples that alpha to coverage should have left alone, or should not, account for the pixel.
+  // True if samples that alpha to coverage wrongly kept or removed account for the pixel.
   bool is_due_to_alpha(PixelPosition pixel) {
-    if (are_told_) return false;
+    if (are_reported_) return false;
     if (!without_alpha_) without_alpha_ = inferred_samples(context_, rendered_, AlphaEnds::open);
     return is_permitted(*without_alpha_, pixel);
   }
@@ -161,14 +162,14 @@ class ResolveComparison {
         "the resolved pixel should hold ({}), the mean of its {} samples; it holds ({}), and the "
         "renderer's own samples {} {}",
         fmt::join(d.exact, ", "), rendered_.samples, fmt::join(d.rendered, ", "),
-        are_told_ ? "are" : "are, by its fragments,", ranges);
+        are_reported_ ? "are" : "are, by its fragments,", ranges);
     result.disagreements.push_back(std::move(d));
   }
 
   const ValueContext& context_;
   const Rendering& rendered_;
   const ResolveMethod chosen_;
-  const bool are_told_;
+  const bool are_reported_;
   const SamplePlanes samples_;
   std::optional<SamplePlanes> without_alpha_;
 };
@@ -215,7 +216,7 @@ class HitComparison {
     int kept = 0;
   };
 
-  // Whether all fragments of a pixel are thinned, cover all samples and have one alpha for good.
+  // True if all fragments of a pixel are thinned, cover all samples and certainly have one alpha.
   bool have_one_alpha(std::span<const Fragment> fragments) const {
     const std::uint32_t all = mask_of_all(rendered_.samples);
     return !fragments.empty() && std::ranges::all_of(fragments, [&](const Fragment& f) {
@@ -224,8 +225,8 @@ class HitComparison {
     });
   }
 
-  // Numbers of samples that are not proportional to alpha, and fragments of one alpha that keep
-  // different samples of a pixel.
+  // Reports numbers of samples that are not proportional to alpha, and fragments of one alpha that
+  // keep different samples of a pixel.
   void judge_masks(Result& result) const {
     std::vector<WholePixel> whole;
     for_each_sample([&](PixelPosition pixel, std::span<const Fragment> fragments, int sample) {
@@ -241,13 +242,13 @@ class HitComparison {
     });
     const int ruling = falls_with_alpha(whole) ? kAlphaRuling : kProportionRuling;
     for (const WholePixel& one : whole) {
-      const bool is_end = !(one.alpha > 0 && one.alpha < 1);  // which other rulings are about
+      const bool is_end = !(one.alpha > 0 && one.alpha < 1);  // other rulings decide the ends
       if (!is_end && !is_proportional(one.alpha, one.kept, rendered_.samples))
         report_proportion(one, ruling, result);
     }
   }
 
-  // Does the mean number of kept samples fall from an alpha to a larger one?
+  // True if the mean number of kept samples falls from an alpha to a larger one.
   static bool falls_with_alpha(std::vector<WholePixel> whole) {
     std::ranges::sort(whole, {}, &WholePixel::alpha);
     double before = 0;
@@ -305,7 +306,7 @@ class HitComparison {
     return count;
   }
 
-  // The least and the most that ruling 33 permits.
+  // The least and the largest number of writes that ruling 33 permits.
   std::pair<std::uint32_t, std::uint32_t> permitted(std::span<const Fragment> fragments,
                                                     int sample) const {
     std::uint32_t least = 0;
@@ -350,7 +351,7 @@ class HitComparison {
     aggregator.add_place(place);
   }
 
-  // Which rule stands between what a fragment covers and what is written.
+  // The rule by which writes may differ from what a fragment covers.
   std::pair<RuleId, int> rule_on(std::span<const Fragment> fragments) const {
     if (std::ranges::any_of(fragments, [&](const Fragment& f) { return is_thinned(context_, f); }))
       return {kAlphaRule, kAlphaRuling};
@@ -368,9 +369,8 @@ class HitComparison {
     d.exact = {static_cast<double>(writes(fragments, sample, chosen_))};
     d.rendered = {static_cast<double>(hits)};
     d.explanation = fmt::format(
-        "fragments wrote sample {}: {}; by those that the renderer tells of, it should have been "
-        "{}. "
-        "Ruling {}",
+        "fragments wrote sample {}: {}; by those that the renderer reports, it should have been "
+        "{}. Ruling {}",
         sample, hits, d.exact[0], ruling);
     if (d.rule == kAlphaRule) d.cause = cause_;
     for (const MultisampleSwitch choice : switches_beside(context_, fragments))
@@ -382,7 +382,7 @@ class HitComparison {
   const ValueContext& context_;
   const Rendering& rendered_;
   const AlphaToCoverage chosen_;
-  Cause cause_;  // of what alpha to coverage does
+  Cause cause_;  // of the effect of alpha to coverage
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Multisampled targets: what their samples hold, where a renderer need not say it, how often the
-// shader ran, and what the target holds as a whole. Each compare_ appends disagreements and
-// aggregates to `result`.
+// Multisampled targets: the contents of their samples, inferred if a renderer does not report them,
+// how often the shader ran, and the target as a whole. Each compare_ function appends disagreements
+// and aggregates to `result`.
 #pragma once
 
 #include <span>
@@ -12,11 +12,11 @@
 
 namespace edgecase {
 
-// As the renderer tells them; it must have done so.
-SamplePlanes told_samples(const Rendering& rendered);
+// The samples that the renderer reports; it must have reported them.
+SamplePlanes reported_samples(const Rendering& rendered);
 
-// As the renderer's own fragments, and its hits if it tells them, put them there: each sample holds
-// the colour of the fragment by which it was written last, or the clear colour.
+// The samples that the renderer's own fragments, and its hits if it reports them, must have made:
+// each has the colour of the fragment that wrote it last, or the clear colour.
 SamplePlanes inferred_samples(const ValueContext& context, const Rendering& rendered,
                               AlphaEnds ends);
 
@@ -24,13 +24,13 @@ SamplePlanes inferred_samples(const ValueContext& context, const Rendering& rend
 ShadingRate followed_rate(const ValueContext& context, const Rendering& rendered);
 void compare_invocations(const ValueContext& context, const Rendering& rendered, Result& result);
 
-// What a multisampled target holds as a whole: resolved pixels against the renderer's own samples,
-// and how often it wrote each sample against its own fragments.
+// Compares a multisampled target as a whole: resolved pixels with the renderer's own samples, and
+// the count of writes to each sample with the renderer's own fragments.
 void compare_resolved_pixels(const ValueContext& context, const Rendering& rendered,
                              Result& result);
 void compare_sample_hits(const ValueContext& context, const Rendering& rendered, Result& result);
 
-// The first alternative beside the chosen one that yields all there is; no cause where none does.
+// The first alternative besides the chosen one that yields everything; no cause if none does.
 template <class Choice, class Yields>
 Cause cause_among(std::span<const Choice> all, Choice chosen, RuleId rule, const Yields& yields) {
   for (const Choice choice : all)

@@ -6,7 +6,7 @@
 namespace edgecase {
 namespace {
 
-// Can lookups be made in the chain, whatever its sizes?
+// True if lookups can be made in the chain, whatever its sizes.
 bool is_chain(const std::vector<TextureLevel>& levels) {
   return !levels.empty() && std::ranges::all_of(levels, [](const TextureLevel& level) {
     return level.width > 0 && level.height > 0 &&
@@ -44,12 +44,12 @@ std::size_t ExactLookups::texture_of(const Fragment& fragment) const {
   return context_.primitive_of(fragment).state->texture->texture;
 }
 
-bool ExactLookups::tells_level(const Fragment& fragment) const {
+bool ExactLookups::reports_level(const Fragment& fragment) const {
   return fragment.detail >= 0 &&
          rendered_.details[static_cast<std::size_t>(fragment.detail)].level_of_detail.has_value();
 }
 
-// The same of exact, where it looked up in the same texels; null: there is none.
+// The fragment of exact with the same lookup in the same texels; null if there is none.
 const Fragment* ExactLookups::drawn(const Fragment& fragment) const {
   if (changed_.contains(texture_of(fragment))) return nullptr;
   const auto found = std::ranges::lower_bound(exact_.fragments, fragment, precedes);
@@ -68,7 +68,7 @@ TexturedPrimitive& ExactLookups::primitive_of(const Fragment& fragment) {
 LookedUp ExactLookups::look_up(const Fragment& fragment) {
   const PixelPosition pixel{fragment.x, fragment.y};
   LookedUp result;
-  if (tells_level(fragment))
+  if (reports_level(fragment))
     std::ranges::transform(primitive_of(fragment).queried(pixel), result.level_of_detail.begin(),
                            middle);
   if (const Fragment* own = drawn(fragment))

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What the fragments of a rendering look up exactly under a policy, and in which texels.
+// The exact lookups of a rendering's fragments under a policy, and the texels that they use.
 //
-// Generated chains are the renderer's where it tells them: what differs in them is told once, by
-// compare_mip_chains.
+// A generated chain that the renderer reports is used as it is: compare_mip_chains reports its
+// differences, once.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace edgecase {
 
-// A lookup as Rendering has it.
+// A lookup in the form that Rendering has.
 struct LookedUp {
   std::array<double, 2> level_of_detail{};  // as FragmentDetail::level_of_detail
   std::array<double, 4> color{};
@@ -26,31 +26,30 @@ struct LookedUp {
 
 class ExactLookups {
  public:
-  // All must outlive this. `exact`: the scene as the context's policy has it, in part or whole.
+  // Everything referred to must outlive this. `exact`: the context's policy, in part or whole.
   ExactLookups(const ValueContext& context, const Rendering& exact, const Rendering& rendered);
 
-  // The texels of the scene's textures that the renderer looked up.
+  // The texels of the scene's textures in which the renderer looked up.
   const DecodedTexture& decoded(std::size_t texture) const;
 
-  // Of one of the rendering's fragments, of a textured draw; of the level of detail only where the
-  // renderer tells it. What exact has drawn is taken from there; where exact has no such fragment,
-  // or with other texels, it is looked up here.
+  // The exact lookup of a fragment of a textured draw; its level of detail only if the renderer
+  // reports one. Taken from exact's fragment if there is one with the same texels; else computed.
   LookedUp look_up(const Fragment& fragment);
 
  private:
   const Fragment* drawn(const Fragment& fragment) const;
   TexturedPrimitive& primitive_of(const Fragment& fragment);
   std::size_t texture_of(const Fragment& fragment) const;
-  bool tells_level(const Fragment& fragment) const;
+  bool reports_level(const Fragment& fragment) const;
 
   const ValueContext& context_;
   const Rendering& exact_;
   const Rendering& rendered_;
   TextureStage stage_;
-  std::set<std::size_t> changed_;  // textures that look up in the renderer's chains
-  // The renderer's chains whose sizes are wrong, by the texture's number.
+  std::set<std::size_t> changed_;  // textures with the renderer's chains in place of exact's
+  // The renderer's chains whose sizes are wrong, by texture index.
   std::map<std::size_t, DecodedTexture> own_;
-  std::vector<std::unique_ptr<TexturedPrimitive>> primitives_;  // those that were looked up here
+  std::vector<std::unique_ptr<TexturedPrimitive>> primitives_;  // for lookups computed here
 };
 
 }  // namespace edgecase

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Mip chains that a renderer made, against exact's (rulings 25 and 48): how many levels there are
-// and how large they are is fixed; what they hold is not, but that a filter keeps an image of one
-// colour and, if none of its weights is negative, what lies between the least and the largest
-// texel. The filter and rounding that make a chain are its cause.
+// Compares a renderer's mip chains with exact's (rulings 25 and 48). The count and sizes of levels
+// are fixed. Contents are not, except that a filter keeps an image of one colour and, if none of
+// its weights is negative, stays between the least and the largest texel. The filter and rounding
+// that make a chain are its cause.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,14 +46,14 @@ bool same_texels(const TextureLevel& a, const TextureLevel& b) {
   return std::ranges::equal(a.texels, b.texels, same_number);
 }
 
-// Does the method make each level of the one before, as the chain has it?
+// True if the method makes each level of the chain from the one before.
 bool makes(const MipmapMethod& method, const Chain& chain, TextureFormat format) {
   for (std::size_t level = 1; level < chain.size(); ++level)
     if (!same_texels(chain[level], reduced(chain[level - 1], format, method))) return false;
   return true;
 }
 
-// What a method has that the policy's has not.
+// The parts of a method that differ from the policy's.
 Cause changes_of(const MipmapMethod& method, const MipmapMethod& chosen) {
   Cause cause;
   const auto add = [&](RuleId rule, auto value, auto other) {
@@ -65,8 +65,8 @@ Cause changes_of(const MipmapMethod& method, const MipmapMethod& chosen) {
   return cause;
 }
 
-// The catalogued way that makes exactly this chain of its level 0, as a cause of as few parts as
-// possible; nothing: no way does. No cause: the policy's own.
+// The catalogued way that makes exactly this chain from its level 0, as a cause with as few parts
+// as possible; empty if there is none. An empty cause: the policy's own way.
 std::optional<Cause> way_of(const Chain& chain, TextureFormat format, const MipmapMethod& chosen) {
   std::optional<Cause> fewest;
   for (const MipmapFilter filter : values_of<MipmapFilter>())
@@ -80,20 +80,21 @@ std::optional<Cause> way_of(const Chain& chain, TextureFormat format, const Mipm
   return fewest;
 }
 
-// A disagreement about a texture, which has no pixel: the first one stands for it.
+// A disagreement about a texture, which has no pixel, is shown at the first one.
 Disagreement about_texture(RuleId rule) {
   Disagreement d = value_disagreement({0, 0}, -1, rule, kRuling);
   d.figure = {};
   return d;
 }
 
-// How far two numbers lie apart; far, where one is none or infinite.
+// The distance of two numbers; very large if one is NaN or infinite.
 double distance(double a, double b) {
   const double difference = std::fabs(a - b);
   return std::isfinite(difference) ? difference : 0x1p24;
 }
 
-void compare_texels(std::size_t texture, const Chain& exact, const Chain& told, Result& result) {
+void compare_texels(std::size_t texture, const Chain& exact, const Chain& reported,
+                    Result& result) {
   ValueAggregator aggregator(fmt::format("mip chain of texture {}", texture), RuleId::mipmap_filter,
                              kRuling);
   for (std::size_t level = 1; level < exact.size(); ++level) {
@@ -103,7 +104,7 @@ void compare_texels(std::size_t texture, const Chain& exact, const Chain& told, 
         aggregator.count_compared(4);
         bool differs = false;
         for (std::size_t c = 0; c < 4; ++c) {
-          const float is = told[level].texels[wanted.index(i, j) + c];
+          const float is = reported[level].texels[wanted.index(i, j) + c];
           const float should = wanted.texels[wanted.index(i, j) + c];
           if (same_number(is, should)) continue;
           differs = true;
@@ -119,17 +120,17 @@ void compare_texels(std::size_t texture, const Chain& exact, const Chain& told, 
   aggregator.flush(result);
 }
 
-// One chain that a renderer told, with what there is to hold it against.
-struct ToldChain {
+// A chain that a renderer reported, with everything it is compared with.
+struct ReportedChain {
   std::size_t texture;
   const Texture& given;
   const Chain& exact;
-  const Chain& told;
+  const Chain& reported;
   const TextureChoice& chosen;
   bool is_judged;  // by OpenGL, not by the policy alone
 };
 
-// The sizes that a chain of so many levels has.
+// The sizes of a chain with this count of levels.
 Chain sizes_for(const TextureLevel& base, LevelCount count) {
   Chain chain;
   const int levels = levels_of_chain(base.width, base.height, count);
@@ -138,31 +139,31 @@ Chain sizes_for(const TextureLevel& base, LevelCount count) {
   return chain;
 }
 
-// The count that makes such sizes; no cause: none does.
-Cause count_of(const ToldChain& chain) {
+// The count of levels that gives these sizes; no cause if none does.
+Cause count_of(const ReportedChain& chain) {
   for (const LevelCount count : {LevelCount::larger_side, LevelCount::smaller_side})
-    if (same_sizes(chain.told, sizes_for(chain.given.levels.front(), count)))
+    if (same_sizes(chain.reported, sizes_for(chain.given.levels.front(), count)))
       return alternative_id(RuleId::mipmap_level_count, name_of(count));
   return {};
 }
 
-void report_sizes(const ToldChain& chain, bool legal, Result& result) {
+void report_sizes(const ReportedChain& chain, bool legal, Result& result) {
   Disagreement d = about_texture(RuleId::mipmap_level_count);
   d.legality = by_letter(legal);
-  d.policy_agrees = same_sizes(chain.exact, chain.told);
+  d.policy_agrees = same_sizes(chain.exact, chain.reported);
   d.cause = count_of(chain);
   d.exact = {static_cast<double>(chain.exact.size())};
-  d.rendered = {static_cast<double>(chain.told.size())};
+  d.rendered = {static_cast<double>(chain.reported.size())};
   d.explanation = fmt::format("texture {} has the levels {}; the renderer made {}", chain.texture,
-                              sizes_of(chain.exact), sizes_of(chain.told));
+                              sizes_of(chain.exact), sizes_of(chain.reported));
   result.disagreements.push_back(std::move(d));
 }
 
-// Level 0 is what the scene gives: nothing generates it.
-void report_base(const ToldChain& chain, Result& result) {
+// Level 0 is given by the scene; nothing generates it.
+void report_base(const ReportedChain& chain, Result& result) {
   Disagreement d = about_texture(RuleId::mipmap_filter);
   const auto& should = chain.exact[0].texels;
-  const auto& is = chain.told[0].texels;
+  const auto& is = chain.reported[0].texels;
   for (std::size_t i = 0; i < should.size() && d.exact.empty(); ++i) {
     if (same_number(should[i], is[i])) continue;
     d.exact = {static_cast<double>(should[i])};
@@ -174,7 +175,7 @@ void report_base(const ToldChain& chain, Result& result) {
   result.disagreements.push_back(std::move(d));
 }
 
-// The least and the largest of a level's numbers of one component; everything, where one is none or
+// The least and the largest number of one component in a level; everything if one is NaN or
 // infinite.
 Interval range_of(const TextureLevel& level, std::size_t component) {
   Interval range = static_cast<double>(level.texels[component]);
@@ -186,7 +187,7 @@ Interval range_of(const TextureLevel& level, std::size_t component) {
   return range;
 }
 
-// Codes may be rounded once, and decoded and coded again; floats err by 1 part in 10^5.
+// Codes may be rounded once, and decoded and encoded again; floats err by 1 part in 10^5.
 Interval with_rounding(Interval range, TextureFormat format) {
   const double error = holds_floats(format) ? range.magnitude() * 1e-5 : 1;
   return {range.low - error, range.high + error};
@@ -197,7 +198,7 @@ struct StrayTexel {
   std::size_t level = 0;
   std::size_t texel = 0;
   std::size_t component = 0;
-  Interval range;  // of the level that says so
+  Interval range;  // of the level that bounds it
   bool of_one_color = false;
 };
 
@@ -214,8 +215,8 @@ std::optional<StrayTexel> stray_in(const Chain& chain, std::size_t level, std::s
   return std::nullopt;
 }
 
-// The worst of a chain: one of an image that has one value in a component, else the first beyond
-// what the level above has.
+// The worst texel of a chain: one in a component that has a single value in the image, else the
+// first beyond the range of the level above.
 std::optional<StrayTexel> find_stray(const Chain& chain, TextureFormat format) {
   std::optional<StrayTexel> found;
   for (std::size_t level = 1; level < chain.size(); ++level)
@@ -229,10 +230,10 @@ std::optional<StrayTexel> find_stray(const Chain& chain, TextureFormat format) {
   return found;
 }
 
-void report_stray(const ToldChain& chain, const StrayTexel& stray, Result& result) {
+void report_stray(const ReportedChain& chain, const StrayTexel& stray, Result& result) {
   Disagreement d = about_texture(RuleId::mipmap_filter);
   if (!stray.of_one_color) d.ruling = kRulingOnHull;
-  const TextureLevel& level = chain.told[stray.level];
+  const TextureLevel& level = chain.reported[stray.level];
   d.exact = {
       static_cast<double>(chain.exact[stray.level].texels[4 * stray.texel + stray.component])};
   d.rendered = {static_cast<double>(level.texels[4 * stray.texel + stray.component])};
@@ -247,42 +248,42 @@ void report_stray(const ToldChain& chain, const StrayTexel& stray, Result& resul
   result.disagreements.push_back(std::move(d));
 }
 
-void report_way(const ToldChain& chain, const Cause& way, Result& result) {
+void report_way(const ReportedChain& chain, const Cause& way, Result& result) {
   Disagreement d = about_texture(way.size() == 1 ? way.rule() : RuleId::mipmap_filter);
   d.legality = Legality::legal;
   d.cause = way;
   d.exact = {static_cast<double>(chain.exact.size())};
-  d.rendered = {static_cast<double>(chain.told.size())};
+  d.rendered = {static_cast<double>(chain.reported.size())};
   d.explanation =
       fmt::format("the levels of texture {} are what {} makes", chain.texture, text_of(way));
   result.disagreements.push_back(std::move(d));
 }
 
-void compare_chain(const ToldChain& chain, Result& result) {
+void compare_chain(const ReportedChain& chain, Result& result) {
   const bool legal =
-      same_sizes(chain.told, sizes_for(chain.given.levels.front(), LevelCount::larger_side));
-  const bool same = same_sizes(chain.exact, chain.told);
+      same_sizes(chain.reported, sizes_for(chain.given.levels.front(), LevelCount::larger_side));
+  const bool same = same_sizes(chain.exact, chain.reported);
   if (!same || (chain.is_judged && !legal)) report_sizes(chain, legal, result);
   if (!same) return;
-  if (!same_texels(chain.exact[0], chain.told[0])) return report_base(chain, result);
-  if (std::ranges::equal(chain.exact, chain.told, same_texels)) return;
-  if (const auto stray = find_stray(chain.told, chain.given.format); stray && chain.is_judged)
+  if (!same_texels(chain.exact[0], chain.reported[0])) return report_base(chain, result);
+  if (std::ranges::equal(chain.exact, chain.reported, same_texels)) return;
+  if (const auto stray = find_stray(chain.reported, chain.given.format); stray && chain.is_judged)
     report_stray(chain, *stray, result);
-  const std::optional<Cause> way = way_of(chain.told, chain.given.format, chain.chosen.mipmap);
+  const std::optional<Cause> way = way_of(chain.reported, chain.given.format, chain.chosen.mipmap);
   if (way && !way->empty())
     report_way(chain, *way, result);
   else
-    compare_texels(chain.texture, chain.exact, chain.told, result);
+    compare_texels(chain.texture, chain.exact, chain.reported, result);
 }
 
 }  // namespace
 
 void compare_mip_chains(const ValueContext& context, const Rendering& exact,
                         const Rendering& rendered, Result& result) {
-  for (const auto& [texture, told] : rendered.mip_chains) {
+  for (const auto& [texture, reported] : rendered.mip_chains) {
     const auto wanted = exact.mip_chains.find(texture);
     if (wanted == exact.mip_chains.end()) continue;
-    compare_chain({texture, *context.scene.textures[texture], wanted->second, told,
+    compare_chain({texture, *context.scene.textures[texture], wanted->second, reported,
                    context.choices.textures, context.latitude != Latitude::none},
                   result);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Of which texels a lookup may take a mean, and what that may be (rulings 23 and 24).
+// The texels of which a lookup may take a mean, and the permitted means (rulings 23 and 24).
 #include <algorithm>
 #include <cstddef>
 
@@ -10,7 +10,7 @@
 
 namespace edgecase {
 
-// The last level that an anisotropic filter may access, of all of whose texels it may take a mean
+// The last level that an anisotropic filter may access; it may take a mean of all its texels
 // (ruling 23).
 int TextureLookups::last_accessible(const Fragment& fragment) const {
   const TextureUse& use = use_of(fragment);
@@ -46,14 +46,14 @@ Texel TextureLookups::accessible_texels(const Fragment& fragment) const {
   return hull_of(texels);
 }
 
-// sRGB texels may be decoded before they are filtered or after that (ruling 24).
+// sRGB texels may be decoded before or after they are filtered (ruling 24).
 std::vector<Texel> TextureLookups::permitted_samples(const Fragment& fragment, Reach reach) {
   const TextureUse& use = use_of(fragment);
   const Texture& texture = texture_of(fragment);
   const TextureChoice lawful;
   const TextureSample at{point_of(fragment, context_.values_of(fragment).lawful, kLookupError),
                          permitted_lookup_lambda(fragment, reach)};
-  // The weight has the error of lambda, which a clamp of lambda takes away from it (ruling 22).
+  // The weight has the error of lambda, except where lambda is clamped (ruling 22).
   const bool is_clamped = at.lambda.low <= static_cast<double>(use.sampler.min_lod) ||
                           at.lambda.high >= static_cast<double>(use.sampler.max_lod);
   const SamplerPrecision precision = precision_within(reach);

@@ -13,14 +13,14 @@
 namespace edgecase {
 namespace {
 
-// A product by a texture's size and what wraps it, in float32.
+// The error of multiplying by a texture's size and of wrapping, in float32.
 constexpr double kFloat32 = 0x1p-22;
-// No number is the logarithm of 0: any stands for it that no bias leads out of magnification.
+// The logarithm of 0 is no number: any level stands for it that no bias turns into minification.
 constexpr double kLogarithmOfZero = -16;
-// Ruling 53: an sRGB texel may be decoded so far off.
+// The error in decoding an sRGB texel that ruling 53 contests.
 constexpr double kContestedSrgb = 0.005;
 
-// The largest of the numbers that are finite.
+// The largest finite number of the texture.
 double magnitude_of(const DecodedTexture& texture) {
   double largest = 0;
   for (const DecodedLevel& level : texture.levels)
@@ -31,7 +31,7 @@ double magnitude_of(const DecodedTexture& texture) {
   return largest;
 }
 
-// May a point be anywhere? A coordinate that is no number says nothing.
+// Everything if the point may be anywhere: a coordinate that is NaN is unknown.
 Interval near(double coordinate, double error) {
   return std::isfinite(coordinate) ? widened(coordinate, error) : Interval::everything();
 }
@@ -48,7 +48,7 @@ LevelRules rules_of(const TextureChoice& choice) {
   return {choice.crossover, choice.nearest_level, choice.level_weight};
 }
 
-// lambda_base. Each end errs by a part of itself: one that is infinite says nothing of the other.
+// lambda_base. Each end errs by a part of itself: an infinite end says nothing about the other.
 Interval logarithm_of(Interval scale, Log2Method method) {
   const Interval exact = log2_of(widened(scale, kLookupError), method);
   return {widened(exact.low, kLookupError).low, widened(exact.high, kLookupError).high};
@@ -135,13 +135,13 @@ TextureLookups::Gradients TextureLookups::permitted_gradients(const Fragment& fr
   return {along(Derivative::x), along(Derivative::y)};
 }
 
-bool TextureLookups::tells_level(const Fragment& fragment) const {
+bool TextureLookups::reports_level(const Fragment& fragment) const {
   const TextureUse& use = use_of(fragment);
   return use.lookup.kind == LookupKind::implicit && !(use.sampler.max_anisotropy > 1) &&
-         told_lambda(fragment).has_value();
+         reported_lambda(fragment).has_value();
 }
 
-// Of a lookup that is given its derivatives.
+// The gradients of a lookup with explicit derivatives.
 TextureLookups::Gradients TextureLookups::asked_gradients(const Fragment& fragment) const {
   const auto exactly = [](const std::array<float, 2>& vector) {
     return IntervalPair{static_cast<double>(vector[0]), static_cast<double>(vector[1])};
@@ -150,7 +150,7 @@ TextureLookups::Gradients TextureLookups::asked_gradients(const Fragment& fragme
   return {exactly(lookup.dx), exactly(lookup.dy)};
 }
 
-// Of the draw's own lookup, which may be given its level instead.
+// The gradients of the draw's own lookup, which may have an explicit level instead.
 TextureLookups::Gradients TextureLookups::lookup_gradients(const Fragment& fragment,
                                                            DerivativeMethod method) {
   const LookupKind kind = use_of(fragment).lookup.kind;
@@ -158,7 +158,7 @@ TextureLookups::Gradients TextureLookups::lookup_gradients(const Fragment& fragm
   return kind == LookupKind::lod ? Gradients{} : gradients_of(fragment, method);
 }
 
-// One box; of a nearest level, which is a whole number, as many as lambda' leaves possible.
+// One box; for a nearest level, which is a whole number, one for each level that lambda' permits.
 Boxes TextureLookups::level_boxes(const Fragment& fragment, Interval lambda_prime,
                                   const LevelRules& rules) const {
   const TextureUse& use = use_of(fragment);
@@ -188,8 +188,9 @@ bool TextureLookups::is_definite(const Fragment& fragment, const TextureChoice& 
                                        : lookup_gradients(fragment, choice.derivatives);
   const Interval scale = scale_factor(footprint_of(fragment, gradients), choice.scale_factor);
   if (scale.low > 0 || scale.high <= 0) return true;
-  // No other level than its own is the logarithm of 0.
-  if (const auto told = told_lambda(fragment); !told || std::isfinite(told->low)) return false;
+  // The logarithm of 0 permits no level but its own.
+  if (const auto reported = reported_lambda(fragment); !reported || std::isfinite(reported->low))
+    return false;
   const QuadPixel at =
       quad_of({fragment.x, fragment.y}, context_.choices.values, context_.scene.target);
   const auto& color = context_.values_of(fragment).chosen.color;
@@ -217,21 +218,21 @@ Boxes TextureLookups::permitted_levels(const Fragment& fragment, Reach reach) {
   LevelRules rules;
   rules.any_tie = true;
   const Interval band = permitted_lambda(fragment, reach);
-  const Interval told = told_lambda(fragment).value_or(band);
-  Boxes boxes = level_boxes(fragment, within(told, precision_within(reach).level), rules);
+  const Interval reported = reported_lambda(fragment).value_or(band);
+  Boxes boxes = level_boxes(fragment, within(reported, precision_within(reach).level), rules);
   for (std::vector<Interval>& box : boxes) box[1] = band;
   return boxes;
 }
 
-// lambda' as the renderer tells it: what it makes of it must fit, wherever in the band it lies.
-std::optional<Interval> TextureLookups::told_lambda(const Fragment& fragment) const {
+// lambda' as the renderer reports it: its level must fit somewhere in this band.
+std::optional<Interval> TextureLookups::reported_lambda(const Fragment& fragment) const {
   const FragmentDetail* detail = detail_of(fragment);
   if (detail == nullptr || !detail->level_of_detail) return std::nullopt;
-  const double told = (*detail->level_of_detail)[1];
-  // The logarithm of 0 is a level, too: the least that there is.
-  if (std::isinf(told) && told < 0) return Interval(told);
-  if (!std::isfinite(told)) return std::nullopt;
-  return edgecase::widened(told, kLookupError);
+  const double reported = (*detail->level_of_detail)[1];
+  // The logarithm of 0 is a level, too: the least of all.
+  if (std::isinf(reported) && reported < 0) return Interval(reported);
+  if (!std::isfinite(reported)) return std::nullopt;
+  return edgecase::widened(reported, kLookupError);
 }
 
 TexturePoint TextureLookups::point_of(const Fragment& fragment,
@@ -259,12 +260,13 @@ Interval TextureLookups::lookup_lambda(const Fragment& fragment, Interval scale,
   return clamped(with_bias(base, use.sampler, use.lookup, choice.bias), use.sampler);
 }
 
-// The same as the specification permits it. Where the renderer tells the level of such a lookup,
-// that is what it looks up by, and whether it may is judged of the level itself.
+// The permitted lambda. If the renderer reports the level of such a lookup, the lookup uses that
+// level, and whether it is permitted is judged separately.
 Interval TextureLookups::permitted_lookup_lambda(const Fragment& fragment, Reach reach) {
   const TextureUse& use = use_of(fragment);
   const double error = precision_within(reach).level;
-  if (tells_level(fragment)) return clamped(within(*told_lambda(fragment), error), use.sampler);
+  if (reports_level(fragment))
+    return clamped(within(*reported_lambda(fragment), error), use.sampler);
   const auto biased = [&](Interval base) {
     const LookupLimits limits = context_.lookup_limits();
     return clamped(within(with_permitted_bias(base, use.sampler, use.lookup, limits), error),
@@ -286,7 +288,7 @@ Interval TextureLookups::permitted_lookup_lambda(const Fragment& fragment, Reach
   return biased(logarithm_of(scale, Log2Method::exact));
 }
 
-// The largest finite number that a lookup may take a mean of.
+// The largest finite number that may enter the mean of a lookup.
 double TextureLookups::largest_of(const TextureUse& use) const {
   double largest = magnitudes_[use.texture];
   for (const float component : use.sampler.border)
@@ -299,7 +301,7 @@ bool TextureLookups::may_round(const Fragment& fragment) const {
   return !holds_floats(texture.format) && means_of(use_of(fragment).sampler, texture) > 0;
 }
 
-// `of_srgb`: by which red, green and blue of an sRGB texture may be off beside.
+// `of_srgb`: further error of red, green and blue of an sRGB texture.
 Boxes TextureLookups::widened(const Fragment& fragment, const std::vector<Texel>& colors,
                               bool rounding, double of_srgb) const {
   const TextureUse& use = use_of(fragment);
@@ -336,12 +338,12 @@ Texel TextureLookups::weighted_probes(const Fragment& fragment, const TextureCho
   return sum;
 }
 
-std::vector<Texel> TextureLookups::told_colors(const Fragment& fragment,
-                                               const TextureChoice& choice) const {
+std::vector<Texel> TextureLookups::colors_at_reported_level(const Fragment& fragment,
+                                                            const TextureChoice& choice) const {
   const TextureUse& use = use_of(fragment);
   return sample(exact_.decoded(use.texture), texture_of(fragment), use.sampler, choice,
                 {point_of(fragment, context_.values_of(fragment).chosen, kFloat32),
-                 clamped(*told_lambda(fragment), use.sampler)});
+                 clamped(*reported_lambda(fragment), use.sampler)});
 }
 
 std::vector<Texel> TextureLookups::probed_colors(const Fragment& fragment,
@@ -361,7 +363,7 @@ std::vector<Texel> TextureLookups::probed_colors(const Fragment& fragment,
                  lookup_lambda(fragment, row.scale_factor, choice)});
 }
 
-// Does the renderer tell that what it looked up is nowhere? No mean of texels is defined there.
+// True if the renderer reports NaN as the coordinates. No mean of texels is defined there.
 bool TextureLookups::has_unknown_coordinates(const Fragment& fragment) const {
   const FragmentDetail* detail = detail_of(fragment);
   if (detail == nullptr || !detail->texture_coordinates ||
@@ -376,11 +378,12 @@ bool TextureLookups::has_unknown_chain(const Fragment& fragment) const {
 }
 
 Boxes TextureLookups::colors(const Fragment& fragment, const TextureChoice& choice, bool rounding,
-                             bool as_told) {
+                             bool as_reported) {
   if (has_unknown_coordinates(fragment)) return anything(4);
-  return widened(fragment,
-                 as_told ? told_colors(fragment, choice) : probed_colors(fragment, choice),
-                 rounding);
+  return widened(
+      fragment,
+      as_reported ? colors_at_reported_level(fragment, choice) : probed_colors(fragment, choice),
+      rounding);
 }
 
 Boxes TextureLookups::permitted_colors(const Fragment& fragment, Reach reach) {

@@ -19,21 +19,21 @@
 namespace edgecase {
 namespace {
 
-// What one comparison of lookups is about: the level of detail, or the colour.
+// The subject of one comparison of lookups: the level of detail, or the colour.
 struct Subject {
   const char* attribute;
   RuleId rule;
   int ruling;
-  const char* words;  // of an explanation: "the level of detail of …"
-  bool is_query;      // of the level, by textureQueryLod
+  const char* text;  // for explanations: "the level of detail of …"
+  bool is_query;     // textureQueryLod asks for the level
 };
 
 constexpr Subject kLevels{"level of detail", RuleId::texture_scale_factor, 19,
                           "level accessed and lambda'", true};
 constexpr Subject kColors{"texture color", RuleId::texture_filter, 24, "looked-up colour", false};
 
-// One lookup that a renderer told of.
-struct Told {
+// A lookup that a renderer reported.
+struct ReportedLookup {
   const Fragment* fragment;
   std::vector<double> exact;
   std::vector<double> rendered;
@@ -43,7 +43,7 @@ bool is_same(double a, double b) {
   return to_float(a) == to_float(b) || (std::isnan(a) && std::isnan(b));
 }
 
-// Where anything may be, so may what is no number.
+// If everything is permitted, so is NaN.
 bool range_has(Interval range, double number) {
   if (std::isnan(range.low) || std::isnan(range.high)) return true;
   if (std::isnan(number)) return std::isinf(range.low) && std::isinf(range.high);
@@ -58,8 +58,8 @@ bool hold(const Boxes& boxes, const std::vector<double>& numbers) {
   });
 }
 
-// The smallest box around all others, in words: "1 to 2, 0.5 to 0.75".
-std::string range_words(const Boxes& boxes) {
+// Describes the smallest box around all others: "1 to 2, 0.5 to 0.75".
+std::string describe_range(const Boxes& boxes) {
   std::vector<Interval> all = boxes.front();
   for (const std::vector<Interval>& box : boxes)
     for (std::size_t c = 0; c < box.size(); ++c) all[c] = hull(all[c], box[c]);
@@ -69,8 +69,8 @@ std::string range_words(const Boxes& boxes) {
   return text;
 }
 
-// In units of the last place; what is no number, and an infinity for a number, is as far off as any
-// two numbers of different signs.
+// In units of the last place. NaN, and an infinity in place of a number, count like two numbers of
+// different signs.
 double error_of(double exact, double rendered) {
   return std::isfinite(exact) && std::isfinite(rendered) ? error_in_ulp(exact, rendered) : 0x1p24;
 }
@@ -93,22 +93,22 @@ class LookupComparison {
         is_judged_(context.latitude != Latitude::none && !illegal_part(chosen_).empty()),
         aggregator_(subject.attribute, subject.rule, subject.ruling) {}
 
-  // Whether the policy's own way yields what the renderer tells.
+  // Returns true if the policy's own way yields what the renderer reports.
   bool add(const Fragment& fragment, std::span<const double> exact, Result& result) {
-    Told told{&fragment, {exact.begin(), exact.end()}, rendered_of(fragment)};
-    aggregator_.count_compared(told.exact.size());
-    const bool is_correct = std::ranges::equal(told.exact, told.rendered, is_same);
-    const bool agrees = is_correct || hold(under(told, chosen_, {}), told.rendered);
-    const bool is_rounded =
-        !agrees && may_round(told) && hold(under(told, chosen_, {true, false}), told.rendered);
+    ReportedLookup lookup{&fragment, {exact.begin(), exact.end()}, rendered_of(fragment)};
+    aggregator_.count_compared(lookup.exact.size());
+    const bool is_correct = std::ranges::equal(lookup.exact, lookup.rendered, is_same);
+    const bool agrees = is_correct || hold(under(lookup, chosen_, {}), lookup.rendered);
+    const bool is_rounded = !agrees && may_round(lookup) &&
+                            hold(under(lookup, chosen_, {true, false}), lookup.rendered);
     if (!agrees && !is_rounded) {
-      others_.push_back(std::move(told));
-    } else if (is_judged_ && !is_permitted(told)) {
-      report_policy(told, is_correct, result);
+      others_.push_back(std::move(lookup));
+    } else if (is_judged_ && !is_permitted(lookup)) {
+      report_policy(lookup, is_correct, result);
     } else if (is_rounded) {
-      rounded_.push_back(std::move(told));
+      rounded_.push_back(std::move(lookup));
     } else {
-      if (!is_correct) aggregate(told);
+      if (!is_correct) aggregate(lookup);
       agreeing_.push_back(&fragment);
       return true;
     }
@@ -121,7 +121,7 @@ class LookupComparison {
     follow_levels(levels);
     if (!others_.empty()) name_ways(result);
     aggregator_.flush(result);
-    // In the order in which people read them.
+    // Sorted by text, for readers.
     std::map<std::string, ValueAggregator*> by_text;
     for (auto& [cause, aggregator] : by_cause_) by_text.emplace(text_of(cause), &aggregator);
     for (const auto& [text, aggregator] : by_text) {
@@ -130,65 +130,66 @@ class LookupComparison {
     }
   }
 
-  // Of those that the policy's own way does not yield; after finish().
+  // The ways of lookups that the policy's own way does not yield; valid after finish().
   const WaysOfLevels& ways() const { return ways_; }
 
  private:
   using Reach = TextureLookups::Reach;
 
-  // How a lookup is put to the test: with means rounded to codes, by the level that the renderer
-  // tells.
+  // The terms on which a lookup is tested: means rounded to codes, and the level that the renderer
+  // reports.
   struct Terms {
     bool rounding = false;
-    bool as_told = false;
+    bool as_reported = false;
   };
 
-  // What the renderer tells.
+  // The values that the renderer reports.
   std::vector<double> rendered_of(const Fragment& fragment) const {
     if (!subject_.is_query) return {fragment.color.begin(), fragment.color.end()};
-    const auto& told = *lookups_.detail_of(fragment)->level_of_detail;
-    return {told.begin(), told.end()};
+    const auto& lookup = *lookups_.detail_of(fragment)->level_of_detail;
+    return {lookup.begin(), lookup.end()};
   }
 
-  // All that a lookup may yield under a choice, and at most.
-  Boxes under(const Told& told, const TextureChoice& choice, Terms terms) const {
-    const Fragment& fragment = *told.fragment;
+  // All results that a lookup may have under a choice; below, all that are permitted.
+  Boxes under(const ReportedLookup& lookup, const TextureChoice& choice, Terms terms) const {
+    const Fragment& fragment = *lookup.fragment;
     return subject_.is_query ? lookups_.levels(fragment, choice)
-                             : lookups_.colors(fragment, choice, terms.rounding, terms.as_told);
+                             : lookups_.colors(fragment, choice, terms.rounding, terms.as_reported);
   }
-  bool tells_level(const Told& told) const {
-    return !subject_.is_query && lookups_.tells_level(*told.fragment);
+  bool reports_level(const ReportedLookup& lookup) const {
+    return !subject_.is_query && lookups_.reports_level(*lookup.fragment);
   }
-  bool may_round(const Told& told) const {
-    return !subject_.is_query && lookups_.may_round(*told.fragment);
+  bool may_round(const ReportedLookup& lookup) const {
+    return !subject_.is_query && lookups_.may_round(*lookup.fragment);
   }
-  Boxes at_most(const Told& told, Reach reach = Reach::all) const {
-    return subject_.is_query ? lookups_.permitted_levels(*told.fragment, reach)
-                             : lookups_.permitted_colors(*told.fragment, reach);
+  Boxes at_most(const ReportedLookup& lookup, Reach reach = Reach::all) const {
+    return subject_.is_query ? lookups_.permitted_levels(*lookup.fragment, reach)
+                             : lookups_.permitted_colors(*lookup.fragment, reach);
   }
-  bool is_permitted(const Told& told) const {
-    return hold(at_most(told, Reach::near), told.rendered) || hold(at_most(told), told.rendered);
+  bool is_permitted(const ReportedLookup& lookup) const {
+    return hold(at_most(lookup, Reach::near), lookup.rendered) ||
+           hold(at_most(lookup), lookup.rendered);
   }
 
-  // By which a lookup that is not permitted is judged: what coarse samplers yield is contested.
-  int ruling_on(const Told& told) const {
-    if (lookups_.use_of(*told.fragment).sampler.max_anisotropy > 1)
-      return subject_.is_query || lookups_.has_levels_of_one_color(*told.fragment)
+  // The ruling on a lookup that is not permitted; results of coarse samplers are contested.
+  int ruling_on(const ReportedLookup& lookup) const {
+    if (lookups_.use_of(*lookup.fragment).sampler.max_anisotropy > 1)
+      return subject_.is_query || lookups_.has_levels_of_one_color(*lookup.fragment)
                  ? kRulingOnAnisotropy
                  : kRulingOnAnisotropicHull;
-    if (hold(at_most(told, Reach::coarse), told.rendered)) return kRulingOnPrecision;
-    if (!subject_.is_query && hold(at_most(told, Reach::coarse_srgb), told.rendered))
+    if (hold(at_most(lookup, Reach::coarse), lookup.rendered)) return kRulingOnPrecision;
+    if (!subject_.is_query && hold(at_most(lookup, Reach::coarse_srgb), lookup.rendered))
       return kRulingOnSrgb;
     return subject_.ruling;
   }
 
-  LookupKinship kinship_of(const Told& told, bool as_told) const {
-    LookupKinship kin = lookups_.kinship_of(*told.fragment, subject_.is_query);
-    kin.is_level_given = as_told && tells_level(told);
+  LookupKinship kinship_of(const ReportedLookup& lookup, bool as_reported) const {
+    LookupKinship kin = lookups_.kinship_of(*lookup.fragment, subject_.is_query);
+    kin.is_level_given = as_reported && reports_level(lookup);
     return kin;
   }
 
-  // The aggregate of what an open way yields; a way of one alternative is about that one's rule.
+  // The aggregate of an open way; if the way is a single alternative, under that one's rule.
   ValueAggregator& aggregator_of(const Cause& cause) {
     return by_cause_
         .try_emplace(cause, subject_.attribute, rule_about(cause), subject_.ruling, cause)
@@ -199,14 +200,14 @@ class LookupComparison {
     return cause.size() == 1 ? cause.rule() : subject_.rule;
   }
 
-  void aggregate(const Told& told) { aggregate(told, aggregator_); }
+  void aggregate(const ReportedLookup& lookup) { aggregate(lookup, aggregator_); }
 
-  void aggregate(const Told& told, ValueAggregator& aggregator) {
-    const Fragment& f = *told.fragment;
+  void aggregate(const ReportedLookup& lookup, ValueAggregator& aggregator) {
+    const Fragment& f = *lookup.fragment;
     const ValueAggregate::Place place{f.x, f.y, f.primitive};
-    for (std::size_t c = 0; c < told.exact.size(); ++c) {
-      const double exact = told.exact[c];
-      const double rendered = told.rendered[c];
+    for (std::size_t c = 0; c < lookup.exact.size(); ++c) {
+      const double exact = lookup.exact[c];
+      const double rendered = lookup.rendered[c];
       if (is_same(exact, rendered)) continue;
       aggregator.add_error(place,
                            {static_cast<int>(c), exact, rendered, error_of(exact, rendered), 0});
@@ -214,11 +215,12 @@ class LookupComparison {
     aggregator.add_place(place);
   }
 
-  // The kinds of those that need explaining.
-  std::vector<LookupKinship> kinds_of(const std::vector<Told>& lookups, bool as_told) const {
+  // The kinds of lookups that need an explanation.
+  std::vector<LookupKinship> kinds_of(const std::vector<ReportedLookup>& lookups,
+                                      bool as_reported) const {
     std::vector<LookupKinship> kinds;
-    for (const Told& told : lookups) {
-      const LookupKinship kin = kinship_of(told, as_told);
+    for (const ReportedLookup& lookup : lookups) {
+      const LookupKinship kin = kinship_of(lookup, as_reported);
       const bool is_new = std::ranges::none_of(kinds, [&](const LookupKinship& known) {
         return known.use == kin.use && known.has_perspective == kin.has_perspective &&
                known.is_level_given == kin.is_level_given;
@@ -228,18 +230,19 @@ class LookupComparison {
     return kinds;
   }
 
-  // Does a lookup come out so under a choice? `own`: under the policy's own.
-  bool yields(const Told& told, const TextureChoice& choice, bool own, Terms terms) const {
-    const LookupKinship kin = kinship_of(told, terms.as_told);
+  // True if a choice yields the lookup. `own`: the result for a choice equal to the policy's own.
+  bool yields(const ReportedLookup& lookup, const TextureChoice& choice, bool own,
+              Terms terms) const {
+    const LookupKinship kin = kinship_of(lookup, terms.as_reported);
     if (relevant_part(choice, kin) == relevant_part(chosen_, kin)) return own;
-    terms.as_told = kin.is_level_given;
-    const bool is_about_level = !terms.as_told || subject_.is_query;
-    if (is_about_level && !lookups_.is_definite(*told.fragment, choice, subject_.is_query))
+    terms.as_reported = kin.is_level_given;
+    const bool is_about_level = !terms.as_reported || subject_.is_query;
+    if (is_about_level && !lookups_.is_definite(*lookup.fragment, choice, subject_.is_query))
       return false;
-    return hold(under(told, choice, terms), told.rendered);
+    return hold(under(lookup, choice, terms), lookup.rendered);
   }
 
-  std::vector<std::optional<TextureWay>> ways_of(const std::vector<Told>& lookups,
+  std::vector<std::optional<TextureWay>> ways_of(const std::vector<ReportedLookup>& lookups,
                                                  Terms terms) const {
     const auto yields_other = [&](std::size_t i, const TextureChoice& choice) {
       return yields(lookups[i], choice, false, terms);
@@ -248,15 +251,15 @@ class LookupComparison {
       const Fragment& fragment = *agreeing_[i];
       return yields({&fragment, {}, rendered_of(fragment)}, choice, true, terms);
     };
-    return TextureWaySearch(chosen_, profile_, kinds_of(lookups, terms.as_told))
+    return TextureWaySearch(chosen_, profile_, kinds_of(lookups, terms.as_reported))
         .explain({lookups.size(), agreeing_.size(), yields_other, yields_agreeing});
   }
 
-  // Half a code hides much. Where a renderer does not round to codes, a way shows all the same: a
-  // few lookups tell whether there is one.
+  // Half a code hides many ways. If a renderer does not round to codes, a way shows nevertheless: a
+  // few lookups reveal whether there is one.
   void name_rounded_ways() {
     constexpr std::size_t kProbes = 8;
-    std::vector<Told> probes;
+    std::vector<ReportedLookup> probes;
     for (const std::size_t i : sample_of(rounded_.size(), kProbes)) probes.push_back(rounded_[i]);
     const auto ways = ways_of(probes, {});
     const auto& way = ways.front();
@@ -265,31 +268,32 @@ class LookupComparison {
         2 * std::ranges::count_if(
                 ways, [&](const auto& other) { return other && other->cause == way->cause; }) >=
             std::ssize(ways);
-    for (const Told& told : rounded_) {
-      if (is_common && yields(told, way->choice, false, {}))
-        aggregate(told, aggregator_of(way->cause));
+    for (const ReportedLookup& lookup : rounded_) {
+      if (is_common && yields(lookup, way->choice, false, {}))
+        aggregate(lookup, aggregator_of(way->cause));
       else
-        aggregate(told);
+        aggregate(lookup);
     }
   }
 
-  // A colour that the renderer's own level explains goes the way that the level goes.
+  // A colour that the renderer's own level explains goes the way of the level.
   void follow_levels(const WaysOfLevels& levels) {
-    std::erase_if(others_, [&](const Told& told) {
-      const auto way = levels.find(told.fragment);
-      if (way == levels.end() || !tells_level(told)) return false;
-      if (!hold(under(told, chosen_, {true, true}), told.rendered)) return false;
-      aggregate(told, way->second.open ? aggregator_of(way->second.cause) : aggregator_);
+    std::erase_if(others_, [&](const ReportedLookup& lookup) {
+      const auto way = levels.find(lookup.fragment);
+      if (way == levels.end() || !reports_level(lookup)) return false;
+      if (!hold(under(lookup, chosen_, {true, true}), lookup.rendered)) return false;
+      aggregate(lookup, way->second.open ? aggregator_of(way->second.cause) : aggregator_);
       return true;
     });
   }
 
-  // By the levels that the renderer tells, and what remains by those that it should have.
+  // By the levels that the renderer reports first; the rest by the levels that it should have.
   std::vector<std::optional<TextureWay>> ways_of_others() const {
     auto ways = ways_of(others_, {true, true});
-    if (std::ranges::none_of(others_, [&](const Told& told) { return tells_level(told); }))
+    if (std::ranges::none_of(others_,
+                             [&](const ReportedLookup& lookup) { return reports_level(lookup); }))
       return ways;
-    std::vector<Told> rest;
+    std::vector<ReportedLookup> rest;
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < ways.size(); ++i) {
       if (ways[i]) continue;
@@ -315,13 +319,13 @@ class LookupComparison {
     }
   }
 
-  Disagreement disagreement(const Told& told) const {
-    const Fragment& f = *told.fragment;
-    Disagreement d = value_disagreement({f.x, f.y}, f.primitive, subject_.rule, ruling_on(told));
-    d.exact = told.exact;
-    d.rendered = told.rendered;
+  Disagreement disagreement(const ReportedLookup& lookup) const {
+    const Fragment& f = *lookup.fragment;
+    Disagreement d = value_disagreement({f.x, f.y}, f.primitive, subject_.rule, ruling_on(lookup));
+    d.exact = lookup.exact;
+    d.rendered = lookup.rendered;
     d.explanation = fmt::format(
-        "the {} of primitive {} is exactly ({:.9g}); the renderer has ({:.9g})", subject_.words,
+        "the {} of primitive {} is exactly ({:.9g}); the renderer has ({:.9g})", subject_.text,
         f.primitive, fmt::join(d.exact, ", "), fmt::join(d.rendered, ", "));
     return d;
   }
@@ -332,24 +336,25 @@ class LookupComparison {
     d.rule = rule_about(cause);
   }
 
-  void tell_permitted(const Told& told, Disagreement& d) const {
-    d.explanation += fmt::format("; the specification permits {}", range_words(at_most(told)));
+  void append_permitted(const ReportedLookup& lookup, Disagreement& d) const {
+    d.explanation += fmt::format("; the specification permits {}", describe_range(at_most(lookup)));
   }
 
-  // Beyond what is permitted, whether or not a way that is not open leads there.
-  void report(const Told& told, const std::optional<TextureWay>& way, Result& result) const {
-    Disagreement d = disagreement(told);
+  // Reports a lookup beyond the permitted range, whether or not an illegal way explains it.
+  void report(const ReportedLookup& lookup, const std::optional<TextureWay>& way,
+              Result& result) const {
+    Disagreement d = disagreement(lookup);
     if (way) blame(d, way->cause);
-    tell_permitted(told, d);
+    append_permitted(lookup, d);
     result.disagreements.push_back(std::move(d));
   }
 
-  // What a policy has that OpenGL forbids.
-  void report_policy(const Told& told, bool is_correct, Result& result) const {
-    Disagreement d = disagreement(told);
+  // Reports choices of a policy that OpenGL forbids.
+  void report_policy(const ReportedLookup& lookup, bool is_correct, Result& result) const {
+    Disagreement d = disagreement(lookup);
     d.policy_agrees = is_correct;
-    blame(d, illegal_part(relevant_part(chosen_, kinship_of(told, false))));
-    tell_permitted(told, d);
+    blame(d, illegal_part(relevant_part(chosen_, kinship_of(lookup, false))));
+    append_permitted(lookup, d);
     result.disagreements.push_back(std::move(d));
   }
 
@@ -357,11 +362,11 @@ class LookupComparison {
   const Subject& subject_;
   const TextureChoice* profile_;
   TextureChoice chosen_;
-  bool is_judged_;              // the policy has what OpenGL forbids, and OpenGL judges
+  bool is_judged_;              // OpenGL judges, and the policy chooses what it forbids
   ValueAggregator aggregator_;  // of the policy's own way
   std::map<Cause, ValueAggregator> by_cause_;  // of open ways
-  std::vector<Told> others_;                   // that the policy's own way does not yield
-  std::vector<Told> rounded_;                  // that it yields where means are rounded to codes
+  std::vector<ReportedLookup> others_;         // lookups that the policy's own way does not yield
+  std::vector<ReportedLookup> rounded_;        // lookups it yields if means are rounded to codes
   std::vector<const Fragment*> agreeing_;
   WaysOfLevels ways_;
 };

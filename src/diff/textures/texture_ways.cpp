@@ -19,7 +19,7 @@ RuleChoices with_textures(const TextureChoice& choice) {
   return choices;
 }
 
-// Every alternative of every rule of a lookup, but for those that `chosen` holds.
+// Every alternative of every rule of a lookup, except those of `chosen`.
 Changes lookup_changes(const TextureChoice& chosen) {
   Changes changes;
   for (const RuleId rule : lookup_rules()) {
@@ -38,7 +38,7 @@ TextureWay changed(const TextureWay& way, const Change& change) {
   return {choice, way.cause + change.id, illegal_part(choice).empty()};
 }
 
-// Can any of the lookups tell the two apart?
+// True if any of the lookups can distinguish the two.
 bool differ(const TextureChoice& a, const TextureChoice& b, std::span<const LookupKinship> kinds) {
   return std::ranges::any_of(kinds, [&](const LookupKinship& kin) {
     return relevant_part(a, kin) != relevant_part(b, kin);
@@ -51,7 +51,7 @@ std::vector<TextureWay> singles_beside(const TextureWay& way, const Changes& cha
   return singles;
 }
 
-// All pairs of changes of different rules, of which either shows beside the other.
+// All pairs of changes of different rules in which one shows beside the other.
 std::vector<TextureWay> pairs_beside(const TextureWay& way, const Changes& changes,
                                      std::span<const LookupKinship> kinds) {
   std::vector<TextureWay> pairs;
@@ -66,7 +66,7 @@ std::vector<TextureWay> pairs_beside(const TextureWay& way, const Changes& chang
   return pairs;
 }
 
-// The changes that lead from the policy to the profile and that lookups can tell.
+// The changes from the policy to the profile that lookups can distinguish.
 Changes steps_towards(const TextureChoice& chosen, const TextureChoice& profile,
                       std::span<const LookupKinship> kinds) {
   Changes steps;
@@ -81,8 +81,8 @@ Changes steps_towards(const TextureChoice& chosen, const TextureChoice& profile,
   return steps;
 }
 
-// The ways that lie between the policy and the profile: every set of these changes, the smallest
-// first. There are ten rules at most.
+// The ways between the policy and the profile: every set of these changes, the smallest first.
+// There are at most ten rules.
 std::vector<TextureWay> ways_by(const Changes& steps, const TextureWay& own) {
   std::vector<TextureWay> ways;
   for (unsigned set = 1; set < 1u << steps.size(); ++set) {
@@ -99,7 +99,7 @@ std::vector<TextureWay> ways_by(const Changes& steps, const TextureWay& own) {
 
 constexpr std::size_t kSample = 48;
 
-// One search over one case.
+// One search in one case.
 class Search {
  public:
   explicit Search(const WaySearchLookups& lookups)
@@ -127,7 +127,7 @@ class Search {
   }
 
  private:
-  // How well a way fits: how many lookups it explains, how many of those that agree it yields, and
+  // How well a way fits: how many lookups it explains, how many of the agreeing ones it yields, and
   // whether it is open.
   using Fit = std::tuple<std::ptrdiff_t, std::ptrdiff_t, bool>;
 
@@ -156,7 +156,7 @@ class Search {
     return best;
   }
 
-  // Of the first lookup that is still open.
+  // The best way for the first lookup that is still open.
   const TextureWay* best_way(const std::vector<std::vector<TextureWay>>& tiers) {
     const std::vector<std::size_t> sample = sample_of(open_.size() - first_, kSample);
     const TextureWay* best = nullptr;
@@ -173,7 +173,7 @@ class Search {
     return best;
   }
 
-  // A search among all pairs is dear: after so many in one case they are no longer tried.
+  // A search among all pairs is expensive: it is tried only a limited number of times per case.
   bool may_try_pairs() {
     constexpr int kMost = 8;
     return pair_searches_++ < kMost;
@@ -249,7 +249,7 @@ bool mirrors(const LookupKinship& kin) {
          (kin.texture->dimensions == 2 && wrap[1] == Wrap::mirrored_repeat);
 }
 
-// Does a filter within a level put coordinates on this grid?
+// True if a filter within a level puts coordinates on this grid.
 bool shows_grid(TexelGrid grid, const LookupKinship& kin) {
   const Sampler& sampler = kin.use->sampler;
   const bool is_linear = sampler.magnify == Filter::linear || sampler.minify == Filter::linear;
@@ -257,7 +257,7 @@ bool shows_grid(TexelGrid grid, const LookupKinship& kin) {
          (is_linear && kin.texture->format == TextureFormat::rgba8);
 }
 
-// Do versions of OpenGL differ in where these filters change over?
+// True if versions of OpenGL differ about where these filters change over.
 bool has_disputed_crossover(const Sampler& sampler) {
   return sampler.magnify == Filter::linear && sampler.minify == Filter::nearest &&
          sampler.mipmap != MipFilter::none;
@@ -284,7 +284,7 @@ bool shows_bias(BiasChoice bias, const LookupKinship& kin) {
   return true;
 }
 
-// Leaves out what says how a footprint makes a level.
+// Removes the choices by which a footprint determines a level.
 void drop_scale(TextureChoice& choice) {
   choice.scale_factor = kPlain.scale_factor;
   choice.log2 = kPlain.log2;

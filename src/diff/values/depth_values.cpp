@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The depth buffer (ruling 18): each pixel must hold the depth of the renderer's own last fragment
-// there, as the format has it, or the clear value. A sample of a multisampled target has a depth of
-// its own, that of the primitive at the sample, wherever the fragment's attributes were evaluated.
+// there, in the buffer's format, or the clear value. Each sample of a multisampled target has its
+// own depth, that of the primitive at the sample, wherever the fragment's attributes were
+// evaluated.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,13 +26,13 @@ constexpr RuleId kRule = RuleId::framebuffer_depth;
 constexpr int kRuling = 18;
 constexpr double kClearDepth = 1;
 
-// The depth before conversion, exact as far as it is known.
+// The depth before conversion, as exact as it is known.
 struct DepthTruth {
   double depth = kClearDepth;
   int primitive = -1;
 };
 
-// The depth of a sample, or of a pixel that is not multisampled, where a choice evaluates it.
+// Where a choice evaluates the depth of a sample, or of a pixel that is not multisampled.
 Point depth_place_of(const ValueContext& context, const Fragment& fragment, int sample,
                      const LocationChoice& choice) {
   const ScenePrimitive& primitive = context.primitive_of(fragment);
@@ -46,34 +47,34 @@ Interval permitted_at(const ValueContext& context, const Fragment& fragment, Poi
   return depth_permitted_at(context.values_of(fragment), place);
 }
 
-// Is it drawn without GL_MULTISAMPLE on a target of several samples?
+// True if it is drawn without GL_MULTISAMPLE on a target of several samples.
 bool lacks_multisampling(const ValueContext& context, const Fragment& fragment) {
   return context.scene.target.samples > 1 &&
          !context.primitive_of(fragment).state->multisampling.enabled;
 }
 
-// Does the fragment itself say what depth it writes to a sample?
-bool tells_depth(const ValueContext& context, const Fragment& fragment) {
+// True if the fragment itself reports the depth that it writes to a sample.
+bool reports_depth(const ValueContext& context, const Fragment& fragment) {
   return fragment.has_depth &&
          !is_multisampled(*context.primitive_of(fragment).state, context.scene.target);
 }
 
 DepthTruth truth_of(const ValueContext& context, const Fragment* last, int sample) {
   if (last == nullptr) return {};
-  if (tells_depth(context, *last)) return {last->depth, last->primitive};
+  if (reports_depth(context, *last)) return {last->depth, last->primitive};
   const Point chosen = depth_place_of(context, *last, sample, context.choices.values.locations);
   return {middle(depth_exact(context.values_of(*last).chosen, chosen)), last->primitive};
 }
 
-// All that it may have been.
+// All depths that it may have been.
 Interval permitted_truth(const ValueContext& context, const Fragment* last, int sample) {
   if (last == nullptr) return kClearDepth;
-  if (tells_depth(context, *last))
+  if (reports_depth(context, *last))
     return clamped_depth(context.values_of(*last).lawful, last->depth);
   return permitted_at(context, *last, depth_place_of(context, *last, sample, {}));
 }
 
-// Distance of the stored values next to this one.
+// The distance between stored values near this one.
 double step_at(double depth, DepthFormat format) {
   const int bits = bits_of(format);
   return bits == 0 ? float_ulp(depth) : 1 / (std::ldexp(1.0, bits) - 1);
@@ -105,7 +106,7 @@ class DepthComparison {
   }
 
   void run(Result& result) {
-    // Fragments are sorted by row, column and primitive: walk them along with the pixels.
+    // Fragments are sorted by row, column and primitive, so they are read along with the pixels.
     auto next = rendered_.fragments.begin();
     for (int y = 0; y < rendered_.height; ++y) {
       for (int x = 0; x < rendered_.width; ++x) {
@@ -120,7 +121,7 @@ class DepthComparison {
   }
 
  private:
-  // A sample whose depth is beyond what is permitted.
+  // A sample whose depth is beyond the permitted range.
   struct Miss {
     std::size_t disagreement = 0;  // index
     std::span<const Fragment> fragments;
@@ -136,10 +137,10 @@ class DepthComparison {
             depth_permitted(permitted_truth(context_, writer, sample), format_).contains(stored));
   }
 
-  // Without GL_MULTISAMPLE samples have the depths of single-sample rasterization or those of
-  // multisample rasterization, each at its own place, or all that of one sample, which the
-  // implementation takes for the centermost (14.3.1, 17.3.10). Do all samples of the pixel that the
-  // fragment was the last to write have theirs in one of these ways?
+  // Without GL_MULTISAMPLE, samples have the depths of single-sample rasterization, those of
+  // multisample rasterization, each at its own position, or all that of one sample, which the
+  // implementation takes for the centermost (14.3.1, 17.3.10). True if all samples of the pixel
+  // that the fragment wrote last have their depths in one of these ways.
   bool is_stored_in_one_way(PixelPosition pixel, std::span<const Fragment> fragments,
                             const Fragment& writer) const {
     return std::ranges::any_of(ways_, [&](const SamplePositions& places) {
@@ -182,7 +183,7 @@ class DepthComparison {
     return is_within_one_code(miss.stored, depth_permitted(depth, format_), format_);
   }
 
-  // Each gets the cause that accounts for most of them.
+  // Gives each miss the cause that accounts for most of them.
   void blame(Result& result) const {
     std::map<Cause, int> counts;
     std::vector<std::vector<Cause>> causes;
@@ -197,8 +198,8 @@ class DepthComparison {
     }
   }
 
-  // Where else samples have their depths, or what else is done without GL_MULTISAMPLE, if that
-  // yields what is stored.
+  // Other locations of depths, or other behaviour without GL_MULTISAMPLE, that yield what is
+  // stored.
   std::vector<Cause> causes_of(const Miss& miss) const {
     std::vector<Cause> causes;
     if (miss.writer != nullptr &&
@@ -247,7 +248,7 @@ class DepthComparison {
     return stores(writer, place, miss.stored);
   }
 
-  // Is what is stored the fragment's depth at a place?
+  // True if what is stored is the fragment's depth at a location.
   bool stores(const Fragment& writer, Point place, double stored) const {
     return depth_permitted(permitted_at(context_, writer, place), format_).contains(stored);
   }
@@ -263,7 +264,7 @@ class DepthComparison {
   const ValueContext& context_;
   const Rendering& rendered_;
   const DepthFormat format_;
-  // Where the samples of a pixel may have their depths without GL_MULTISAMPLE, by sample.
+  // Locations where a pixel's samples may take their depths without GL_MULTISAMPLE, by sample.
   std::vector<SamplePositions> ways_;
   ValueAggregator aggregator_{"depth buffer", kRule, kRuling};
   std::vector<Miss> misses_;

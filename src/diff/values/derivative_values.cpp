@@ -2,10 +2,10 @@
 //
 // Derivatives of the colour per fragment (ruling 16).
 //
-// A derivative that comes of the policy's method, every operation inexact, is aggregated. One that
-// does not is held against the other methods: the method that explains most fragments of a case,
-// along both axes, is named first, so that the neighbours of a quad do not get two names where one
-// will do. A method that is not open explains only what the specification does not permit.
+// A derivative that the policy's method yields, every operation inexact, is aggregated. Any other
+// is tested with the other methods: the method that explains most fragments of a case, along both
+// axes, is named first, so that neighbours in a quad do not get two names where one suffices. A
+// method that is not open explains only what the specification does not permit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,20 +30,20 @@ constexpr int kRuling = 16;
 constexpr int kRulingOnAreas = 49;
 
 // A fragment's derivative along one axis.
-struct Told {
+struct ReportedDerivative {
   const Fragment* fragment;
   const FragmentDetail* detail;
   Derivative derivative;
-  unsigned explained_by = 0;  // bit i: the way number i yields it
+  unsigned explained_by = 0;  // bit i: way number i yields it
 };
 
-// A way of taking differences: a method, and from which end rows of quads are counted.
+// A way of taking differences: a method, and the end from which rows of quads are counted.
 struct Way {
   DerivativeMethod method;
   RowOrder rows;
 };
 
-// All ways that can differ in a target, those with the policy's rows first.
+// All ways that can differ on a target, those with the policy's rows first.
 std::vector<Way> ways_of(RowOrder chosen, const Target& target) {
   std::vector<RowOrder> orders{chosen};
   if (target.height % 2 != 0)
@@ -55,41 +55,43 @@ std::vector<Way> ways_of(RowOrder chosen, const Target& target) {
   return ways;
 }
 
-const std::array<double, 4>& rendered_of(const Told& told) {
-  return *told.detail->derivatives[static_cast<std::size_t>(told.derivative)];
+const std::array<double, 4>& rendered_of(const ReportedDerivative& reported) {
+  return *reported.detail->derivatives[static_cast<std::size_t>(reported.derivative)];
 }
 
-// What is permitted of the colours of each primitive.
+// The permitted derivatives of each primitive's colours.
 class PermittedColors {
  public:
   explicit PermittedColors(const ValueContext& context) : context_(context) {}
 
-  // `area`: whatever area of up to 4x4 pixels shares a derivative (ruling 49).
-  bool contain(const Told& told, bool area = false) {
-    const PrimitiveValues& values = context_.values_of(*told.fragment);
+  // `area`: for any area of up to 4x4 pixels that shares a derivative (ruling 49).
+  bool contain(const ReportedDerivative& reported, bool area = false) {
+    const PrimitiveValues& values = context_.values_of(*reported.fragment);
     const auto at =
-        primitives_.try_emplace(told.fragment->primitive, values.lawful.color, values.reach).first;
-    const PixelPosition pixel{told.fragment->x, told.fragment->y};
+        primitives_.try_emplace(reported.fragment->primitive, values.lawful.color, values.reach)
+            .first;
+    const PixelPosition pixel{reported.fragment->x, reported.fragment->y};
     for (std::size_t c = 0; c < 4; ++c) {
-      const double rendered = rendered_of(told)[c];
+      const double rendered = rendered_of(reported)[c];
       if (!std::isfinite(rendered)) return false;
-      Interval range = area ? at->second.in_area(pixel, told.derivative, c)
-                            : at->second.at(pixel, told.derivative, c);
+      Interval range = area ? at->second.in_area(pixel, reported.derivative, c)
+                            : at->second.at(pixel, reported.derivative, c);
       if (values.is_polygon) {
         // The difference of any two means.
         const Interval means = with_means(values.lawful.color[c].values[0],
-                                          context_.primitive_of(*told.fragment), values, c);
+                                          context_.primitive_of(*reported.fragment), values, c);
         range = hull(range, means - means);
       }
-      if (height_of_column(context_.primitive_of(*told.fragment), context_.scene.target) != Fixed())
-        range = hull(range, differences_across(*told.fragment, c));
+      if (height_of_column(context_.primitive_of(*reported.fragment), context_.scene.target) !=
+          Fixed())
+        range = hull(range, differences_across(*reported.fragment, c));
       if (!rounded_to_float(range).contains(to_float(rendered))) return false;
     }
     return true;
   }
 
  private:
-  // Each of a wide line's fragments may have what another row of its column has (ruling 13): the
+  // Each fragment of a wide line may have the value of another row of its column (ruling 13): the
   // difference of any two values that it may have there and at the eight pixels around.
   Interval differences_across(const Fragment& fragment, std::size_t component) const {
     const ScenePrimitive& line = context_.primitive_of(fragment);
@@ -107,10 +109,10 @@ class PermittedColors {
   }
 
   const ValueContext& context_;
-  std::map<int, PermittedDerivatives> primitives_;  // by the primitive's number
+  std::map<int, PermittedDerivatives> primitives_;  // by primitive index
 };
 
-// dFdx and dFdy of one form: a policy chooses one method for both.
+// dFdx and dFdy of one form; a policy chooses one method for both.
 class DerivativeComparison {
  public:
   DerivativeComparison(const ValueContext& context, PermittedColors& permitted, std::size_t form)
@@ -124,7 +126,7 @@ class DerivativeComparison {
                      ValueAggregator(name_of(kinds_[1]), rule_, kRuling)} {}
 
   void run(const Rendering& rendered, Result& result) {
-    std::vector<Told> others;
+    std::vector<ReportedDerivative> others;
     for (const Fragment& f : rendered.fragments) {
       if (f.detail < 0) continue;
       const FragmentDetail& detail = rendered.details[static_cast<std::size_t>(f.detail)];
@@ -137,67 +139,70 @@ class DerivativeComparison {
   }
 
  private:
-  // What the policy's method yields is aggregated, the rest is kept.
-  void sort(const Told& told, std::vector<Told>& others) {
-    aggregator_of(told).count_compared(4);
-    const bool agrees = yields(told, chosen_);
-    (agrees ? agreeing_ : others).push_back(told);
-    if (agrees) aggregate(told);
+  // Aggregates what the policy's method yields, and keeps the rest.
+  void sort(const ReportedDerivative& reported, std::vector<ReportedDerivative>& others) {
+    aggregator_of(reported).count_compared(4);
+    const bool agrees = yields(reported, chosen_);
+    (agrees ? agreeing_ : others).push_back(reported);
+    if (agrees) aggregate(reported);
   }
 
-  ValueAggregator& aggregator_of(const Told& told) {
-    return aggregators_[told.derivative == kinds_[0] ? 0 : 1];
+  ValueAggregator& aggregator_of(const ReportedDerivative& reported) {
+    return aggregators_[reported.derivative == kinds_[0] ? 0 : 1];
   }
 
-  QuadPixel place_of(const Told& told, RowOrder rows) const {
-    return in_quad({told.fragment->x, told.fragment->y}, rows, context_.scene.target.height);
+  QuadPixel place_of(const ReportedDerivative& reported, RowOrder rows) const {
+    return in_quad({reported.fragment->x, reported.fragment->y}, rows,
+                   context_.scene.target.height);
   }
 
-  const std::array<Interpolant, 4>& colors_of(const Told& told) const {
-    return context_.values_of(*told.fragment).chosen.color;
+  const std::array<Interpolant, 4>& colors_of(const ReportedDerivative& reported) const {
+    return context_.values_of(*reported.fragment).chosen.color;
   }
 
   // A flat colour is copied, not computed (ruling 8): its differences are zero by any method.
-  bool is_flat(const Told& told) const {
-    return context_.primitive_of(*told.fragment).state->interpolation == Interpolation::flat;
+  bool is_flat(const ReportedDerivative& reported) const {
+    return context_.primitive_of(*reported.fragment).state->interpolation == Interpolation::flat;
   }
 
-  bool yields(const Told& told, const Way& way) const {
-    if (is_flat(told)) return rendered_of(told) == std::array<double, 4>{};
-    return yields_derivative(colors_of(told), place_of(told, way.rows), told.derivative, way.method,
-                             rendered_of(told));
+  bool yields(const ReportedDerivative& reported, const Way& way) const {
+    if (is_flat(reported)) return rendered_of(reported) == std::array<double, 4>{};
+    return yields_derivative(colors_of(reported), place_of(reported, way.rows), reported.derivative,
+                             way.method, rendered_of(reported));
   }
 
-  // The fine forms take immediate neighbours; of the others an area is spoken of.
-  bool is_of_larger_area(const Told& told) const {
-    return form_of(told.derivative) != form_of(Derivative::x_fine) && !is_flat(told) &&
-           permitted_.contain(told, true);
+  // The fine forms take immediate neighbours; for the others, the specification speaks of an area.
+  bool is_of_larger_area(const ReportedDerivative& reported) const {
+    return form_of(reported.derivative) != form_of(Derivative::x_fine) && !is_flat(reported) &&
+           permitted_.contain(reported, true);
   }
 
-  bool is_permitted(const Told& told) const {
-    if (is_flat(told)) return rendered_of(told) == std::array<double, 4>{};
-    return permitted_.contain(told);
+  bool is_permitted(const ReportedDerivative& reported) const {
+    if (is_flat(reported)) return rendered_of(reported) == std::array<double, 4>{};
+    return permitted_.contain(reported);
   }
 
-  std::array<double, 4> exact_of(const Told& told) const {
+  std::array<double, 4> exact_of(const ReportedDerivative& reported) const {
     std::array<double, 4> result;
     for (std::size_t c = 0; c < 4; ++c)
-      result[c] = middle(derivative_exact(colors_of(told)[c], place_of(told, chosen_.rows),
-                                          axis_of(told.derivative), chosen_.method));
+      result[c] = middle(derivative_exact(colors_of(reported)[c], place_of(reported, chosen_.rows),
+                                          axis_of(reported.derivative), chosen_.method));
     return result;
   }
 
-  void aggregate(const Told& told) {
-    const ValueAggregate::Place place{told.fragment->x, told.fragment->y, told.fragment->primitive};
-    ValueAggregator& aggregator = aggregator_of(told);
-    const std::array<double, 4> exact = exact_of(told);
+  void aggregate(const ReportedDerivative& reported) {
+    const ValueAggregate::Place place{reported.fragment->x, reported.fragment->y,
+                                      reported.fragment->primitive};
+    ValueAggregator& aggregator = aggregator_of(reported);
+    const std::array<double, 4> exact = exact_of(reported);
     bool differs = false;
     for (std::size_t c = 0; c < 4; ++c) {
-      const double rendered = rendered_of(told)[c];
+      const double rendered = rendered_of(reported)[c];
       if (to_float(exact[c]) == to_float(rendered)) continue;
       differs = true;
-      aggregator.add_error(place, {static_cast<int>(c), exact[c], rendered,
-                                   error_in_ulp(exact[c], rendered), range_of(colors_of(told)[c])});
+      aggregator.add_error(
+          place, {static_cast<int>(c), exact[c], rendered, error_in_ulp(exact[c], rendered),
+                  range_of(colors_of(reported)[c])});
     }
     if (differs) aggregator.add_place(place);
   }
@@ -206,25 +211,27 @@ class DerivativeComparison {
     return find_alternative(rule_of(rule_), name_of(method))->openness == Openness::open;
   }
 
-  // What is permitted needs no method that is not.
-  unsigned explaining(const Told& told) const {
+  // A permitted value needs no method that is illegal.
+  unsigned explaining(const ReportedDerivative& reported) const {
     unsigned open = 0;
     unsigned illegal = 0;
     for (std::size_t i = 0; i < ways_.size(); ++i)
-      if (yields(told, ways_[i])) (is_open(ways_[i].method) ? open : illegal) |= 1u << i;
-    return illegal != 0 && !is_permitted(told) ? open | illegal : open;
+      if (yields(reported, ways_[i])) (is_open(ways_[i].method) ? open : illegal) |= 1u << i;
+    return illegal != 0 && !is_permitted(reported) ? open | illegal : open;
   }
 
-  // The way that explains most of these; of several, the one that yields most of what agrees, too:
-  // it is one way that a renderer goes everywhere. None if none explains any.
-  std::optional<std::size_t> best_way(const std::vector<Told>& others) const {
+  // The way that explains most of these; of several, the one that yields most of the agreeing
+  // values, since a renderer goes one way everywhere. None if no way explains any.
+  std::optional<std::size_t> best_way(const std::vector<ReportedDerivative>& others) const {
     const auto explained = [&](std::size_t i) {
-      return std::count_if(others.begin(), others.end(),
-                           [&](const Told& told) { return (told.explained_by >> i & 1u) != 0; });
+      return std::count_if(others.begin(), others.end(), [&](const ReportedDerivative& reported) {
+        return (reported.explained_by >> i & 1u) != 0;
+      });
     };
     const auto agreeing = [&](std::size_t i) {
-      return std::count_if(agreeing_.begin(), agreeing_.end(),
-                           [&](const Told& told) { return yields(told, ways_[i]); });
+      return std::count_if(
+          agreeing_.begin(), agreeing_.end(),
+          [&](const ReportedDerivative& reported) { return yields(reported, ways_[i]); });
     };
     std::ptrdiff_t most = 0;
     std::vector<std::size_t> tied;
@@ -242,37 +249,39 @@ class DerivativeComparison {
                                          counts.begin())];
   }
 
-  void name_ways(std::vector<Told> others, Result& result) {
-    for (Told& told : others) told.explained_by = explaining(told);
+  void name_ways(std::vector<ReportedDerivative> others, Result& result) {
+    for (ReportedDerivative& reported : others) reported.explained_by = explaining(reported);
     while (const auto best = best_way(others)) {
-      const auto rest = std::stable_partition(others.begin(), others.end(), [&](const Told& told) {
-        return (told.explained_by >> *best & 1u) == 0;
-      });
-      for (auto told = rest; told != others.end(); ++told) report(*told, ways_[*best], result);
+      const auto rest = std::stable_partition(others.begin(), others.end(),
+                                              [&](const ReportedDerivative& reported) {
+                                                return (reported.explained_by >> *best & 1u) == 0;
+                                              });
+      for (auto reported = rest; reported != others.end(); ++reported)
+        report(*reported, ways_[*best], result);
       others.erase(rest, others.end());
     }
-    for (const Told& told : others) {
-      if (is_permitted(told))
-        aggregate(told);
+    for (const ReportedDerivative& reported : others) {
+      if (is_permitted(reported))
+        aggregate(reported);
       else
-        report_beyond(told, result);
+        report_beyond(reported, result);
     }
   }
 
-  Disagreement disagreement(const Told& told) const {
-    const Fragment& f = *told.fragment;
+  Disagreement disagreement(const ReportedDerivative& reported) const {
+    const Fragment& f = *reported.fragment;
     Disagreement d = value_disagreement({f.x, f.y}, f.primitive, rule_, kRuling);
-    const std::array<double, 4> exact = exact_of(told);
+    const std::array<double, 4> exact = exact_of(reported);
     d.exact.assign(exact.begin(), exact.end());
-    d.rendered.assign(rendered_of(told).begin(), rendered_of(told).end());
+    d.rendered.assign(rendered_of(reported).begin(), rendered_of(reported).end());
     d.explanation = fmt::format("{} of primitive {} is ({:.9g}) by {}; the renderer's ({:.9g}) ",
-                                name_of(told.derivative), f.primitive, fmt::join(d.exact, ", "),
+                                name_of(reported.derivative), f.primitive, fmt::join(d.exact, ", "),
                                 name_of(chosen_.method), fmt::join(d.rendered, ", "));
     return d;
   }
 
-  void report(const Told& told, const Way& way, Result& result) const {
-    Disagreement d = disagreement(told);
+  void report(const ReportedDerivative& reported, const Way& way, Result& result) const {
+    Disagreement d = disagreement(reported);
     if (way.method != chosen_.method)
       d.cause.parts.push_back(alternative_id(rule_, name_of(way.method)));
     if (way.rows != chosen_.rows)
@@ -284,12 +293,12 @@ class DerivativeComparison {
     result.disagreements.push_back(std::move(d));
   }
 
-  void report_beyond(const Told& told, Result& result) const {
-    Disagreement d = disagreement(told);
-    if (!is_flat(told))
-      d.cause = cause_of_derivatives(context_, *told.fragment, *told.detail, kinds_);
+  void report_beyond(const ReportedDerivative& reported, Result& result) const {
+    Disagreement d = disagreement(reported);
+    if (!is_flat(reported))
+      d.cause = cause_of_derivatives(context_, *reported.fragment, *reported.detail, kinds_);
     if (is_by_major_axis(d.cause)) d.ruling = kRulingOnLineValues;
-    if (d.cause.empty() && is_of_larger_area(told)) d.ruling = kRulingOnAreas;
+    if (d.cause.empty() && is_of_larger_area(reported)) d.ruling = kRulingOnAreas;
     d.explanation += "is no difference of neighbours that the specification permits";
     if (!d.cause.empty()) d.explanation += fmt::format(", but one under {}", text_of(d.cause));
     result.disagreements.push_back(std::move(d));
@@ -302,7 +311,7 @@ class DerivativeComparison {
   std::array<Derivative, 2> kinds_;
   RuleId rule_;
   std::array<ValueAggregator, 2> aggregators_;
-  std::vector<Told> agreeing_;
+  std::vector<ReportedDerivative> agreeing_;
 };
 
 }  // namespace

@@ -44,7 +44,7 @@ Cause wrong_provoking_vertex(const ScenePrimitive& primitive, const Fragment& fr
 
 // Flat colours and texture coordinates (ruling 8): those of the provoking vertex, to the bit.
 // `fragment`: of a flat draw, with a colour, or with its texture coordinates in the colour's place.
-// Adds a disagreement where it shows another vertex's, or what is no vertex's.
+// Adds a disagreement if it shows another vertex's value, or no vertex's.
 void compare_flat_color(const ValueContext& context, const Fragment& fragment, Result& result) {
   const ScenePrimitive& primitive = context.primitive_of(fragment);
   const Color color = flat_attribute(primitive, context.choices.values.provoking);
@@ -70,7 +70,7 @@ void compare_flat_color(const ValueContext& context, const Fragment& fragment, R
 // --------------------------------------------------------------------------------------- fragments
 
 // "the pixel's centre (2.5, 3.5)", "(2.375, 3.125)".
-std::string words_of_place(Point place) {
+std::string describe_location(Point place) {
   const bool is_centre = place == pixel_centre(place.x.floor(), place.y.floor());
   return (is_centre ? "the pixel's centre " : "") + format_point(place);
 }
@@ -101,13 +101,13 @@ Disagreement beyond_disagreement(std::span<const ValueComponent> components,
       "{} of primitive {} is exactly {:.9g} at {}; the specification permits {:.9g} to {:.9g}, the "
       "renderer has {:.9g}",
       name_of_component(attribute, static_cast<std::size_t>(&beyond - components.data())),
-      fragment.primitive, beyond.exact, words_of_place(place), beyond.permitted.low,
+      fragment.primitive, beyond.exact, describe_location(place), beyond.permitted.low,
       beyond.permitted.high, beyond.rendered);
   return d;
 }
 
-// Components of one attribute of one fragment: agree, permitted (aggregated) or beyond. The
-// disagreement, if there is one.
+// Compares the components of one attribute of one fragment: they agree, are permitted (aggregated)
+// or beyond. Returns the disagreement, if there is one.
 Disagreement* compare_components(std::span<const ValueComponent> components,
                                  const Fragment& fragment, Point place, RuleId rule,
                                  ValueAggregator& aggregator, Result& result) {
@@ -132,7 +132,7 @@ Disagreement* compare_components(std::span<const ValueComponent> components,
   return nullptr;
 }
 
-// Where a value is evaluated is a rule of its own.
+// The location where a value is evaluated is a rule of its own.
 void blame(Disagreement& d, const Cause& cause) {
   d.cause = cause;
   if (is_by_major_axis(cause)) d.ruling = kRulingOnLineValues;
@@ -141,7 +141,8 @@ void blame(Disagreement& d, const Cause& cause) {
     std::tie(d.rule, d.ruling) = std::pair(rule, rule_of(rule).ruling);
 }
 
-// Would the depth be right if it were clamped? Then that it is not is contested (ruling 45).
+// True if the depth would be right if it were clamped. That it is not clamped is contested (ruling
+// 45).
 bool is_unclamped_alone(const ValueContext& context, const Fragment& fragment) {
   const PrimitiveValues& values = context.values_of(fragment);
   const Point place = context.depth_place_of(fragment, context.choices.values.locations);
@@ -151,7 +152,7 @@ bool is_unclamped_alone(const ValueContext& context, const Fragment& fragment) {
              .contains(depth);
 }
 
-// Is a depth one that a mean of a polygon's vertices can be, though not one on its plane?
+// True for a depth that a mean of a polygon's vertices can have, though not one on its plane.
 bool is_mean_of_polygon(const ValueContext& context, const Fragment& fragment, double depth) {
   const PrimitiveValues& values = context.values_of(fragment);
   const double exact = middle(depth_exact(values.lawful, pixel_centre(fragment.x, fragment.y)));
@@ -160,13 +161,13 @@ bool is_mean_of_polygon(const ValueContext& context, const Fragment& fragment, d
              .contains(to_float(depth));
 }
 
-// So is what is added to a depth.
+// Polygon offset is a rule of its own, too.
 void blame_depth(const ValueContext& context, const Fragment& fragment, Disagreement& d) {
   if (has_offset(context, fragment) && is_unclamped_alone(context, fragment)) {
     std::tie(d.rule, d.ruling) = std::pair(offset_rule(context, fragment), 45);
     return;
   }
-  // What an offset adds is no mean.
+  // A depth with an offset is no mean.
   if (!has_offset(context, fragment) && is_mean_of_polygon(context, fragment, fragment.depth)) {
     d.ruling = kRulingOnPolygonDepth;
     return;
@@ -181,13 +182,13 @@ void blame_depth(const ValueContext& context, const Fragment& fragment, Disagree
     std::tie(d.rule, d.ruling) = std::pair(rule, rule_of(rule).ruling);
 }
 
-// Is another fragment of the primitive told with the same values?
-bool tells_the_same(const Fragment& a, const Fragment& b) {
+// True if both fragments of the primitive report the same values.
+bool report_the_same(const Fragment& a, const Fragment& b) {
   return a.primitive == b.primitive && a.has_color == b.has_color && a.has_depth == b.has_depth &&
          a.color == b.color && a.depth == b.depth;
 }
 
-// The fragment with what was interpolated in the colour's place.
+// The fragment with the interpolated values in the colour's place.
 Fragment interpolated(const ValueContext& context, const Rendering& rendered, Fragment fragment) {
   if (!context.primitive_of(fragment).state->texture) return fragment;
   const FragmentDetail* detail =
@@ -211,23 +212,23 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
   ValueAggregator depths_elsewhere("depth", followed_z.rule, followed_z.ruling, followed_z.cause);
   const FollowedOffset followed_o = followed_offset(context, rendered);
   ValueAggregator depths_offset("depth", followed_o.rule, followed_o.ruling, followed_o.cause);
-  // Of each primitive the latest fragment, if it is correct and stands for all that tell the same,
-  // and with what its values were counted.
+  // The latest fragment of each primitive, if it is correct and represents all that report the same
+  // values, and the aggregators that counted its values.
   struct Correct {
     const Fragment* fragment = nullptr;
     ValueAggregator* color = nullptr;
     ValueAggregator* depth = nullptr;
   };
   std::vector<Correct> correct_ones(context.primitives.size());
-  for (const Fragment& told : rendered.fragments) {
-    Correct& correct = correct_ones[static_cast<std::size_t>(told.primitive)];
-    if (correct.fragment != nullptr && tells_the_same(*correct.fragment, told)) {
-      if (correct.color != nullptr) correct.color->count_compared(told.color.size());
+  for (const Fragment& reported : rendered.fragments) {
+    Correct& correct = correct_ones[static_cast<std::size_t>(reported.primitive)];
+    if (correct.fragment != nullptr && report_the_same(*correct.fragment, reported)) {
+      if (correct.color != nullptr) correct.color->count_compared(reported.color.size());
       if (correct.depth != nullptr) correct.depth->count_compared(1);
       continue;
     }
-    const Draw& draw = *context.primitive_of(told).state;
-    const Fragment f = interpolated(context, rendered, told);
+    const Draw& draw = *context.primitive_of(reported).state;
+    const Fragment f = interpolated(context, rendered, reported);
     const bool textured = draw.texture.has_value();
     const ValueJudge judge(context, f);
     const std::size_t before = result.disagreements.size();
@@ -258,7 +259,7 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
       if (d != nullptr) blame_depth(context, f, *d);
     }
     is_correct = is_correct && result.disagreements.size() == before;
-    if (is_correct) correct.fragment = &told;
+    if (is_correct) correct.fragment = &reported;
   }
   colors.flush(result);
   elsewhere.flush(result);
@@ -306,8 +307,8 @@ void compare_coordinates(const ValueContext& context, const Rendering& rendered,
       Disagreement d = value_disagreement({f.x, f.y}, f.primitive, kRule, 17);
       d.exact = {place.x.to_double(), place.y.to_double()};
       d.rendered = {x, y};
-      d.explanation =
-          fmt::format("gl_FragCoord.xy is ({:.9g}, {:.9g}), not {}", x, y, words_of_place(place));
+      d.explanation = fmt::format("gl_FragCoord.xy is ({:.9g}, {:.9g}), not {}", x, y,
+                                  describe_location(place));
       const auto ignored = coordinates_if_ignored(context, f);
       if (ignored && x == ignored->x.to_double() && y == ignored->y.to_double())
         d.cause = cause_of(MultisampleSwitch::ignored);
@@ -316,12 +317,12 @@ void compare_coordinates(const ValueContext& context, const Rendering& rendered,
     const ValueJudge judge(context, f);
     const ValueComponent depth = judge.depth(z);
     const ValueComponent inverse = judge.inverse_w(w);
-    Fragment told = f;
-    told.depth = z;
+    Fragment reported = f;
+    reported.depth = z;
     Disagreement* d =
         compare_components({&depth, 1}, f, judge.depth_place(), kRule,
-                           followed.explains(context, told) ? elsewhere : depths, result);
-    if (d != nullptr) blame_depth(context, told, *d);
+                           followed.explains(context, reported) ? elsewhere : depths, result);
+    if (d != nullptr) blame_depth(context, reported, *d);
     d = compare_components({&inverse, 1}, f, judge.depth_place(), kRule, inverses, result);
     if (d != nullptr) blame(*d, cause_of_inverse_w(context, f, w));
   }

@@ -24,7 +24,7 @@ Changes unit_changes(const RuleChoices& chosen, DepthFormat format) {
                         chosen);
 }
 
-// Every alternative beside what is chosen, and then every slope with every unit.
+// Every alternative besides the chosen ones, then every slope with every unit.
 std::vector<Changes> offset_changes(const RuleChoices& chosen, DepthFormat format) {
   const Changes slopes = changes_beside(RuleId::offset_slope, chosen);
   const Changes units = unit_changes(chosen, format);
@@ -60,7 +60,7 @@ bool is_inexact(const ValueContext& context, const Fragment& fragment,
 
 using Test = bool (*)(const ValueContext&, const Fragment&, const PrimitiveAttributes&);
 
-// Do all fragments with an offset pass the test with these changes?
+// True if all fragments with an offset pass the test under these changes.
 bool all_pass(const ValueContext& context, const Rendering& rendered, const Changes& changes,
               Test test) {
   std::map<int, PrimitiveAttributes> attributes;
@@ -95,13 +95,13 @@ Cause cause_of_offset(const ValueContext& context, const Fragment& fragment) {
 }
 
 FollowedOffset followed_offset(const ValueContext& context, const Rendering& rendered) {
-  // Most scenes have none: then no fragment need be asked.
+  // Most scenes have no polygon offset; then no fragment is tested.
   if (std::ranges::none_of(context.scene.draws,
                            [](const Draw& draw) { return draw.polygon_offset.has_value(); }))
     return {};
   const auto concerned = [&](const Fragment& f) { return f.has_depth && has_offset(context, f); };
   if (std::ranges::none_of(rendered.fragments, concerned)) return {};
-  // The alternative that yields every depth to the bit, else one that inexact operations yield.
+  // The alternative that yields every depth to the bit, else one with inexact operations.
   for (const Test test : {&is_exact, &is_inexact}) {
     if (all_pass(context, rendered, {}, test)) return {};
     for (const Changes& changes : offset_changes(context.choices, context.scene.target.depth))
@@ -115,18 +115,18 @@ FollowedOffset followed_offset(const ValueContext& context, const Rendering& ren
 
 // ----------------------------------------------------------------------------- the unit of offsets
 //
-// The unit of polygon offsets in a fixed-point depth buffer (ruling 38): one constant, which the
-// implementation does not tell. Each fragment whose depth is told leaves an interval of units that
-// may have led to it; the unit is taken to be where most of these intervals meet. Where they do not
-// all meet, the fragments of the others are the odd ones out.
+// The unit of polygon offsets in a fixed-point depth buffer (ruling 38) is one constant, which the
+// implementation does not report. Each fragment with a reported depth leaves an interval of units
+// that may have led to it; the unit is assumed to lie where most of these intervals meet. If they
+// do not all meet, the fragments of the others are the faulty ones.
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// What depends on the primitive alone.
+// The part that depends on the primitive alone.
 struct OffsetPrimitive {
-  Interpolant depth;  // before anything is added
+  Interpolant depth;  // before any offset
   MovedVertices vertices;
   PolygonOffset offset;
   Interval slope;  // factor m
@@ -142,31 +142,31 @@ OffsetPrimitive offset_primitive(const ValueContext& context, const ScenePrimiti
           offset_permitted({offset.factor, 0, 0}, depth, target.depth, reach, 0)};
 }
 
-// factor m + units r of a fragment: what its depth has more than the primitive's. Clamped depths
-// and offsets may have been anything further.
-Interval sum_of_offset(const OffsetPrimitive& primitive, Point place, double told) {
+// factor m + units r of a fragment: its depth less that of the primitive. Clamped depths and
+// offsets may have been anything farther out.
+Interval sum_of_offset(const OffsetPrimitive& primitive, Point place, double reported) {
   const Interval depth = PermittedPlace(primitive.vertices, place).value(primitive.depth);
-  Interval sum = Interval(told - float_ulp(told), told + float_ulp(told)) - depth;
+  Interval sum = Interval(reported - float_ulp(reported), reported + float_ulp(reported)) - depth;
   const auto clamp = static_cast<double>(primitive.offset.clamp);
-  if (told <= 0 || (clamp < 0 && sum.low <= clamp)) sum.low = -kInfinity;
-  if (told >= 1 || (clamp > 0 && sum.high >= clamp)) sum.high = kInfinity;
+  if (reported <= 0 || (clamp < 0 && sum.low <= clamp)) sum.low = -kInfinity;
+  if (reported >= 1 || (clamp > 0 && sum.high >= clamp)) sum.high = kInfinity;
   return sum;
 }
 
-// The units that lead to the fragment's depth; none of them may be permitted.
-Interval units_of(const OffsetPrimitive& primitive, Point place, double told) {
+// The units that lead to the fragment's depth; possibly none of them is permitted.
+Interval units_of(const OffsetPrimitive& primitive, Point place, double reported) {
   constexpr double kErrors = 3e-5;  // of both products and of their sum
   const Interval of_units =
-      widened(sum_of_offset(primitive, place, told) - primitive.slope, kErrors);
+      widened(sum_of_offset(primitive, place, reported) - primitive.slope, kErrors);
   const auto units = static_cast<double>(primitive.offset.units);
   const Interval unit = units > 0 ? Interval(of_units.low / units, of_units.high / units)
                                   : Interval(of_units.high / units, of_units.low / units);
   return std::isnan(unit.low) || std::isnan(unit.high) ? Interval::everything() : unit;
 }
 
-// Where most of the intervals meet; `whole` where there are none.
+// The interval where most of the intervals meet; `whole` if there are none.
 Interval where_most_meet(const std::vector<Interval>& units, Interval whole) {
-  std::vector<std::pair<double, int>> ends;  // ends come after beginnings at the same number
+  std::vector<std::pair<double, int>> ends;  // at the same number, ends come after beginnings
   for (const Interval unit : units) {
     ends.emplace_back(unit.low, 0);
     ends.emplace_back(unit.high, 1);
@@ -201,7 +201,8 @@ Interval followed_fixed_unit(const ValueContext& context, const Rendering& rende
     if (!f.has_depth || !std::isfinite(f.depth) || !has_offset(context, f) ||
         !has_units(*primitive.state))
       continue;
-    // Where a place is not told that may be anywhere in the pixel, the depth says nothing of r.
+    // If the location is not reported and may be anywhere in the pixel, the depth says nothing of
+    // r.
     if (!context.permitted_coordinates(f).empty()) continue;
     auto& known = primitives[static_cast<std::size_t>(f.primitive)];
     if (!known) known.emplace(offset_primitive(context, primitive));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Pixels (rulings 10 and 11): each must hold what the renderer's own last fragment there puts into
-// it, or the clear colour. A renderer that tells right fragments and shows a wrong picture is
-// caught here.
+// Pixels (rulings 10 and 11): each must hold the colour of the renderer's own last fragment there,
+// or the clear colour. This catches a renderer that reports correct fragments and shows a wrong
+// picture.
 #include "diff/values/pixel_values.h"
 
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ class PixelComparison {
   }
 
   void run(Result& result) {
-    // Fragments are sorted by row, column and primitive: walk them along with the pixels.
+    // Fragments are sorted by row, column and primitive, so they are read along with the pixels.
     auto next = rendered_.fragments.begin();
     for (int y = 0; y < rendered_.height; ++y) {
       for (int x = 0; x < rendered_.width; ++x) {
@@ -62,7 +62,7 @@ class PixelComparison {
   bool is_multisampled() const { return rendered_.samples > 1; }
 
   // The first column of a row, from a pixel on and up to column `end`, before which nothing was
-  // drawn, that holds something else than what it was cleared to; else `end`.
+  // drawn, that does not hold the clear colour; else `end`.
   int skip_clear(PixelPosition from, int end) {
     if (is_multisampled() || clear_row_.empty() || end <= from.x) return from.x;
     const auto size = 4 * static_cast<std::size_t>(end - from.x);
@@ -96,7 +96,7 @@ class PixelComparison {
     if (fragments.empty() && !clear_row_.empty() && is_clear(stored)) return;
     if (holds_last_color(fragments, stored)) return;
     const auto all = last_writers(context_, fragments, sample);
-    // Which of them alpha to coverage kept from writing is held against hits where they are told.
+    // compare_sample_hits tests what alpha to coverage kept from writing, if hits are reported.
     const auto writers = rendered_.hits.empty() ? left_by_alpha(context_, all) : all;
     const auto holds_color_of = [&](const Fragment* writer) {
       return is_stored(stored, truth_of(writer));
@@ -114,28 +114,28 @@ class PixelComparison {
     }
   }
 
-  // Compared as one word.
+  // Compares all four bytes as one word.
   bool is_clear(const std::uint8_t* stored) const {
     std::array<std::uint8_t, 4> code;
     std::copy_n(stored, code.size(), code.begin());
     return std::bit_cast<std::uint32_t>(code) == std::bit_cast<std::uint32_t>(clear_code_);
   }
 
-  // Does a pixel hold what its last fragment's told colour is rounded to? Then nothing is to be
-  // said of it. Neighbours mostly have the same colour.
+  // True if a pixel holds the rounded colour that its last fragment reported; then it is correct.
+  // Neighbours mostly have the same colour.
   bool holds_last_color(std::span<const Fragment> fragments, const std::uint8_t* stored) {
     if (is_multisampled() || fragments.empty() || !fragments.back().has_color) return false;
     const std::array<double, 4>& color = fragments.back().color;
-    if (color != told_) {
+    if (color != last_color_) {
       if (std::ranges::any_of(color, [](double component) { return std::isnan(component); }))
         return false;
-      told_ = color;
-      std::ranges::transform(color, told_code_.begin(), to_unorm8);
+      last_color_ = color;
+      std::ranges::transform(color, last_code_.begin(), to_unorm8);
     }
-    return std::ranges::equal(told_code_, std::span(stored, told_code_.size()));
+    return std::ranges::equal(last_code_, std::span(stored, last_code_.size()));
   }
 
-  // What is done without GL_MULTISAMPLE, if that puts there what is stored.
+  // Behaviour without GL_MULTISAMPLE that yields what is stored.
   Cause cause_of_switch(std::span<const Fragment> fragments, int sample,
                         const std::uint8_t* stored) const {
     for (const MultisampleSwitch choice : switches_beside(context_, fragments))
@@ -158,7 +158,7 @@ class PixelComparison {
     if (differs) aggregator_.add_place(place);
   }
 
-  // An earlier fragment that has the colour that is stored, or none.
+  // An earlier fragment that has the stored colour, or none.
   const Fragment* earlier_one(std::span<const Fragment> fragments, int sample, const Fragment* last,
                               const std::uint8_t* stored) const {
     const Fragment* earlier = nullptr;
@@ -202,9 +202,9 @@ class PixelComparison {
   const Rendering& rendered_;
   PixelTruth clear_;
   std::array<std::uint8_t, 4> clear_code_{};  // as it is stored
-  std::vector<std::uint8_t> clear_row_;       // a row of it; empty where it must not be stored so
-  std::array<double, 4> told_{};              // the latest colour that a pixel was to hold
-  std::array<std::uint8_t, 4> told_code_{};   // and as what
+  std::vector<std::uint8_t> clear_row_;       // one row; empty if pixels must not hold it
+  std::array<double, 4> last_color_{};        // the latest colour of a last fragment
+  std::array<std::uint8_t, 4> last_code_{};   // the same in 8 bits
   ValueAggregator aggregator_{"pixel", RuleId::framebuffer_unorm8, 10};
 };
 
@@ -247,7 +247,7 @@ PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragme
     truth.permitted[3] = with_fade(context, fragment, truth.permitted[3]);
     return truth;
   }
-  // What a texture would have shown is judged where it is told.
+  // The colours that a texture gives are judged where they are reported.
   if (context.primitive_of(fragment).state->texture) {
     truth.permitted.fill(Interval::everything());
     return truth;

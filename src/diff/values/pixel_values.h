@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a pixel should hold, by the renderer's own fragments.
+// The colour that a pixel should hold, by the renderer's own fragments.
 #pragma once
 
 #include <array>
@@ -18,18 +18,18 @@ struct PixelTruth {
 
 PixelTruth truth_of_clear(const Scene& scene);
 
-// The colour that the renderer told, or where it told none, all that it may have had.
+// The colour that the renderer reported, or all that it may have had if it reported none.
 PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragment);
 
-// May a fragment's alpha be changed after the shader? That of a multisampled point smaller than the
-// fade threshold, which is 1, may be multiplied by the square of the size (GL 4.6 core, 14.4,
-// equation 14.2, and 17.2).
+// True if a fragment's alpha may be changed after the shader: that of a multisampled point smaller
+// than the fade threshold, which is 1, may be multiplied by the square of the size (GL 4.6 core,
+// 14.4, equation 14.2, and 17.2).
 bool may_fade(const ValueContext& context, const Fragment& fragment);
-// An alpha, with what it may become so.
+// An alpha, with all values to which it may fade.
 Interval with_fade(const ValueContext& context, const Fragment& fragment, Interval alpha);
 
-// Pixels, of multisampled targets sample by sample, against the last fragment that the renderer
-// says it drew there. Appends disagreements and aggregates to `result`.
+// Compares pixels, of multisampled targets sample by sample, with the last fragment that the
+// renderer reports there. Appends disagreements and aggregates to `result`.
 void compare_pixels(const ValueContext& context, const Rendering& rendered, Result& result);
 
 }  // namespace edgecase

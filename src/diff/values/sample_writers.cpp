@@ -59,13 +59,13 @@ std::uint32_t kept_by_alpha(const ValueContext& context, const Fragment& fragmen
   if (!heeds_others(primitive.state->multisampling, samples,
                     {context.choices.samples.rate, choice}))
     return alpha_mask(fragment.color[3], samples, choice);
-  // Invocations that did not run, or are not covered, tell nothing.
+  // Invocations that did not run, or that cover nothing, report no alpha.
   std::vector<double> alphas =
       alphas_of_samples(primitive, context.values_of(fragment).chosen, {fragment.x, fragment.y},
                         context.sample_positions(), context.choices.values.locations);
-  for (const Fragment& told : at_pixel)
-    if (told.primitive == fragment.primitive && told.has_color && told.coverage != 0)
-      alphas[static_cast<std::size_t>(std::countr_zero(told.coverage))] = told.color[3];
+  for (const Fragment& reported : at_pixel)
+    if (reported.primitive == fragment.primitive && reported.has_color && reported.coverage != 0)
+      alphas[static_cast<std::size_t>(std::countr_zero(reported.coverage))] = reported.color[3];
   return mask_by_others(alphas);
 }
 

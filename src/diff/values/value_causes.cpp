@@ -25,7 +25,7 @@ bool yields_color(const PrimitiveAttributes& attributes, Point place, const Frag
   return true;
 }
 
-// Does a primitive have, under these choices, what the fragment was told to have?
+// True if a primitive under some choices has the fragment's reported values.
 using Test = std::function<bool(const PrimitiveAttributes&)>;
 
 bool passes(const ValueContext& context, const Fragment& fragment, const RuleChoices& choices,
@@ -33,8 +33,8 @@ bool passes(const ValueContext& context, const Fragment& fragment, const RuleCho
   return test(attributes_of(context.primitive_of(fragment), choices, context.scene.target));
 }
 
-// Is the fragment's line one of which either axis may be the major one, and do its values go by the
-// shorter?
+// True if either axis may be the major one of the fragment's line, and its values follow the
+// shorter.
 bool goes_by_other_axis(const ValueContext& context, const Fragment& fragment, RuleChoices choices,
                         const Test& test) {
   if (context.primitive_of(fragment).kind != PrimitiveKind::line) return false;
@@ -44,7 +44,7 @@ bool goes_by_other_axis(const ValueContext& context, const Fragment& fragment, R
   return passes(context, fragment, choices, test);
 }
 
-// The change of how attributes are interpolated under which the test passes; none: there is none.
+// The change of interpolation under which the test passes; none if there is none.
 Cause first_change(const ValueContext& context, const Fragment& fragment, const Test& test) {
   RuleChoices choices = context.choices;
   choices.values = ValueChoice{};
@@ -86,7 +86,7 @@ Cause cause_of_color(const ValueContext& context, const Fragment& fragment) {
 
 namespace {
 
-// Of a draw without GL_MULTISAMPLE.
+// For a draw without GL_MULTISAMPLE.
 Cause cause_of_depth_if_ignored(const ValueContext& context, const Fragment& fragment) {
   const auto yields = [&](const LocationChoice& locations) {
     const auto place = depth_place_if_ignored(context, fragment, locations);
@@ -133,8 +133,8 @@ Cause cause_of_derivatives(const ValueContext& context, const Fragment& fragment
   return first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
     return std::ranges::any_of(values_of<DerivativeMethod>(), [&](DerivativeMethod method) {
       return std::ranges::all_of(along, [&](Derivative derivative) {
-        const auto& told = detail.derivatives[static_cast<std::size_t>(derivative)];
-        return !told || yields_derivative(attributes.color, at, derivative, method, *told);
+        const auto& reported = detail.derivatives[static_cast<std::size_t>(derivative)];
+        return !reported || yields_derivative(attributes.color, at, derivative, method, *reported);
       });
     });
   });
@@ -159,14 +159,14 @@ bool yields_derivative(const std::array<Interpolant, 4>& color, const QuadPixel&
 
 namespace {
 
-// Fragments whose colour depends on where it is evaluated.
+// True if the fragment's colour depends on where it is evaluated.
 bool has_place(const ValueContext& context, const Fragment& fragment) {
   const Draw& draw = *context.primitive_of(fragment).state;
   return fragment.has_color && is_multisampled(draw, context.scene.target) &&
          draw.interpolation != Interpolation::flat;
 }
 
-// Fragments whose depth does.
+// True if the fragment's depth depends on where it is evaluated.
 bool has_depth_place(const ValueContext& context, const Fragment& fragment) {
   return fragment.has_depth &&
          is_multisampled(*context.primitive_of(fragment).state, context.scene.target);

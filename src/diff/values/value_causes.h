@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which alternative of the rules on values yields what a fragment has, where that is beyond what
-// the specification permits.
+// Finds the alternative of the rules on values that yields a fragment's value, if that is beyond
+// what the specification permits.
 #pragma once
 
 #include <array>
@@ -11,55 +11,55 @@
 
 namespace edgecase {
 
-// The ruling on values of a line that go by its major axis, or are those of another fragment of a
+// The ruling on values of a line that follow its major axis, or are those of another fragment of a
 // wide line's column.
 inline constexpr int kRulingOnLineValues = 46;
 bool is_by_major_axis(const Cause& cause);
 
-// The first alternative of attribute.smooth, attribute.perspective and attribute.positions under
-// which every component is what comes of inexact operations; of colours, where none is, the first
-// two of how and where they are interpolated. No cause where none is.
+// The first alternative of attribute.smooth, attribute.perspective and attribute.positions that
+// yields every component with inexact operations; for colours, if there is none, the first two of
+// how and where they are interpolated. No cause if there is none.
 Cause cause_of_color(const ValueContext& context, const Fragment& fragment);
 Cause cause_of_depth(const ValueContext& context, const Fragment& fragment);
 Cause cause_of_inverse_w(const ValueContext& context, const Fragment& fragment, double inverse_w);
 
-// The same of derivatives of the colour along x and y, both by one method, whichever.
+// The same for derivatives of the colour along x and y, both by any one method.
 Cause cause_of_derivatives(const ValueContext& context, const Fragment& fragment,
                            const FragmentDetail& detail, const std::array<Derivative, 2>& along);
 
 // The fragment's place in its quad, under the policy.
 QuadPixel quad_place(const ValueContext& context, const Fragment& fragment);
 
-// Does a method, every operation inexact, yield these derivatives of a colour's components?
+// True if a method, every operation inexact, yields these derivatives of a colour's components.
 bool yields_derivative(const std::array<Interpolant, 4>& color, const QuadPixel& at,
                        Derivative derivative, DerivativeMethod method,
                        const std::array<double, 4>& rendered);
 
 // --------------------------------------------------------------------------------------- locations
 //
-// Where else a renderer evaluates the attributes of multisampled draws: the choice that the
-// specification leaves open, read off all fragments of a case together.
+// Other locations at which a renderer evaluates the attributes of multisampled draws: the choice
+// that the specification leaves open, found from all fragments of a case together.
 
-// Every alternative of where attributes but depth are evaluated, beside what is chosen.
+// Every alternative of where attributes except depth are evaluated, besides the chosen one.
 Changes location_changes(const RuleChoices& chosen);
 
-// Where they and depths are evaluated under a change.
+// Where attributes and depths are evaluated under a change.
 LocationChoice locations_of(const Change& change, const RuleChoices& chosen);
 
-// What all smooth colours of a case are evaluated by, where the policy's own choice does not yield
-// them; without a cause where there is no such thing.
+// The location at which all smooth colours of a case are evaluated, if the policy's own choice does
+// not yield them; without a cause if there is none.
 struct FollowedLocation {
   Cause cause;
   RuleId rule = RuleId::attribute_smooth;
   int ruling = 9;
 
-  // Is the fragment's colour another than the policy's place yields, and has it so?
+  // True if this location yields the fragment's colour and the policy's does not.
   bool explains(const ValueContext& context, const Fragment& fragment) const;
 };
 
 FollowedLocation followed_location(const ValueContext& context, const Rendering& rendered);
 
-// The same of gl_FragCoord.z.
+// The same for gl_FragCoord.z.
 struct FollowedDepth {
   Cause cause;
   RuleId rule = RuleId::fragment_depth;
@@ -70,7 +70,8 @@ struct FollowedDepth {
 
 FollowedDepth followed_depth(const ValueContext& context, const Rendering& rendered);
 
-// Does a primitive with this depth have gl_FragCoord.z so where a choice evaluates it?
+// True if a primitive with this depth has the fragment's gl_FragCoord.z where a choice evaluates
+// it.
 bool yields_depth(const ValueContext& context, const Fragment& fragment, const Interpolant& depth,
                   const LocationChoice& choice);
 

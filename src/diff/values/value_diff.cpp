@@ -26,13 +26,13 @@ RuleChoices lawful_choices(const RuleChoices& chosen) {
 
 namespace {
 
-// A triangle cut at near and far alone, as by an implementation with a guard band.
+// A triangle clipped only at near and far, as by an implementation with a guard band.
 std::vector<ClipPolygonVertex> polygon_between_near_and_far(const ScenePrimitive& triangle) {
   constexpr int kBand = static_cast<int>(Fixed::kMaxCoordinate);
   return clip_polygon({triangle.positions, triangle.z}, {true, -kBand, -kBand, kBand, kBand}, 1);
 }
 
-// Does clipping make more than three edges of a triangle, at near and far alone or at all planes?
+// True if clipping gives a triangle more than three edges, at near and far alone or at all planes.
 bool is_polygon(const ScenePrimitive& primitive) {
   if (!primitive.is_clipped || primitive.kind != PrimitiveKind::triangle) return false;
   return seen_polygon(primitive).size() > 3 || polygon_between_near_and_far(primitive).size() > 3;
@@ -63,7 +63,7 @@ const ScenePrimitive& ValueContext::primitive_of(const Fragment& fragment) const
   return primitives[static_cast<std::size_t>(fragment.primitive)];
 }
 
-// None where the draw is not multisampled, or the renderer tells of a fragment without samples.
+// None if the draw is not multisampled, or the renderer reports a fragment without samples.
 std::optional<Invocation> ValueContext::invocation_of(const Fragment& fragment) const {
   if (scene.target.samples == 1) return std::nullopt;
   const ScenePrimitive& primitive = primitive_of(fragment);
@@ -134,7 +134,7 @@ const PrimitiveValues& ValueContext::values_of(const Fragment& fragment) const {
 Interval with_means(Interval permitted, const ScenePrimitive& primitive,
                     const PrimitiveValues& values, std::size_t component) {
   if (!values.is_polygon) return permitted;
-  // Without perspective a value behind the eye need not lie between those of vertices.
+  // Without perspective, a value behind the eye need not lie between those of the vertices.
   const bool is_between =
       values.lawful.color[component].perspective ||
       std::ranges::all_of(primitive.positions, [](const HomogeneousPoint& p) { return p.w > 0; });
@@ -144,7 +144,7 @@ Interval with_means(Interval permitted, const ScenePrimitive& primitive,
   for (std::size_t i = 1; i < 3; ++i)
     means = hull(means, static_cast<double>(interpolated_attribute(
                             *primitive.state, *primitive.vertices[i])[component]));
-  // Each of the products and sums of a mean may err.
+  // Each product and sum of a mean may err.
   return hull(permitted, widened(means, 8 * kInexact.relative));
 }
 
@@ -160,7 +160,7 @@ Interval with_means_of_inverse_w(Interval permitted, const ScenePrimitive& primi
 Interval with_means_of_depth(Interval permitted, const ScenePrimitive& primitive,
                              const PrimitiveValues& values) {
   if (!values.is_polygon) return permitted;
-  Interval z;  // z/w, of the vertices or of where an edge from them meets near or far
+  Interval z;  // z/w of the vertices, or of the points where their edges meet near or far
   for (std::size_t i = 0; i < 3; ++i) {
     const auto w = static_cast<double>(primitive.positions[i].w);
     const auto above = static_cast<double>(primitive.z[i]);
@@ -222,7 +222,7 @@ double float_ulp(double value) {
 }
 
 double error_in_ulp(double exact, double rendered) {
-  // A number for an infinity: as far off as any two numbers of different signs.
+  // A number in place of an infinity counts like two numbers of different signs.
   if (std::isinf(exact) != std::isinf(rendered)) return 0x1p24;
   return std::fabs(rendered - exact) / float_ulp(std::max(std::fabs(exact), std::fabs(rendered)));
 }
@@ -254,7 +254,7 @@ void ValueAggregator::count_as(const ValueAggregator& whole) {
 }
 
 void ValueAggregator::add_error(ValueAggregate::Place place, const Error& error) {
-  // log2 of the least double stands for an error of zero: told apart by rounding alone.
+  // log2 of the least double stands for an error of zero: the values differ only by rounding.
   const int bucket = error.ulp > 0 ? std::ilogb(error.ulp) : -1074;
   const bool first = aggregate_.ulp_histogram.empty();
   ++aggregate_.ulp_histogram[bucket];

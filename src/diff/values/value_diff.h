@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Values: what fragments carry and what ends up in pixels, held against what is exact under a
-// policy and against what the specification permits (rulings 8 to 11 and 16 to 18), which knows no
-// policy. Coverage is not looked at: a fragment that exact does not have is compared with the
-// attribute's value at its place all the same.
+// Values: what fragments carry and what pixels hold, compared with exact under a policy and with
+// what the specification permits (rulings 8 to 11 and 16 to 18), whatever the policy. Coverage
+// plays no part: a fragment that exact does not have is still compared with the attribute's value
+// at its location.
 #pragma once
 
 #include <array>
@@ -25,40 +25,40 @@
 
 namespace edgecase {
 
-// What is known of one primitive's attributes.
+// The attributes of one primitive.
 struct PrimitiveValues {
   PrimitiveAttributes chosen;  // under the policy
   PrimitiveAttributes lawful;  // under OpenGL's own choices
-  // The lawful depth and 1/w with all that the vertices' own may be off by, the depth with every
-  // polygon offset that is permitted; before it is clamped.
+  // The lawful depth and 1/w with all errors that the vertices' own may have, the depth with every
+  // permitted polygon offset; before clamping.
   Interpolant permitted_depth;
   Interpolant permitted_inverse_w;
-  bool differ = false;  // the policy interpolates otherwise than OpenGL does
-  double reach = 0;     // pixels that a vertex may have moved: rulings 4 and 15
-  // A triangle that clipping makes a polygon of more than three edges: what its fragments carry is
-  // some mean of what the polygon's vertices do (14.6.1).
+  bool differ = false;  // the policy interpolates differently from OpenGL
+  double reach = 0;     // how far a vertex may have moved, pixels: rulings 4 and 15
+  // A triangle that clipping turns into a polygon of more than three edges: its fragments carry
+  // some mean of the values of the polygon's vertices (14.6.1).
   bool is_polygon = false;
 
-  // Of the lawful attributes; worked out when they are first asked for.
+  // Of the lawful attributes; computed on demand.
   const MovedVertices& moved() const;
   mutable std::optional<MovedVertices> known_moved;
 };
 
-// What the comparison of values needs of a case.
+// A case, as the comparison of values needs it.
 class ValueContext {
  public:
-  // All must outlive the context. `bits` as in ruling 4; `reported`: where the renderer says that
-  // samples lie.
+  // Everything referred to must outlive the context. `bits` as in ruling 4; `reported`: sample
+  // positions as the renderer reports them.
   ValueContext(const Scene& scene, std::span<const ScenePrimitive> primitives,
                const RuleChoices& choices, int bits, Latitude latitude,
                const SamplePositions& reported = {});
 
-  // How often the renderer runs its shader, where that is not as the policy has it.
+  // How often the renderer runs its shader, if that differs from the policy.
   void follow(ShadingRate rate) { rate_ = rate; }
-  // What the unit of polygon offsets may be of a fixed-point buffer, where the renderer's depths
-  // tell more than permitted_fixed_unit(); before values of primitives are asked for.
+  // The possible units of polygon offsets in a fixed-point buffer, if the renderer's depths show
+  // more than permitted_fixed_unit(); call before values of primitives are needed.
   void follow_fixed_unit(Interval unit) { fixed_unit_ = unit; }
-  // What the renderer says that bounds its levels of detail.
+  // The limits that the renderer reports for its levels of detail.
   void follow_limits(const LookupLimits& limits) { lookup_limits_ = limits; }
   const LookupLimits& lookup_limits() const { return lookup_limits_; }
 
@@ -70,23 +70,23 @@ class ValueContext {
   // As in ruling 4.
   int bits() const { return bits_; }
 
-  // Where within a pixel of the target a sample lies, as the renderer has it.
+  // Where a sample lies within a pixel of the target, as the renderer reports it.
   Point sample_position(int sample) const { return positions_[static_cast<std::size_t>(sample)]; }
   const SamplePositions& sample_positions() const { return positions_; }
 
   // Where in the window exact evaluates what a fragment carries: its attributes, its depth, and
-  // gl_FragCoord.xy itself. The pixel's centre, unless the draw is multisampled; attributes of wide
-  // lines elsewhere (attribute_place).
+  // gl_FragCoord.xy itself. At the pixel's centre, unless the draw is multisampled; attributes of
+  // wide lines elsewhere (attribute_place).
   Point place_of(const Fragment& fragment, const LocationChoice& choice) const;
   Point depth_place_of(const Fragment& fragment, const LocationChoice& choice) const;
   Point coordinates_of(const Fragment& fragment) const;
-  // Corners of the regions in which the specification lets attributes, and gl_FragCoord, be
-  // evaluated on a multisampled target; empty on one of one sample, where it knows one place alone.
+  // Corners of the regions where the specification lets attributes, and gl_FragCoord, be evaluated
+  // on a multisampled target; empty on a target of one sample, which has a single location.
   std::vector<Point> permitted_places(const Fragment& fragment) const;
   std::vector<Point> permitted_coordinates(const Fragment& fragment) const;
 
   const ScenePrimitive& primitive_of(const Fragment& fragment) const;
-  // Worked out when a primitive is first asked for.
+  // Computed on demand.
   const PrimitiveValues& values_of(const Fragment& fragment) const;
 
  private:
@@ -97,67 +97,67 @@ class ValueContext {
   Interval fixed_unit_;
   LookupLimits lookup_limits_;
   SamplePositions positions_;
-  // Worked out for a primitive when it is first asked for; some kilobytes each.
+  // Computed on demand for each primitive; some kilobytes each.
   mutable std::vector<std::unique_ptr<PrimitiveValues>> values_;
 };
 
 // Each appends disagreements (beyond what is permitted) and aggregates (inside it) to `result`.
 
-// Colours and depths, as the renderer tells them per fragment.
+// Colours and depths, as the renderer reports them per fragment.
 void compare_fragment_values(const ValueContext& context, const Rendering& rendered,
                              Result& result);
 
-// gl_FragCoord and derivatives of the colour, where they were asked for and told.
+// gl_FragCoord and derivatives of the colour, if they were requested and reported.
 void compare_coordinates(const ValueContext& context, const Rendering& rendered, Result& result);
 void compare_derivatives(const ValueContext& context, const Rendering& rendered, Result& result);
 
-// The depth buffer, of multisampled targets sample by sample, against the last fragment that the
-// renderer says it drew there.
+// Compares the depth buffer, of multisampled targets sample by sample, with the last fragment that
+// the renderer reports there.
 void compare_depths(const ValueContext& context, const Rendering& rendered, Result& result);
 
 // The policy's choices, with OpenGL's own on attributes.
 RuleChoices lawful_choices(const RuleChoices& chosen);
 
-// Every depth that a primitive may have at a place of the window, its vertices moved and its
-// polygon offset as far as the specification leaves that open.
+// Every depth that a primitive may have at a point of the window, with its vertices and its polygon
+// offset as free as the specification leaves them.
 Interval depth_permitted_at(const PrimitiveValues& values, Point place);
 
-// `permitted`, of a component of the colour, with what it may be on a polygon: anything between the
-// least and the greatest of the triangle's vertices, of which the polygon's own are means.
+// `permitted`, of a component of the colour, with its permitted values on a polygon: anything
+// between the least and the greatest of the triangle's vertices, of which the polygon's own are
+// means.
 Interval with_means(Interval permitted, const ScenePrimitive& primitive,
                     const PrimitiveValues& values, std::size_t component);
-// The same of 1/w, between the least and the greatest of the polygon's own vertices, which need not
-// be the triangle's.
+// The same for 1/w, between the least and the greatest of the polygon's own vertices, which need
+// not be the triangle's.
 Interval with_means_of_inverse_w(Interval permitted, const ScenePrimitive& primitive,
                                  const PrimitiveValues& values);
-// All depths of a polygon's vertices, in the window: ruling 44 contests those of them that are not
-// on its plane. Nothing but `permitted` where the primitive is no such polygon.
+// `permitted`, with all depths of a polygon's vertices, in the window: ruling 44 contests those
+// that are not on its plane. Only `permitted` if the primitive is no such polygon.
 Interval with_means_of_depth(Interval permitted, const ScenePrimitive& primitive,
                              const PrimitiveValues& values);
 inline constexpr int kRulingOnPolygonDepth = 44;
 
-// `permitted`, of a value that exact computes as the specification has it, widened by what is
-// exact, rounded to float32: what is exact is never accused. It is left out where a renderer tells
-// of a fragment that the primitive cannot have, whose place in the primitive is nowhere.
+// `permitted`, of a value that exact computes as the specification does, extended to include the
+// exact value rounded to float32: exact is never accused. The exact value is left out if a renderer
+// reports a fragment that the primitive cannot have, whose location is nowhere in it.
 Interval holding(Interval permitted, double exact);
 
-// What is permitted wherever in a pixel of a multisampled target the attribute is evaluated:
-// corners of a convex region, at least one. A quotient of linear functions has its extremes at
-// corners, unless its denominator passes through 0 between them.
+// The permitted values wherever in a pixel of a multisampled target the attribute is evaluated: at
+// least one corner of a convex region. A quotient of linear functions has its extremes at corners,
+// unless its denominator passes through 0 between them.
 Interval permitted_within(const Interpolant& interpolant, const Interpolant& inverse_w,
                           std::span<const PermittedPlace> corners);
 
-// A value disagreement at a pixel, not legal, with the pixel's centre marked; of no sample until
-// one is named. primitive -1: the pixel.
+// A value disagreement at a pixel, not legal, with the pixel's centre marked and without a sample.
+// primitive -1: the pixel.
 Disagreement value_disagreement(PixelPosition pixel, int primitive, RuleId rule, int ruling);
 
 // Distance between neighbouring float32 values at `value`.
 double float_ulp(double value);
-// How far two numbers lie apart, in units of the last place of the larger: beside a zero crossing,
-// where the exact value has hardly any place of its own, at most 2^24; that, too, where one of them
-// is infinite.
+// The distance of two numbers in units of the last place of the larger; at most 2^24 beside a zero
+// crossing, where the unit of the exact value is hardly defined, or if one of them is infinite.
 double error_in_ulp(double exact, double rendered);
-// Largest less least of the values at the vertices; 0 where float32 could hardly tell them apart.
+// Largest less least of the values at the vertices; 0 if float32 could hardly distinguish them.
 double range_of(const Interpolant& interpolant);
 
 // Counts the values of one attribute that differ inside the permitted range, and keeps the worst.
@@ -167,12 +167,12 @@ class ValueAggregator {
 
   const std::string& attribute() const { return aggregate_.attribute; }
 
-  // A place with so many components is compared, or several such places.
+  // Counts a compared location with so many components, or several such locations.
   void count_compared(std::size_t components, std::size_t places = 1);
-  // As many are compared as of another one, which a part of the values was taken from.
+  // Counts as many as another aggregator, from which a part of the values was taken.
   void count_as(const ValueAggregator& whole);
-  // Errors of one place: add_error for each component that differs, then add_place once.
-  // `range`: of the attribute, for the relative error.
+  // The errors of one location: call add_error for each component that differs, then add_place
+  // once. `range`: of the attribute, for the relative error.
   struct Error {
     int component = 0;
     double exact = 0;
@@ -182,8 +182,8 @@ class ValueAggregator {
   };
   void add_error(ValueAggregate::Place place, const Error& error);
   void add_place(ValueAggregate::Place place) { aggregate_.differing.push_back(place); }
-  // Appends the aggregate to the result, if anything was compared: what is compared pass by pass is
-  // counted in whole. compare() leaves out those of which nothing differs.
+  // Appends the aggregate to the result, if anything was compared: passes are counted in whole.
+  // compare() leaves out aggregates without a difference.
   void flush(Result& result);
 
  private:
@@ -193,13 +193,13 @@ class ValueAggregator {
 
 // ------------------------------------------------------------------------- values that equal exact
 //
-// Answers that hold what exact holds, to the bit. Most do where colours are flat, and none of their
-// values need be judged.
+// Answers that equal exact, to the bit. Most do if colours are flat, and none of their values need
+// be judged.
 
-// Is exact drawn by OpenGL's own choices, and does the answer tell of fragments and of the target
-// all that exact does, bit by bit? Then every value is correct, and so permitted. Said only of what
-// is drawn at one go with one sample each, without textures, fragment operations and polygon
-// offset, and of answers without details: elsewhere false, which says nothing.
+// True if exact is drawn by OpenGL's own choices, and the answer reports everything that exact does
+// about fragments and the target, bit by bit. Then every value is correct, and so permitted. Only
+// for drawings with one sample each, without passes, textures, fragment operations and polygon
+// offset, and for answers without details: elsewhere false, which means unknown.
 bool has_exact_values(const Scene& scene, const ResolvedPolicy& policy, const Rendering& exact,
                       const Rendering& rendered);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What one fragment's colour, depth and gl_FragCoord should be, as the policy has it, and all that
+// The colour, depth and gl_FragCoord that one fragment should have under the policy, and all that
 // the specification permits (rulings 9, 13, 17, 29 and 46).
 #pragma once
 
@@ -17,32 +17,32 @@
 
 namespace edgecase {
 
-// One component of a told value, with what is exact and what is permitted for it.
+// One component of a reported value, with the exact and the permitted values.
 struct ValueComponent {
   double exact = 0;    // the double nearest to the exact value
   Interval permitted;  // float32 values that the specification allows
   double rendered = 0;
   bool may_be_of_column = false;  // a value that another fragment of a wide line's column may have
-  double range = 0;               // of the attribute over the vertices; of a correct one not needed
+  double range = 0;               // of the attribute over the vertices; unused for a correct one
 
-  // Equal to what exact itself would answer. Halfway between two float32 numbers the other one is
-  // told, half a unit off.
+  // Equal to exact's own answer. Halfway between two float32 numbers the other one is reported,
+  // half a unit off.
   bool is_correct() const { return to_float(rendered) == to_float(exact); }
-  // NaN and infinity never are: where there is a primitive, there is a number.
+  // NaN and infinity are never permitted: a primitive has a number everywhere.
   bool is_permitted() const {
     return std::isfinite(rendered) && permitted.contains(to_float(rendered));
   }
 };
 
-// From the first to the last fragment of a line's column, pixels; 0 of what has no columns.
+// From the first to the last fragment of a line's column, pixels; 0 without columns.
 inline Fixed height_of_column(const ScenePrimitive& primitive, const Target& target) {
   if (primitive.kind != PrimitiveKind::line || is_multisampled(*primitive.state, target)) return {};
   return Fixed::from_integer(rounded_width(primitive.state->line_width) - 1);
 }
 
-// What is permitted at the centre of a pixel of a wide line: each fragment of a column may have the
-// value of its own centre, or that of the adjusted line at the column's lowest fragment, which is
-// the line's own in the middle of the column: at most (width - 1)/2 away (ruling 13).
+// The permitted values at the centre of a pixel of a wide line: each fragment of a column may have
+// the value of its own centre, or that of the adjusted line at the column's lowest fragment, which
+// is the line's own in the middle of the column: at most (width - 1)/2 away (ruling 13).
 // `across`: how far, pixels.
 inline Interval permitted_across(const Interpolant& interpolant, const MovedVertices& vertices,
                                  const PermittedPlace& place, Point sample, Fixed across) {
@@ -57,22 +57,22 @@ inline Interval permitted_across(const Interpolant& interpolant, const MovedVert
   return result;
 }
 
-// What a value's exact number is made of, what is permitted of it, and where.
+// A value under the policy, the same as the specification has it, and its location.
 struct JudgedValue {
   const Interpolant& chosen;
   const Interpolant& lawful;
   Point place;                                 // where exact evaluates it
   const std::vector<PermittedPlace>& corners;  // of the region where it may be evaluated, or none
-  bool is_depth = false;                       // with a polygon offset it is clamped
+  bool is_depth = false;                       // clamped if it has a polygon offset
 };
 
-// Does exact evaluate attributes where the specification lets them be evaluated?
+// True if exact evaluates attributes where the specification lets them be evaluated.
 inline bool has_lawful_places(const LocationChoice& choice) {
   return choice.plain != PlainLocation::half_pixel_off &&
          choice.centroid != CentroidLocation::centre && choice.depth == DepthLocation::at_sample;
 }
 
-// One attribute of one fragment: under the policy, and as OpenGL has it.
+// Judges one attribute of one fragment, under the policy and under OpenGL.
 class ValueJudge {
  public:
   ValueJudge(const ValueContext& context, const Fragment& fragment)
@@ -105,26 +105,27 @@ class ValueJudge {
     result.exact = middle(exact);
     result.rendered = rendered;
     result.permitted = rounded_to_float(exact);
-    // Under a policy without latitude what is correct is permitted, whatever its formula.
+    // Under a policy without latitude, a correct value is permitted, whatever its formula.
     if (result.is_correct() && (forgiving_ || !values_.differ)) return result;
     result.range = range_of(question.chosen);
-    // What lies near enough without moving any vertex needs no search over their moves.
-    result.permitted = told(question, inexact_at(question.place).value(question.lawful));
+    // A value that is near enough without moving any vertex needs no search over their moves.
+    result.permitted = as_reported(question, inexact_at(question.place).value(question.lawful));
     if (result.is_permitted()) return result;
-    result.permitted = told(question, permitted(question));
-    // Of an offset depth the renderer's unit need not be exact's (ruling 38).
+    result.permitted = as_reported(question, permitted(question));
+    // The renderer's unit of an offset depth may differ from exact's (ruling 38).
     const bool has_own_unit = question.is_depth && values_.lawful.clamps_depth;
     if (lawful_ && !has_own_unit) result.permitted = holding(result.permitted, result.exact);
-    result.may_be_of_column =
-        !result.is_permitted() && column_ != Fixed() &&
-        told(question, permitted_in_column(question.lawful, column_)).contains(to_float(rendered));
+    result.may_be_of_column = !result.is_permitted() && column_ != Fixed() &&
+                              as_reported(question, permitted_in_column(question.lawful, column_))
+                                  .contains(to_float(rendered));
     return result;
   }
 
   Point place() const { return place_; }
   Point depth_place() const { return depth_place_; }
 
-  // Is what is correct here correct everywhere in the primitive, and all that is asked for?
+  // True if a correct value here means correct values everywhere in the primitive, and nothing else
+  // is tested.
   bool asks_alike_everywhere() const {
     return are_constant(values_.chosen) && are_constant(values_.lawful) &&
            (forgiving_ || !values_.differ);
@@ -156,19 +157,20 @@ class ValueJudge {
   }
 
  private:
-  // Of what was interpolated, the float32 numbers that a fragment may tell.
-  Interval told(const JudgedValue& question, Interval interpolated) const {
-    return rounded_to_float(question.is_depth ? told_depth(interpolated) : interpolated);
+  // The float32 numbers that a fragment may report for an interpolated value.
+  Interval as_reported(const JudgedValue& question, Interval interpolated) const {
+    return rounded_to_float(question.is_depth ? reported_depth(interpolated) : interpolated);
   }
 
-  // With a polygon offset depths are clamped. Without one a depth beyond 0 to 1, where a fragment's
-  // centre lies beyond the primitive, is clamped or not: 14.6.5 speaks of offset depths alone.
-  Interval told_depth(Interval depth) const {
+  // Depths with a polygon offset are clamped. Without one, a depth beyond 0 to 1, where a
+  // fragment's centre lies outside the primitive, may be clamped or not: 14.6.5 is about offset
+  // depths alone.
+  Interval reported_depth(Interval depth) const {
     if (values_.lawful.clamps_depth) return clamped_depth(values_.lawful, depth);
     return hull(depth, {std::clamp(depth.low, 0.0, 1.0), std::clamp(depth.high, 0.0, 1.0)});
   }
 
-  // Of what has a value for the whole pixel or column, of all places where that may be taken.
+  // For a value of a whole pixel or column, from all locations where it may be evaluated.
   Interval permitted(const JudgedValue& question) const {
     const auto& [chosen, lawful, place, corners, is_depth] = question;
     if (corners.empty() && column_ == Fixed()) return permitted_at(place).value(lawful);
@@ -178,20 +180,20 @@ class ValueJudge {
     return column_ == Fixed() ? within : hull(within, across);
   }
 
-  // What a wide line has so far from the pixel's centre along its minor axis, and nearer.
+  // The values of a wide line up to this distance from the pixel's centre along its minor axis.
   Interval permitted_in_column(const Interpolant& lawful, Fixed across) const {
     const Point centre = pixel_centre(pixel_.x, pixel_.y);
     return permitted_across(lawful, values_.moved(), permitted_at(centre), centre, across);
   }
 
-  // What the components of a colour share is worked out once.
+  // The part that the components of a colour share is computed once.
   const PermittedPlace& permitted_at(Point place) const {
     if (!known_ || known_->first != place)
       known_.emplace(place, PermittedPlace(values_.moved(), place));
     return known_->second;
   }
 
-  // The same of lawful attributes where no vertex moves.
+  // The same for lawful attributes without moved vertices.
   const InexactPlace& inexact_at(Point place) const {
     if (!unmoved_ || unmoved_->first != place) unmoved_.emplace(place, InexactPlace(place));
     return unmoved_->second;
@@ -204,8 +206,8 @@ class ValueJudge {
   PixelPosition pixel_;
   Fixed column_;  // height, of a wide line's
   bool depth_is_zero_;
-  bool lawful_;  // exact evaluates as the specification has it
-  // Of the regions where the colour, and gl_FragCoord, may be taken.
+  bool lawful_;  // exact evaluates as the specification does
+  // Of the regions where the colour, and gl_FragCoord, may be evaluated.
   std::vector<PermittedPlace> corners_;
   std::vector<PermittedPlace> depth_corners_;
   mutable std::optional<std::pair<Point, PermittedPlace>> known_;

@@ -7,7 +7,7 @@
 namespace edgecase {
 namespace {
 
-// A function of the sample that is positive inside, of one edge of a triangle.
+// A function of the sample for one edge of a triangle, positive inside.
 class Edge {
  public:
   // The interior lies to the left of from -> to.
@@ -16,7 +16,7 @@ class Edge {
         to_(to),
         right_(Int128{from.y} * to.w - Int128{to.y} * from.w),
         up_(Int128{to.x} * from.w - Int128{from.x} * to.w) {
-    // A component of the normal is at most 2^79, and a place at most 2^16.
+    // A component of the normal is at most 2^79, and a position at most 2^16.
     const auto [outside, inside] =
         std::minmax_element(places.begin(), places.end(),
                             [&](Point a, Point b) { return growth_to(a) < growth_to(b); });
@@ -40,21 +40,21 @@ class Edge {
   Int128 growth_to(Point place) const { return right_ * place.x.raw() + up_ * place.y.raw(); }
 
   HomogeneousPoint from_, to_;
-  Int128 right_, up_;  // how much it grows to the right and up
+  Int128 right_, up_;  // its growth to the right and up
   Point most_inside_, most_outside_;
 };
 
 using EdgeNumbers = std::vector<int>;
 const EdgeNumbers kAllEdges = {0, 1, 2};
 
-// The largest pixel whose place does not lie beyond the coordinate: floor(coordinate/w - place).
-// The coordinate is at most 2^14 w and w at most 2^32.
+// The largest pixel whose sample is not beyond the coordinate: floor(coordinate/w - place).
+// The coordinate is at most 2^14 w, and w at most 2^32.
 int last_pixel(std::int64_t coordinate, std::int64_t w, Fixed place) {
   const Int128 above = Int128{coordinate} * Fixed::kOne - Int128{place.raw()} * w;
   const Int128 below = Int128{w} * Fixed::kOne;
   return static_cast<int>(above / below - (above % below < 0 ? 1 : 0));
 }
-// The smallest one whose place does not lie before it.
+// The smallest pixel whose sample is not before the coordinate.
 int first_pixel(std::int64_t coordinate, std::int64_t w, Fixed place) {
   return -last_pixel(-coordinate, w, -place);
 }
@@ -96,7 +96,7 @@ class Walker {
   }
 
  private:
-  // The blocks of a size that meet some of the box.
+  // The blocks of one size that meet the part `some` of the box.
   void walk_within(const PixelBounds& some, std::size_t level, const EdgeNumbers& open) {
     const int size = grid_.sizes[level];
     for (int y = some.y_min - some.y_min % size; y <= some.y_max; y += size)
@@ -150,7 +150,7 @@ class Walker {
     return count;
   }
 
-  // Adds the edge functions that were evaluated to the count.
+  // Counts the edge functions that are evaluated.
   bool is_inside(PixelPosition pixel, Point place, const EdgeNumbers& open,
                  std::int64_t& count) const {
     return std::all_of(open.begin(), open.end(), [&](int i) {

@@ -14,7 +14,7 @@
 namespace edgecase {
 namespace {
 
-// A vertex (x/w, y/w, z/w), and the largest coordinates that it was computed of, over the same w.
+// A vertex (x/w, y/w, z/w), and the largest coordinates in its computation, over the same w.
 struct WideVertex {
   Integer x, y, z, w;
   Integer sources = 0;  // 0: a vertex of the triangle
@@ -25,7 +25,7 @@ Integer largest_of(const WideVertex& v) {
   return std::max({Integer(abs(v.x)), Integer(abs(v.y)), Integer(abs(v.w)), v.sources});
 }
 
-// Between a, at a distance of `inside` >= 0 from a plane, and b, at `outside` < 0: the point at 0.
+// The point at distance 0 between a, at `inside` >= 0 from a plane, and b, at `outside` < 0.
 WideVertex between(const WideVertex& a, const Integer& inside, const WideVertex& b,
                    const Integer& outside) {
   const Integer share = -outside;
@@ -37,7 +37,7 @@ WideVertex between(const WideVertex& a, const Integer& inside, const WideVertex&
   return cut;
 }
 
-// What is left of a polygon where `distance` is not negative.
+// The part of a polygon where `distance` is not negative.
 template <class Distance>
 WidePolygon cut_by(const WidePolygon& polygon, Distance distance) {
   WidePolygon left;
@@ -62,8 +62,8 @@ WidePolygon polygon_of(const UnclippedTriangle& triangle) {
   return polygon;
 }
 
-// above / below of two integers, below > 0, to the nearest multiple of 2^-16, a tie upwards; no
-// farther than 2^14 pixels.
+// above / below for two integers, below > 0, to the nearest multiple of 2^-16, a tie upwards; at
+// most 2^14 pixels away.
 Fixed nearest(const Integer& above, const Integer& below) {
   const Integer raw =
       floor_of(Rational(Integer(2 * above * Fixed::kOne + below), Integer(2 * below)));
@@ -73,7 +73,7 @@ Fixed nearest(const Integer& above, const Integer& below) {
 
 ClipPolygonVertex rounded(const WideVertex& v, std::int64_t parts) {
   ClipPolygonVertex result{{nearest(v.x, v.w), nearest(v.y, v.w)}, v.sources != 0, {}};
-  // Two numbers are mixed and their quotient by w is taken: each may be off by its part.
+  // Two numbers are mixed and then divided by w: both steps may err by their part.
   if (result.made)
     result.error = nearest(Integer(2 * v.sources), Integer(v.w * parts)) + Fixed::from_raw(1);
   return result;
@@ -97,7 +97,7 @@ std::vector<ClipPolygonVertex> clip_polygon(const UnclippedTriangle& triangle,
   polygon = cut_by(polygon, [&](const WideVertex& v) { return Integer(planes.top * v.w - v.y); });
   std::vector<ClipPolygonVertex> vertices;
   for (const WideVertex& v : polygon)
-    // In the eye itself there is no direction: its neighbours stand for it.
+    // A vertex in the eye itself has no direction: its neighbours replace it.
     if (v.w > 0) vertices.push_back(rounded(v, parts));
   if (vertices.size() < 3) vertices.clear();
   return vertices;
@@ -139,8 +139,8 @@ bool is_on_viewport(Point a, Point b, const Viewport& viewport) {
 
 }  // namespace
 
-// As triangle_possibly_covered: the union of all moved polygons is the sum of the polygon and an
-// open square, from which an axis or an edge's normal separates what does not lie in it.
+// As in triangle_possibly_covered: the union of all moved polygons is the sum of the polygon and an
+// open square; an axis or an edge's normal separates every outside point from it.
 bool polygon_possibly_covered(const LoosePolygon& polygon, Point sample) {
   if (!is_in_viewport(homogeneous(sample), polygon.viewport)) return false;
   if (polygon.vertices.size() < 3) return false;

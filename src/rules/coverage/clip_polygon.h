@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A clipped triangle as a polygon (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974):
-// what most renderers make of it, and what latitude speaks of. Its vertices are quotients of
-// integers without a bound, then rounded once to multiples of 2^-16 pixels.
+// A clipped triangle as a polygon (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974), the
+// way of most renderers and the subject of the latitude. Its vertices are quotients of unbounded
+// integers, rounded once to multiples of 2^-16 pixels.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace edgecase {
 
-// What cuts beside w > 0.
+// The planes that clip, besides w > 0.
 struct ClipPlanes {
   bool depth = true;  // near and far
   // Vertical and horizontal lines of the window, whole pixels.
@@ -25,29 +25,29 @@ struct ClipPlanes {
 
 struct ClipPolygonVertex {
   Point position;  // the nearest multiples of 2^-16
-  // Is it none of the triangle's own? Then how far off, in pixels, one part of the coordinates that
-  // it was computed of may put it: see clip_polygon.
+  // False for a vertex of the triangle. If true: how far, in pixels, one part of the coordinates of
+  // its computation may put it off; see clip_polygon.
   bool made = false;
   Fixed error;
 };
 
-// The polygon's vertices in the triangle's order, at most nine; empty where nothing is left, or
-// what is left has no area. `parts`: errors are 1 part in so many.
+// The polygon's vertices in the triangle's order, at most nine; empty if nothing is left, or only
+// something without area. `parts`: errors are 1 part in this number.
 std::vector<ClipPolygonVertex> clip_polygon(const UnclippedTriangle& triangle,
                                             const ClipPlanes& planes, std::int64_t parts);
 
-// What is seen of a triangle that reaches out of the clip volume, through its viewport.
+// The visible part of a triangle that reaches out of the clip volume, through its viewport.
 std::vector<ClipPolygonVertex> seen_polygon(const ScenePrimitive& triangle, std::int64_t parts = 1);
 
 // ---------------------------------------------------------------------------------------- latitude
 //
-// What ruling 42 lets a clipped triangle cover: a convex polygon whose vertices may move, seen
-// through a viewport whose sides do not.
+// The area that ruling 42 permits a clipped triangle to cover: a convex polygon with movable
+// vertices, seen through a viewport with fixed sides.
 
 struct LoosePolygon {
   std::vector<Point> vertices;  // in either order; fewer than three: nothing is left
-  Fixed reach;                  // each may move by less in x and in y; more than 0
-  Viewport viewport;            // that it was cut at: edges along its sides stay
+  Fixed reach;                  // each vertex may move by less than this in x and in y; more than 0
+  Viewport viewport;            // whose sides cut it: edges along them do not move
 };
 
 // May some move put the sample inside or on an edge, and may some put it outside or on an edge?

@@ -18,7 +18,7 @@ bool all_in_front(const UnclippedTriangle& triangle) {
   return std::ranges::all_of(triangle.positions, [](const HomogeneousPoint& p) { return p.w > 0; });
 }
 
-// Is there a vertex nearer than near or farther than far, or behind the eye?
+// True if a vertex is nearer than near, farther than far, or behind the eye.
 bool leaves_depth(const UnclippedTriangle& triangle) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::int64_t w = triangle.positions[i].w;
@@ -27,9 +27,9 @@ bool leaves_depth(const UnclippedTriangle& triangle) {
   return false;
 }
 
-// With e_i the determinant of the two other vertices and the sample, and e that of all three:
-// b_i = e_i / e, and the sample's own w is what -1 and 1 are measured by. An e_i is below 2^111 and
-// a z at most 2^33; e is below 2^127 and a sample's w at most 2^16.
+// With e_i the determinant of the two other vertices and the sample, and e that of all three: b_i =
+// e_i / e, and the sample's own w is the unit of -1 and 1. An e_i is below 2^111 and a z at most
+// 2^33; e is below 2^127 and a sample's w at most 2^16.
 bool lies_between_near_and_far(const UnclippedTriangle& triangle, const HomogeneousPoint& sample) {
   const auto& v = triangle.positions;
   Int256 area = cross(v[0], v[1], v[2]);
@@ -66,7 +66,7 @@ std::vector<PixelPosition> clipped_triangle_pixels(const UnclippedTriangle& tria
                                                    const PixelBounds& bounds, const TieRule& ties,
                                                    Point within, bool depth) {
   PixelBounds some = common_part(bounds, pixels_in(viewport));
-  // Only what lies in front of the eye is where its quotients say.
+  // Only vertices in front of the eye lie where their quotients say.
   if (all_in_front(triangle)) some = sample_bounds(nearest_triangle(triangle.positions), some);
   std::vector<PixelPosition> pixels;
   for (int y = some.y_min; y <= some.y_max; ++y)
@@ -122,7 +122,7 @@ std::string clip_of(const Vertex& vertex) {
   return fmt::format("({}, {}, {}, {})", clip.x, clip.y, clip.z, clip.w);
 }
 
-// "second vertex at (0, 0, 3, 2)" of each vertex outside.
+// "second vertex at (0, 0, 3, 2)" for each vertex outside.
 std::string vertices_outside(const ScenePrimitive& triangle) {
   std::string text;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -134,8 +134,8 @@ std::string vertices_outside(const ScenePrimitive& triangle) {
   return text;
 }
 
-// Where the sample lies to the three edges, and of which one it decides: 1 inside all, 0 on one, -1
-// outside of one.
+// The position of the sample relative to the three edges: 1 inside all, 0 on one, -1 outside of
+// one; and the edge that decides.
 int place_to_edges(const std::array<HomogeneousPoint, 3>& v, const HomogeneousPoint& sample,
                    std::size_t& opposite) {
   const bool turned = cross(v[0], v[1], v[2]) < 0;
@@ -150,7 +150,7 @@ int place_to_edges(const std::array<HomogeneousPoint, 3>& v, const HomogeneousPo
   return place;
 }
 
-std::string words_on_edges(const std::array<HomogeneousPoint, 3>& v,
+std::string describe_edges(const std::array<HomogeneousPoint, 3>& v,
                            const HomogeneousPoint& sample) {
   std::size_t opposite = 0;
   const int place = place_to_edges(v, sample, opposite);
@@ -159,13 +159,13 @@ std::string words_on_edges(const std::array<HomogeneousPoint, 3>& v,
                      kCorners[(opposite + 1) % 3], kCorners[(opposite + 2) % 3]);
 }
 
-std::string words_on_sample(const ScenePrimitive& triangle, const HomogeneousPoint& sample,
+std::string describe_sample(const ScenePrimitive& triangle, const HomogeneousPoint& sample,
                             const TieRule& ties) {
   if (!is_in_viewport(sample, triangle.viewport)) return "lies beyond the viewport";
   if (cross(triangle.positions[0], triangle.positions[1], triangle.positions[2]) == 0)
     return "meets no area: the triangle has none";
   const UnclippedTriangle given{triangle.positions, triangle.z};
-  const std::string edges = words_on_edges(triangle.positions, sample);
+  const std::string edges = describe_edges(triangle.positions, sample);
   if (!clipped_triangle_covers(given, sample, ties, false)) return edges + " and is not covered";
   if (!clipped_triangle_covers(given, sample, ties))
     return edges + ", but the triangle is there nearer than near or farther than far";
@@ -207,7 +207,7 @@ Explanation explain_clipped_triangle(const ScenePrimitive& triangle, Point sampl
       "the triangle reaches out of the clip volume ({}), and {}; the sample {} {}",
       vertices_outside(triangle),
       seen.empty() ? "nothing of it is seen" : "what is seen of it is the polygon " + seen,
-      format_point(sample), words_on_sample(triangle, homogeneous(sample), ties));
+      format_point(sample), describe_sample(triangle, homogeneous(sample), ties));
   return why;
 }
 

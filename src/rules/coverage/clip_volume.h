@@ -29,10 +29,10 @@ Rule clip_volume_rule();  // clip.volume
 
 enum class ClipMethod {
   homogeneous,    // sample by sample, as above
-  polygon,        // by polygons, cut at all six planes; new vertices are snapped as others are
-  guard_band,     // the same, cut at near and far, and at x and y only 8192 pixels away
-  discarded,      // what reaches out of the volume is dropped whole
-  depth_ignored,  // near and far do not cut, but w = 0 does
+  polygon,        // sample by sample, as above
+  guard_band,     // by polygons, cut at all six planes; new vertices are snapped like others
+  discarded,      // the same, cut at near and far, and only 8192 pixels away in x and y
+  depth_ignored,  // a primitive that reaches out of the volume is dropped whole
 };
 template <>
 inline constexpr auto kNames<ClipMethod> = std::to_array<TabledAlternative<ClipMethod>>(
@@ -47,22 +47,22 @@ inline constexpr auto kNames<ClipMethod> = std::to_array<TabledAlternative<ClipM
      {ClipMethod::depth_ignored, "depth-ignored", Openness::illegal,
       "parts nearer than near or farther than far are drawn too"}});
 
-// A triangle some vertices of which lie outside the volume: positions with a w of either sign, and
-// z over the same w.
+// A triangle with some vertices outside the volume: positions with a w of either sign, and z over
+// the same w.
 struct UnclippedTriangle {
   std::array<HomogeneousPoint, 3> positions{};
   std::array<std::int64_t, 3> z{};
 };
 
-// Does the triangle cover a sample of the clip volume? Its coordinates are at most 2^30 and its w
-// 2^16. `depth`: near and far cut.
+// True if the triangle covers a sample of the clip volume, with coordinates of at most 2^30 and w
+// of at most 2^16. `depth`: near and far cut.
 bool clipped_triangle_covers(const UnclippedTriangle& triangle, const HomogeneousPoint& sample,
                              const TieRule& ties, bool depth = true);
 
-// Does a sample lie in the viewport, its sides included?
+// True if a sample lies in the viewport, including its sides.
 bool is_in_viewport(const HomogeneousPoint& sample, const Viewport& viewport);
 
-// The pixels within `bounds` whose sample, at `within` of the pixel, is covered, each once.
+// The pixels within `bounds` whose sample, at position `within`, is covered; each once.
 std::vector<PixelPosition> clipped_triangle_pixels(const UnclippedTriangle& triangle,
                                                    const Viewport& viewport,
                                                    const PixelBounds& bounds, const TieRule& ties,
@@ -72,15 +72,15 @@ std::vector<PixelPosition> clipped_triangle_pixels(const UnclippedTriangle& tria
 //
 // Why a triangle that reaches out of the clip volume covers a sample, or does not.
 
-// In the words of the homogeneous method, which decides without vertices of its own. With the
-// outline of what is seen of the triangle.
+// Explains by the homogeneous method, which decides without vertices of its own. With the outline
+// of the triangle's visible part.
 Explanation explain_clipped_triangle(const ScenePrimitive& triangle, Point sample,
                                      const TieRule& ties);
 
-// Of a point: its vertex lies outside, and nothing of it is drawn.
+// For a point: its vertex lies outside, so nothing of it is drawn.
 Explanation explain_clipped_point(const ScenePrimitive& point, Point sample);
 
-// The outline of what is seen of a clipped triangle through its viewport; no mark of a point.
+// The outline of a clipped triangle's visible part through its viewport; nothing for a point.
 Figure figure_of_seen(const ScenePrimitive& primitive);
 
 }  // namespace edgecase

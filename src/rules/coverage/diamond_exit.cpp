@@ -30,8 +30,8 @@ struct Diamond {
   std::int64_t radius = kHalf;
 };
 
-// The four sides of the diamond, as functions of the sample that are positive while the point
-// lies inside: u and v grow by (1, 1) and (1, -1) as the sample moves right and up.
+// The four sides of the diamond, as functions of the sample that are positive while the point is
+// inside: u and v grow by (1, 1) and (1, -1) as the sample moves right and up.
 bool inside_sides(Rotated low, Rotated high, const Diamond& d, const TieRule& ties) {
   return ties.positive(high.u - d.centre.u + d.radius, -1, -1) &&
          ties.positive(d.centre.u + d.radius - low.u, 1, 1) &&
@@ -44,7 +44,7 @@ const TieRule& open_ties() {
   return rule;
 }
 
-// Does the segment from a to b meet the diamond, ties decided by a tie rule?
+// True if the segment from a to b meets the diamond, with ties decided by a tie rule.
 bool meets_by_ties(Rotated a, Rotated b, const Diamond& d, const TieRule& ties) {
   const Rotated low{std::min(a.u, b.u), std::min(a.v, b.v)};
   const Rotated high{std::max(a.u, b.u), std::max(a.v, b.v)};
@@ -53,7 +53,7 @@ bool meets_by_ties(Rotated a, Rotated b, const Diamond& d, const TieRule& ties) 
   const Int128 dv = b.v - a.v;
   if (du == 0 && dv == 0) return true;
 
-  // The segment's normal (-dv, du): the centre may lie at most half the diamond's width from it.
+  // The segment's normal (-dv, du): the centre may be at most half the diamond's width away.
   const Int128 offset = du * (d.centre.v - a.v) - dv * (d.centre.u - a.u);
   const Int128 reach = ((du < 0 ? -du : du) + (dv < 0 ? -dv : dv)) * d.radius;
   const Int128 gradient_x = du - dv;
@@ -67,7 +67,7 @@ struct RotatedSegment {
   Rotated b;
 };
 
-// Does the segment contain the point?
+// True if the segment contains the point.
 bool contains(const RotatedSegment& s, Rotated p) {
   const Int128 turn = static_cast<Int128>(s.b.u - s.a.u) * (p.v - s.a.v) -
                       static_cast<Int128>(s.b.v - s.a.v) * (p.u - s.a.u);
@@ -75,14 +75,15 @@ bool contains(const RotatedSegment& s, Rotated p) {
          p.v >= std::min(s.a.v, s.b.v) && p.v <= std::max(s.a.v, s.b.v);
 }
 
-// Does the segment meet the open edge {along == at, across strictly between low and high}, where
-// (along, across) are (u, v) or (v, u)?
+// True if the segment meets the open edge {along == at, across strictly between low and high},
+// where (along, across) are (u, v) or (v, u).
 bool meets_edge(std::array<std::int64_t, 2> a, std::array<std::int64_t, 2> b, std::int64_t at,
                 std::array<std::int64_t, 2> low_high) {
   const auto [low, high] = low_high;
   if (a[0] == at && b[0] == at) return std::max(a[1], b[1]) > low && std::min(a[1], b[1]) < high;
   if (std::min(a[0], b[0]) > at || std::max(a[0], b[0]) < at) return false;
-  // It crosses at across = a1 + (at - a0) (b1 - a1) / (b0 - a0): compare times |b0 - a0|.
+  // It crosses at across = a1 + (at - a0) (b1 - a1) / (b0 - a0): compare after multiplying by |b0 -
+  // a0|.
   const Int128 run = b[0] - a[0];
   const Int128 step = static_cast<Int128>(at - a[0]) * (b[1] - a[1]);
   const Int128 across = (run > 0 ? step : -step) + a[1] * (run > 0 ? run : -run);
@@ -90,7 +91,7 @@ bool meets_edge(std::array<std::int64_t, 2> a, std::array<std::int64_t, 2> b, st
   return across > low * scale && across < high * scale;
 }
 
-// Does the segment meet one of these parts of the boundary of the diamond with centre c?
+// True if the segment meets one of these parts of the boundary of the diamond with centre c.
 bool touches_part(const RotatedSegment& s, Rotated c, unsigned parts) {
   const Rotated low{c.u - kHalf, c.v - kHalf};
   const Rotated high{c.u + kHalf, c.v + kHalf};
@@ -131,7 +132,7 @@ const DiamondBoundary& boundary_named(const char* name) {
   return *find_diamond_boundary(name);
 }
 
-// Ties are named exactly: a decision hangs on one where `open` and `closed` differ.
+// Exactly the ties: the decision depends on the boundary if `open` and `closed` differ.
 bool touches_only(const Segment& s, int x, int y) {
   return meets_diamond(s, x, y, boundary_named("closed")) &&
          !meets_diamond(s, x, y, boundary_named("open"));
@@ -209,7 +210,7 @@ std::vector<PixelPosition> tied_line_pixels(const Segment& segment, const PixelB
   static const DiamondBoundary& open = boundary_named("open");
   std::vector<PixelPosition> result;
   visit_pixels_near(segment, bounds, [&](PixelPosition p) {
-    // Whoever ends on a boundary meets it.
+    // A segment that ends on a boundary meets it.
     if (!meets_diamond(segment, p.x, p.y, closed)) return;
     if (!meets_diamond(segment, p.x, p.y, open) || ends_on_boundary(segment, p.x, p.y))
       result.push_back(p);
@@ -258,14 +259,15 @@ Rule diamond_exit_rule() {
                                "the diamond owns its four edges and its left and bottom corners"});
   rule.rulings = {
       {1,
-       "Lines: every produced fragment has a diamond-exit fragment of the same segment within one "
-       "unit in x and y; the number of fragments differs by at most one; at most one fragment lies "
-       "in a column (row, if y-major). Held against the segment as given, or as moved by one "
-       "catalogued snap, the same for the whole run and surface. A line that is drawn just as the "
-       "diamond-exit rule has it, but that ends which lie on a diamond's boundary are moved in "
-       "another direction than -(e, e^2), is none that breaks it: no arithmetic need be finer "
-       "(2.3.4.1). Fragments outside the target are not seen: those of the diamond-exit rule that "
-       "lie within one unit of the target's border count as seen or unseen, whichever is kinder."},
+       "Lines: every produced fragment has a diamond-exit fragment of the same segment within "
+       "one unit in x and y; the number of fragments differs by at most one; at most one "
+       "fragment lies in a column (row, if y-major). The segment is taken as given, or as moved "
+       "by one catalogued snap, the same for the whole run and surface. A line that the "
+       "diamond-exit rule draws, except that ends on a diamond's boundary are moved in another "
+       "direction than -(e, e^2), does not break this ruling: no arithmetic need be finer "
+       "(2.3.4.1). Fragments outside the target are not seen: those of the diamond-exit rule "
+       "that lie within one unit of the target's border count as seen or unseen, whichever "
+       "favours the renderer."},
       {2,
        "Lines whose set of diamond-exit fragments is empty: at most one fragment, and the segment "
        "meets its closed diamond."},

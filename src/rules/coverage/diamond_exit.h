@@ -28,17 +28,17 @@ namespace edgecase {
 Rule diamond_exit_rule();
 Rule interior_gap_rule();
 
-// Does the segment meet the diamond of pixel (x, y)?
+// True if the segment meets the diamond of pixel (x, y).
 bool meets_diamond(const Segment& segment, int x, int y, const DiamondBoundary& boundary);
 
-// Does the diamond of pixel (x, y) contain the end of the segment?
+// True if the diamond of pixel (x, y) contains the end of the segment.
 bool ends_in_diamond(const Segment& segment, int x, int y, const DiamondBoundary& boundary);
 
-// Does the segment produce the fragment of pixel (x, y)?
+// True if the segment produces the fragment of pixel (x, y).
 bool diamond_exit_covers(const Segment& segment, int x, int y, const DiamondBoundary& boundary);
 
-// A diamond of another size round the centre of a pixel: |dx| + |dy| < radius, its boundary as a
-// tie rule has it. Without a positive radius it is empty.
+// A diamond of another size round the centre of a pixel: |dx| + |dy| < radius, with the boundary of
+// a tie rule. Empty if the radius is not positive.
 struct SizedDiamond {
   PixelPosition pixel;
   Fixed radius;
@@ -48,16 +48,16 @@ struct SizedDiamond {
 bool meets(const Segment& segment, const SizedDiamond& diamond);
 bool ends_in(const Segment& segment, const SizedDiamond& diamond);
 
-// All pixels within `bounds` that the segment produces, along the major axis in ascending order.
+// All pixels within `bounds` that the segment produces, ascending along the major axis.
 std::vector<PixelPosition> diamond_exit_pixels(const Segment& segment, const PixelBounds& bounds,
                                                const DiamondBoundary& boundary);
 
-// The pixels within `bounds` at which it matters whom boundaries belong to: the segment meets their
-// diamond in its boundary alone, or ends on it. At others all DiamondBoundaries decide alike. Along
-// the major axis in ascending order.
+// The pixels within `bounds` for which the ownership of boundaries matters: the segment meets their
+// diamond only in its boundary, or ends on it. All DiamondBoundaries agree on other pixels.
+// Ascending along the major axis.
 std::vector<PixelPosition> tied_line_pixels(const Segment& segment, const PixelBounds& bounds);
 
-// Why, in a sentence with numbers.
+// The reason, in a sentence with numbers.
 Explanation explain_line(const Segment& segment, int x, int y, const DiamondBoundary& boundary);
 
 }  // namespace edgecase

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Words and marks that the coverage rules share when they explain a decision.
+// Text and marks that the coverage rules share in their explanations.
 #pragma once
 
 #include <string>

@@ -8,10 +8,10 @@ namespace edgecase {
 namespace {
 
 // With w up to 2^33 a coordinate of an end is at most 2^47, u and v 2^48, a difference of two
-// products by w 2^82. A diamond's u and v are at most 2^16 halves, so that no determinant below
-// exceeds 2^99.
+// products by w 2^82. A diamond's u and v are at most 2^16 halves, so no determinant below exceeds
+// 2^99.
 
-// A point's coordinates u and v stand in the places of x and y.
+// A rotated point stores u and v as its x and y.
 HomogeneousPoint rotated(const HomogeneousPoint& p) {
   return {p.x + p.y, p.x - p.y, p.w};
 }
@@ -30,7 +30,7 @@ Int128 magnitude(Int128 value) {
   return value < 0 ? -value : value;
 }
 
-// The sides of a pixel's diamond, in halves of a pixel: u and v of its centre, less and plus 1.
+// The sides of a pixel's diamond, in halves of a pixel: u and v of its centre, minus and plus 1.
 struct Diamond {
   std::int64_t u_low, u_high, v_low, v_high;
 
@@ -40,13 +40,13 @@ struct Diamond {
   HomogeneousPoint corner(std::int64_t u, std::int64_t v) const { return {u, v, 2}; }
 };
 
-// An end's u or v less a number of halves, times 2 w.
+// An end's u or v minus a number of halves, times 2 w.
 Int128 beyond(std::int64_t coordinate, std::int64_t w, std::int64_t halves) {
   return 2 * Int128{coordinate} - Int128{halves} * w;
 }
 
-// Does no side of the diamond have both ends beyond it? u and v of the sides grow by (1, 1) and
-// (1, -1) as the sample moves right and up.
+// True if no side of the diamond has both ends outside. u and v of the sides grow by (1, 1) and (1,
+// -1) as the sample moves right and up.
 bool inside_sides(const HomogeneousPoint& a, const HomogeneousPoint& b, const Diamond& d,
                   const TieRule& ties) {
   const auto above = [&](const HomogeneousPoint& p) {
@@ -65,13 +65,14 @@ bool inside_sides(const HomogeneousPoint& a, const HomogeneousPoint& b, const Di
          (left(a) || left(b));
 }
 
-// Does the segment meet the diamond, ties decided by a tie rule? Ends in rotated coordinates.
+// True if the segment meets the diamond, with ties decided by a tie rule. Ends in rotated
+// coordinates.
 bool meets_by_ties(const HomogeneousPoint& a, const HomogeneousPoint& b, const Diamond& d,
                    const TieRule& ties) {
   if (!inside_sides(a, b, d, ties)) return false;
   const auto [du, dv] = direction(a, b);
   if (du == 0 && dv == 0) return true;
-  // The segment's normal (-dv, du): the centre may lie at most half the diamond's width from it.
+  // The segment's normal (-dv, du): the centre may be at most half the diamond's width away.
   const Int128 offset = cross(a, b, d.centre());
   const Int128 reach = magnitude(du) + magnitude(dv);
   const Int128 gradient_x = du - dv;
@@ -80,12 +81,12 @@ bool meets_by_ties(const HomogeneousPoint& a, const HomogeneousPoint& b, const D
          ties.positive(reach - offset, -gradient_x, -gradient_y);
 }
 
-// Do two numbers lie on different sides of zero, or one of them on it?
+// True if two numbers are on different sides of zero, or one of them is zero.
 bool straddle(Int128 a, Int128 b) {
   return sign(a) * sign(b) <= 0;
 }
 
-// Does the segment contain a corner of the diamond?
+// True if the segment contains a corner of the diamond.
 bool contains(const HomogeneousPoint& a, const HomogeneousPoint& b,
               const HomogeneousPoint& corner) {
   return cross(a, b, corner) == 0 &&
@@ -93,7 +94,7 @@ bool contains(const HomogeneousPoint& a, const HomogeneousPoint& b,
          straddle(beyond(a.y, a.w, corner.y), beyond(b.y, b.w, corner.y));
 }
 
-// Does the segment meet the open edge {u == at, v strictly between low and high}?
+// True if the segment meets the open edge {u == at, v strictly between low and high}.
 bool meets_u_edge(const HomogeneousPoint& a, const HomogeneousPoint& b, std::int64_t at,
                   std::int64_t low, std::int64_t high) {
   const Int128 of_a = beyond(a.x, a.w, at);
@@ -109,7 +110,7 @@ HomogeneousPoint u_and_v_exchanged(const HomogeneousPoint& p) {
   return {p.y, p.x, p.w};
 }
 
-// Does the segment meet one of these parts of the diamond's boundary? Ends in rotated coordinates.
+// True if the segment meets one of these parts of the diamond's boundary. Rotated coordinates.
 bool touches_part(const HomogeneousPoint& a, const HomogeneousPoint& b, const Diamond& d,
                   unsigned parts) {
   const auto has_corner = [&](DiamondPart part, std::int64_t u, std::int64_t v) {

@@ -3,12 +3,12 @@
 // Lines whose ends are quotients: the diamond-exit rule of diamond_exit.h, decided without
 // dividing.
 //
-// Three changes make it homogeneous. A convex set is separated from a segment by one of its sides
-// exactly when both ends lie beyond that side, so the ends' coordinates need not be compared with
-// each other, only each with the side. The segment's own line is a determinant of three points.
-// And an edge of the diamond is crossed between its corners when these lie on different sides of
-// that line. Corners and sides of diamonds are whole halves in rotated coordinates u = x + y, v =
-// x - y, which a point keeps its w in.
+// Three changes make it homogeneous. A side separates a convex set from a segment exactly if both
+// ends lie outside that side, so each end's coordinates are compared with the side and not with
+// each other. The segment's own line is a determinant of three points. And an edge of the diamond
+// is crossed between its corners if these lie on different sides of that line. Corners and sides of
+// diamonds are whole halves in rotated coordinates u = x + y, v = x - y, in which a point keeps its
+// w.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@
 
 namespace edgecase {
 
-// Ends with a w of at most 2^33, as the move of a wide line makes it.
+// Ends with a w of at most 2^33, as after the move of a wide line.
 struct HomogeneousSegment {
   HomogeneousPoint a;
   HomogeneousPoint b;
@@ -42,8 +42,8 @@ std::vector<PixelPosition> diamond_exit_pixels(const HomogeneousSegment& segment
                                                const PixelBounds& bounds,
                                                const DiamondBoundary& boundary);
 
-// As in line_algorithm.h. The diamond-exit rule, and wide lines of its columns, get the quotients;
-// other algorithms get the nearest segment.
+// As in line_algorithm.h. The diamond-exit rule, and wide lines made from its columns, use the
+// quotients; other algorithms use the nearest segment.
 HomogeneousSegment lowest_segment(const HomogeneousSegment& segment, int width);
 std::vector<PixelPosition> line_pixels(const HomogeneousSegment& segment, Fixed width,
                                        const PixelBounds& bounds, const LineChoice& choice,

@@ -155,10 +155,10 @@ Rule line_width_rule() {
   rule.alternatives = alternatives_of<WideLine>();
   rule.rulings = {
       {12,
-       "Wide lines: each column (row, if y-major) holds one run of as many fragments as the width "
-       "rounded to the nearest integer, of a half to either, and the lowest fragments of the runs "
-       "hold rulings 1 and 2 for the segment moved by -(w - 1)/2 along the minor axis. A run that "
-       "the target's border cuts is taken to go on beyond it."},
+       "Wide lines: each column (row, if y-major) holds one run of as many fragments as the "
+       "width rounded to the nearest integer, a half to either, and the lowest fragments of the "
+       "runs satisfy rulings 1 and 2 for the segment moved by -(w - 1)/2 along the minor axis. A "
+       "run that the target's border cuts is assumed to continue beyond it."},
       {56,
        "A wide line is as wide as the nearest integer to its width, and not as the next smaller "
        "one."}};

@@ -64,17 +64,17 @@ inline constexpr auto kNames<LineAlgorithm> = std::to_array<TabledAlternative<Li
      "border of its pixel"},
 });
 
-// Does the algorithm ask whom the boundary of a diamond belongs to?
+// True if the ownership of a diamond's boundary matters to the algorithm.
 bool tests_diamonds(LineAlgorithm algorithm);
 
-// How a line of another width than 1 is drawn.
+// How a line of a width other than 1 is drawn.
 enum class WideLine {
   replicate,
   rectangle,
   parallelogram,
   parallelogram_ends_tested,
   // Two triangles, half a pixel back along the major axis and 1/8 pixel down (right, if y-major),
-  // scan-converted: what Mesa makes of wide lines for drivers that have none of their own.
+  // scan-converted, as Mesa draws wide lines for drivers without their own.
   shifted_triangles,
 };
 template <>
@@ -99,23 +99,23 @@ struct LineChoice {
   friend bool operator==(const LineChoice&, const LineChoice&) = default;
 };
 
-// Is a line of that width an area of its own, with borders that belong to one side or the other?
-// Then ties decide as those of polygons do.
+// True if a line of that width is an area with borders that belong to one side or the other. Then
+// ties decide as for polygons.
 bool fills_area(const LineChoice& choice, Fixed width);
 
 Rule line_algorithm_rule();
 Rule line_width_rule();
 
-// A width as columns have it: rounded to the nearest integer, at least 1.
+// The width of columns: rounded to the nearest integer, at least 1.
 int rounded_width(Fixed width);
 
 // The segment of width 1 whose fragments are the lowest of a wide line's columns.
 Segment lowest_segment(const Segment& segment, int width);
-// The same of a segment that is read as x-major, or as y-major.
+// The same for a segment that is read as x-major, or as y-major.
 Segment lowest_segment(const Segment& segment, int width, bool x_major);
 
-// Columns (rows, if not x-major) of `width` pixels within `bounds` upon the lowest ones, each pixel
-// once. Some algorithms put two pixels into one column; their columns then overlap.
+// Columns (rows, if not x-major) of `width` pixels within `bounds` above the lowest ones, each
+// pixel once. Some algorithms put two pixels into one column, so their columns overlap.
 std::vector<PixelPosition> replicated(std::span<const PixelPosition> lowest, bool x_major,
                                       int width, const PixelBounds& bounds);
 

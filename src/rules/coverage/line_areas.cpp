@@ -13,16 +13,16 @@ namespace edgecase {
 namespace {
 
 // A cross product is below 2^61, so four times its square is below 2^124; a squared length is below
-// 2^62 and the square of a width of 64 pixels 2^44. All of it fits in 128 bits.
+// 2^62 and the square of a width of 64 pixels is 2^44. All of these fit in 128 bits.
 static_assert(2 * Fixed::kMaxCoordinate * Fixed::kOne <= (std::int64_t{1} << 30));
 
-// Is the sample's distance from the line at most half the width? `side` is the cross product of
-// the segment and the sample, positive to its left, in units of 2^-32.
+// True if the sample's distance from the line is at most half the width. `side` is the cross
+// product of the segment and the sample, positive to its left, in units of 2^-32.
 bool within_half_width(const Segment& s, Fixed width, Point sample, const TieRule& ties) {
   const Int128 dx = s.b.x.raw() - s.a.x.raw();
   const Int128 dy = s.b.y.raw() - s.a.y.raw();
   const Int128 side = cross(s.a, s.b, sample);
-  // |side| / |d| < width / 2, squared and freed of fractions; both in units of 2^-64.
+  // |side| / |d| < width / 2, squared and without fractions; both in units of 2^-64.
   const Int128 left = 4 * side * side;
   const Int128 right = (dx * dx + dy * dy) * width.raw() * width.raw();
   // The distance is linear on either side of the line: its gradient points away from the line.
@@ -31,7 +31,7 @@ bool within_half_width(const Segment& s, Fixed width, Point sample, const TieRul
   return ties.positive(0, away * dy, -away * dx);
 }
 
-// Is the sample between the two ends, along the segment (rectangle) or its major axis?
+// True if the sample is between the two ends, along the segment (rectangle) or its major axis.
 bool between_ends(const Segment& s, LineArea area, Point sample, const TieRule& ties) {
   Int128 dx = s.b.x.raw() - s.a.x.raw();
   Int128 dy = s.b.y.raw() - s.a.y.raw();
@@ -42,7 +42,7 @@ bool between_ends(const Segment& s, LineArea area, Point sample, const TieRule& 
   return ties.positive(along(s.a), dx, dy) && ties.positive(-along(s.b), -dx, -dy);
 }
 
-// Is the sample within half the width of the line along the minor axis?
+// True if the sample is within half the width of the line along the minor axis.
 bool within_half_height(const Segment& s, Fixed width, Point sample, const TieRule& ties) {
   const Int128 dx = s.b.x.raw() - s.a.x.raw();
   const Int128 dy = s.b.y.raw() - s.a.y.raw();
@@ -53,8 +53,8 @@ bool within_half_height(const Segment& s, Fixed width, Point sample, const TieRu
   return ties.positive(reach + 2 * side, -dy, dx) && ties.positive(reach - 2 * side, dy, -dx);
 }
 
-// How many pixels round a line are looked at: beyond its ends, and to either side of where a
-// column's (row's) centre meets it.
+// The search range round a line, in pixels: beyond its ends, and to either side of the point where
+// a column's (row's) centre meets it.
 struct Margins {
   std::int64_t beyond;
   std::int64_t aside;
@@ -88,12 +88,12 @@ std::vector<PixelPosition> pixels_round(const Segment& segment, const Margins& m
   return pixels;
 }
 
-// Every pixel whose centre lies within the width of the line along its minor axis, and along its
-// major axis at most half the width and `beyond` pixels outside its ends, and some more.
+// A superset of the pixels whose centres lie within the width of the line along its minor axis, and
+// along its major axis at most half the width and `beyond` pixels outside its ends.
 //
-// A column's centre meets the line less than a raw unit beside pixel `at`, so that the centre of
-// pixel n lies within the width w of it only if n - at is between -w - 1/2 and w + 1/2, but for
-// that unit; in whole numbers, from -w to w.
+// A column's centre meets the line less than a raw unit away from pixel `at`. So the centre of
+// pixel n lies within the width w of it only if n - at is between -w - 1/2 and w + 1/2, plus or
+// minus that unit; in whole numbers, from -w to w.
 std::vector<PixelPosition> pixels_centred_near_line(const Segment& segment, Fixed width, int beyond,
                                                     const PixelBounds& bounds) {
   const std::int64_t margin = width.ceil();
@@ -110,7 +110,7 @@ bool line_area_covers(const Segment& segment, Fixed width, LineArea area, Point 
                                      : within_half_height(segment, width, sample, ties);
 }
 
-// Slopes along the major axis are at most 1: a point within half the width of the line lies within
+// Slopes along the major axis are at most 1, so a point within half the width of the line is within
 // the width of it along the minor axis.
 std::vector<PixelPosition> pixels_near_line(const Segment& segment, Fixed width,
                                             const PixelBounds& bounds) {
@@ -153,8 +153,8 @@ Binary32 fraction(Binary32 value) {
   return value - Binary32::from_integer(value.floor());
 }
 
-// The line as if it were x-major: x-major ones are, of the others "along" is downwards and "across"
-// is to the right. Everything is then the same for both but for one tie.
+// A line turned to be x-major: if it is y-major, "along" is downwards and "across" is to the right.
+// Then both cases are the same, except for one tie.
 struct Frame {
   bool x_major;
   Binary32 along(Pair p) const { return x_major ? p.x : -p.y; }
@@ -185,12 +185,12 @@ class TestedLine {
 
   bool runs_along() const { return back_along_.is_negative(); }
 
-  // Start and end, moved where the tests say so.
+  // Start and end, moved if the two tests differ.
   std::pair<Pair, Pair> moved_ends() const {
     Pair start = start_, end = end_;
     const Place first = place_of(start_);
     Place last = place_of(end_);
-    // An end on the lower border of its pixel, with the line coming from below: as if on the upper.
+    // A line that comes from below: an end on its pixel's lower border counts as on the upper.
     if (last.across == -kHalf && back_across_.is_negative()) last.across = kHalf;
     if (draws_start(first) != reaches_start(first)) start = moved(start_, first);
     if (draws_end(last) != reaches_end(last)) end = moved(end_, last);
@@ -198,7 +198,7 @@ class TestedLine {
   }
 
  private:
-  // Of an end: from its pixel's centre, and the fraction of its coordinate across.
+  // The position of an end relative to its pixel's centre, and its fraction across.
   struct Place {
     Binary32 along;
     Binary32 across;
@@ -214,18 +214,19 @@ class TestedLine {
     return is_less(magnitude(place.along) + magnitude(place.across), kHalf);
   }
 
-  // Does the line's continuation cross the middle of the pixel, along its major axis, within it?
+  // True if the line's continuation crosses the middle of the pixel, along its major axis, inside
+  // it.
   bool crosses_middle(const Place& place) const {
     const Binary32 at = place.fraction_across + place.along * slope_;
     return is_less(Binary32(), at) && is_less(at, kOne);
   }
 
-  // Is the end on that side of the centre, or at it, to which the line runs?
+  // True if the end is at the centre, or on the side of it to which the line runs.
   bool is_ahead(const Place& place) const {
     return place.along.is_negative() == (-back_along_).is_negative();
   }
 
-  // By the diamond-exit rule, as the algorithm has it.
+  // By the algorithm's version of the diamond-exit rule.
   bool draws_start(const Place& place) const {
     if (in_diamond(place)) return true;
     if (is_ahead(place)) return false;
@@ -239,13 +240,13 @@ class TestedLine {
     return (-place.across).is_negative() == back_across_.is_negative() || crosses_middle(place);
   }
 
-  // Does the parallelogram hold the centre of the end's pixel?
+  // True if the parallelogram contains the centre of the end's pixel.
   bool reaches_start(const Place& place) const {
     return (-place.along).is_negative() != back_along_.is_negative();
   }
   bool reaches_end(const Place& place) const { return is_ahead(place) || place.along.is_zero(); }
 
-  // Along the line, to the border of its pixel that lies back where it came from.
+  // Moves an end along the line to the border of its pixel on the side from which the line comes.
   Pair moved(Pair end, const Place& place) const {
     const Binary32 by = (back_along_.is_negative() ? -kHalf : kHalf) - place.along;
     const Pair distance = frame_.pair(by, by * slope_);
@@ -281,7 +282,7 @@ std::vector<PixelPosition> tested_ends_pixels(const Segment& segment, int width,
   };
   const TestedLine line(pair_of(segment.a), pair_of(segment.b));
   const auto [start, end] = line.moved_ends();
-  // Ends are snapped, not corners: a tie is away from zero on either side of the line.
+  // Ends are snapped, not corners: a tie goes away from zero on either side of the line.
   const std::int64_t half_width = width * kGrid / 2;
   const auto corner = [&](Pair p, std::int64_t across) {
     const std::int64_t x = snapped(p.x - kHalf), y = snapped(p.y - kHalf);
@@ -289,12 +290,11 @@ std::vector<PixelPosition> tested_ends_pixels(const Segment& segment, int width,
   };
   const std::array<Corner, 4> corners{corner(start, -half_width), corner(end, -half_width),
                                       corner(end, half_width), corner(start, half_width)};
-  // The corners run counter-clockwise where the line runs along. Where ends have moved past each
-  // other they run the other way round, and every side has the inside at its back: nothing is
-  // drawn.
+  // The corners are counter-clockwise if the line runs along. If the ends have moved past each
+  // other, the order is reversed and the inside is behind every side: nothing is drawn.
   const Int128 turn = line.runs_along() ? 1 : -1;
-  // Ends move along the line by a pixel at most. Rounded to the grid they lie beside it by less
-  // than what is left of the width beyond its half.
+  // Ends move along the line by at most a pixel. Rounding to the grid moves them sideways by less
+  // than the other half of the width, which the search includes.
   std::vector<PixelPosition> pixels =
       pixels_centred_near_line(segment, Fixed::from_integer(width), 1, bounds);
   std::erase_if(pixels, [&](PixelPosition pixel) {

@@ -12,7 +12,8 @@
 namespace edgecase {
 namespace {
 
-// Where a pixel lies along a line: its column (row, if y-major), growing as the line goes on.
+// The position of a pixel along a line: its column (row, if y-major), growing in the line's
+// direction.
 class Direction {
  public:
   explicit Direction(const Segment& segment)
@@ -24,7 +25,7 @@ class Direction {
     return forward_ ? major : -major;
   }
   const char* column() const { return x_major_ ? "column" : "row"; }
-  // The column (row) of a place along the line.
+  // The column (row) at a position along the line.
   int number_of(int along) const { return forward_ ? along : -along; }
 
  private:
@@ -32,7 +33,7 @@ class Direction {
   bool forward_;
 };
 
-// The places of all pixels of a line, sorted.
+// The positions of all pixels along a line, sorted.
 std::vector<int> places_along(std::span<const PixelPosition> pixels, const Direction& direction) {
   std::vector<int> places;
   for (PixelPosition p : pixels) places.push_back(direction.along(p));
@@ -47,7 +48,7 @@ std::string common_pixel(const DrawnSegment& first, const DrawnSegment& second) 
   return "";
 }
 
-// Is some fragment of one segment at most a unit apart, in x and in y, from one of the other?
+// True if some fragments of the two segments are at most a unit apart in x and in y.
 bool meet(const DrawnSegment& first, const DrawnSegment& second) {
   for (PixelPosition a : first.drawn)
     for (PixelPosition b : second.drawn)
@@ -55,8 +56,8 @@ bool meet(const DrawnSegment& first, const DrawnSegment& second) {
   return false;
 }
 
-// Does the diamond-exit rule have a fragment at this place along the line, wherever the ends are,
-// which the target cannot hide, not even one that lies a unit off?
+// True if the diamond-exit rule has a fragment at this position along the line for all ends within
+// reach, and the target cannot hide it, nor one that is a unit off.
 bool must_be_seen(const LooseSegment& loose, int along, const Direction& direction,
                   const PixelBounds& bounds) {
   const auto pixels = certain_pixels(loose, bounds.grown(-1));
@@ -64,8 +65,8 @@ bool must_be_seen(const LooseSegment& loose, int along, const Direction& directi
                      [&](PixelPosition p) { return direction.along(p) == along; });
 }
 
-// May the target hide a fragment of the segment at one of these places along the line: one of the
-// diamond-exit rule for some place of the ends, or one that lies a unit off?
+// True if the target may hide a fragment of the segment at one of these positions along the line:
+// one of the diamond-exit rule for some ends within reach, or one that is a unit off.
 bool may_be_hidden(const LooseSegment& loose, int from, int to, const Direction& direction,
                    const PixelBounds& bounds) {
   const auto pixels = possible_pixels(loose, bounds.grown(2));
@@ -86,7 +87,7 @@ bool goes_on(const Segment& first, const Segment& second, Fixed reach) {
   if (first.b != second.a || first.a == first.b || second.a == second.b) return false;
   const LooseSegment one{first, reach};
   const LooseSegment other{second, reach};
-  // A segment with a certain major axis is longer along it than its ends reach.
+  // A segment with a certain major axis is longer along it than its ends can move.
   const bool same_axis = (surely_x_major(one) && surely_x_major(other)) ||
                          (surely_y_major(one) && surely_y_major(other));
   if (!same_axis) return false;
@@ -100,7 +101,7 @@ std::string broken_joint_clause(const DrawnSegment& first, std::span<const Segme
                            std::max(first.bounds.y_min, second.bounds.y_min),
                            std::min(first.bounds.x_max, second.bounds.x_max),
                            std::min(first.bounds.y_max, second.bounds.y_max)};
-  // A segment between, which may have drawn what is not seen, has joints of its own.
+  // A segment between, which may have drawn hidden fragments, has joints of its own.
   for (const Segment& segment : between)
     if (may_be_hidden({segment, reach}, bounds)) return "";
   if (std::string clause = common_pixel(first, second); !clause.empty()) return clause;
@@ -117,7 +118,7 @@ std::string broken_joint_clause(const DrawnSegment& first, std::span<const Segme
         return fmt::format("{} {} is empty between the two segments of a joint", direction.column(),
                            direction.number_of(along));
 
-  // What is seen next to the joint lies next to it if nothing there is hidden.
+  // The visible fragments next to the joint are adjacent to it if nothing there is hidden.
   const bool side_by_side = next <= last + 1;
   const bool is_seen = std::none_of(segments.begin(), segments.end(), [&](const Segment& segment) {
     return may_be_hidden({segment, reach}, std::min(last, next) - 1, std::max(last, next) + 1,
@@ -140,15 +141,14 @@ Rule line_joint_rule() {
       {14,
        "Joints of lines of width 1: where one segment ends bit-identically where another starts, "
        "and both have the same major axis (45 degrees counts as x-major) and direction, as given "
-       "and as read under ruling 1, no pixel is drawn by both, no column (row, if y-major) between "
-       "their fragments is empty, and the fragments next to the joint are at most one unit apart. "
-       "Segments that draw nothing are passed over, if what the diamond-exit rule has of them lies "
-       "one unit or more inside the target's border: others may have drawn what is not seen. An "
-       "empty column counts where that rule has a fragment so far inside, and the distance next to "
-       "the joint where all fragments that it has there are. Two fragments "
-       "in one column, one of each segment, interrupt nothing and are allowed. Two segments that "
-       "start at one point, or that turn, may draw a pixel "
-       "twice."}};
+       "and as read under ruling 1, no pixel is drawn by both, no column (row, if y-major) "
+       "between their fragments is empty, and the fragments next to the joint are at most one "
+       "unit apart. Segments that draw nothing are skipped, if their diamond-exit fragments lie "
+       "one unit or more inside the target's border: others may have drawn fragments that are "
+       "not seen. An empty column counts if that rule has a fragment as far inside, and the "
+       "distance next to the joint counts if all its fragments there are as far inside. Two "
+       "fragments in one column, one of each segment, interrupt nothing and are allowed. Two "
+       "segments that start at one point, or that turn, may draw a pixel twice."}};
   return rule;
 }
 

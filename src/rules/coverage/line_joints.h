@@ -24,21 +24,21 @@ namespace edgecase {
 
 Rule line_joint_rule();
 
-// Does `second` start where `first` ends, with the same major axis and direction, wherever the ends
-// lie within `reach`? A segment without length has no direction.
+// True if `second` starts at the end of `first` with the same major axis and direction, for all
+// ends within `reach`. A segment without length has no direction.
 bool goes_on(const Segment& first, const Segment& second, Fixed reach = {});
 
-// A segment of width 1 with the pixels that were drawn of it inside `bounds`, in any order.
+// A segment of width 1 with its drawn pixels inside `bounds`, in any order.
 struct DrawnSegment {
   Segment segment;
   std::span<const PixelPosition> drawn;
   PixelBounds bounds;
 };
 
-// The clause of ruling 14 that two segments break, in words; empty when every clause holds. Both
-// must have drawn pixels, and `second` must go on where `first` ends, or where a row of segments
-// ends that go on from `first` and drew nothing (`between`, in order). All ends are known to within
-// `reach`, see line_latitude.h.
+// The clause of ruling 14 that two segments break, as text; empty if they satisfy every clause.
+// Both must have drawn pixels, and `second` must continue `first`, or a row of segments that
+// continue `first` and drew nothing (`between`, in order). All ends are known to within `reach`,
+// see line_latitude.h.
 std::string broken_joint_clause(const DrawnSegment& first, std::span<const Segment> between,
                                 const DrawnSegment& second, Fixed reach = {});
 

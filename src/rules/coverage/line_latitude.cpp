@@ -17,13 +17,13 @@
 namespace edgecase {
 namespace {
 
-// The fragments that the diamond-exit rule has in and near the bounds: for some place of the ends,
-// and for every place. The same where the ends are known.
+// The diamond-exit rule's fragments in and near the bounds: those for some ends within reach, and
+// those for all of them. The two are the same if the ends are known.
 struct RuleFragments {
   std::vector<PixelPosition> possible;
   std::vector<PixelPosition> certain;
 
-  // Of the segment, in place of the line's own.
+  // Uses the segment in place of the line's own.
   RuleFragments(const Segment& segment, const SeenLine& line, const PixelBounds& target)
       : possible(possible_ones({segment, line.reach}, line, looked_at(target))),
         certain(line.reach == Fixed() ? possible
@@ -35,8 +35,8 @@ struct RuleFragments {
     const bool is_found = loose.reach == Fixed() && line.find != nullptr;
     return is_found ? line.find(loose.segment, bounds) : possible_pixels(loose, bounds);
   }
-  // One unit beyond the border a fragment of the rule still justifies a drawn one inside; two are
-  // looked at so that emptiness is judged on more than what one step may hide.
+  // A fragment of the rule one unit outside the border still justifies a drawn one inside. The
+  // search goes two units out, so that emptiness depends on more than one hidden step.
   static PixelBounds looked_at(const PixelBounds& target) { return target.grown(2); }
 };
 
@@ -44,8 +44,8 @@ bool within_one(PixelPosition a, PixelPosition b) {
   return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1;
 }
 
-// Ruling 1, first clause. Both are mostly in the same order, or in opposite ones: beside what
-// justifies one fragment lies what justifies the next.
+// Ruling 1, first clause. Both lists are mostly in the same order, or in opposite ones, so the
+// search continues at the latest match.
 std::string stray_fragment(std::span<const PixelPosition> possible,
                            std::span<const PixelPosition> drawn) {
   auto latest = possible.begin();
@@ -62,7 +62,7 @@ std::string stray_fragment(std::span<const PixelPosition> possible,
   return "";
 }
 
-// Ruling 1, second clause, with the fragments near the border counted kindly.
+// Ruling 1, second clause; fragments near the border count in the line's favour.
 std::string wrong_count(const RuleFragments& rule, std::size_t drawn, const PixelBounds& target) {
   const auto within = [](const std::vector<PixelPosition>& pixels, const PixelBounds& bounds) {
     return static_cast<std::size_t>(std::count_if(
@@ -116,7 +116,7 @@ std::string broken_thin_clause(const RuleFragments& rule, const LooseSegment& lo
   return wrong_count(rule, drawn.size(), target);
 }
 
-// The fragments of a wide line by their place on the major axis, as places on the minor axis.
+// A wide line's fragments by their major coordinate, as minor coordinates.
 std::map<int, std::vector<int>> columns_of(bool x_major, std::span<const PixelPosition> drawn) {
   std::map<int, std::vector<int>> columns;
   for (PixelPosition p : drawn) columns[x_major ? p.x : p.y].push_back(x_major ? p.y : p.x);
@@ -124,8 +124,8 @@ std::map<int, std::vector<int>> columns_of(bool x_major, std::span<const PixelPo
   return columns;
 }
 
-// Where a run may start between `low` and `high` on the minor axis: as near as it can to a fragment
-// of the rule that lies within a column of it, or else to one that lies nearest along the line.
+// Where a run between `low` and `high` on the minor axis may start: as near as possible to a
+// fragment of the rule within a column of it, or else to the nearest one along the line.
 int kindest_start(std::span<const PixelPosition> possible, int major, bool x_major, int low,
                   int high) {
   const auto distances = [&](PixelPosition p) {
@@ -159,8 +159,8 @@ std::string broken_wide_clause(const SeenLine& line, bool x_major,
     if (!whole || (run != line.width && !cut_below && !cut_above))
       return fmt::format("{} {} holds {} fragments, not one run of {}", x_major ? "column" : "row",
                          major, run, line.width);
-    // What the lower border cuts goes on below it; a run that both borders cut is taken to lie as
-    // near to where the rule has it as it can.
+    // A run cut by the lower border continues below it; a run cut by both borders is assumed to be
+    // as near as possible to the rule's fragments.
     int base = cut_below ? minors.back() - line.width + 1 : minors.front();
     if (cut_below && cut_above && !rule.possible.empty())
       base = kindest_start(rule.possible, major, x_major, base, low);
@@ -171,7 +171,7 @@ std::string broken_wide_clause(const SeenLine& line, bool x_major,
 
 using Pixels = std::vector<PixelPosition>;
 
-// What the diamond-exit rule itself draws of a line, ties of diamonds as some boundary has them.
+// The pixels that the diamond-exit rule itself draws, with ties decided by a boundary.
 Pixels drawn_by_rule(const SeenLine& line, const DiamondBoundary& ties) {
   const Segment thin = lowest_segment(line.segment, line.width);
   PixelBounds bounds = line.bounds;
@@ -180,9 +180,9 @@ Pixels drawn_by_rule(const SeenLine& line, const DiamondBoundary& ties) {
                     line.bounds);
 }
 
-// Is the line drawn as the diamond-exit rule has it, both ends moved by as little as the text moves
-// them, but in another direction? A renderer's arithmetic, which is accurate to about 1 part in
-// 10^5 (GL 4.6 core, 2.3.4.1), may have put them there.
+// True if the line is drawn by the diamond-exit rule with both ends moved as little as in the text,
+// but in another direction. A renderer's arithmetic, which is accurate to about 1 part in 10^5 (GL
+// 4.6 core, 2.3.4.1), may have moved them there.
 bool follows_other_ties(const SeenLine& line, std::span<const PixelPosition> drawn) {
   if (line.reach != Fixed()) return false;
   Pixels sorted(drawn.begin(), drawn.end());
@@ -195,7 +195,7 @@ bool follows_other_ties(const SeenLine& line, std::span<const PixelPosition> dra
   });
 }
 
-// A line whose major axis depends on where its ends are is read kindly, either way.
+// A line whose major axis depends on its exact ends may be read either way, in its favour.
 std::string broken_clause(const SeenLine& line, std::span<const PixelPosition> drawn) {
   const LooseSegment loose{line.segment, line.reach};
   std::string first;
@@ -231,7 +231,7 @@ const TieRule& ties_named(const char* name) {
   return *find_tie_rule(name);
 }
 
-// The diamonds that say what is possible and what is certain.
+// The diamonds for possible and for certain fragments.
 struct GrownAndShrunk {
   SizedDiamond grown;
   SizedDiamond shrunk;

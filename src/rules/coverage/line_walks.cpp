@@ -33,8 +33,7 @@ struct Turned {
     return {static_cast<int>(x_major ? major : minor), static_cast<int>(x_major ? minor : major)};
   }
 
-  // The row that holds the line at the centre of a column; of a pixel's two borders it owns the
-  // lower one.
+  // The row that contains the line at the centre of a column; a pixel owns its lower border.
   std::int64_t row_at(std::int64_t column) const {
     Int128 run = b_major.raw() - a_major.raw();
     if (run == 0) return a_minor.floor();
@@ -140,7 +139,7 @@ std::vector<PixelPosition> midpoint_pixels(const Segment& segment, const PixelBo
 
   std::vector<PixelPosition> pixels;
   std::int64_t minor = t.a_minor.floor();
-  std::int64_t decision = 2 * rise - run;  // of the line at the first midpoint, half a step on
+  std::int64_t decision = 2 * rise - run;  // for the line at the first midpoint, half a step on
   for (std::int64_t i = 0; i <= run; ++i) {
     keep(t.pixel(t.a_major.floor() + i, minor), bounds, pixels);
     if (decision > 0) {

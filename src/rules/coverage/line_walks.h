@@ -2,10 +2,10 @@
 //
 // Lines as walks along the major axis: one pixel per column (per row, if y-major).
 //
-// What all of them share: the line is followed along its major axis, and in each column the pixel
-// is drawn that holds the line at the column's centre, or for the integer algorithms the one
-// nearest to a line between integer ends. They differ in which columns take part, and in the ends.
-// None of them is the diamond-exit rule; all of them are in use.
+// All walks follow the line along its major axis. In each column they draw the pixel that contains
+// the line at the column's centre; integer algorithms draw the pixel nearest to a line between
+// integer ends. They differ in the columns that take part, and in the ends. None of them is the
+// diamond-exit rule; all of them are in use.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@
 
 namespace edgecase {
 
-// Which columns take part.
+// The columns that take part.
 enum class WalkRange {
   floor_to_floor,       // from the start's column to the end's, both included
   ends_tested,          // the same, but the first and last pixel must pass the diamond-exit test
@@ -24,21 +24,21 @@ enum class WalkRange {
   half_open_geometry,   // centres from the left (lower) end, included, to the other, excluded
 };
 
-// The pixels within `bounds`, along the major axis in ascending order. A segment without length
-// draws what its range says: one pixel, or none. `boundary` is for ends_tested alone.
+// The pixels within `bounds`, ascending along the major axis. A segment without length draws one
+// pixel or none, depending on its range. `boundary` is only for ends_tested.
 std::vector<PixelPosition> walk_pixels(const Segment& segment, const PixelBounds& bounds,
                                        WalkRange range, const DiamondBoundary& boundary);
 
 // How integer algorithms round coordinates to pixels.
 enum class ToInteger { floor, toward_zero };
 
-// Bresenham's algorithm between the ends' pixels, from the start, the end's pixel left out; when
-// the line passes midway between two pixels, the step is taken. Equal distances count as y-major.
+// Bresenham's algorithm between the ends' pixels, from the start, without the end's pixel; if the
+// line passes midway between two pixels, the step is taken. Equal distances count as y-major.
 std::vector<PixelPosition> bresenham_pixels(const Segment& segment, const PixelBounds& bounds,
                                             ToInteger rounding);
 
 // The midpoint algorithm between the ends' pixels, from left to right (bottom to top, if y-major),
-// both ends drawn; when the line passes midway between two pixels, no step is taken.
+// with both ends drawn; if the line passes midway between two pixels, no step is taken.
 std::vector<PixelPosition> midpoint_pixels(const Segment& segment, const PixelBounds& bounds);
 
 }  // namespace edgecase

@@ -12,7 +12,7 @@
 namespace edgecase {
 namespace {
 
-// How far the centre lies from the vertex along the axis where it lies farther, raw.
+// The larger of the centre's distances from the vertex along the two axes, raw.
 std::int64_t chebyshev_distance(Point vertex, Point centre) {
   return std::max(std::abs(centre.x.raw() - vertex.x.raw()),
                   std::abs(centre.y.raw() - vertex.y.raw()));
@@ -58,15 +58,16 @@ Rule point_ownership_rule() {
       tie_alternatives(point_tie_rules(), Openness::open, Openness::open),
       {{6,
         "Points: the specification does not say whether the boundary of a point's square belongs "
-        "to it. A pixel centre on the boundary, for some position of the vertex less than one step "
-        "of 2^-b away (b as in ruling 4), may be covered or not. A size that the renderer's "
-        "GL_POINT_SIZE_GRANULARITY does not hold may become any that is off by half of that, and a "
-        "multisampled point that is smaller than 1 may be as large as 1 (14.4). A size beyond the "
-        "range that the renderer tells is not asked for, so that none is clamped."}}};
+        "to it. A pixel centre on the boundary, for some position of the vertex less than one "
+        "step of 2^-b away (b as in ruling 4), may be covered or not. A size that the renderer's "
+        "GL_POINT_SIZE_GRANULARITY does not include may become any size within half a "
+        "granularity of it, and a multisampled point that is smaller than 1 may be as large as 1 "
+        "(14.4). Sizes beyond the range that the renderer reports are not requested, so none is "
+        "clamped."}}};
 }
 
 bool point_covers(const SizedPoint& point, Point sample, const TieRule& ties) {
-  // Twice the distances, since half a size need not be a whole raw unit.
+  // All distances are doubled, since half a size need not be a whole raw unit.
   const std::int64_t size = point.size.raw();
   const std::int64_t dx = 2 * (sample.x.raw() - point.vertex.x.raw());
   const std::int64_t dy = 2 * (sample.y.raw() - point.vertex.y.raw());

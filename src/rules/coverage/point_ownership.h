@@ -22,19 +22,19 @@ namespace edgecase {
 Rule point_ownership_rule();
 Rule point_offset_rule();
 
-// Where the square of a point lies. Mesa's drivers without points of their own draw two triangles
-// an eighth of a pixel aside.
+// The offset of a point's square. Mesa's drivers without points of their own draw two triangles an
+// eighth of a pixel off.
 enum class PointOffset { none, right_down };
 template <>
 inline constexpr auto kNames<PointOffset> = std::to_array<TabledAlternative<PointOffset>>(
     {{PointOffset::none, "none", Openness::mandated, "the vertex is the centre of the square"},
      {PointOffset::right_down, "right-down", Openness::illegal,
       "the square lies 1/8 pixel to the right and below"}});
-// The vertex moved so.
+// The vertex moved by an offset.
 Point moved(Point vertex, PointOffset offset);
 
-// The tie rules that differ for points: a square's sides run along the axes, so it makes no
-// difference which of two directions dominates. The four with left or right first, open, closed.
+// The tie rules that differ for points: the four with left or right first, open, closed. A square's
+// sides run along the axes, so it does not matter which of two directions dominates.
 std::span<const TieRule> point_tie_rules();
 
 // A point of a size above 0 and at most 64 pixels.
@@ -43,20 +43,20 @@ struct SizedPoint {
   Fixed size = Fixed::from_integer(1);
 };
 
-// Does the point's square hold the sample, or the centre of pixel (x, y)?
+// True if the point's square contains the sample, or the centre of pixel (x, y).
 bool point_covers(const SizedPoint& point, Point sample, const TieRule& ties);
 inline bool point_covers(const SizedPoint& point, int x, int y, const TieRule& ties) {
   return point_covers(point, pixel_centre(x, y), ties);
 }
 
-// Why, in a sentence with numbers.
+// The reason, in a sentence with numbers.
 Explanation explain_point(const SizedPoint& point, Point sample, const TieRule& ties);
 inline Explanation explain_point(const SizedPoint& point, int x, int y, const TieRule& ties) {
   return explain_point(point, pixel_centre(x, y), ties);
 }
 
-// May the specification's latitude hold the sample covered, may it hold it uncovered? The vertex
-// may move by less than `reach` in x and y, and boundaries are open.
+// Whether the specification's latitude permits the sample to be covered, and to be uncovered. The
+// vertex may move by less than `reach` in x and y, and boundaries are open.
 bool point_possibly_covered(const SizedPoint& point, Point sample, Fixed reach);
 bool point_possibly_uncovered(const SizedPoint& point, Point sample, Fixed reach);
 inline bool point_possibly_covered(const SizedPoint& point, int x, int y, Fixed reach) {
@@ -69,20 +69,20 @@ inline bool point_possibly_uncovered(const SizedPoint& point, int x, int y, Fixe
 // --------------------------------------------------------------- points whose vertex is a quotient
 //
 // The rule is the same: a pixel's centre inside a square round the vertex. Here the vertex is (x/w,
-// y/w), and every distance is taken w times as large, so that all of them are integers again and a
-// centre on the boundary of the square is known to be there.
+// y/w), and every distance is multiplied by w, so that all of them are integers and a centre on the
+// boundary of the square is recognized exactly.
 
-// A point of a size above 0 and at most 64 pixels. The vertex's w is at most 2^35, as an offset
-// makes it.
+// A point of a size above 0 and at most 64 pixels. The vertex's w is at most 2^35, the result of an
+// offset.
 struct HomogeneousSizedPoint {
   HomogeneousPoint vertex;
   Fixed size;
 };
 
-// The vertex moved as an offset has it.
+// The vertex moved by an offset.
 HomogeneousPoint moved(const HomogeneousPoint& vertex, PointOffset offset);
 
-// Does the point's square hold the sample, or the centre of pixel (x, y)?
+// True if the point's square contains the sample, or the centre of pixel (x, y).
 bool point_covers(const HomogeneousSizedPoint& point, Point sample, const TieRule& ties);
 inline bool point_covers(const HomogeneousSizedPoint& point, int x, int y, const TieRule& ties) {
   return point_covers(point, pixel_centre(x, y), ties);

@@ -10,7 +10,7 @@ int sign_of_area(const std::array<HomogeneousPoint, 3>& positions) {
 
 }  // namespace
 
-// What has no area faces the back either way round.
+// A primitive without area faces the back in either winding.
 bool is_front_facing(const ScenePrimitive& primitive,
                      const std::array<HomogeneousPoint, 3>& positions, FacingMethod method) {
   if (primitive.kind != PrimitiveKind::triangle) return true;

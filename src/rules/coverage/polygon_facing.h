@@ -23,8 +23,8 @@ Rule polygon_facing_rule();  // polygon.facing
 
 enum class FacingMethod {
   as_set,
-  reversed,    // y is taken to run downwards
-  always_ccw,  // the draw's front face is not heeded
+  reversed,    // y is assumed to run downwards
+  always_ccw,  // the draw's front face is ignored
   not_culled,  // nothing is dropped
 };
 template <>
@@ -41,7 +41,7 @@ inline constexpr auto kNames<FacingMethod> = std::to_array<TabledAlternative<Fac
 bool is_front_facing(const ScenePrimitive& primitive,
                      const std::array<HomogeneousPoint, 3>& positions, FacingMethod method);
 
-// Is the primitive dropped before it is rasterized? `positions`: of its vertices, snapped.
+// True if the primitive is dropped before it is rasterized. `positions`: its vertices, snapped.
 bool is_culled(const ScenePrimitive& primitive, const std::array<HomogeneousPoint, 3>& positions,
                FacingMethod method);
 

@@ -21,15 +21,15 @@ struct Segment {
   }
 };
 
-// The pixels that a segment can pass: where a search for its fragments has to look.
+// The pixels that a segment can pass: the search range for its fragments.
 //
-// Calls visit(pixel) for every pixel within `bounds` whose centre lies within |dx| + |dy| < 5/4 of
-// the segment, and for some others: along the major axis in ascending order.
+// Calls visit(pixel) for a superset of the pixels within `bounds` whose centre lies within |dx| +
+// |dy| < 5/4 of the segment, ascending along the major axis.
 //
 // Such a centre lies less than 5/4 beyond the ends, so its column begins less than 7/4 before the
-// first and less than 3/4 behind the last. From the nearest point of the segment to where the
-// column's centre, held to the segment, meets it the line moves sideways by no more than it moves
-// along, slopes being at most 1: there, too, it is less than 5/4 away.
+// first and less than 3/4 after the last. From the nearest point of the segment to the point where
+// the column's centre meets the segment (clamped to its ends), the line moves sideways no more than
+// along, since slopes are at most 1: there, too, it is less than 5/4 away.
 template <class Visit>
 void visit_pixels_near(const Segment& segment, const PixelBounds& bounds, Visit visit) {
   const bool x_major = segment.x_major();
@@ -45,7 +45,7 @@ void visit_pixels_near(const Segment& segment, const PixelBounds& bounds, Visit 
       std::max<std::int64_t>(first.floor() - 1, x_major ? bounds.x_min : bounds.y_min);
   const auto end = std::min<std::int64_t>(last.floor() + 1, x_major ? bounds.x_max : bounds.y_max);
   for (std::int64_t m = begin; m <= end; ++m) {
-    // Minor coordinate at the column's centre, held to the segment; off by less than a raw unit.
+    // Minor coordinate at the column's centre, clamped to the segment; off by less than a raw unit.
     const Fixed centre = std::clamp(Fixed::centre_of(m), first, last);
     const Int128 along = static_cast<Int128>(centre.raw() - major(segment.a).raw()) * rise;
     const Fixed at =

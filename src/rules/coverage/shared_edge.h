@@ -26,13 +26,13 @@ struct SharedEdge {
 // The common edge of two triangles that lie on opposite sides of it, if they have one.
 std::optional<SharedEdge> shared_edge(const Triangle& first, const Triangle& second);
 
-// Does the sample lie strictly inside the other four edges, wherever the vertices move by less than
-// `reach`?
+// True if the sample lies strictly inside the other four edges, for all moves of the vertices by
+// less than `reach`.
 bool lies_between(const SharedEdge& edge, Point sample, Fixed reach);
 
-// Must the sample be hit exactly once by the two triangles, wherever their vertices move by less
-// than `reach`?
-// True where the sample may lie on either side of the edge and strictly inside the other four.
+// True if the two triangles must hit the sample exactly once, for all moves of their vertices by
+// less than `reach`: the sample may be on either side of the edge and is strictly inside the other
+// four.
 bool must_hit_once(const SharedEdge& edge, Point sample, Fixed reach);
 
 }  // namespace edgecase

@@ -50,7 +50,7 @@ Int128 floor_quotient(Int128 numerator, Int128 denominator) {
   return numerator % denominator < 0 ? quotient - 1 : quotient;
 }
 
-// Does a value round up that lies rest/whole of a step above grid line `below`?
+// True if a value that is rest/whole of a step above grid line `below` is rounded up.
 bool rounds_up(Rounding rounding, Int128 below, Int128 rest, Int128 whole) {
   switch (rounding) {
     case Rounding::half_even:

@@ -19,7 +19,7 @@
 
 namespace edgecase {
 
-// The distance of neighbouring lines of a grid of `bits` bits, 0 to 16: 2^-bits pixels.
+// The distance between lines of a grid of `bits` bits, 0 to 16: 2^-bits pixels.
 constexpr Fixed grid_step(int bits) {
   return Fixed::from_raw(Fixed::kOne >> bits);
 }
@@ -37,7 +37,7 @@ struct Snap {
   constexpr bool is_none() const { return bits == Fixed::kFractionBits; }
   Fixed operator()(Fixed value) const;
   Point operator()(Point point) const { return {(*this)(point.x), (*this)(point.y)}; }
-  // The quotient itself is rounded, once. Without snapping: the nearest multiple of 2^-16, a tie to
+  // Rounds the quotient itself, once. Without snapping: to the nearest multiple of 2^-16, a tie to
   // the right or up.
   Point operator()(const HomogeneousPoint& point) const;
   friend constexpr bool operator==(Snap, Snap) = default;
@@ -46,11 +46,11 @@ struct Snap {
 // "none", "8-half-even", "4-truncate", …
 std::string name_of(Snap snap);
 
-// `none`, then 12 down to 4 bits in each rounding: of several that explain something equally well,
-// the one that moves vertices least comes first.
+// `none`, then 12 down to 4 bits in each rounding: if several explain something equally well, the
+// one that moves vertices least comes first.
 std::span<const Snap> all_snaps();
 
-// Null when there is none of that name.
+// Null if there is none of that name.
 const Snap* find_snap(std::string_view name);
 
 // The catalogue entry; `id` is "subpixel.snap" or the snap of one primitive type.

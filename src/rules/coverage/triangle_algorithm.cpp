@@ -9,7 +9,7 @@
 namespace edgecase {
 namespace {
 
-// The edge a -> b of a counter-clockwise triangle, from the centre of pixel (x, y) on. One step
+// The edge a -> b of a counter-clockwise triangle, starting at the centre of pixel (x, y). One step
 // beyond a sample of the window stays below 2^62.
 WalkedEdge<std::int64_t> walked_edge(Point a, Point b, int x, int y, const TieRule& ties) {
   const std::int64_t right = a.y.raw() - b.y.raw();
@@ -80,7 +80,7 @@ Rule triangle_algorithm_rule() {
   return rule;
 }
 
-// ------------------------------------------------------------ scan conversion in single precision
+// ------------------------------------------------------------- scan conversion in single precision
 
 namespace {
 
@@ -96,8 +96,8 @@ std::int64_t first_row(Binary32 y) {
   return (y - kHalf).ceil();
 }
 
-// An edge that is walked upward: at the centre of row first + k it crosses at x + k * slope, where
-// x has half a pixel added, so that dropping the fraction gives the first pixel beyond it.
+// An edge that is walked upward: at the centre of row first + k it crosses at x + k * slope. x has
+// half a pixel added, so that dropping the fraction gives the first pixel beyond the edge.
 struct ScanEdge {
   Binary32 x;
   Binary32 slope;
@@ -113,11 +113,11 @@ struct ScanEdge {
   std::int64_t crossing(std::int64_t row) const {
     return (x + Binary32::from_integer(row) * slope).truncate();
   }
-  // Starts anew, that many rows further up.
+  // Starts again, that many rows further up.
   void go_up(std::int64_t by) { x = x + Binary32::from_integer(by) * slope; }
 };
 
-// Draws `rows` rows from row `first`, from the left edge to before the right one.
+// Draws `rows` rows from row `first`, from the left edge up to the right one, exclusive.
 void fill(const ScanEdge& left, const ScanEdge& right, std::int64_t first, std::int64_t rows,
           const PixelBounds& bounds, std::vector<PixelPosition>& pixels) {
   const std::int64_t begin = std::max<std::int64_t>(first, bounds.y_min);
@@ -143,7 +143,7 @@ std::vector<PixelPosition> scanned_triangle_pixels(const Triangle& triangle,
   const auto& [low, middle, high] = v;
   const Binary32 area =
       (high.x - low.x) * (middle.y - low.y) - (middle.x - low.x) * (high.y - low.y);
-  // What rounds to no area is not drawn.
+  // A triangle whose area rounds to zero is not drawn.
   if (area.is_zero()) return {};
 
   std::vector<PixelPosition> pixels;
@@ -163,13 +163,12 @@ std::vector<PixelPosition> scanned_triangle_pixels(const Triangle& triangle,
   return pixels;
 }
 
-// ------------------------------------------------------------ triangles whose vertices are
-// quotients
+// ---------------------------------------------------------- triangles whose vertices are quotients
 
 namespace {
 
-// A sample's coordinates are at most 2^30 and its w 2^16, so that an edge function, by the bounds
-// of exact/homogeneous.h, is below 2^111: within what TieRule takes.
+// A sample's coordinates are at most 2^30 and its w 2^16, so an edge function is below 2^111 by the
+// bounds of exact/homogeneous.h: within the range of TieRule.
 bool inside_edge(const HomogeneousPoint& a, const HomogeneousPoint& b,
                  const HomogeneousPoint& sample, const TieRule& ties) {
   const Int128 right = Int128{a.y} * b.w - Int128{b.y} * a.w;
@@ -177,7 +176,7 @@ bool inside_edge(const HomogeneousPoint& a, const HomogeneousPoint& b,
   return ties.positive(cross(a, b, sample), right, up);
 }
 
-// The same function, from a sample on. The next pixel's sample has coordinates larger by its w.
+// The same function, starting at a sample. The next pixel's sample has its coordinate larger by w.
 WalkedEdge<Int128> walked_edge(const HomogeneousPoint& a, const HomogeneousPoint& b,
                                const HomogeneousPoint& sample, const TieRule& ties) {
   const Int128 right = Int128{a.y} * b.w - Int128{b.y} * a.w;
@@ -185,7 +184,7 @@ WalkedEdge<Int128> walked_edge(const HomogeneousPoint& a, const HomogeneousPoint
   return {cross(a, b, sample), right * sample.w, up * sample.w, ties.positive(0, right, up)};
 }
 
-// Moved so that the samples of pixels become their centres.
+// The triangle moved so that the samples of pixels become their centres.
 Triangle centred(const Triangle& triangle, Point within) {
   const Point centre = centre_of_pixel();
   const auto moved = [&](Point p) {
@@ -217,7 +216,7 @@ std::vector<PixelPosition> triangle_pixels(const HomogeneousTriangle& triangle,
   const Triangle nearest = nearest_triangle(triangle);
   if (algorithm != TriangleAlgorithm::edge_functions)
     return triangle_pixels(centred(nearest, within), bounds, algorithm, ties);
-  // The nearest triangle's box reaches a pixel beyond it, so it holds the samples of this one.
+  // The nearest triangle's box reaches a pixel beyond it, so it contains the samples of this one.
   const PixelBounds some = sample_bounds(nearest, bounds);
   const auto& [a, b, c] = triangle;
   const Int128 area = cross(a, b, c);

@@ -10,8 +10,8 @@
 namespace edgecase {
 namespace {
 
-// What an edge a -> b of a counter-clockwise triangle is called, y up: its interior lies to its
-// left, so an edge that goes down has it to the right of the edge, which makes it a left edge.
+// The name of an edge a -> b of a counter-clockwise triangle, y up. Its interior is on its left, so
+// an edge that goes down has it to the right in the window, and is a left edge.
 const char* edge_kind(Point a, Point b) {
   if (b.y < a.y) return "left";
   if (b.y > a.y) return "right";
@@ -29,8 +29,8 @@ double distance_inside(Point a, Point b, Point sample) {
   return static_cast<double>(cross(a, b, sample)) / length / static_cast<double>(Fixed::kOne);
 }
 
-// The edge on which the decision hangs: one that the sample is outside of, else one that it lies
-// on, else the nearest.
+// The edge that decides: one that the sample is outside of, else one that it lies on, else the
+// nearest.
 std::size_t deciding_edge(const Triangle& t, Point sample) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < 3; ++i)
@@ -96,9 +96,9 @@ Explanation explain_triangle(const Triangle& triangle, Point sample, const TieRu
   return result;
 }
 
-// The triangles that the moves allow have as their union the sum of the triangle and an open square
-// of half-width `reach`: both are convex, and conv(A u B u C) of the three moved squares is that
-// sum. A sample lies in it unless an axis or an edge's normal separates them.
+// The union of the triangles after all permitted moves is the sum of the triangle and an open
+// square of half-width `reach`: both are convex, and conv(A u B u C) of the three moved squares is
+// that sum. A sample lies in it unless an axis or an edge's normal separates them.
 bool triangle_possibly_covered(const Triangle& triangle, Point sample, Fixed reach) {
   const std::int64_t step = reach.raw();
   const auto [x_low, x_high] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
@@ -113,14 +113,14 @@ bool triangle_possibly_covered(const Triangle& triangle, Point sample, Fixed rea
         static_cast<Int128>(std::abs(b.x.raw() - a.x.raw()) + std::abs(b.y.raw() - a.y.raw())) *
         step;
     const Int128 side = cross(a, b, sample);
-    // Without area the edges run both ways: both sides of the segment are outside.
+    // Without area the edges run both ways, so both sides of the segment are outside.
     if (a != b && side <= -aside) return false;
   }
   return true;
 }
 
-// (a + s - p) x (b + t - p) is linear in each of the four components of the moves s and t, so over
-// the open box of moves it stays positive exactly when no corner of the box makes it negative.
+// (a + s - p) x (b + t - p) is linear in each of the four components of the moves s and t, so it
+// stays positive over the open box of moves exactly if no corner of the box makes it negative.
 bool robustly_left(Point a, Point b, Point p, Fixed reach) {
   const std::int64_t step = reach.raw();
   for (int corner = 0; corner < 16; ++corner) {

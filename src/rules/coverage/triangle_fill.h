@@ -33,10 +33,10 @@ Rule triangle_fill_rule();
 // Twice the signed area in units of 2^-32, positive when counter-clockwise (y up).
 std::int64_t doubled_area(const Triangle& triangle);
 
-// The same triangle with vertices in counter-clockwise order. Undefined order without area.
+// The same triangle with vertices in counter-clockwise order; in any order if it has no area.
 Triangle counter_clockwise(const Triangle& triangle);
 
-// Does the triangle produce the fragment of pixel (x, y)?
+// True if the triangle produces the fragment of pixel (x, y).
 bool triangle_covers(const Triangle& triangle, int x, int y, const TieRule& ties);
 
 // Why the sample, or the centre of pixel (x, y), is covered or not: a sentence with numbers.
@@ -45,13 +45,13 @@ inline Explanation explain_triangle(const Triangle& triangle, int x, int y, cons
   return explain_triangle(triangle, pixel_centre(x, y), ties);
 }
 
-// May the specification's latitude hold the sample covered, may it hold it uncovered? Each vertex
-// may move by less than `reach` in x and in y, and ties on edges go either way. reach: more than 0,
-// at most a pixel.
+// Whether the specification's latitude permits the sample to be covered, and to be uncovered. Each
+// vertex may move by less than `reach` in x and in y, and ties on edges go either way. reach: more
+// than 0, at most a pixel.
 bool triangle_possibly_covered(const Triangle& triangle, Point sample, Fixed reach);
 bool triangle_possibly_uncovered(const Triangle& triangle, Point sample, Fixed reach);
 
-// Does p lie strictly to the left of a -> b for every move of a and b by less than `reach`?
+// True if p lies strictly to the left of a -> b for every move of a and b by less than `reach`.
 bool robustly_left(Point a, Point b, Point p, Fixed reach);
 
 }  // namespace edgecase

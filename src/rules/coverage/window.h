@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What holds for every primitive in the window: where its origin lies, in which order a rasterizer
-// counts its rows, and how often a pixel has a fragment.
+// Rules for every primitive in the window: the position of its origin, the order in which a
+// rasterizer counts its rows, and the number of fragments per pixel.
 #pragma once
 
 #include "exact/fixed.h"
@@ -27,7 +27,7 @@ namespace edgecase {
 // The direction of rows while ties are decided is a separate question, which is open: see the order
 // of rows.
 
-// The rule's id, and the cause of what disagrees because of it.
+// The rule's id, and the cause of disagreements that it explains.
 inline constexpr RuleId kWindowOrigin = RuleId::window_origin;
 inline constexpr int kRulingOnOrigin = 43;
 

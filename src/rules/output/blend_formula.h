@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The formula of blending (GL 4.6 core, tables 17.1 and 17.2), once for every kind of number that
-// it is evaluated in: exact, an interval, or rounded on the way.
+// The formula of blending (GL 4.6 core, tables 17.1 and 17.2), once for every kind of number:
+// exact, an interval, or rounded at each step.
 //
-// A kind of number has +, - and a product of which `one` is the neutral element; a range has its
-// ends `low` and `high`, other kinds have an order.
+// A kind of number has +, - and a product whose neutral element is `one`; a range has its ends
+// `low` and `high`, other kinds have an order.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace edgecase {
 
-// Red, green, blue and alpha of what is blended, clamped to 0 to `one`.
+// Red, green, blue and alpha of an operand, clamped to 0 to `one`.
 template <class Number>
 struct BlendOperands {
   std::array<Number, 4> source;
@@ -86,7 +86,7 @@ Number factor_of(BlendFactor factor, const BlendOperands<Number>& of, std::size_
   return of.one;
 }
 
-// A component of the result, before it is clamped.
+// A component of the result, before clamping.
 template <class Number>
 Number blended(const BlendTerm& term, const BlendOperands<Number>& of, std::size_t component) {
   const auto source = [&]() -> Number {

@@ -18,7 +18,7 @@ double unit_clamped(double value) {
   return std::clamp(value, 0.0, 1.0);
 }
 
-// `number`: makes one of a double, `code`: one of an 8-bit value.
+// `number` converts a double, `code` an 8-bit value.
 template <class Number, class FromDouble, class FromCode>
 BlendOperands<Number> operands_of(const std::array<double, 4>& source,
                                   const std::array<std::uint8_t, 4>& destination,
@@ -34,7 +34,7 @@ BlendOperands<Number> operands_of(const std::array<double, 4>& source,
   return result;
 }
 
-// Of a number close to a border between two codes, so that nothing is left to be clamped.
+// For a number close to a border between two codes, so that no clamping is needed.
 std::uint8_t nearest_code(const Rational& value) {
   const Rational scaled = value * 255;
   const Integer below = floor_of(scaled);
@@ -47,7 +47,7 @@ std::uint8_t nearest_code(const Rational& value) {
 
 // A component's nearest value, a tie to the even one. Source and constant: finite; they are clamped
 // to 0 to 1. Most results lie well between the borders at which values round one way or the other,
-// and an interval tells; those that do not are asked again as quotients of integers.
+// so an interval decides; the others are computed again as quotients of integers.
 std::uint8_t exactly_blended(const BlendTerm& term, const std::array<double, 4>& source,
                              const std::array<std::uint8_t, 4>& destination,
                              const std::array<float, 4>& constant, std::size_t component) {
@@ -71,12 +71,12 @@ std::uint8_t exactly_blended(const BlendTerm& term, const std::array<double, 4>&
 
 constexpr int kLargest = 255;
 
-// A result in 1/255^2, to the nearest code; there are no ties, since 255 is odd.
+// A result in 1/255^2, rounded to the nearest code; there are no ties, since 255 is odd.
 int code_of_square(int value) {
   return (2 * std::clamp(value, 0, kLargest * kLargest) + kLargest) / (2 * kLargest);
 }
 
-// A multiple of 1/255 whose products are rounded to the nearest one.
+// A multiple of 1/255 with products rounded to the nearest one.
 struct RoundedCode {
   int value = 0;
   friend auto operator<=>(RoundedCode, RoundedCode) = default;
@@ -87,7 +87,7 @@ struct RoundedCode {
   }
 };
 
-// The same, whose products are divided by shifting them.
+// The same with products divided by shifting.
 struct ShiftedCode {
   int value = 0;
   friend auto operator<=>(ShiftedCode, ShiftedCode) = default;
@@ -99,8 +99,8 @@ struct ShiftedCode {
   }
 };
 
-// A range of multiples of 1/255 in which everything is rounded outwards; factors of a product are
-// not negative.
+// A range of multiples of 1/255 in which everything is rounded outwards; factors of a product must
+// not be negative.
 struct CodeRange {
   int low = 0;
   int high = 0;
@@ -111,7 +111,7 @@ struct CodeRange {
   }
 };
 
-// The whole number at or below 255 times a number, without the product's rounding.
+// The whole number at or below 255 times a number, without the product's rounding error.
 int code_below(double value) {
   const double scaled = std::clamp(value, 0.0, 1.0) * kLargest;
   const double below = std::floor(scaled);
@@ -137,7 +137,7 @@ std::uint8_t nearest_operand(const std::array<double, 4>& source, std::size_t co
   return exactly_blended({}, source, {}, {}, component);
 }
 
-// Over of colours, with the factor that the other form of it has.
+// Exchanges the colour factor of `over` for that of its other form.
 void exchange_form(BlendTerm& term, BlendFactor from, BlendFactor to) {
   if (term.equation == BlendEquation::add && term.source == from &&
       term.destination == BlendFactor::one_minus_src_alpha)
@@ -149,7 +149,7 @@ BlendTerm term_of(const Blending& blending, std::size_t component, BlendMethod m
   return component == kAlpha ? meant.alpha : meant.color;
 }
 
-// All rounded to the nearest code first.
+// All operands are first rounded to the nearest code.
 template <class Number>
 BlendOperands<Number> rounded_operands(const std::array<double, 4>& source,
                                        const Rgba8& destination,
@@ -268,14 +268,14 @@ Rule blend_rounding_rule() {
           "once",
           alternatives_of<BlendRounding>(),
           {{37,
-            "Blending on an 8-bit target: what is blended is the colour that the renderer tells of "
-            "the fragment and what it has stored before, clamped to 0 to 1. It is computed with a "
-            "precision no lower than that of the destination's components (17.3.6.1), which we "
-            "read so: source, constant, both factors, both products and their sum may each, or may "
-            "not, be rounded to either neighbouring multiple of 1/255, and the result, clamped to "
-            "0 to 1, is stored as either neighbour. The products by 0 and by 1 and the stored "
-            "colour's own value have no error. Components that are masked keep what is stored, to "
-            "the bit."},
+            "Blending on an 8-bit target: the operands are the fragment's colour as the renderer "
+            "reports it and the colour that it has stored before, clamped to 0 to 1. It is "
+            "computed with a precision no lower than that of the destination's components "
+            "(17.3.6.1), which we read so: source, constant, both factors, both products and "
+            "their sum may each, or may not, be rounded to either neighbouring multiple of "
+            "1/255, and the result, clamped to 0 to 1, is stored as either neighbour. The "
+            "products by 0 and by 1 and the stored colour's own value have no error. Components "
+            "that are masked keep what is stored, to the bit."},
            {61,
             "A blended component is none of the five integers beyond those of ruling 37. A named "
             "fault stays one, however small."}}};

@@ -28,9 +28,9 @@ enum class BlendMethod {
   as_set,
   ignored,          // the source replaces the destination
   color_for_alpha,  // alpha is blended by the colour's term
-  swapped,          // source and destination factors are taken for each other
-  // The two forms of over taken for each other: colours by {src_alpha, one_minus_src_alpha} as by
-  // {one, one_minus_src_alpha}, and the other way round.
+  swapped,          // source and destination factors are exchanged
+  // The two forms of `over` are exchanged: colours by {src_alpha, one_minus_src_alpha} as by {one,
+  // one_minus_src_alpha}, and the other way round.
   over_as_premultiplied,
   over_as_straight,
 };
@@ -49,15 +49,16 @@ inline constexpr auto kNames<BlendMethod> = std::to_array<TabledAlternative<Blen
      {BlendMethod::over_as_straight, "over-as-straight", Openness::illegal,
       "over of a premultiplied colour multiplies it by its alpha once more"}});
 
-// The terms that a draw's have become under a method; `ignored`, which blends nothing, leaves them.
+// A draw's terms as changed by a method; `ignored`, which blends nothing, leaves them.
 Blending blending_by(Blending blending, BlendMethod method);
 
-// Where a result is rounded on its way to 8 bits. Further ones as renderers are found to have them.
+// Where a result is rounded on its way to 8 bits. More are added as renderers are found to use
+// them.
 enum class BlendRounding {
   once,           // the exact result, to nearest, a tie to the even value
   source_first,   // source colour and constant too, before the equation
   every_product,  // these, and both products
-  shifted,        // the same; a product p of two codes is (p + p/256 + 128)/256, whole parts alone
+  shifted,        // the same; a product p of two codes is (p + p/256 + 128)/256, in integers
 };
 template <>
 inline constexpr auto kNames<BlendRounding> = std::to_array<TabledAlternative<BlendRounding>>(
@@ -88,15 +89,15 @@ struct BlendChoice {
 using Rgba8 = std::array<std::uint8_t, 4>;
 using Rgba8Range = std::array<Unorm8Range, 4>;
 
-// What is stored after a fragment that has passed all tests. `source`: its colour, any number, NaN
-// counts as 0. Where it is blended the double is taken for the exact number; where not, it is
-// stored as to_unorm8 has it.
+// The stored colour after a fragment that has passed all tests. `source`: its colour, any number,
+// NaN counts as 0. If it is blended, the double counts as the exact number; else it is stored as by
+// to_unorm8.
 Rgba8 written_color(const FragmentOperations& operations, const std::array<double, 4>& source,
                     const Rgba8& destination, const BlendChoice& choice);
 
-// What the specification permits, component by component: blending is computed with a precision
-// that is no lower than that of the destination's components (17.3.6.1), so that source, constant,
-// factors, products and sum may each be rounded to either neighbouring multiple of 1/255.
+// The permitted results, component by component: blending is computed with a precision that is no
+// lower than that of the destination's components (17.3.6.1), so source, constant, factors,
+// products and sum may each be rounded to either neighbouring multiple of 1/255.
 Rgba8Range permitted_color(const FragmentOperations& operations,
                            const std::array<Interval, 4>& source, const Rgba8Range& destination);
 

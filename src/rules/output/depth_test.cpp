@@ -18,7 +18,7 @@ CompareFunction function_by(CompareFunction function, DepthTestMethod method) {
   return function;
 }
 
-// How a depth may compare with a stored one.
+// The possible relations of a depth to a stored one.
 struct Comparisons {
   bool less = false;
   bool equal = false;
@@ -45,8 +45,8 @@ bool passes_depth_test(const DepthTest& test, double depth, double stored, Depth
   return holds(function_by(test.function, method), compared < stored, compared == stored);
 }
 
-// Both ends of a range are values of the format, so that where two ranges overlap they have one in
-// common: the larger of the lower ends.
+// Both ends of a range are values of the format, so overlapping ranges have one in common: the
+// larger of the lower ends.
 TestOutcomes permitted_outcomes(CompareFunction function, Interval depth, Interval stored,
                                 bool same) {
   const bool overlap = depth.low <= stored.high && stored.low <= depth.high;
@@ -55,7 +55,7 @@ TestOutcomes permitted_outcomes(CompareFunction function, Interval depth, Interv
                                 .greater = !same && depth.high > stored.low});
 }
 
-// Equal is what both ranges have in common and the format holds.
+// Depths can be equal if both ranges contain a common value of the format.
 TestOutcomes unconverted_outcomes(CompareFunction function, Interval depth, Interval stored,
                                   DepthFormat format) {
   const Interval common{std::max(depth.low, stored.low), std::min(depth.high, stored.high)};
@@ -76,14 +76,14 @@ Rule depth_test_rule() {
       alternatives_of<DepthTestMethod>(),
       {{39,
         "Depth tests: a fragment's depth is converted to the buffer's format and then compared "
-        "with the stored value (13.8.1; 17.3.4). We hold the depths that the renderer itself tells "
-        "against each other, each as either value that ruling 18 permits for it, for the fragment "
-        "as for the one whose depth is stored. Where these differ in order from one permitted pair "
-        "to another, the fragment may pass or fail, and all that follows of it must agree: a "
-        "fragment that passes is blended, counted and stored, one that fails is none of these. "
-        "Depths that the renderer tells as one and the same number are converted to one and the "
-        "same value, and compare as equal. Where the renderer tells no depth, any is taken that "
-        "rulings 9 and 38 permit."},
+        "with the stored value (13.8.1; 17.3.4). We compare the depths that the renderer itself "
+        "reports, of the fragment and of the one whose depth is stored, each as either value "
+        "that ruling 18 permits for it. If permitted pairs differ in order, the fragment may "
+        "pass or fail, and all consequences must agree: a fragment that passes is blended, "
+        "counted and stored, one that fails is none of these. Depths that the renderer reports "
+        "as one and the same number are converted to one and the same value, and compare as "
+        "equal. If the renderer reports no depth, any depth that rulings 9 and 38 permit is "
+        "possible."},
        {55,
         "Depths that are compared as they are, before conversion, with what a fixed-point buffer "
         "stores, are contested: 13.8.1 lets window depths be floating-point numbers, and 17.3.4 "

@@ -24,7 +24,7 @@ enum class DepthTestMethod {
   as_set,
   unconverted,  // the fragment's depth is compared before it is converted
   ties_pass,    // less and greater let equal depths pass
-  ties_fail,    // lequal and gequal do not
+  ties_fail,    // lequal and gequal reject equal depths
   ignored,      // every fragment passes
 };
 template <>
@@ -49,28 +49,28 @@ inline constexpr auto kNames<DepthMaskMethod> = std::to_array<TabledAlternative<
      {DepthMaskMethod::ignored, "ignored", Openness::illegal,
       "the depth of every fragment that passes is stored"}});
 
-// Is the depth of a fragment that passes stored?
+// True if the depth of a fragment that passes is stored.
 inline bool stores_depth(const DepthTest& test, DepthMaskMethod method) {
   return test.write || method == DepthMaskMethod::ignored;
 }
 
-// Does a fragment pass? `depth`: 0 to 1, before conversion; `stored`: a value of the format. Where
-// the target has no depth buffer it does.
+// True if a fragment passes. `depth`: 0 to 1, before conversion; `stored`: a value of the format.
+// Always true without a depth buffer.
 bool passes_depth_test(const DepthTest& test, double depth, double stored, DepthFormat format,
                        DepthTestMethod method);
 
-// What may come of a test. Never neither.
+// The possible outcomes of a test; at least one.
 struct TestOutcomes {
   bool may_pass = false;
   bool may_fail = false;
 };
 
-// Of depths that are known as ranges of the format's values, both ends among them. `same`: they are
-// known to be one and the same number, whichever of the range that is.
+// For depths known as ranges of the format's values, both ends included. `same`: they are known to
+// be one and the same number, whichever of the range it is.
 TestOutcomes permitted_outcomes(CompareFunction function, Interval depth, Interval stored,
                                 bool same);
 
-// The same of a depth that is compared as it is, before conversion: `depth` is a range of numbers.
+// The same for a depth that is compared before conversion: `depth` is a range of numbers.
 TestOutcomes unconverted_outcomes(CompareFunction function, Interval depth, Interval stored,
                                   DepthFormat format);
 

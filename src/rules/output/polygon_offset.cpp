@@ -44,7 +44,7 @@ Interval largest_of(const Gradient& gradient) {
   return {std::max(x.low, y.low), std::max(x.high, y.high)};
 }
 
-// 0 times a slope that nothing is known of is 0.
+// 0 times an unknown slope is 0.
 Interval product_of(float share, Interval value) {
   return share == 0 ? Interval(0) : Interval(static_cast<double>(share)) * value;
 }
@@ -56,14 +56,14 @@ Interval clamped(Interval offset, float clamp) {
   return offset;
 }
 
-// 2^(e - 23), e the exponent of a depth as a float32 number; those below 2^-126 have that of it.
+// 2^(e - 23), e the exponent of a depth as a float32 number, at least that of 2^-126.
 double float_unit(double depth) {
   const auto stored = static_cast<double>(static_cast<float>(depth));
   const int exponent = stored < 0x1p-126 ? -126 : std::ilogb(stored);
   return std::ldexp(1.0, exponent - 23);
 }
 
-// Of depths that may be off by a relative amount.
+// For depths that may be off by a relative amount.
 Interval float_unit_of(const Interpolant& depth, double relative) {
   Interval largest = depth.values[0];
   for (const Interval value : depth.values)
@@ -134,21 +134,21 @@ Interval permitted_unit(const Interpolant& depth, DepthFormat format, Interval f
   return bits_of(format) == 0 ? float_unit_of(depth, kOperationError) : fixed_unit;
 }
 
-// Units so large that every depth is clamped whatever the slope adds are all alike: none is needed
-// that is larger, and errors stay small beside what is left.
+// Units that are so large that every depth is clamped, whatever the slope adds, are all alike: none
+// larger is needed, and errors stay small beside the rest.
 Interval short_of_saturation(Interval unit, float units, double of_slope) {
   if (units == 0 || !std::isfinite(of_slope)) return unit;
   const double enough = (2 + of_slope) / std::fabs(static_cast<double>(units));
   return {unit.low, std::max(unit.low, std::min(unit.high, enough))};
 }
 
-// Depth runs linearly in the window, and the gradient is the same everywhere.
+// Depth is linear in the window, and its gradient is the same everywhere.
 Interpolant linear(Interpolant depth) {
   depth.perspective = false;
   return depth;
 }
 
-// The depth less that of the first vertex: near it nothing is left to be rounded.
+// The depth less that of the first vertex, near which it needs no rounding.
 Interpolant from_first_vertex(Interpolant depth) {
   const Interval first = depth.values[0];
   for (Interval& value : depth.values) {
@@ -218,19 +218,20 @@ Rule offset_unit_rule() {
           alternatives_of<OffsetUnit>(),
           {{38,
             "Polygon offset: permitted is clamp(factor m + units r) with any m from the larger "
-            "partial derivative of depth to the length of the gradient (14.6.5). Of a fixed-point "
-            "buffer of n bits r is the implementation's: any number from 2^-n, which is no more "
-            "than one step, since depths that differ by r have distinct values; but it is one "
-            "constant. Where a renderer tells its depths, we take the r that as many as possible "
-            "of a case's fragments can have, and hold all of them to it. Of a buffer of float32, r "
-            "is 2^(e - 23), with e the exponent of the largest depth "
-            "among the vertices. Vertices may have moved, and each operation may err, as in ruling "
-            "9. The sum of depth and offset is clamped to 0 to 1. All fragments of a triangle have "
-            "one offset."},
+            "partial derivative of depth to the length of the gradient (14.6.5). Of a "
+            "fixed-point buffer of n bits r is the implementation's: any number from 2^-n, which "
+            "is no more than one step, since depths that differ by r have distinct values; but "
+            "it is one constant. If a renderer reports its depths, we take the r that fits as "
+            "many of a case's fragments as possible, and judge all of them by it. Of a buffer of "
+            "float32, r is 2^(e - 23), with e the exponent of the largest depth among the "
+            "vertices. Vertices may have moved, and each operation may err, as in ruling 9. The "
+            "sum of depth and offset is clamped to 0 to 1. All fragments of a triangle have one "
+            "offset."},
            {45,
             "A fragment's depth beyond 0 to 1 after a polygon offset, as a shader reads it in "
-            "gl_FragCoord.z, is contested where clamped it were right: 14.6.5 clamps depths once "
-            "they are offset, 15.2.2 speaks of the addition alone. What is stored is clamped."}}};
+            "gl_FragCoord.z, is contested if it would be right when clamped: 14.6.5 clamps "
+            "depths once they are offset, 15.2.2 speaks of the addition alone. What is stored is "
+            "clamped."}}};
 }
 
 Rule offset_exponent_rule() {

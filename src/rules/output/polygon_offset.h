@@ -33,13 +33,13 @@ inline constexpr auto kNames<OffsetSlope> = std::to_array<TabledAlternative<Offs
       "the larger one of |dz/dx| and |dz/dy|"},
      {OffsetSlope::ignored, "ignored", Openness::illegal, "0: the factor does nothing"}});
 
-// r of n bits.
+// r for n bits.
 enum class OffsetUnit {
-  step,        // 1/(2^n - 1), the difference of neighbouring values
+  step,        // 1/(2^n - 1), the distance of neighbouring values
   power,       // 2^-n
   two_steps,   // 2/(2^n - 1)
   four_steps,  // 4/(2^n - 1)
-  of_24_bits,  // 2^-24 whatever n is
+  of_24_bits,  // 2^-24 for every n
   ignored,
 };
 template <>
@@ -55,9 +55,9 @@ inline constexpr auto kNames<OffsetUnit> = std::to_array<TabledAlternative<Offse
 
 enum class OffsetExponent {
   largest_depth,  // of the largest depth among the vertices
-  doubled,        // twice that
+  doubled,        // twice as much
   one,            // of 1: r is 2^-23
-  as_fixed,       // r as a fixed-point buffer of 24 bits has it
+  as_fixed,       // r as in a fixed-point buffer of 24 bits
 };
 template <>
 inline constexpr auto kNames<OffsetExponent> = std::to_array<TabledAlternative<OffsetExponent>>(
@@ -75,17 +75,17 @@ struct OffsetChoice {
   friend bool operator==(const OffsetChoice&, const OffsetChoice&) = default;
 };
 
-// What is added to the depths of a triangle, `depth` before it is added. 0 of what has no area.
+// The offset of a triangle's depths; `depth` is before the offset. 0 for a triangle without area.
 Interval offset_exact(const PolygonOffset& offset, const Interpolant& depth, DepthFormat format,
                       const OffsetChoice& choice);
 
-// What r may be of a fixed-point buffer: from 2^-n, just less than one step, on. Depths that are
-// closer to each other become one value. Depths of 0 and 1 always differ, so that r is at most 1.
+// The permitted r of a fixed-point buffer: from 2^-n, just less than one step, on. Depths that are
+// closer to each other become one value. Depths of 0 and 1 always differ, so r is at most 1.
 Interval permitted_fixed_unit(DepthFormat format);
 
-// What may be: m from the largest partial derivative to the length, r of a fixed-point buffer any
-// of `fixed_unit`; `reach` as in interpolate_permitted. Everything where the area may vanish, but
-// for a factor of 0.
+// The permitted offset: m from the largest partial derivative to the length, r of a fixed-point
+// buffer any of `fixed_unit`; `reach` as in interpolate_permitted. Everything if the area may
+// vanish, unless the factor is 0.
 Interval offset_permitted(const PolygonOffset& offset, const Interpolant& depth, DepthFormat format,
                           double reach, Interval fixed_unit);
 

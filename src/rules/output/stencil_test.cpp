@@ -14,7 +14,7 @@ StencilOperation operation_by(StencilOperation operation, StencilMethod method) 
   return operation;
 }
 
-// Before the write mask: the lowest 8 bits count.
+// The result before the write mask; only its lowest 8 bits count.
 int result_of(StencilOperation operation, int reference, int stored) {
   switch (operation) {
     case StencilOperation::keep:
@@ -68,9 +68,9 @@ Rule stencil_test_rule() {
       "as-set",
       alternatives_of<StencilMethod>(),
       {{41,
-        "Stencil tests, equations, factors and masks are as set: of them nothing is open, and of "
-        "stencil values no bit. Replayed over the renderer's own fragments they must yield what "
-        "it stores, in some way that rulings 37 to 40 leave open."}}};
+        "Stencil tests, equations, factors and masks are as set: nothing about them is open, and "
+        "no bit of a stencil value is. Replayed over the renderer's own fragments they must "
+        "yield what it stores, in some way that rulings 37 to 40 leave open."}}};
 }
 
 }  // namespace edgecase

@@ -27,10 +27,10 @@ enum class StencilMethod {
   as_set,
   ignored,       // no test, no operation
   one_sided,     // back-facing polygons are treated as front-facing ones
-  unmasked,      // the comparison does without its mask
-  stored_first,  // the stored value is compared with the reference, not the reference with it
+  unmasked,      // the comparison ignores its mask
+  stored_first,  // the operands of the comparison are exchanged
   wrapping,      // incr and decr wrap
-  saturating,    // incr_wrap and decr_wrap do not
+  saturating,    // incr_wrap and decr_wrap saturate
 };
 template <>
 inline constexpr auto kNames<StencilMethod> = std::to_array<TabledAlternative<StencilMethod>>(
@@ -49,7 +49,7 @@ inline constexpr auto kNames<StencilMethod> = std::to_array<TabledAlternative<St
      {StencilMethod::saturating, "saturating", Openness::illegal,
       "incr_wrap and decr_wrap stop at 255 and 0, as incr and decr do"}});
 
-// What the test does to fragments of one facing; points and lines are front-facing.
+// The state for fragments of one facing; points and lines are front-facing.
 const StencilFace& face_of(const StencilTest& test, bool front_facing, StencilMethod method);
 
 bool passes_stencil_test(const StencilFace& face, std::uint8_t stored, StencilMethod method);

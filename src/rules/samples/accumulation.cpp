@@ -14,7 +14,7 @@
 namespace edgecase {
 namespace {
 
-// What is added, times what, and what the sum is divided by.
+// The terms of the sum, their weights, and the divisor.
 struct Terms {
   std::vector<double> values;
   std::vector<std::int64_t> weights;
@@ -44,7 +44,7 @@ Terms terms_of(std::span<const double> shown, const Supersampling& passes, Accum
 // The finite number digits * 2^exponent.
 struct Dyadic {
   std::int64_t digits = 0;
-  int exponent = std::numeric_limits<int>::max();  // of 0: it asks for no digits
+  int exponent = std::numeric_limits<int>::max();  // for 0: it needs no digits
 };
 
 Dyadic dyadic(double value) {
@@ -87,7 +87,7 @@ double exact_quotient(const Terms& terms) {
   return nearest_double(Rational(sum, divisor));
 }
 
-// Single precision throughout; a weight is at most 2^20.
+// In single precision throughout; a weight is at most 2^20.
 double in_single_precision(std::span<const double> shown, const Supersampling& passes) {
   float sum = 0;
   std::int64_t total = 0;
@@ -150,13 +150,14 @@ Rule accumulation_rule() {
           "exact-mean",
           alternatives_of<Accumulation>(),
           {{36,
-            "The accumulated image of a supersampled scene, before conversion to 8 bits: the mean "
-            "of what the renderer's own passes show at a pixel, each times its weight, as far as "
-            "the renderer tells those colours; where it tells none, of any that ruling 9 permits. "
-            "Of n passes, each term may be off by n + 5 roundings of one unit in the last place of "
-            "float32: one multiplication, n additions, the sum of weights, and a division of at "
-            "most 2.5 units (GLSL 4.60, 4.7.1; GL 4.6 core, 17.3.6); and numbers below 2^-126 may "
-            "be flushed to 0. Where a colour is not finite, or a sum overflows, any number."}}};
+            "The accumulated image of a supersampled scene, before conversion to 8 bits: the "
+            "mean of what the renderer's own passes show at a pixel, each times its weight, if "
+            "the renderer reports those colours, or else of any colours that ruling 9 permits. "
+            "With n passes, each term may be off by n + 5 roundings of one unit in the last "
+            "place of float32: one multiplication, n additions, the sum of weights, and a "
+            "division of at most 2.5 units (GLSL 4.60, 4.7.1; GL 4.6 core, 17.3.6); and numbers "
+            "below 2^-126 may be flushed to 0. Where a colour is not finite, or a sum overflows, "
+            "any number is permitted."}}};
 }
 
 }  // namespace edgecase

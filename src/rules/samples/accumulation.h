@@ -20,7 +20,7 @@ Rule accumulation_rule();  // supersample.accumulation
 
 enum class Accumulation {
   exact_mean,   // the double nearest to the weighted mean, a tie to the even one, never -0
-  float32_sum,  // colours times weights, added up in the passes' order, over the sum of weights
+  float32_sum,  // colours times weights, added in the passes' order, over the sum of weights
   clamped,      // the mean of colours that are clamped to [0, 1] first
   bytes,        // the mean of colours that are converted to 8 bits first
   unweighted,   // the mean as if all weights were 1
@@ -39,26 +39,26 @@ inline constexpr auto kNames<Accumulation> = std::to_array<TabledAlternative<Acc
      {Accumulation::unweighted, "unweighted", Openness::illegal, "every pass counts the same"},
      {Accumulation::sum, "sum", Openness::illegal, "the sum is not divided"}});
 
-// One component of a pixel; `shown` has a value for each pass. Where one of them is not finite,
-// what IEEE 754 makes of their sum.
+// One component of a pixel; `shown` has a value for each pass. If one of them is not finite, the
+// result is that of IEEE 754 arithmetic.
 double accumulated(std::span<const double> shown, const Supersampling& passes, Accumulation choice);
 
-// What ruling 36 permits for `choice`, which float32_sum stands for as exact_mean does: numbers no
-// farther from the exact one than
+// The numbers that ruling 36 permits for `choice`, with float32_sum permitting the same as
+// exact_mean: those no farther from the exact one than
 //
 //   g S + 2 m (W + 2 n + D) / D,  g = (n + 5) u / (1 - (n + 5) u)
 //
-// with n passes, S the mean of what they show without its signs, W the sum of weights, D what is
-// divided by (W, of a sum 1), u = 2^-23 and m = 2^-126.
+// with n passes, S the mean of the absolute values that they show, W the sum of weights, D the
+// divisor (W, for a sum 1), u = 2^-23 and m = 2^-126.
 //
 // Each operation is off by at most u of its result, one unit in the last place (GLSL 4.60, 4.7.1;
 // blending is as precise as float32, GL 4.6 core, 17.3.6). A term goes through one multiplication,
-// n additions at most, and a division of at most 2.5 units, here 3, by a number that was rounded
+// at most n additions, and a division of at most 2.5 units, here 3, by a number that was rounded
 // once: n + 5 factors 1 + d with |d| <= u, whose product is off by at most g. Numbers below m may
-// be flushed to 0, each being off by m at most: the colours, times weights W m, and 2 n products
-// and sums, all over D, and the quotient; what is off there may grow by 1 + g, which is below 2.
-// Everything where a colour is not finite, or the sum may overflow: the specification says nothing
-// of such numbers.
+// be flushed to 0, each being off by at most m: the colours, times weights W m, and 2 n products
+// and sums, all over D, and the quotient; these errors may grow by 1 + g, which is below 2.
+// Everything if a colour is not finite, or the sum may overflow: the specification says nothing of
+// such numbers.
 Interval accumulation_permitted(std::span<const double> shown, const Supersampling& passes,
                                 Accumulation choice);
 

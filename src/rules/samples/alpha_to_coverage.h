@@ -19,14 +19,14 @@ namespace edgecase {
 
 Rule alpha_to_coverage_rule();  // sample.alpha-to-coverage
 
-// Sample s of n is kept where alpha is
+// Sample s of n is kept if alpha is
 enum class AlphaToCoverage {
   proportional,              // at least (s + 1/2) / n: as many as alpha n, rounded
   above_quotient,            // above s / n
-  above_quotient_of_others,  // the same; of a shader that runs for each sample, all alphas of the
-                             // pixel but the sample's own
+  above_quotient_of_others,  // the same; if the shader runs for each sample: all alphas of the
+                             // pixel except the sample's own
   spread,                    // at least (s + 1) / (n + 1)
-  ignored,                   // whatever it is
+  ignored,                   // anything: alpha is ignored
 };
 template <>
 inline constexpr auto kNames<AlphaToCoverage> = std::to_array<TabledAlternative<AlphaToCoverage>>(
@@ -45,13 +45,13 @@ inline constexpr auto kNames<AlphaToCoverage> = std::to_array<TabledAlternative<
 // The mask of an alpha: bit s for sample s. NaN keeps nothing.
 std::uint32_t alpha_mask(double alpha, int samples, AlphaToCoverage choice);
 
-// Of a shader that runs for each sample, under above_quotient_of_others: by the alphas of all
-// samples of a pixel, covered or not, which samples are written, and which invocations run. An
-// invocation does not where one before it has cleared its sample.
+// For a shader that runs for each sample, under above_quotient_of_others: the samples that are
+// written, and the invocations that run, by the alphas of all samples of a pixel, covered or not.
+// An invocation does not run if an earlier one has cleared its sample.
 std::uint32_t mask_by_others(std::span<const double> alphas);
 std::uint32_t runs_by_others(std::span<const double> alphas);
 
-// How many samples of so many the mask of an alpha in a range may keep, by ruling 33; the range may
+// How many samples of a pixel the mask of an alpha in a range may keep, by ruling 33; the range may
 // be everything.
 struct SampleCounts {
   int least = 0;
@@ -59,8 +59,8 @@ struct SampleCounts {
 };
 SampleCounts alpha_permitted(Interval alpha, int samples);
 
-// Is the number of samples kept, of a fragment that covers all, proportional to alpha? It is less
-// than one sample off alpha n, as any rounding, table or dither leaves it.
+// True if the number of samples kept, of a fragment that covers all, is proportional to alpha: less
+// than one sample off alpha n, which permits any rounding, table or dither.
 bool is_proportional(double alpha, int kept, int samples);
 
 }  // namespace edgecase

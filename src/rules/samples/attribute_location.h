@@ -28,11 +28,11 @@ Rule attribute_location_rule();  // attribute.location
 Rule centroid_rule();            // attribute.centroid
 Rule sample_depth_rule();        // sample.depth
 
-// Of what is not qualified, where the shader runs once for the pixel.
+// For unqualified attributes, if the shader runs once for the pixel.
 enum class PlainLocation {
   centre,
   first_covered,   // the covered sample of lowest index
-  half_pixel_off,  // of points and lines half a pixel right of and above where it should be
+  half_pixel_off,  // of points and lines, half a pixel right of and above the correct location
 };
 template <>
 inline constexpr auto kNames<PlainLocation> = std::to_array<TabledAlternative<PlainLocation>>(
@@ -43,12 +43,12 @@ inline constexpr auto kNames<PlainLocation> = std::to_array<TabledAlternative<Pl
       "for points and lines, half a pixel to the right of and above the proper place: at the "
       "pixel's corner or beyond it"}});
 
-// Of what is qualified `centroid`, where the shader runs once for the pixel.
+// For attributes qualified `centroid`, if the shader runs once for the pixel.
 enum class CentroidLocation {
-  centre_or_first,  // the centre where all samples are covered, else the first covered sample
+  centre_or_first,  // the centre if all samples are covered, else the first covered sample
   first_covered,
   mean_covered,  // the mean of the covered samples, to the nearest 2^-16
-  centre,        // whatever is covered
+  centre,        // regardless of coverage
 };
 template <>
 inline constexpr auto kNames<CentroidLocation> = std::to_array<TabledAlternative<CentroidLocation>>(
@@ -61,13 +61,13 @@ inline constexpr auto kNames<CentroidLocation> = std::to_array<TabledAlternative
      {CentroidLocation::centre, "centre", Openness::illegal,
       "the pixel's centre, even where the primitive does not cover it"}});
 
-// Of the depth that a sample is given.
+// For the depth given to a sample.
 enum class DepthLocation {
   at_sample,
   centre,              // one depth for all samples of the pixel
-  mirrored_x,          // the pixel's left and right exchanged; gl_FragCoord.z that of sample 0 so
-  mirrored_x_or_zero,  // the same, but gl_FragCoord.z 0 where the sample mask lacks sample 0
-  half_pixel_off,      // of points and lines half a pixel right of and above the sample
+  mirrored_x,          // left and right of the pixel exchanged; gl_FragCoord.z is that of sample 0
+  mirrored_x_or_zero,  // the same, but gl_FragCoord.z is 0 if the sample mask lacks sample 0
+  half_pixel_off,      // of points and lines, half a pixel right of and above the sample
 };
 template <>
 inline constexpr auto kNames<DepthLocation> = std::to_array<TabledAlternative<DepthLocation>>(
@@ -90,54 +90,54 @@ struct LocationChoice {
 // One invocation of the shader for a pixel of a multisampled draw.
 struct Invocation {
   PrimitiveKind kind = PrimitiveKind::triangle;
-  std::uint32_t coverage = 1;  // bit s: it stands for sample s; at least one
+  std::uint32_t coverage = 1;  // bit s: it represents sample s; at least one bit
   bool per_sample = false;     // it runs for one sample
 };
 
-// Places within the pixel. `positions`: where its samples lie.
+// A location within the pixel. `positions`: those of its samples.
 Point attribute_location(AttributeLocation qualifier, const Invocation& invocation,
                          const SamplePositions& positions, const LocationChoice& choice);
 // gl_FragCoord.xy: the centre, or the sample.
 Point coordinates_location(const Invocation& invocation, const SamplePositions& positions);
-// gl_FragCoord.z, and with it the depth that a fragment tells.
+// gl_FragCoord.z, which is also the depth that a fragment reports.
 Point fragment_depth_location(const Invocation& invocation, const SamplePositions& positions,
                               const LocationChoice& choice);
-// Is it 0 instead?
+// True if gl_FragCoord.z is 0 instead.
 bool fragment_depth_is_zero(const Multisampling& use, const LocationChoice& choice);
 // The depth that is written to a sample.
 Point sample_depth_location(PrimitiveKind kind, Point sample, const LocationChoice& choice);
 
-// Are all attributes of an invocation bound to its sample (rulings 29 and 30)?
+// True if all attributes of an invocation are bound to its sample (rulings 29 and 30).
 bool is_at_sample(const Multisampling& use);
 
 // Where in the window rulings 29 and 30 allow an attribute of a primitive to be evaluated in a
-// pixel of a multisampled target: the corners of a convex region that holds all of these places, in
-// no particular order. The sample alone (`sample`: within the pixel, that of the invocation) where
-// it is bound to it, the whole pixel where it is not qualified and, whatever its qualifier, without
-// GL_MULTISAMPLE, and for `centroid` what the pixel and the primitive share, each vertex moved by
-// less than `reach`; rounded outwards to multiples of 2^-16. Where they share nothing, the whole
-// pixel.
+// pixel of a multisampled target: the corners of a convex region that contains all of these
+// locations, in no particular order. Only the sample (`sample`: within the pixel, that of the
+// invocation) if the attribute is bound to it; the whole pixel if it is not qualified or, whatever
+// its qualifier, without GL_MULTISAMPLE; for `centroid` the intersection of the pixel and the
+// primitive, each vertex moved by less than `reach`, or the whole pixel if they do not intersect.
+// Rounded outwards to multiples of 2^-16.
 std::vector<Point> permitted_locations(const ScenePrimitive& primitive, PixelPosition pixel,
                                        Point sample, Fixed reach);
 
-// The same of gl_FragCoord, which no qualifier concerns (GLSL 4.60, 7.1.5): the sample alone under
+// The same for gl_FragCoord, which has no qualifier (GLSL 4.60, 7.1.5): only the sample under
 // GL_SAMPLE_SHADING with a share of 1, else the whole pixel.
 std::vector<Point> permitted_coordinate_locations(const Multisampling& use, PixelPosition pixel,
                                                   Point sample);
 
-// Convex regions of the window are what half planes share. Of one, in units of 2^-16 pixels: the
-// points with normal_x x + normal_y y <= limit; normals of at most 2^31, limits of 2^62.
+// Convex regions of the window are intersections of half planes. One half plane, in units of 2^-16
+// pixels: the points with normal_x x + normal_y y <= limit; normals up to 2^31, limits up to 2^62.
 struct HalfPlane {
   std::int64_t normal_x = 0;
   std::int64_t normal_y = 0;
   Int128 limit = 0;
 };
 
-// A pixel, boundary included.
+// A pixel, including its boundary.
 std::array<HalfPlane, 4> half_planes_of(PixelPosition pixel);
 
-// The corners of what half planes share, which must be bounded: of each that is no multiple of
-// 2^-16 the multiples around it. Empty where they share nothing.
+// The corners of the intersection of half planes, which must be bounded. A corner that is no
+// multiple of 2^-16 is replaced by the multiples around it. Empty if they do not intersect.
 std::vector<Point> corners_of(std::span<const HalfPlane> planes);
 
 }  // namespace edgecase

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// permitted_locations: the part of a pixel that a primitive covers, wherever its vertices are.
+// permitted_locations: the part of a pixel that a primitive covers, for all moves of its vertices.
 #include "rules/samples/attribute_location.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::int64_t raw_length(Fixed from, Fixed to) {
   return std::abs(to.raw() - from.raw());
 }
 
-// A box round points, grown by so much on each side.
+// A box round points, grown by a margin on each side.
 void add_box(HalfPlanes& planes, std::span<const Point> points, std::int64_t margin) {
   const auto [left, right] =
       std::minmax_element(points.begin(), points.end(), [](Point a, Point b) { return a.x < b.x; });
@@ -32,7 +32,7 @@ void add_box(HalfPlanes& planes, std::span<const Point> points, std::int64_t mar
   planes.push_back({0, 1, top->y.raw() + margin});
 }
 
-// Moved vertices make no more than the sum of the triangle and a square (triangle_fill.cpp).
+// All moved triangles lie in the sum of the triangle and a square (triangle_fill.cpp).
 void add_triangle(HalfPlanes& planes, const Triangle& given, std::int64_t reach) {
   add_box(planes, given, reach);
   if (doubled_area(given) == 0) return;
@@ -54,8 +54,8 @@ std::int64_t root_above(Int128 value) {
   return root;
 }
 
-// By how much a product of the segment and the way from an end to a place of the pixel can change
-// as the ends move: the end itself moves, and the segment by twice as much.
+// How much a product of the segment and the way from an end to a point of the pixel can change as
+// the ends move: the end itself moves, and the segment changes by twice as much.
 Int128 change_of_products(const Segment& s, Point end, PixelPosition pixel, std::int64_t reach) {
   const auto farthest = [&](Fixed from, int column) {
     return std::max(raw_length(from, Fixed::from_integer(column)),
@@ -73,7 +73,7 @@ void add_rectangle(HalfPlanes& planes, const Segment& s, Fixed width, PixelPosit
   const auto along = [&](Point p) { return Int128{dx} * p.x.raw() + Int128{dy} * p.y.raw(); };
   planes.push_back({-dx, -dy, change_of_products(s, s.a, pixel, reach) - along(s.a)});
   planes.push_back({dx, dy, along(s.b) + change_of_products(s, s.b, pixel, reach)});
-  // Half the width times the length, of a segment whose ends move toward or away from each other.
+  // Half the width times the length, for a segment whose ends move apart or together.
   const std::int64_t length = root_above(Int128{dx} * dx + Int128{dy} * dy) + 3 * reach;
   const Int128 aside =
       (Int128{width.raw()} * length + 1) / 2 + change_of_products(s, s.a, pixel, reach);
@@ -88,7 +88,7 @@ std::vector<Point> corners_of_pixel(PixelPosition pixel) {
 
 std::vector<Point> shared_corners(const ScenePrimitive& primitive, PixelPosition pixel,
                                   Fixed reach) {
-  // What is told of a quotient is the nearest multiple of 2^-16.
+  // The position of a quotient is known to the nearest multiple of 2^-16.
   const std::int64_t margin = reach.raw() + (has_clip_positions(primitive) ? 1 : 0);
   std::array<Point, 3> p;
   std::transform(primitive.positions.begin(), primitive.positions.end(), p.begin(), nearest_point);
@@ -130,8 +130,8 @@ std::vector<Point> permitted_coordinate_locations(const Multisampling& use, Pixe
 
 namespace {
 
-// Where two boundaries cross: (x / w, y / w), w > 0. With the bounds of HalfPlane x and y are at
-// most 2^94 and w 2^63, so that the sums below stay under 2^127.
+// Where two boundaries cross: (x / w, y / w), w > 0. With the bounds of HalfPlane, x and y are at
+// most 2^94 and w 2^63, so the sums below stay under 2^127.
 struct Crossing {
   Int128 x = 0;
   Int128 y = 0;

@@ -14,7 +14,7 @@
 namespace edgecase {
 namespace {
 
-// ---------------------------------------------------------------------------------------- exactly
+// ----------------------------------------------------------------------------------------- exactly
 
 int sign_of(const Integer& value) {
   return value.sign();
@@ -31,7 +31,7 @@ Direction direction(const HomogeneousSegment& s) {
           Int128{s.b.y} * s.a.w - Int128{s.a.y} * s.b.w};
 }
 
-// How far the sample lies from an end along the segment, times the squares of both w.
+// The sample's distance from an end along the segment, times the squares of both w.
 Integer along(const HomogeneousPoint& end, const Direction& d, Point sample) {
   const Int128 x = Int128{sample.x.raw()} * end.w - Int128{end.x} * Fixed::kOne;
   const Int128 y = Int128{sample.y.raw()} * end.w - Int128{end.y} * Fixed::kOne;
@@ -41,7 +41,7 @@ Integer along(const HomogeneousPoint& end, const Direction& d, Point sample) {
 bool within_half_width(const HomogeneousSegment& s, const Direction& d, Fixed width, Point sample,
                        const TieRule& ties) {
   const Int128 side = cross(s.a, s.b, homogeneous(sample));
-  // 2 |side| against the width times the length, both times 2^16 and both w, squared.
+  // Compares 2 |side| with the width times the length, both times 2^16 and both w, squared.
   const Integer distance = integer_of(side) * 2;
   const Integer x = integer_of(d.x);
   const Integer y = integer_of(d.y);
@@ -52,13 +52,13 @@ bool within_half_width(const HomogeneousSegment& s, const Direction& d, Fixed wi
   return ties.positive(order, away * d.y, -away * d.x);
 }
 
-// -------------------------------------------------------------------------------------- latitude
+// ---------------------------------------------------------------------------------------- latitude
 
 // With coordinates of 2^13 pixels and a reach of one, differences stay below 2^30 + 2^18 raw units,
-// and sums of two products of them below 2^62.
+// and sums of two of their products below 2^62.
 
-// The largest and the least way along the segment from one end to a sample, (p - a).(b - a), as the
-// ends move: bounds, one axis at a time, of the products of what the two differences can be.
+// Bounds on the way along the segment from one end to a sample, (p - a).(b - a), as the ends move:
+// found one axis at a time, from the products of the possible differences.
 struct WayAlong {
   Int128 least = 0;
   Int128 most = 0;
@@ -84,7 +84,7 @@ WayAlong way_along(Point from, Point to, Point sample, std::int64_t reach) {
 struct MovedSegment {
   Int128 side;     // of the sample from it, times its length
   Int128 squared;  // its length
-  Int128 along;    // its projection onto the segment that is given, times that one's length
+  Int128 along;    // its projection onto the given segment, times the length of that one
 };
 
 std::array<MovedSegment, 16> moved_segments(const Segment& s, Point p, std::int64_t reach) {
@@ -101,7 +101,7 @@ std::array<MovedSegment, 16> moved_segments(const Segment& s, Point p, std::int6
   return moved;
 }
 
-// A product with the length of a segment, squared.
+// The square of a product with the length of a segment.
 Integer squared_product(Int128 value, Int128 squared_length) {
   const Integer factor = integer_of(value);
   return factor * factor * integer_of(squared_length);
@@ -113,9 +113,9 @@ Int128 squared_length(const Segment& s) {
   return dx * dx + dy * dy;
 }
 
-// Can moves bring the line to within half the width of the sample? Of a segment d that moves to d',
-// |d'| is at most (|d'|^2 + |d|^2) / (2 |d|), and hardly less. That bound less the distance is
-// convex in each coordinate of the ends by itself, so it is largest where all move by the whole
+// True if moves can bring the line to within half the width of the sample. For a segment d that
+// moves to d', |d'| is at most (|d'|^2 + |d|^2) / (2 |d|), and hardly less. That bound less the
+// distance is convex in each coordinate of each end, so it is largest if all move by the whole
 // reach.
 bool may_lie_within(const Segment& s, Fixed width, Point sample, std::int64_t reach) {
   const auto moved = moved_segments(s, sample, reach);
@@ -130,8 +130,8 @@ bool may_lie_within(const Segment& s, Fixed width, Point sample, std::int64_t re
   });
 }
 
-// Can moves bring the line farther from the sample than half the width? |d'| is at least its
-// projection onto d, and hardly more.
+// True if moves can bring the line farther from the sample than half the width. |d'| is at least
+// its projection onto d, and hardly more.
 bool may_lie_beyond(const Segment& s, Fixed width, Point sample, std::int64_t reach) {
   const auto moved = moved_segments(s, sample, reach);
   const Int128 squared = squared_length(s);
@@ -160,8 +160,7 @@ bool multisampled_line_covers(const HomogeneousSegment& segment, Fixed width, Po
 std::vector<PixelPosition> multisampled_line_pixels(const HomogeneousSegment& segment, Fixed width,
                                                     const PixelBounds& bounds, Point within,
                                                     const TieRule& ties) {
-  // What lies in the rectangle lies in one of the nearest segment that is a little wider and
-  // longer.
+  // The rectangle lies inside that of the nearest segment, if that is a little wider and longer.
   std::vector<PixelPosition> pixels;
   for (PixelPosition pixel : pixels_near_line(nearest_segment(segment), width, bounds))
     if (multisampled_line_covers(segment, width, place_in(pixel, within), ties))
@@ -169,8 +168,8 @@ std::vector<PixelPosition> multisampled_line_pixels(const HomogeneousSegment& se
   return pixels;
 }
 
-// What is asked of moves by the whole reach, which are not made, asks for a little more than they
-// yield; without a reach the boundary alone is open.
+// Moves by the whole reach are not permitted, so testing them permits slightly more than real moves
+// yield; without a reach only the boundary is open.
 bool multisampled_line_possibly_covered(const Segment& segment, Fixed width, Point sample,
                                         Fixed reach) {
   if (reach == Fixed())
@@ -199,14 +198,13 @@ Rule multisampled_line_rule() {
       "rectangle",
       alternatives_of<MultisampledLine>(),
       {{28,
-        "Multisampled lines: each end may be moved by less than one step of 2^-b in x and in y (b "
-        "as "
-        "in ruling 4), and a sample on the boundary may be covered or not. A sample may be covered "
-        "if for each side of the rectangle some such moves put it inside that side or on it, and "
-        "left out if for one of them some put it outside or on it. The rectangle is as wide as the "
-        "line, whose width is not rounded; one that the renderer's "
-        "GL_SMOOTH_LINE_WIDTH_GRANULARITY "
-        "does not hold may become any that is off by half of that."}}};
+        "Multisampled lines: each end may be moved by less than one step of 2^-b in x and in y "
+        "(b as in ruling 4), and a sample on the boundary may be covered or not. A sample may be "
+        "covered if for each side of the rectangle some such moves put it inside that side or on "
+        "it, and left out if some put it outside one of them or on it. The rectangle is as wide "
+        "as the line, whose width is not rounded; a width that the renderer's "
+        "GL_SMOOTH_LINE_WIDTH_GRANULARITY does not include may become any width within half a "
+        "granularity of it."}}};
 }
 
 // ---------------------------------------------------------------- the rectangle, rounded to a grid
@@ -254,12 +252,12 @@ Point moved_by_offset(Point from, const Squared& run, Fixed width, int sign, int
 
 Fixed nearest_with_root(std::int64_t whole, std::int64_t above, std::uint64_t below, int bits,
                         HalfwayTo halfway) {
-  // Both ways to round are alike on either side of 0.
+  // Rounding is symmetric about 0.
   if (above < 0) return -nearest_with_root(-whole, -above, below, bits, halfway);
   const std::int64_t step = grid_step(bits).raw();
   const DoubledQuotient doubled = doubled_quotient(above, below);
-  // Twice what lies half a step above the number. The multiple at or below that is the nearest one
-  // or, of two, the upper.
+  // Twice the number plus half a step. The multiple at or below it is the nearest one or, of two,
+  // the upper.
   const std::int64_t bound = 2 * whole + doubled.floor + step;
   std::int64_t k = bound >> (Fixed::kFractionBits + 1 - bits);
   const bool is_halfway = doubled.is_whole && 2 * k * step == bound;
@@ -290,7 +288,7 @@ bool rounded_rectangle_covers(const std::array<Point, 4>& corners, Point sample,
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point a = corners[i];
     const Point b = corners[(i + 1) % corners.size()];
-    if (a == b) continue;  // rounded away
+    if (a == b) continue;  // made equal by rounding
     const Int128 dx = b.x.raw() - a.x.raw();
     const Int128 dy = b.y.raw() - a.y.raw();
     area += Int128{a.x.raw()} * b.y.raw() - Int128{b.x.raw()} * a.y.raw();
@@ -316,7 +314,7 @@ std::vector<PixelPosition> rounded_rectangle_pixels(const Segment& segment, Fixe
                                                     const TieRule& ties) {
   if (segment.a == segment.b) return {};
   const std::array<Point, 4> corners = rounded_corners(segment, width, rounding);
-  // Rounding moves a corner by less than the half pixel that the search reaches farther.
+  // Rounding moves a corner by less than half a pixel, by which the search reaches farther.
   std::vector<PixelPosition> pixels = pixels_near_line(segment, width, bounds);
   std::erase_if(pixels, [&](PixelPosition pixel) {
     return !rounded_rectangle_covers(corners, place_in(pixel, within), ties);

@@ -21,7 +21,7 @@ int nearest_even(int sum, int count) {
   return below + (twice_rest > count ? 1 : 0);
 }
 
-// A last sample without a partner is left as it is.
+// A last sample without a partner stays as it is.
 int by_pairs(std::span<const std::uint8_t> samples) {
   std::vector<int> values(samples.begin(), samples.end());
   while (values.size() > 1) {
@@ -82,10 +82,10 @@ Rule resolve_rule() {
       alternatives_of<ResolveMethod>(),
       {{31,
         "The specification leaves it to the implementation how the colours of samples become one "
-        "(18.3.1). Permitted is, of each component by itself, a value from the least to the "
-        "greatest of the samples of the pixel and its neighbours, since filters wider than a pixel "
-        "exist, and 12 codes beyond, which the Khronos tests take. Where a renderer tells its "
-        "samples, of these; else of those that rulings 27 to 33 permit."},
+        "(18.3.1). Each component may have a value from the least to the greatest of the samples "
+        "of the pixel and its neighbours, since filters wider than a pixel exist, and 12 codes "
+        "beyond, which the Khronos tests accept. The samples are those that the renderer "
+        "reports, or else those that rulings 27 to 33 permit."},
        {51,
         "A resolved colour beyond that is contested: the letter allows it, and the Khronos tests "
         "do not."}}};

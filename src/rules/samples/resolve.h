@@ -21,7 +21,7 @@ enum class ResolveMethod {
   nearest_even,      // the mean, rounded to nearest, a tie to the even value
   half_up,           // a tie to the larger value
   truncated,         // the largest value that is not above the mean
-  half_up_by_pairs,  // means of two and two, each rounded so
+  half_up_by_pairs,  // means of pairs, then of their means, each rounded half up
   float32_sum,       // the sum of value/255 in single precision, in the order of the samples
   first_sample,
 };
@@ -40,11 +40,11 @@ inline constexpr auto kNames<ResolveMethod> = std::to_array<TabledAlternative<Re
       "nearest: a tie goes either way"},
      {ResolveMethod::first_sample, "first-sample", Openness::open, "sample 0 alone"}});
 
-// The resolved value; never empty, at most kMaxSamples samples.
+// The resolved value of 1 to kMaxSamples samples.
 std::uint8_t resolved(std::span<const std::uint8_t> samples, ResolveMethod method);
 
-// What ruling 31 takes without a word, both inclusive: from the least to the greatest of samples,
-// and kResolveMargin codes beyond.
+// The values that ruling 31 accepts, both inclusive: from the least to the greatest sample, and
+// kResolveMargin codes beyond.
 struct ResolvedRange {
   int low = 0;
   int high = 0;

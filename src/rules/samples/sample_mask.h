@@ -24,10 +24,10 @@ Rule sample_mask_rule();         // sample.mask
 
 enum class MultisampleSwitch {
   honoured,
-  depth_of_first,  // but that sample 0 alone is given a depth
+  depth_of_first,  // but only sample 0 is given a depth
   ignored,
   ignored_but_for_lines,    // points and triangles ignore it
-  ignored_but_whole_lines,  // so do they; lines honour it, but that their fragments have all bits
+  ignored_but_whole_lines,  // the same; lines honour it, but their fragments have all bits
 };
 template <>
 inline constexpr auto kNames<MultisampleSwitch> = std::to_array<
@@ -45,11 +45,11 @@ inline constexpr auto kNames<MultisampleSwitch> = std::to_array<
       "ignored for points and triangles; for lines the pixel's centre decides for all samples, and "
       "the coverage has the bits of all samples"}});
 
-// What becomes of a draw without GL_MULTISAMPLE on a multisampled target.
+// How a draw without GL_MULTISAMPLE is drawn on a multisampled target.
 enum class Unsampled {
-  by_centre,       // the pixel's centre decides for all samples, the coverage is bit 0
-  whole_pixels,    // the pixel's centre decides, and the coverage has all bits
-  by_each_sample,  // as with it
+  by_centre,       // the pixel's centre decides for all samples; coverage is bit 0
+  whole_pixels,    // the pixel's centre decides for all samples; coverage has all bits
+  by_each_sample,  // as with GL_MULTISAMPLE
 };
 Unsampled unsampled(PrimitiveKind kind, MultisampleSwitch choice);
 
@@ -65,7 +65,7 @@ constexpr std::uint32_t mask_of_all(int samples) {
   return (std::uint32_t{1} << samples) - 1;
 }
 
-// The samples that a draw may write: all, where multisampling is not enabled.
+// The samples that a draw may write: all, if multisampling is not enabled.
 std::uint32_t writable_samples(const Multisampling& use, int samples, SampleMask choice);
 
 }  // namespace edgecase

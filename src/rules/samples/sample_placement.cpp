@@ -34,7 +34,7 @@ std::span<const Sixteenths> pattern_for(int samples) {
   return kOf16;
 }
 
-// The side of a square grid of so many samples; 0 where there is none, or it is one sample.
+// The side of a square grid of this many samples; 0 if there is none, or only one sample.
 int grid_side(std::size_t samples) {
   for (int side = 2; side * side <= kMaxSamples; ++side)
     if (static_cast<std::size_t>(side * side) == samples) return side;
@@ -46,8 +46,8 @@ Fixed quotient(int above, int below) {
   return Fixed::from_raw(above * Fixed::kOne / below);
 }
 
-// Row by row from the bottom. Turning moves the samples of a row upward one after the other, and
-// those of a column to the left, by 1/side of the distance.
+// Row by row from the bottom. Turning moves the samples of a row upward, each by 1/side of the
+// distance more than the last, and those of a column to the left.
 SamplePositions grid(int side, bool turned) {
   SamplePositions positions;
   const int parts = 2 * side * side;
@@ -149,12 +149,13 @@ Rule sample_positions_rule() {
         "coverage "
         "mask. Where these positions are not those of the case, exact is drawn anew with them."},
        {47,
-        "What multisampled primitives cover is held against the positions that GL_SAMPLE_POSITION "
-        "tells, under rulings 4, 5, 6, 28 and 42. The text says that coverage is found at points "
-        "which need not be these, and may lie beyond the pixel (14.3.1): a sample that would be "
-        "covered, or not, as the renderer has it, if it lay elsewhere in its pixel or less than a "
-        "pixel beyond breaks this ruling, and what no such place explains breaks the others. So "
-        "does a hole in a shared edge where some such place lies beyond the two triangles."}}};
+        "The coverage of multisampled primitives is compared with the positions that "
+        "GL_SAMPLE_POSITION reports, under rulings 4, 5, 6, 28 and 42. The text says that "
+        "coverage is found at points which need not be these, and may lie beyond the pixel "
+        "(14.3.1): a sample breaks this ruling if it would be covered, or not, as the renderer "
+        "has it, elsewhere in its pixel or less than a pixel beyond it; a difference that no "
+        "such position explains breaks the others. A hole in a shared edge breaks this ruling, "
+        "too, where some such position lies beyond the two triangles."}}};
 }
 
 }  // namespace edgecase

@@ -26,17 +26,17 @@ Rule sample_positions_rule();  // sample.positions
 struct SamplePlacement {
   enum class Kind {
     as_reported,
-    standard,      // the standard pattern, whatever is reported
-    ordered_grid,  // of 4, 9 and 16 samples: rows of equal distances
-    rotated_grid,  // of 4, 9 and 16 samples: the ordered grid turned so that no two share a row
+    standard,      // the standard pattern, whatever the driver reports
+    ordered_grid,  // for 4, 9 and 16 samples: rows of equal distances
+    rotated_grid,  // for 4, 9 and 16 samples: the ordered grid turned so that no two share a row
     centre,        // all at the pixel's centre
     mirrored_x,    // left and right exchanged
     mirrored_y,    // top and bottom exchanged
-    turned,        // both: by half a turn
+    turned,        // both: half a turn
     swapped,       // two samples exchanged
   };
   Kind kind = Kind::as_reported;
-  int first = 0;  // of `swapped`: sample indices
+  int first = 0;  // for `swapped`: sample indices
   int second = 0;
   friend bool operator==(const SamplePlacement&, const SamplePlacement&) = default;
 };
@@ -68,17 +68,17 @@ inline constexpr auto kNames<SamplePlacement::Kind> = std::to_array<
 // larger pattern. samples: 1 to kMaxSamples.
 SamplePositions standard_pattern(int samples);
 
-// Where the samples lie that a renderer reports at these positions. A mirrored sample at 0 lies at
-// 1, on the pixel's right or top side. Grids of other counts and a pair beyond the samples change
-// nothing.
+// The true positions of the samples of a renderer that reports these positions. A mirrored sample
+// at 0 lies at 1, on the pixel's right or top side. Grids for other counts, and a pair beyond the
+// samples, change nothing.
 SamplePositions placed(const SamplePlacement& placement, const SamplePositions& reported);
 
-// The placements of a count of samples that can differ: `as_reported` first, each swapped pair.
+// The distinct placements of a count of samples: `as_reported` first, then each swapped pair.
 std::vector<SamplePlacement> placements_of(int samples);
 
-// The alternative of sample.positions; every swapped pair has the same.
+// The alternative of sample.positions; all swapped pairs have the same one.
 std::string name_of(const SamplePlacement& placement);
-// False when there is none of that name. `swapped`: samples 0 and 1.
+// False if there is none of that name. `swapped`: samples 0 and 1.
 bool parse_name(std::string_view name, SamplePlacement& placement);
 
 }  // namespace edgecase

@@ -24,7 +24,7 @@ void add_samples_sources(std::map<int, RulingSource>& of) {
           "must be empty, all others are free: so they take sample points to lie within "
           "the pixel, and no more",
       .es =
-          "13.4: same words; adds that the told place is where depth and data are "
+          "13.4: same words; adds that the reported place is where depth and data are "
           "evaluated"};
 
   of[28] = {.clause =
@@ -178,7 +178,7 @@ void add_samples_sources(std::map<int, RulingSource>& of) {
           "must be empty, all others are free: so they take sample points to lie within "
           "the pixel, and no more",
       .es =
-          "13.4: same words; adds that the told place is where depth and data are "
+          "13.4: same words; adds that the reported place is where depth and data are "
           "evaluated"};
 
   of[51] = {.clause = "18.3.1 (Blitting Pixel Rectangles)",

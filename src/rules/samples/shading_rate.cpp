@@ -16,23 +16,22 @@ bool runs_per_sample(const Multisampling& use, int samples, ShadingRate choice) 
 }
 
 Rule shading_rate_rule() {
-  return {
-      RuleId::sample_shading_rate,
-      "The shader runs at least as often for a pixel as the draw asks for",
-      "14.3.1.1 (sample shading)",
-      "more invocations than are asked for, and which samples share one (ruling 34)",
-      "as-needed",
-      alternatives_of<ShadingRate>(),
-      {{34,
-        "A pixel of n samples has at least m = max(ceil(s n), 1) invocations under "
-        "GL_SAMPLE_SHADING with share s, and n where an input is qualified sample. One of which a "
-        "primitive covers k samples alone has at least k/n of these, rounded up, and k at most. "
-        "Their coverage masks share no bit, and together hold what is covered. Fewer invocations "
-        "than asked for are a violation, more are not."},
-       {60,
-        "Samples share invocations evenly: a pixel that is covered in part has no fewer "
-        "invocations than ruling 34 asks for, even where max(1, m - (n - k)) are enough if the "
-        "samples that are not covered have one each."}}};
+  return {RuleId::sample_shading_rate,
+          "The shader runs at least as often for a pixel as the draw asks for",
+          "14.3.1.1 (sample shading)",
+          "more invocations than are asked for, and which samples share one (ruling 34)",
+          "as-needed",
+          alternatives_of<ShadingRate>(),
+          {{34,
+            "A pixel of n samples has at least m = max(ceil(s n), 1) invocations under "
+            "GL_SAMPLE_SHADING with share s, and n where an input is qualified sample. A pixel of "
+            "which a primitive covers only k samples has at least k/n of these, rounded up, and at "
+            "most k. Their coverage masks share no bit, and together contain the covered samples. "
+            "Fewer invocations than requested are a violation, more are not."},
+           {60,
+            "Samples share invocations evenly: a pixel that is covered in part has no fewer "
+            "invocations than ruling 34 asks for, even where max(1, m - (n - k)) are enough if the "
+            "samples that are not covered have one each."}}};
 }
 
 }  // namespace edgecase

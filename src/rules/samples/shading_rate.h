@@ -19,9 +19,9 @@ namespace edgecase {
 Rule shading_rate_rule();  // sample.shading-rate
 
 enum class ShadingRate {
-  as_needed,   // once for the pixel, or, where more is asked for, once for each covered sample
+  as_needed,   // once for the pixel or, if more is requested, once for each covered sample
   per_sample,  // once for each covered sample, always
-  per_pixel,   // once for the pixel, whatever is asked for
+  per_pixel,   // once for the pixel, whatever is requested
 };
 template <>
 inline constexpr auto kNames<ShadingRate> = std::to_array<TabledAlternative<ShadingRate>>(
@@ -33,7 +33,7 @@ inline constexpr auto kNames<ShadingRate> = std::to_array<TabledAlternative<Shad
      {ShadingRate::per_pixel, "per-pixel", Openness::illegal,
       "once for each pixel and primitive, whatever is asked for"}});
 
-// Does the shader run once for each covered sample? Never without multisampling.
+// True if the shader runs once for each covered sample; never without multisampling.
 bool runs_per_sample(const Multisampling& use, int samples, ShadingRate choice);
 
 }  // namespace edgecase

@@ -12,7 +12,7 @@ namespace edgecase {
 namespace {
 
 struct Axes {
-  bool along_x;  // is the vector along x the longer one?
+  bool along_x;  // true if the vector along x is the longer one
   Interval longer;
   Interval shorter;
 };
@@ -31,7 +31,7 @@ Interval divided(Interval value, double by) {
   return {Down::quotient(value.low, by), Up::quotient(value.high, by)};
 }
 
-// How many lookups: a whole number of at least 1, also where max_anisotropy is none.
+// The number of lookups: a whole number of at least 1, even if max_anisotropy is NaN.
 int probe_count(const Axes& axes, float max_anisotropy) {
   const double longer = middle(axes.longer);
   const double shorter = middle(axes.shorter);
@@ -85,12 +85,12 @@ Rule anisotropy_rule() {
   rule.alternatives = alternatives_of<Anisotropy>();
   rule.rulings = {
       {23,
-       "Anisotropy: the maximum that a sampler sets is a wish, and the method an example: which "
-       "catalogued method comes closest is told. Whatever it is, it may only access mip levels "
-       "where the filter for minification is one that has them, and none outside of base_level to "
-       "max_level (8.14). So where the maximum is more than 1, a level accessed is one of these "
-       "levels, and where each of them is of one colour, each component of what is looked up lies "
-       "between the least and the largest of them; lambda' may be anything."},
+       "Anisotropy: the maximum that a sampler sets is a request, and the method an example; the "
+       "catalogued method that comes closest is reported. Any method may access mip levels only "
+       "if the minification filter uses them, and none outside base_level to max_level (8.14). "
+       "So if the maximum is more than 1, a level accessed is one of these levels, and if each "
+       "of them has one colour, each component of the result lies between the least and the "
+       "largest of them; lambda' may be anything."},
       {57,
        "Anisotropy: a component beyond the least and the largest of the texels that a filter may "
        "access is contested where levels are of many colours: no mean leads there, but filters "

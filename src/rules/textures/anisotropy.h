@@ -51,13 +51,13 @@ struct Probe {
 };
 
 struct ProbeRow {
-  bool along_x = false;       // the longer vector is that along x; of one probe anything
+  bool along_x = false;       // the longer vector is that along x; arbitrary for one probe
   Interval scale_factor;      // texels per pixel; its logarithm is lambda_base
-  std::vector<Probe> probes;  // from -1/2 on; one at 0, of weight 1, where nothing is anisotropic
+  std::vector<Probe> probes;  // from -1/2 on; without anisotropy one at 0, of weight 1
 };
 
-// Where the lengths are known only as intervals, their middles decide which is longer and how many
-// lookups there are. `max_anisotropy` is 1 to 16; of 1, and under `none`, the scale factor is that
+// If the lengths are known only as intervals, their middles decide which is longer and how many
+// lookups there are. `max_anisotropy` is 1 to 16; for 1, and under `none`, the scale factor is that
 // of `isotropic`.
 ProbeRow probes(const Footprint& footprint, float max_anisotropy, Anisotropy choice,
                 ScaleFactor isotropic);

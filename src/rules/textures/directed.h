@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Arithmetic of doubles rounded down or rounded up, where exact results stay what they are.
+// Arithmetic of doubles rounded down or rounded up, in which exact results stay exact.
 //
-// Levels of detail live on exact numbers: a footprint of 2 by 0 texels has the length 2 and the
-// level 1, and there it is decided which texture is magnified and which level is nearest. Intervals
-// that grow at every operation (exact/interval.h) would make a doubt of each such case. Here the
-// error of an operation is found without rounding, by the sums of Knuth and by fused
-// multiplication, and an end moves only where there is one.
+// Levels of detail depend on exact numbers: a footprint of 2 by 0 texels has the length 2 and the
+// level 1, and exactly there it is decided which texture is magnified and which level is nearest.
+// Intervals that grow at every operation (exact/interval.h) would make each such case uncertain.
+// Here the error of an operation is found without rounding, by the sums of Knuth and by fused
+// multiplication, and an end moves only if there is an error.
 //
-// Operands must not be NaN. Where a result is so small that its error is no double, it moves.
+// Operands must not be NaN. If a result is so small that its error is no double, the end moves.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace edgecase {
 
-// Below it the error of a product may be lost; from there on it is a double.
+// Below this, the error of a product may be lost; from here on it is a double.
 constexpr double kLeastProduct = 0x1p-960;
 
 struct Down {
@@ -40,7 +40,7 @@ struct Down {
     return exact_error && std::fma(a, b, -nearest) >= 0 ? nearest : next_below(nearest);
   }
 
-  // Of 0 or more by more than 0.
+  // 0 or more, divided by more than 0.
   static double quotient(double a, double b) {
     if (a == 0 || std::isinf(a)) return a;
     const double nearest = a / b;
@@ -48,7 +48,7 @@ struct Down {
     return exact_error && std::fma(nearest, b, -a) <= 0 ? nearest : next_below(nearest);
   }
 
-  // Of 0 or more. IEEE 754 rounds the root correctly.
+  // The root of 0 or more. IEEE 754 rounds it correctly.
   static double root(double a) {
     if (a == 0 || std::isinf(a)) return a;
     const double nearest = std::sqrt(a);
@@ -89,12 +89,12 @@ inline Interval exact_sum(Interval a, Interval b) {
   return {Down::sum(a.low, b.low), Up::sum(a.high, b.high)};
 }
 
-// By a factor of 0 or more.
+// The factor is 0 or more.
 inline Interval exact_product(Interval a, double factor) {
   return {Down::product(a.low, factor), Up::product(a.high, factor)};
 }
 
-// An end that is no number says that nothing is known on its side.
+// An end that is NaN means that nothing is known on its side.
 inline Interval known(Interval value) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (std::isnan(value.low)) value.low = -kInfinity;
@@ -102,11 +102,11 @@ inline Interval known(Interval value) {
   return value;
 }
 
-// How far exact/elementary.h's functions are taken to be off, in doubles. glibc lists errors of its
-// functions of long doubles of a few of those (its manual, Known Maximum Errors in Math Functions).
+// The assumed error of exact/elementary.h's functions, in doubles. glibc documents errors of its
+// functions of long doubles of a few units (its manual, Known Maximum Errors in Math Functions).
 constexpr int kPlacesOfLibrary = 4;
 
-// So many doubles further at each end.
+// Grown by this many doubles at each end.
 inline Interval around(double value, int places) {
   Interval result = value;
   for (int i = 0; i < places; ++i) result = {next_below(result.low), next_above(result.high)};

@@ -10,7 +10,7 @@
 namespace edgecase {
 namespace {
 
-// One end of the absolute values of all partials.
+// One end of the absolute value of each partial.
 struct Partials {
   double ux, vx, uy, vy;
 };
@@ -32,7 +32,7 @@ Range range_of(const Footprint& f) {
   return {{ux.low, vx.low, uy.low, vy.low}, {ux.high, vx.high, uy.high, vy.high}};
 }
 
-// Rounded one way; every method but length_of_sum grows with each absolute value.
+// Rounded one way; every method except length_of_sum grows with each absolute value.
 template <class Rounding>
 double scale_factor_of(const Partials& p, ScaleFactor method) {
   const double along_x = root_of_squares<Rounding>({p.ux, p.vx});
@@ -59,7 +59,7 @@ double scale_factor_of(const Partials& p, ScaleFactor method) {
   return along_x;
 }
 
-// Of length_of_sum: what is left of a footprint whose vectors have been added.
+// For length_of_sum: the footprint that is left after its vectors have been added.
 Footprint summed(const Footprint& f) {
   const Interval u = exact_sum(known(f.dx[0]), known(f.dy[0]));
   const Interval v = exact_sum(in_v(f, f.dx[1]), in_v(f, f.dy[1]));
@@ -72,7 +72,7 @@ Interval sampler_bias(const Sampler& sampler, const Lookup& lookup, BiasChoice c
   return known(choice == BiasChoice::sampler_nearest_8 ? std::round(bias * 256) / 256 : bias);
 }
 
-// A term that may be clamped at any limit from the least one on, or not at all.
+// A term that may be clamped at any limit of at least `least_limit`, or not at all.
 Interval clamped_or_not(Interval term, double least_limit) {
   return hull(term, {std::clamp(term.low, -least_limit, least_limit),
                      std::clamp(term.high, -least_limit, least_limit)});
@@ -165,15 +165,15 @@ Rule scale_factor_rule() {
   rule.rulings = {
       {19,
        "Scale factor: permitted is any value from the largest absolute partial derivative to the "
-       "larger of two bounds, which 8.14.1 states one after the other: m_u + m_v, where m_u is the "
-       "larger absolute derivative of u along x and y and m_v that of v, and the root of 2 times "
-       "the larger of |du/dx| + |dv/dx| and |du/dy| + |dv/dy|, which holds the major axis of the "
-       "footprint's ellipse. Derivatives are those that ruling 16 permits for dFdx and dFdy, in "
-       "texels of the base level. OpenGL ES has the second bound alone, and a renderer that says "
-       "that it is one is held to it. A line's factor is its derivative along the line (8.12), "
-       "which these bounds hold; exact takes that of polygons (8.11). That the function is one and "
-       "the same for all fragments, and grows with each partial, is not judged of single "
-       "fragments."}};
+       "larger of two bounds, which 8.14.1 states one after the other: m_u + m_v, where m_u is "
+       "the larger absolute derivative of u along x and y and m_v that of v, and the root of 2 "
+       "times the larger of |du/dx| + |dv/dx| and |du/dy| + |dv/dy|, which holds the major axis "
+       "of the footprint's ellipse. Derivatives are those that ruling 16 permits for dFdx and "
+       "dFdy, in texels of the base level. OpenGL ES has only the second bound, which applies to "
+       "renderers that report OpenGL ES. A line's factor is its derivative along the line "
+       "(8.12), which these bounds hold; exact takes that of polygons (8.11). That the function "
+       "is one and the same for all fragments, and grows with each partial, is not judged of "
+       "single fragments."}};
   return rule;
 }
 
@@ -200,11 +200,11 @@ Rule lod_bias_rule() {
   rule.rulings = {
       {26,
        "Bias: where the sampler's, the lookup's or the sum of both is beyond the "
-       "GL_MAX_TEXTURE_LOD_BIAS that the renderer tells, or 2, the least, where it tells none, "
-       "each of them may be clamped at any limit from there on, or not at all, and so may a level "
-       "of detail beyond 14, the last level of the least GL_MAX_TEXTURE_SIZE: "
-       "8.14.1 says that implementations clamp intermediate and final terms differently and that "
-       "results then differ. Elsewhere the sum is as it is. OpenGL does not say to how many bits a "
+       "GL_MAX_TEXTURE_LOD_BIAS that the renderer reports, or 2, the least, if it reports none, "
+       "each of them may be clamped at any limit from there on, or not at all, and so may a "
+       "level of detail beyond 14, the last level of the least GL_MAX_TEXTURE_SIZE: 8.14.1 says "
+       "that implementations clamp intermediate and final terms differently and that results "
+       "then differ. Elsewhere the sum is as it is. OpenGL does not say to how many bits a "
        "sampler keeps its bias: it may be off as the level of detail may (ruling 20)."}};
   return rule;
 }

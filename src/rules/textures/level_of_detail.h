@@ -74,17 +74,17 @@ constexpr double kLeastBiasLimit = 2;
 // The last level of the least GL_MAX_TEXTURE_SIZE, 16384: no level of detail is clamped below it.
 constexpr double kLeastLevelLimit = 14;
 
-// What a renderer says of itself that bounds its levels of detail.
+// The limits that a renderer reports for its levels of detail.
 struct LookupLimits {
   double bias = kLeastBiasLimit;  // its GL_MAX_TEXTURE_LOD_BIAS; that, or more
-  bool is_es = false;             // OpenGL ES, of which one bound of the scale factor is missing
+  bool is_es = false;             // OpenGL ES, which lacks one bound of the scale factor
   friend bool operator==(const LookupLimits&, const LookupLimits&) = default;
 };
 
 enum class BiasChoice {
   as_set,
-  sampler_nearest_8,  // the sampler's bias rounded to 1/256, half away from 0
-  unclamped,          // the sum of the two biases however large
+  sampler_nearest_8,  // the sampler's bias is rounded to 1/256, half away from 0
+  unclamped,          // the sum of the two biases is not clamped
   not_of_gradients,   // the sampler's bias is left out of textureGrad()
   half_a_level_more,
 };
@@ -100,7 +100,7 @@ inline constexpr auto kNames<BiasChoice> = std::to_array<TabledAlternative<BiasC
      {BiasChoice::half_a_level_more, "half-a-level-more", Openness::illegal,
       "the sum of both plus half a level"}});
 
-// Of u and v, or of s and t.
+// For u and v, or for s and t.
 using IntervalPair = std::array<Interval, 2>;
 
 struct Footprint {
@@ -109,28 +109,28 @@ struct Footprint {
   int dimensions = 2;
 };
 
-// From derivatives of (s, t) per pixel, by the size of the base level.
+// Made from derivatives of (s, t) per pixel, by the size of the base level.
 Footprint footprint(const IntervalPair& dx, const IntervalPair& dy, int width, int height,
                     int dimensions);
 
 // The lengths of dx and of dy, texels per pixel.
 IntervalPair lengths(const Footprint& footprint);
 
-// Texels per pixel, 0 or more: what a method yields of the footprint.
+// The scale factor that a method makes of the footprint, texels per pixel, 0 or more.
 Interval scale_factor(const Footprint& footprint, ScaleFactor method);
-// What any f may yield: from max(m_u, m_v) to the larger of the two upper bounds; of OpenGL ES to
-// the second.
+// The scale factors that any f may yield: from max(m_u, m_v) to the larger of the two upper bounds;
+// for OpenGL ES to the second.
 Interval permitted_scale_factor(const Footprint& footprint, const LookupLimits& limits = {});
 
-// lambda': with the sampler's bias, and with the lookup's where that is of kind `bias`; their sum
-// is clamped to kMaxLodBias. The sampler's also moves a lod that the shader gives, which stands in
-// the place of lambda_base.
+// lambda': includes the sampler's bias, and the lookup's if it is of kind `bias`; their sum is
+// clamped to kMaxLodBias. The sampler's also applies to a lod given by the shader, which takes the
+// place of lambda_base.
 Interval with_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup,
                    BiasChoice choice);
-// The same as the specification permits it. Where the sampler's bias, the lookup's or their sum is
-// beyond the renderer's limit, either way, each may be clamped at any limit from there on, or not,
-// and so may a result beyond kLeastLevelLimit: "Different implementations have chosen to perform
-// clamping on intermediate and final terms … differently" (8.14.1).
+// The permitted lambda'. If the sampler's bias, the lookup's or their sum is beyond the renderer's
+// limit, either way, each may be clamped at any limit from there on, or not, and so may a result
+// beyond kLeastLevelLimit: "Different implementations have chosen to perform clamping on
+// intermediate and final terms … differently" (8.14.1).
 Interval with_permitted_bias(Interval lambda_base, const Sampler& sampler, const Lookup& lookup,
                              const LookupLimits& limits = {});
 // lambda: clamped to min_lod and max_lod.

@@ -17,7 +17,7 @@ double crossover_of(const Sampler& sampler, Crossover crossover) {
   return crossover == Crossover::by_filters && sharper_minified ? 0.5 : 0;
 }
 
-// Of a lambda of 0 or more. No sum with 1/2 is formed, which would round just below a tie.
+// For a lambda of 0 or more. Adding 1/2 would round just below a tie, so no sum is formed.
 double nearest_level(double lambda, NearestLevel choice) {
   const double below = std::floor(lambda);
   const double fraction = lambda - below;
@@ -49,7 +49,7 @@ double on_grid(double fraction, double steps, bool to_nearest) {
   return (to_nearest && scaled - below >= 0.5 ? below + 1 : below) / steps;
 }
 
-// Of a fraction of less than 1. Grows with it, but for one_at_ties.
+// For a fraction of less than 1. Grows with it, except for one_at_ties.
 double weight_of(double fraction, LevelWeight choice) {
   switch (choice) {
     case LevelWeight::exact:
@@ -81,13 +81,13 @@ Interval weights_of(Interval fraction, LevelWeight choice) {
   return {weight_of(fraction.low, choice), weight_of(fraction.high, choice)};
 }
 
-// Of the lambdas of an interval that lie from a level to the next. Where lambda begins below the
-// level its fraction is negative, and so is the weight until it is clamped.
+// For the lambdas of an interval between a level and the next. If lambda begins below the level its
+// fraction is negative, and so is the weight until it is clamped.
 Interval weights_between(Interval lambda, double level, const LevelRules& rules) {
   const bool reaches_next = lambda.high >= level + 1;
   const double high = reaches_next ? next_below(1.0) : lambda.high - level;
   Interval weights = weights_of({lambda.low - level, high}, rules.weight);
-  // The fraction itself comes as near to 1 as lambda comes to the next level.
+  // The fraction itself gets as close to 1 as lambda gets to the next level.
   if (reaches_next) weights.high = next_above(weights.high);
   return {std::max(Down::sum(weights.low, -rules.slack), 0.0),
           std::min(Up::sum(weights.high, rules.slack), 1.0)};
@@ -120,7 +120,7 @@ std::vector<LevelPick> linear_picks(Interval lambda, const Sampler& sampler, int
   return picks;
 }
 
-// Of a lambda of 0 or more.
+// For a lambda of 0 or more.
 std::vector<LevelPick> minified_picks(Interval lambda, const Sampler& sampler, int last,
                                       const LevelRules& rules) {
   switch (sampler.mipmap) {
@@ -222,11 +222,10 @@ Rule level_weight_rule() {
   rule.rulings = {
       {22,
        "Weight of the second level: OpenGL states no number of bits for it. Permitted is any "
-       "weight "
-       "of a level of detail that is off by 2^-6 at most from the one that the renderer tells, or "
-       "else from one that ruling 20 permits: the Khronos tests ask for 6 bits. What is beyond is "
-       "a "
-       "violation, or contested by ruling 50. The same error may lead to another nearest level."}};
+       "weight of a level of detail that is off by 2^-6 at most from the one that the renderer "
+       "reports, or else from one that ruling 20 permits: the Khronos tests ask for 6 bits. What "
+       "is beyond is a violation, or contested by ruling 50. The same error may lead to another "
+       "nearest level."}};
   return rule;
 }
 

@@ -43,7 +43,7 @@ inline constexpr auto kNames<Crossover> = std::to_array<TabledAlternative<Crosso
       "1/2 for LINEAR magnification with NEAREST_MIPMAP_NEAREST or NEAREST_MIPMAP_LINEAR, else 0; "
       "versions 1.0 to 3.0 asked for it, 3.1 to 4.4 allowed it"}});
 
-// Where lambda lies halfway between two levels.
+// The choice if lambda lies halfway between two levels.
 enum class NearestLevel {
   down_at_ties,  // the larger image, as the formula says
   up_at_ties,    // the smaller one, as round() may
@@ -58,7 +58,7 @@ inline constexpr auto kNames<NearestLevel> = std::to_array<TabledAlternative<Nea
      {NearestLevel::even_at_ties, "even-at-ties", Openness::open,
       "the level with an even number, counted from the base, where two are equally near"}});
 
-// The fraction of lambda that weighs the second level.
+// The fraction of lambda by which the second level is weighted.
 enum class LevelWeight {
   exact,
   floor_8,    // a multiple of 1/256, rounded down
@@ -87,11 +87,11 @@ inline constexpr auto kNames<LevelWeight> = std::to_array<TabledAlternative<Leve
      {LevelWeight::one_at_ties, "one-at-ties", Openness::illegal,
       "1 for a fraction of 1/2, half a level too far; else the fraction"}});
 
-// A way to make a colour: one level under a filter, or two of them, the second by its weight.
+// A way to make a colour: one level under a filter, or two levels, the second by its weight.
 struct LevelPick {
   Filter filter;
   int level;        // index into the texture's levels, base_level included
-  int next;         // the second level; as `level` where there is one
+  int next;         // the second level; equal to `level` if there is only one
   Interval weight;  // of the second, 0 to 1
   bool magnified;
 };
@@ -100,24 +100,24 @@ struct LevelRules {
   Crossover crossover = Crossover::zero;
   NearestLevel nearest = NearestLevel::down_at_ties;
   LevelWeight weight = LevelWeight::exact;
-  bool any_tie = false;  // both levels at a tie, either side of the crossover at its value
-  // How much more or less than its fraction the weight may be; as texel_filter.h's slack.
+  bool any_tie = false;  // use both levels at a tie, and either side of the crossover at its value
+  // How far the weight may be from its fraction, either way; like texel_filter.h's slack.
   double slack = 0;
 };
 
-// The last level that a sampler uses, q: an index into the texture's levels, or those that are
-// generated. Of a texture that has a single level and generates none, the base level.
+// The last level that a sampler uses, q: an index into the texture's levels, including those that
+// are generated. For a texture that has a single level and generates none, the base level.
 int last_level(const Sampler& sampler, const Texture& texture);
 
-// Every pick that a lambda of the interval yields, from its low end to its high end: one, of an
-// exact lambda, unless any_tie finds two. Infinite ends are levels far away; an end that is no
-// number is the infinite one on its side.
+// Every pick that a lambda of the interval yields, from its low end to its high end: one for an
+// exact lambda, unless any_tie finds two. Infinite ends are levels far away; an end that is NaN is
+// the infinite one on its side.
 std::vector<LevelPick> pick_levels(Interval lambda, const Sampler& sampler, int last,
                                    const LevelRules& rules);
 
-// What textureQueryLod tells as the level accessed (GLSL 4.60, 8.9.1), 0 the base level: of no
-// filter between levels 0, of nearest the level's number, of linear lambda within 0 to q with its
-// fraction as `weight` makes it. Magnification does not come into it.
+// The level accessed as textureQueryLod reports it (GLSL 4.60, 8.9.1), 0 the base level: 0 without
+// a filter between levels; for nearest, the level's number; for linear, lambda within 0 to q with
+// its fraction as made by `weight`. Magnification has no effect.
 Interval accessed_level(Interval lambda, const Sampler& sampler, int last, const LevelRules& rules);
 
 }  // namespace edgecase

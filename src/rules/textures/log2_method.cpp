@@ -24,7 +24,7 @@ Parts parts_of(double value) {
   return {exponent, std::scalbn(value, -exponent) - 1};
 }
 
-// Between the whole numbers on either side the logarithm stays, whatever the error.
+// The logarithm stays between the whole numbers on either side, whatever the error.
 Interval exact_log2(double value) {
   const Parts parts = parts_of(value);
   if (parts.fraction == 0) return parts.exponent;
@@ -38,7 +38,7 @@ Interval linear_mantissa(double value) {
   return exact_sum(parts.exponent, parts.fraction);
 }
 
-// Of 0 or more; what is too small to be told from 0 may come out below it.
+// For 0 or more; numbers too small to be distinguished from 0 may have a square below it.
 Interval square(Interval value) {
   return {Down::product(value.low, value.low), Up::product(value.high, value.high)};
 }
@@ -90,7 +90,7 @@ Rule log2_rule() {
        "detail within 2^-6 of what the logarithm yields of any scale factor that ruling 19 "
        "permits, "
        "as the Khronos tests ask; what is beyond is a violation, or contested by ruling 50, "
-       "whatever approximation leads there. The logarithm of 0 is told as any number of -16 or "
+       "whatever approximation leads there. The logarithm of 0 is reported as any number of -16 or "
        "less, which no bias leads out of magnification."},
       {50,
        "Coarse samplers: a level of detail that is off by 2^-6 to 2^-4, and a coordinate that is "

@@ -50,10 +50,10 @@ inline constexpr auto kNames<Log2Method> = std::to_array<TabledAlternative<Log2M
      {Log2Method::mantissa_8, "mantissa-8", Openness::open,
       "the logarithm of the mantissa rounded to 8 bits: up to 0.0029 off"}});
 
-// Bounds of what a method makes of the numbers of 0 or more in an interval; minus infinity of 0.
-// Powers of two are exact. Where a logarithm has to be taken, its bounds are wider than the C
-// library's log2 by more than that may be off (rules/textures/directed.h). Where nothing is known
-// of the value, the result is everything.
+// Bounds of a method's results for the numbers of 0 or more in an interval; minus infinity for 0.
+// Powers of two are exact. A computed logarithm has bounds that are wider than the C library's log2
+// by more than its error (rules/textures/directed.h). If nothing is known of the value, the result
+// is everything.
 Interval log2_of(Interval value, Log2Method method);
 
 }  // namespace edgecase

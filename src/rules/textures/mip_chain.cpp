@@ -25,7 +25,7 @@ Taps centre_taps(int i, int size, int halved) {
   return {centre / (2 * halved), {2 * halved - weight, weight}};
 }
 
-// Of texel i of the smaller image.
+// For texel i of the smaller image.
 Taps taps_of(int i, int size, MipmapFilter filter) {
   if (size == 1) return {};
   switch (filter) {
@@ -39,8 +39,8 @@ Taps taps_of(int i, int size, MipmapFilter filter) {
   return {};
 }
 
-// The texels that make one of the smaller image: two of each of two rows. One of no weight may lie
-// beyond the image, and the first stands for it.
+// The texels that make one texel of the smaller image: two from each of two rows. A texel without
+// weight may lie outside the image, and is replaced by the first.
 class Footing {
  public:
   Footing(const TextureLevel& level, Taps columns, Taps rows) : columns_(columns), rows_(rows) {
@@ -131,9 +131,9 @@ Rule mipmap_filter_rule() {
       "box",
       alternatives_of<MipmapFilter>(),
       {{25,
-        "Generated mip chains: how many levels there are and how large each is can be wrong, and "
-        "level 0, which is given and stays. OpenGL lets the filter be, and with it rounding and "
-        "whether sRGB texels are decoded before they are averaged. But levels are filtered "
+        "Generated mip chains: the number of levels and their sizes can be wrong, and so can "
+        "level 0, which is given and stays. OpenGL leaves the filter open, and with it rounding "
+        "and whether sRGB texels are decoded before they are averaged. But levels are filtered "
         "reductions of the image: a component that is the same in all of level 0 stays the same, "
         "within one code of 8 bits or 1 part in 10^5."},
        {48,

@@ -23,7 +23,7 @@ Rule mipmap_srgb_rule();      // mipmap.srgb: linear or codes, see MipmapMethod
 
 enum class LevelCount {
   larger_side,   // down to 1x1: OpenGL
-  smaller_side,  // until the smaller side is 1: a course's
+  smaller_side,  // until the smaller side is 1: from a course
 };
 template <>
 inline constexpr auto kNames<LevelCount> = std::to_array<TabledAlternative<LevelCount>>(
@@ -33,7 +33,7 @@ inline constexpr auto kNames<LevelCount> = std::to_array<TabledAlternative<Level
       "the chain ends where the smaller side is 1"}});
 
 enum class MipmapFilter {
-  box,              // texels 2i and 2i + 1 along each axis, the last of an odd size left out
+  box,              // texels 2i and 2i + 1 along each axis; the last of an odd size is left out
   bilinear_centre,  // a linear lookup at the destination texel's centre, which is the box of even
                     // sizes; of odd ones it lies between
   nearest,          // texel 2i
@@ -82,7 +82,7 @@ struct MipmapMethod {
 };
 TextureLevel reduced(const TextureLevel& level, TextureFormat format, const MipmapMethod& method);
 
-// Level 0 and all that follow.
+// Level 0 and all levels that follow.
 std::vector<TextureLevel> mip_chain(const TextureLevel& base, TextureFormat format,
                                     LevelCount count, const MipmapMethod& method);
 

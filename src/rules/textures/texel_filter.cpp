@@ -13,7 +13,7 @@
 namespace edgecase {
 namespace {
 
-// Does a coordinate that lies `rest` of a step above step `below` move up?
+// True if a coordinate that is `rest` of a step above step `below` moves up.
 bool moves_up(double below, double rest, TexelGrid grid) {
   switch (grid) {
     case TexelGrid::none:
@@ -36,34 +36,35 @@ double on_grid(double coordinate, TexelGrid grid) {
   return (below + (moves_up(below, steps - below, grid) ? 1 : 0)) / kSteps;
 }
 
-// The grid that takes effect.
+// The grid in effect.
 TexelGrid effective(TexelGrid grid, Filter filter, TextureFormat format) {
   const bool applies = grid != TexelGrid::linear_even_8 ||
                        (filter == Filter::linear && format == TextureFormat::rgba8);
   return applies ? grid : TexelGrid::none;
 }
 
-// One axis of the image, as a lookup sees it.
+// One axis of the image for a lookup.
 struct Axis {
   int size;
-  Wrap wrap;  // that takes effect
+  Wrap wrap;  // the mode in effect
   TexelGrid grid;
   double slack;
 
-  // All there is, in texels: from the centre of a texel to that of the one two images further, from
-  // where on every wrap mode begins anew.
+  // All coordinates, in texels: from the centre of a texel to that of the one two images further,
+  // where every wrap mode starts again.
   Interval everywhere() const { return {0.5, 2 * size + 0.5}; }
 };
 
-// What a coordinate that is no number stands for.
+// The substitute for a coordinate that is NaN or infinite.
 Interval defined(Interval s) {
   if (std::isnan(s.low) && std::isnan(s.high)) return 0;
   s = known(s);
   return s.low == s.high && std::isinf(s.low) ? Interval(0) : s;
 }
 
-// By an even number of images; the range is less wide than two. Where it reaches 4, both its ends
-// are multiples of 2^-51, and so is what is left of them, less than 4: nothing is rounded.
+// Moved by an even number of images; the range is less than two wide. If it reaches 4, both its
+// ends are multiples of 2^-51, and so are the remainders, which are less than 4: nothing is
+// rounded.
 Interval brought_near(Interval s) {
   constexpr double kFar = 4;
   if (s.magnitude() < kFar) return s;
@@ -71,9 +72,9 @@ Interval brought_near(Interval s) {
   return {s.low - images, s.high - images};
 }
 
-// A coordinate in texels, not far from the image. What its high end is rounded to: downwards
-// where whole texels or steps of a grid are asked for, since the integer below a number is that
-// below the number rounded down, but not that below the number rounded up.
+// A coordinate in texels, not far from the image. The high end is rounded down if whole texels or
+// steps of a grid are needed: rounding a number down does not change the integer below it, while
+// rounding it up may.
 Interval in_texels(Interval s, const Axis& axis, bool whole) {
   s = defined(s);
   if (is_periodic(axis.wrap)) {
@@ -84,7 +85,7 @@ Interval in_texels(Interval s, const Axis& axis, bool whole) {
              whole ? Down::product(s.high, axis.size) : Up::product(s.high, axis.size)};
   if (axis.slack > 0) u = u + Interval(-axis.slack, axis.slack);
   if (!is_periodic(axis.wrap)) {
-    // A texel and a half beyond an edge there is nothing but the edge or the border.
+    // Beyond a texel and a half from an edge there is only the edge or the border.
     const double last = axis.size + 1.5;
     u = {std::clamp(u.low, -1.5, last), std::clamp(u.high, -1.5, last)};
   }
@@ -120,7 +121,7 @@ Cells nearest_cells(Interval u, const Axis& axis) {
   return cells;
 }
 
-// The last cell is the one that ends at the high end rather than the one that begins there.
+// The last cell is the one that ends at the high end, not the one that begins there.
 Cells linear_cells(Interval u, const Axis& axis) {
   const Interval v{Down::sum(u.low, -0.5), Up::sum(u.high, -0.5)};
   const auto first = static_cast<std::int64_t>(std::floor(v.low));
@@ -135,7 +136,7 @@ Cells linear_cells(Interval u, const Axis& axis) {
   return cells;
 }
 
-// The colours of one axis' cells, and whether they are one point's but for rounding.
+// The colours of one axis' cells, and whether they belong to one point, except for rounding.
 struct AxisCells {
   Cells cells;
   bool is_narrow;
@@ -161,8 +162,8 @@ AxisCells cells_of(Interval s, const Axis& axis, Filter filter) {
   return {std::move(cells), u.high - u.low < kNarrow};
 }
 
-// The mean of two colours, `weight` that of b. It never leaves what lies between them: the mean of
-// equal numbers is that number.
+// The mean of two colours, `weight` that of b. It always lies between them: the mean of equal
+// numbers is that number.
 Interval mean(Interval a, Interval b, double weight) {
   if (weight == 0) return a;
   if (weight == 1) return b;
@@ -195,7 +196,7 @@ struct Image {
   }
 };
 
-// The mean of four texels is linear in either weight, so that the corners of the ranges bound it.
+// The mean of four texels is linear in either weight, so the corners of the ranges bound it.
 Texel quad_colour(const Image& image, const Cell& s, const Cell& t) {
   const auto corner = [&](double a, double b) {
     return mean(mean(image.at(s.first, t.first), image.at(s.second, t.first), a),
@@ -222,7 +223,7 @@ void drop_equal(std::vector<Texel>& boxes) {
   boxes.erase(std::unique(boxes.begin(), boxes.end(), equal), boxes.end());
 }
 
-// So many cells of each axis share a box that there are at most `kMostBoxes`.
+// The number of cells of each axis that share a box, so that there are at most `kMostBoxes`.
 std::size_t cells_per_box(std::size_t columns, std::size_t rows) {
   const auto boxes = [&](std::size_t cells) {
     return ((columns + cells - 1) / cells) * ((rows + cells - 1) / cells);
@@ -264,7 +265,7 @@ std::vector<Texel> filter_level(const DecodedLevel& level, int dimensions, Textu
   const AxisCells t = dimensions == 1 ? AxisCells{{lone_cell(0)}, true}
                                       : cells_of(point.t, axis(1, level.height), filter);
   const Image image{level, decode_border(lookup.border, format)};
-  // Beside a texel's centre a rounded coordinate touches two cells whose colours there are one.
+  // At a texel's centre, a rounded coordinate touches two cells whose colours are equal there.
   const bool is_one = filter == Filter::linear && s.is_narrow && t.is_narrow;
   const std::size_t per_box = is_one ? std::max(s.cells.size(), t.cells.size())
                                      : cells_per_box(s.cells.size(), t.cells.size());
@@ -283,20 +284,21 @@ Rule texel_filter_rule() {
       "",
       {},
       {{24,
-        "Texels: which one holds a point, and how those around it are weighted, follows the "
-        "coordinates that the renderer itself interpolated. OpenGL does not say to how many bits "
-        "positions within a texel are kept: a coordinate in texels may be off by 2^-7, as the "
-        "Khronos tests ask, and 1 part in 10^5 of itself (2.3.4.1); what is beyond is a violation, "
-        "or contested by ruling 50. Nearest: so near a border either texel; exactly on it, the "
-        "upper or right one is what the formula says. Linear: any weights that such coordinates "
-        "yield. A filter of a format of 8 bits may compute in 8 bits: each mean that it takes, "
-        "along s, along t and between levels, may round to a code and be off by half of one. sRGB "
-        "texels may be decoded before they are filtered, after that within each level, or after "
-        "all of it (8.24). Numbers may besides be off by 1 part in 10^5 of the texture's largest, "
-        "by 3 more for each of these means, whose operations err one by one (2.3.4.1), and by 1 "
-        "more for each lookup of an anisotropic filter. Where the renderer tells the level of "
-        "detail, its colour must fit that level. A coordinate that is infinite or not a number may "
-        "yield any colour, and so may levels that the renderer generated and does not tell."},
+        "Texels: the coordinates that the renderer itself interpolated decide which texel "
+        "contains a point, and how those around it are weighted. OpenGL does not say to how many "
+        "bits positions within a texel are kept: a coordinate in texels may be off by 2^-7, as "
+        "the Khronos tests ask, and 1 part in 10^5 of itself (2.3.4.1); what is beyond is a "
+        "violation, or contested by ruling 50. Nearest: that close to a border either texel is "
+        "permitted; exactly on it, the formula yields the upper or right one. Linear: any "
+        "weights that such coordinates yield. A filter of a format of 8 bits may compute in 8 "
+        "bits: each mean that it takes, along s, along t and between levels, may round to a code "
+        "and be off by half of one. sRGB texels may be decoded before they are filtered, after "
+        "that within each level, or after all of it (8.24). Numbers may besides be off by 1 part "
+        "in 10^5 of the texture's largest, by 3 more for each of these means, whose operations "
+        "err one by one (2.3.4.1), and by 1 more for each lookup of an anisotropic filter. Where "
+        "the renderer reports the level of detail, its colour must fit that level. A coordinate "
+        "that is infinite or not a number may yield any colour, and so may levels that the "
+        "renderer generated and does not report."},
        {53,
         "sRGB: a red, green or blue that is off by 0.005 at most, and not by more than that from "
         "what ruling 24 permits, is contested: no precision is stated for the conversion of 8.24, "

@@ -30,12 +30,12 @@ namespace edgecase {
 Rule texel_filter_rule();  // texture.filter: nearest and linear; its rulings on weights
 Rule texel_grid_rule();    // texture.texel-grid
 
-// On which grid are texel coordinates put before texels and weights are taken from them?
+// The grid on which texel coordinates are put before texels and weights are derived from them.
 enum class TexelGrid {
   none,
   floor_8,        // multiples of 1/256, rounded down
   nearest_8,      // to the nearest, half up
-  linear_even_8,  // to the nearest, half to even, under linear filters of rgba8 textures alone
+  linear_even_8,  // to the nearest, half to even; only under linear filters of rgba8 textures
 };
 template <>
 inline constexpr auto kNames<TexelGrid> = std::to_array<TabledAlternative<TexelGrid>>(
@@ -49,12 +49,12 @@ inline constexpr auto kNames<TexelGrid> = std::to_array<TabledAlternative<TexelG
       "texel, "
       "a tie to the even one; otherwise they are taken as they are"}});
 
-// A coordinate in texels, put on the grid.
+// A coordinate in texels, rounded to the grid.
 Interval on_grid(Interval coordinate, TexelGrid grid);
 
-// A point of a texture, the image's lower left corner (0, 0) and its upper right one (1, 1). A
-// coordinate that is a single point, but infinite or not a number, is taken as 0: OpenGL defines
-// nothing for it. An interval with an end that is not a number knows nothing on that side.
+// A point of a texture; the image's lower left corner is (0, 0) and its upper right one (1, 1). A
+// coordinate that is a single point, but infinite or NaN, counts as 0: OpenGL defines no result for
+// it. An interval with an end that is NaN is unbounded on that side.
 struct TexturePoint {
   Interval s;
   Interval t;  // ignored in one dimension
@@ -66,17 +66,17 @@ struct TexelLookup {
                                        // range unless the texture is of floats
   WrapChoice choice = WrapChoice::as_set;
   TexelGrid grid = TexelGrid::none;
-  // How much a coordinate in texels may be off, in either direction; 0: not at all.
+  // How far a coordinate in texels may be off, in either direction; 0: not at all.
   double slack = 0;
 };
 
-// Beyond this many colours those of neighbouring texels share a box.
+// Beyond this many colours, those of neighbouring texels share a box.
 constexpr std::size_t kMostBoxes = 4096;
 
-// Colours that a level may yield, each a box in which the true colour may be; no two of them equal,
-// at least one and at most kMostBoxes. One, where the coordinates are exact; and under a linear
-// filter where they are exact but for rounding, less than 2^-20 texels wide. The work is bounded by
-// the number of texels, however wide the coordinates.
+// Colours that a level may yield, each a box that may contain the true colour; no two of them
+// equal, at least one and at most kMostBoxes. One, if the coordinates are exact, or under a linear
+// filter exact except for rounding, less than 2^-20 texels wide. The work is bounded by the number
+// of texels, however wide the coordinates.
 std::vector<Texel> filter_level(const DecodedLevel& level, int dimensions, TextureFormat format,
                                 Filter filter, const TexturePoint& point,
                                 const TexelLookup& lookup);

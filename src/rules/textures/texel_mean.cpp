@@ -18,7 +18,7 @@ bool all_equal(WeightedNumbers numbers) {
                      [&](WeightedNumber n) { return n.value == numbers[0].value; });
 }
 
-// Within the codes, whatever a renderer may tell of its levels.
+// Clamped to the codes, whatever a renderer may report of its levels.
 int code_of(float stored) {
   return stored > 0 ? static_cast<int>(std::min(stored, 255.0F)) : 0;
 }
@@ -46,7 +46,7 @@ std::int64_t rounded_quotient(std::int64_t dividend, std::int64_t divisor,
   return below;
 }
 
-// A share of 256, and a mean of two codes by it, rounded half up.
+// The share of the second in 256, and the mean of two codes by it, rounded half up.
 int share_of_second(TwoWeights weights) {
   return static_cast<int>(rounded_quotient(std::int64_t{256} * weights[1], weights[0] + weights[1],
                                            MipmapRounding::nearest_even));
@@ -65,7 +65,7 @@ long double linear_of(int half_codes) {
   return raised((20 * static_cast<long double>(half_codes) + 561) / 10761, 2.4L);
 }
 
-// The linear numbers of so many codes, each a whole one further, from half of `half_codes` on.
+// The linear numbers of N codes, each a whole one further, starting at half of `half_codes`.
 template <std::size_t N>
 std::array<long double, N> linear_numbers(int half_codes) {
   std::array<long double, N> numbers;
@@ -73,7 +73,7 @@ std::array<long double, N> linear_numbers(int half_codes) {
   return numbers;
 }
 
-// The code of a linear number: how many borders between two codes it has reached.
+// The code of a linear number: the number of borders between codes that it has reached.
 std::ptrdiff_t srgb_code_of(long double linear, MipmapRounding rounding) {
   static const auto kWhole = linear_numbers<255>(2);
   static const auto kHalf = linear_numbers<255>(1);
@@ -81,15 +81,15 @@ std::ptrdiff_t srgb_code_of(long double linear, MipmapRounding rounding) {
   return std::upper_bound(borders.begin(), borders.end(), linear) - borders.begin();
 }
 
-// Codes whose linear numbers are rational: those of the curve's straight piece, five times
-// themselves, and 255, all in units of 1/16473. -1 of the others.
+// The linear number of a code if it is rational, in units of 1/16473: five times a code on the
+// curve's straight piece, and 255. -1 for other codes.
 std::int64_t rational_linear(int code) {
   constexpr int kLastOfLine = 10;
   if (code == 255) return 16473;
   return code <= kLastOfLine ? 5 * std::int64_t{code} : -1;
 }
 
-// The sum of up to ten doubles, exactly: parts that do not overlap, the smallest first (Shewchuk,
+// The exact sum of up to ten doubles: parts that do not overlap, the smallest first (Shewchuk,
 // "Adaptive precision floating-point arithmetic", 1997, theorem 10).
 class ExactSum {
  public:
@@ -103,14 +103,14 @@ class ExactSum {
     parts_[count_++] = value;
   }
 
-  // Within a few units in the last place.
+  // Accurate to a few units in the last place.
   double estimate() const {
     double sum = 0;
     for (std::size_t i = 0; i < count_; ++i) sum += parts_[i];
     return sum;
   }
 
-  // That of the largest part, which outweighs the rest.
+  // The sign of the largest part, which outweighs the rest.
   int sign() const {
     for (std::size_t i = count_; i > 0; --i)
       if (parts_[i - 1] != 0) return parts_[i - 1] > 0 ? 1 : -1;
@@ -122,8 +122,8 @@ class ExactSum {
   std::size_t count_ = 0;
 };
 
-// An exact quotient, to be held against numbers of up to 26 bits: their products with the divisor
-// are exact.
+// An exact quotient that can be compared with numbers of up to 26 bits: their products with the
+// divisor are exact.
 struct ExactQuotient {
   ExactSum dividend;
   double divisor;
@@ -168,12 +168,12 @@ float mean_of_rows(const std::array<float, 4>& codes, TwoWeights columns, TwoWei
                                     between(code(2), code(3), share), share_of_second(rows)));
 }
 
-// Is the mean on a border between two codes? Then it is rational, or all codes are equal: apart
-// from 0 to 10 and 255 the linear numbers are fifth roots, and no two of them or of the borders are
-// rational multiples of one another, so that no sum of them is another one. Rational means up to
-// code 10 are rounded in integers. All others lie beside a border; how close a mean of four
-// codes of equal weight comes was searched: 2^-36 of itself. Of other weights one that came closer
-// than 2^-60 would be taken for what long double has.
+// A mean on a border between two codes is rational, or all codes are equal: apart from 0 to 10 and
+// 255 the linear numbers are fifth roots, and no two of them or of the borders are rational
+// multiples of one another, so no sum of them equals another one. Rational means up to code 10 are
+// rounded in integers. All others lie beside a border; a search found how close a mean of four
+// codes of equal weight comes: 2^-36 of itself. With other weights, a mean closer than 2^-60 would
+// be rounded as its long double is.
 float mean_of_srgb(WeightedNumbers numbers, MipmapRounding rounding) {
   if (all_equal(numbers)) return static_cast<float>(code_of(numbers[0].value));
   static const auto kLinear = linear_numbers<256>(0);
@@ -187,7 +187,7 @@ float mean_of_srgb(WeightedNumbers numbers, MipmapRounding rounding) {
     rational_sum += weight * rational_linear(code);
     sum += static_cast<long double>(weight) * kLinear[static_cast<std::size_t>(code)];
   }
-  // Up to code 10 the mean is on the straight piece, which ends before 10.5.
+  // A mean up to code 10 is on the straight piece, which ends before 10.5.
   if (is_rational && rational_sum <= 5 * 10 * total)
     return static_cast<float>(rounded_quotient(rational_sum, 5 * total, rounding));
   return static_cast<float>(srgb_code_of(sum / static_cast<long double>(total), rounding));

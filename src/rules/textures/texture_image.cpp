@@ -15,13 +15,13 @@ constexpr int kCodes = 256;
 
 using CodeTable = std::array<Interval, kCodes>;
 
-// A float32 number; what is none may be any.
+// A float32 number; NaN may be any number.
 Interval number_of(float value) {
   if (std::isnan(value)) return Interval::everything();
   return static_cast<double>(value);
 }
 
-// How each component of a stored texel becomes a number.
+// Converts each component of a stored texel to a number.
 class Decoder {
  public:
   explicit Decoder(TextureFormat format) : format_(format) {}
@@ -39,7 +39,7 @@ class Decoder {
     for (int code = 0; code < kCodes; ++code) table[static_cast<std::size_t>(code)] = number(code);
     return table;
   }
-  // Within the table, whatever a renderer may tell of its levels.
+  // Clamped to the table, whatever a renderer may report of its levels.
   static std::size_t code_of(float stored) {
     return stored > 0 ? static_cast<std::size_t>(std::min(stored, 255.0F)) : 0;
   }
@@ -59,9 +59,9 @@ Interval unorm8_to_number(int code) {
 // (40 code + 561)/10761.
 //
 // The error of the power, in units of 2^-53 of the result: the quotient is off by 1, which the
-// power makes 2.4; the double next to 2.4 by 2^-53, times a logarithm of less than 2.4 in
-// magnitude: 2.4; the power itself by less than 2, one unit in the last place.
-// All of it is less than 8 of them, 2^-50.
+// power makes 2.4; the double next to 2.4 is off by 2^-53, times a logarithm of less than 2.4 in
+// magnitude: 2.4; the power itself is off by less than 2, one unit in the last place. The total is
+// less than 8 units, 2^-50.
 Interval srgb_to_linear(int code) {
   if (code == 255) return 1;
   constexpr int kLastOfLine = 10;  // 10/255 < 0.04045 < 11/255

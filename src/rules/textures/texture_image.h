@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What texels mean: numbers that filters take means of (GL 4.6 core, 8.24 for sRGB, 2.3.5 for
-// normalized integers). A code of 8 bits is c/255, which is no double: intervals hold it.
+// The meaning of texels: numbers of which filters take means (GL 4.6 core, 8.24 for sRGB, 2.3.5 for
+// normalized integers). A code of 8 bits is c/255, which is no double: intervals contain it.
 #pragma once
 
 #include <array>
@@ -32,32 +32,31 @@ struct DecodedTexture {
   std::vector<DecodedLevel> levels;  // level 0 first
 };
 
-// c/255, a code of 0 to 255: the narrowest interval of doubles, 0 and 1 as they are.
+// c/255, for a code of 0 to 255: the narrowest interval of doubles; exact for 0 and 1.
 Interval unorm8_to_number(int code);
 
 // The linear number of an sRGB code of 0 to 255 (8.24), s = code/255: s/12.92 up to 0.04045, else
-// ((s + 0.055)/1.055)^2.4. Less than 2^-48 of itself wide; 0 and 1 as they
-// are.
+// ((s + 0.055)/1.055)^2.4. Less than 2^-48 of itself wide; exact for 0 and 1.
 Interval srgb_to_linear(int code);
 
-// The same functions of any number of 0 to 1: from an sRGB number to the linear one and back. Off
-// by less than 2^-48 of the result; numbers beyond are taken as the nearer of 0 and 1. Both grow.
+// The same functions for any number of 0 to 1: from an sRGB number to the linear one and back. Off
+// by less than 2^-48 of the result; numbers outside are clamped. Both are increasing.
 double srgb_to_linear_number(double coded);
 double linear_to_srgb_number(double linear);
 
-// A colour of four float32 numbers, as a texture of this format holds a border's: 0 to 1 unless the
-// format is of floats, and linear, also where texels are coded. What is not a number is 0 there,
-// and anything in a texture of floats.
+// A border colour of four float32 numbers in a texture of this format: 0 to 1 unless the format is
+// of floats, and linear, even if texels are coded. NaN becomes 0 there, and anything in a texture
+// of floats.
 Texel decode_border(const std::array<float, 4>& border, TextureFormat format);
 
-// Red, green and blue of a linear colour, as sRGB has them, and back: a renderer may filter the
-// former and decode what comes of it (8.24).
+// Red, green and blue of a linear colour, converted to sRGB, and back: a renderer may filter the
+// former and decode the result (8.24).
 Texel srgb_coded(const Texel& linear);
 Texel srgb_decoded(const Texel& coded);
 DecodedTexture srgb_coded(const DecodedTexture& linear);
 
 DecodedLevel decode(const TextureLevel& level, TextureFormat format);
-// `levels`: a chain to take in place of the texture's own; none: the texture's own.
+// `levels`: a chain to use instead of the texture's own; empty: the texture's own.
 DecodedTexture decode(const Texture& texture, const std::vector<TextureLevel>& levels);
 
 }  // namespace edgecase

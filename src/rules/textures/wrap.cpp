@@ -6,13 +6,13 @@
 namespace edgecase {
 namespace {
 
-// The rest of a division that rounds down: 0 to period - 1.
+// The remainder of a division that rounds down: 0 to period - 1.
 int rest_of(std::int64_t texel, int period) {
   const std::int64_t rest = texel % period;
   return static_cast<int>(rest < 0 ? rest + period : rest);
 }
 
-// The image and its mirror image in turn.
+// The image and its mirror image alternate.
 int mirrored(std::int64_t texel, int size) {
   const int rest = rest_of(texel, 2 * size);
   return rest < size ? rest : 2 * size - 1 - rest;

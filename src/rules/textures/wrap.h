@@ -31,10 +31,10 @@ inline constexpr auto kNames<WrapChoice> = std::to_array<TabledAlternative<WrapC
      {WrapChoice::mirrored_as_repeat, "mirrored-as-repeat", Openness::illegal,
       "mirrored repetition repeats the image without mirroring it"}});
 
-// The mode that takes effect where another is set.
+// The mode in effect when a mode is set.
 Wrap effective(Wrap wrap, WrapChoice choice);
 
-// The texel of 0 to size - 1 that stands at `texel`, any 64-bit number; none: the border.
+// The texel of 0 to size - 1 at `texel`, any 64-bit number; none: the border.
 std::optional<int> wrapped(std::int64_t texel, int size, Wrap wrap, WrapChoice choice);
 
 }  // namespace edgecase

@@ -16,7 +16,7 @@ Int128 area_of(const std::array<HomogeneousPoint, 3>& p) {
   return area < 0 ? -area : area;
 }
 
-// Three vertices of the polygon that lie far from one line: of all three the largest triangle.
+// Three vertices of the polygon that are far from one line: those of the largest triangle.
 std::optional<std::array<HomogeneousPoint, 3>> largest_triangle(
     const std::vector<ClipPolygonVertex>& polygon) {
   std::optional<std::array<HomogeneousPoint, 3>> largest;
@@ -34,14 +34,14 @@ std::optional<std::array<HomogeneousPoint, 3>> largest_triangle(
   return largest;
 }
 
-// What a vertex' window coordinates times w are multiplied by in its position.
+// The factor from a vertex' window coordinates times w to its position.
 Rational scale_of(const ScenePrimitive& primitive, std::size_t i) {
   if (primitive.vertices[i]->clip) return Rational(2) / rational_of(primitive.units[i]);
   return Rational(Integer(primitive.positions[i].w)) / rational_of(primitive.vertices[i]->w);
 }
 
 Interval weighted(const std::array<Interval, 3>& shares, const std::array<double, 3>& values) {
-  // What is one number at all vertices is so everywhere.
+  // An attribute that is equal at all vertices is so everywhere.
   if (std::ranges::adjacent_find(values, std::not_equal_to()) == values.end()) return values[0];
   return shares[0] * values[0] + shares[1] * values[1] + shares[2] * values[2];
 }
@@ -68,7 +68,7 @@ std::optional<ClippedPlane> ClippedPlane::of(const ScenePrimitive& triangle) {
       b[i] = part * scale_of(triangle, i);
       sum += b[i];
     }
-    // A place that rounding has moved off the triangle may lie behind the eye.
+    // A position that rounding has moved off the triangle may lie behind the eye.
     if (sum <= 0) return std::nullopt;
     plane.w_[at] = interval_of(Rational(1 / sum));
     plane.depths_[at] = interval_of(depth);
@@ -92,7 +92,7 @@ namespace {
 
 std::array<Interval, 3> weighted(const std::array<std::array<Interval, 2>, 2>& shares,
                                  const std::array<double, 3>& values) {
-  // What is one number at both vertices is so all the way.
+  // An attribute that is equal at both vertices is so all the way.
   if (values[0] == values[1]) return {values[0], values[0], 0};
   const auto mean = [&](std::size_t end) {
     return shares[end][0] * values[0] + shares[end][1] * values[1];

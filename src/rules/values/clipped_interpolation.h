@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// What a clipped triangle carries (GL 4.6 core, 13.7.1 and 14.6.1): the attributes of a plane, as
-// those of a triangle that stands for it.
+// The attributes of a clipped triangle (GL 4.6 core, 13.7.1 and 14.6.1), expressed as those of a
+// substitute triangle in the same plane.
 //
-// Behind the eye a vertex has no place in the window to interpolate from. Over the window, though,
-// an attribute over w, 1/w and the depth are linear, and a linear function is known by its values
-// at any three places. These are taken inside of what is seen of the triangle, at multiples of
-// 2^-16, and the values there are quotients of integers, of which an interval holds each.
+// A vertex behind the eye has no position in the window to interpolate from. But over the window an
+// attribute over w, 1/w and the depth are linear, and a linear function is known from its values at
+// any three points. These are chosen inside the visible part of the triangle, at multiples of
+// 2^-16; the values there are quotients of integers, each enclosed in an interval.
 #pragma once
 
 #include <array>
@@ -20,21 +20,21 @@ namespace edgecase {
 
 class ClippedPlane {
  public:
-  // None where nothing of the triangle is seen through its viewport, or nothing with an area.
+  // None if nothing of the triangle is visible through its viewport, or nothing with an area.
   static std::optional<ClippedPlane> of(const ScenePrimitive& triangle);
 
-  // The three places, and w there, more than 0.
+  // The three points, with w at each, more than 0.
   const std::array<HomogeneousPoint, 3>& positions() const { return positions_; }
   const std::array<Interval, 3>& w() const { return w_; }
-  // z/w there, -1 to 1 but for the rounding of the places.
+  // z/w at the points, -1 to 1 except for the rounding of the points.
   const std::array<Interval, 3>& depths() const { return depths_; }
-  // There, an attribute that is interpolated with perspective; `values` are the vertices'.
+  // The values of an attribute with perspective at the points; `values` are the vertices'.
   std::array<Interval, 3> smooth(const std::array<double, 3>& values) const;
-  // Without; its vertices must lie in front of the eye.
+  // The same without perspective; the vertices must lie in front of the eye.
   std::array<Interval, 3> noperspective(const std::array<double, 3>& values) const;
 
  private:
-  // Each vertex' share in what is seen at a place, doubles' neighbours around a quotient: b_i of
+  // Each vertex' share at a point of the visible part, enclosed by neighbouring doubles: b_i of
   // rules/coverage/clip_volume.h over their sum, and b_i w_i.
   using Shares = std::array<Interval, 3>;
   std::array<HomogeneousPoint, 3> positions_{};
@@ -46,25 +46,25 @@ class ClippedPlane {
 
 // ------------------------------------------------------------------------------------------- lines
 //
-// What a line that leaves the clip volume carries at the ends of what is seen of it (GL 4.6
-// core, 13.7.1): means of its vertices' values by the part of the way, each an interval that holds
-// the quotient.
+// The attributes of a line that leaves the clip volume, at the ends of its visible part (GL 4.6
+// core, 13.7.1): means of its vertices' values by the fraction of the way, each an interval that
+// contains the quotient.
 
 class CutLine {
  public:
-  // None where nothing of the line is seen.
+  // None if nothing of the line is visible.
   static std::optional<CutLine> of(const ScenePrimitive& line);
 
-  // Of both ends; a third entry stays 0, and a w 1.
+  // For both ends; a third entry is 0, and for w it is 1.
   const std::array<Interval, 3>& w() const { return w_; }
   const std::array<Interval, 3>& depths() const { return depths_; }  // z/w, -1 to 1
-  // An attribute that is interpolated with perspective; `values` are the vertices'.
+  // An attribute with perspective at the ends; `values` are the vertices'.
   std::array<Interval, 3> smooth(const std::array<double, 3>& values) const;
-  // Without; both vertices must lie in front of the eye.
+  // The same without perspective; both vertices must lie in front of the eye.
   std::array<Interval, 3> noperspective(const std::array<double, 3>& values) const;
 
  private:
-  // Each vertex' share in an end.
+  // Each vertex' share at an end.
   using Shares = std::array<Interval, 2>;
   std::array<Interval, 3> w_{1, 1, 1};
   std::array<Interval, 3> depths_{};

@@ -11,7 +11,7 @@ double largest_of(DepthFormat format) {
   return std::ldexp(1.0, bits_of(format)) - 1;
 }
 
-// depth * largest, and by how much the rounded product is too small.
+// depth * largest, and how much the rounded product is too small.
 struct Steps {
   double product;
   double rest;
@@ -94,11 +94,11 @@ Rule depth_buffer_rule() {
       {},
       {{18,
         "Depth buffers of 16 and 24 bits: either integer next to 2^bits - 1 times the depth of "
-        "the last fragment, as the renderer itself tells it; where it tells none, of any depth "
-        "that ruling 9 permits. Of 32 float bits: that depth. Depths are clamped to 0 to 1 "
-        "first, also where the buffer is of floats (14.6.5, 15.2.3); a float32 depth beyond 0 "
-        "to 1 to which no polygon offset was added may be kept. A pixel without fragments holds "
-        "the clear value."},
+        "the last fragment, as the renderer itself reports it, or of any depth that ruling 9 "
+        "permits if it reports none. Of 32 float bits: that depth. Depths are clamped to 0 to 1 "
+        "first, also where the buffer is of floats (14.6.5, 15.2.3); a float32 depth beyond 0 to "
+        "1 to which no polygon offset was added may be kept. A pixel without fragments holds the "
+        "clear value."},
        {59,
         "A stored depth of 16 or 24 bits is none of the integers that lie one beyond those of "
         "ruling 18."}}};

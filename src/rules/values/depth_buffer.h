@@ -18,18 +18,18 @@ Rule depth_buffer_rule();  // framebuffer.depth
 // Bits of an unsigned format; 0 for depth32f and none.
 int bits_of(DepthFormat format);
 
-// The stored value nearest to a depth, which is clamped to 0 to 1 first: of two equally near the
-// one with the even integer. NaN is stored as 0.
+// The stored value nearest to a depth, which is first clamped to 0 to 1; of two equally near ones,
+// the one with the even integer. NaN is stored as 0.
 double to_depth(double depth, DepthFormat format);
 
-// Is this a number that the format holds? A float32 buffer holds numbers beyond 0 to 1, too.
+// True if the format contains this number. A float32 buffer contains numbers beyond 0 to 1, too.
 bool is_depth_of(double stored, DepthFormat format);
 
 // Stored values that the conversion of any number in `depth` may yield: either neighbour. A float32
-// buffer may keep a depth beyond 0 to 1 that no polygon offset has led there: 14.6.5 speaks of
-// clamping where it speaks of the offset.
+// buffer may keep a depth beyond 0 to 1 unless a polygon offset made it so: 14.6.5 requires
+// clamping only for the offset.
 Interval depth_permitted(Interval depth, DepthFormat format);
-// Is a stored value of an unsigned format among these, or one integer beyond them (ruling 59)?
+// True for a stored value of an unsigned format among these, or one integer beyond (ruling 59).
 bool is_within_one_code(double stored, Interval permitted, DepthFormat format);
 inline constexpr int kRulingOnDepthCodes = 59;
 

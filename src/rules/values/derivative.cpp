@@ -18,7 +18,7 @@ Neighbours from(PixelPosition first, Axis axis) {
                                  : PixelPosition{first.x, first.y + 1}};
 }
 
-// In the quad at `quad`: along x in the row `row` of its two, along y in the column `column`.
+// In the quad at `quad`: along x in its row `row`, along y in its column `column`.
 Neighbours within(PixelPosition quad, Axis axis, int column, int row) {
   return from(axis == Axis::x ? PixelPosition{quad.x, quad.y + row}
                               : PixelPosition{quad.x + column, quad.y},
@@ -55,7 +55,7 @@ RuleId derivative_rule_of(Derivative derivative) {
 }
 
 QuadPixel in_quad(PixelPosition pixel, RowOrder rows, int height) {
-  // Counted from the top, the lower row of a quad is odd where the height is.
+  // Counted from the top, the lower row of a quad is odd if the height is.
   const int first = rows == RowOrder::top_down ? height % 2 : 0;
   return {pixel, {pixel.x - pixel.x % 2, pixel.y - (pixel.y + first) % 2}};
 }
@@ -70,7 +70,7 @@ Neighbours neighbours_of(const QuadPixel& at, Axis axis, DerivativeMethod method
     case DerivativeMethod::fine:
       return within(at.quad, axis, column, row);
     case DerivativeMethod::fine_odd:
-      // The odd quad begins one pixel further left and down, unless the pixel is the first there.
+      // The odd quad begins one pixel left and down, unless the pixel is the first one there.
       return within({at.pixel.x - (1 - column), at.pixel.y - (1 - row)}, axis, 1 - column, 1 - row);
     case DerivativeMethod::other_row:
       return within(at.quad, axis, 1 - column, 1 - row);
@@ -119,9 +119,9 @@ const PermittedDerivatives::AtPixel& PermittedDerivatives::at_pixel(PixelPositio
   return known[component];
 }
 
-// The derivative itself, and the fine form: the pixel and its neighbour on either side. The others:
-// any two neighbours along the axis of the nine pixels around it. The derivative lies between the
-// differences on either side unless 1/w changes its sign between the three pixels.
+// The exact derivative, and the fine form: the pixel and its neighbour on either side. Other forms:
+// any two neighbours along the axis among the nine pixels around it. The derivative lies between
+// the differences on either side unless 1/w changes its sign between the three pixels.
 Interval PermittedDerivatives::at(PixelPosition pixel, Derivative derivative,
                                   std::size_t component) {
   const Axis axis = axis_of(derivative);
@@ -141,7 +141,7 @@ Interval PermittedDerivatives::at(PixelPosition pixel, Derivative derivative,
   return result;
 }
 
-// The nine pixels around pixels that lie two apart hold all 4x4 areas with the pixel in them.
+// The nine pixels around pixels two apart include all 4x4 areas that contain the pixel.
 Interval PermittedDerivatives::in_area(PixelPosition pixel, Derivative derivative,
                                        std::size_t component) {
   Interval result = at(pixel, derivative, component);
@@ -159,14 +159,14 @@ Rule derivative_rule() {
                          "quad-fine");
   rule.rulings = {
       {16,
-       "Derivatives: permitted for the fine forms is the difference between the fragment and its "
-       "neighbour on either side along the axis, for the coarse forms and for dFdx and dFdy the "
-       "difference of any two neighbours along the axis among the nine pixels around the fragment, "
-       "and for all the derivative itself; each value as ruling 9 permits it, and the subtraction "
+       "Derivatives: the fine forms may be the difference between the fragment and its neighbour "
+       "on either side along the axis; the coarse forms, dFdx and dFdy may be the difference of "
+       "any two neighbours along the axis among the nine pixels around the fragment; all may be "
+       "the derivative itself. Each value is as ruling 9 permits it, and the subtraction is as "
        "inexact as any operation. Where quads begin is open."},
       {49,
-       "dFdx, dFdy and the coarse forms come of neighbours among those nine pixels, and of none "
-       "farther off in an area of 4x4 pixels that has the fragment in it."}};
+       "dFdx, dFdy and the coarse forms use neighbours among those nine pixels, and none farther "
+       "away in an area of 4x4 pixels that contains the fragment."}};
   return rule;
 }
 
@@ -205,7 +205,7 @@ Rule coarse_derivative_rule() {
 
 namespace {
 
-constexpr std::size_t kRows = 4;  // a quad's, and those beside it
+constexpr std::size_t kRows = 4;  // those of a quad, and the rows beside it
 constexpr std::size_t kMostColumns = 4096;
 
 }  // namespace

@@ -35,14 +35,14 @@ namespace edgecase {
 Rule derivative_rule();         // derivative.plain: dFdx and dFdy
 Rule fine_derivative_rule();    // derivative.fine
 Rule coarse_derivative_rule();  // derivative.coarse
-Rule quad_rows_rule();          // derivative.quad-rows: from which end quads are counted
+Rule quad_rows_rule();          // derivative.quad-rows: the end from which quads are counted
 
 enum class DerivativeMethod {
   analytic,
   forward,             // a(x + 1) - a(x)
   fine,                // within the quad, in the pixel's own row or column
-  fine_odd,            // the same, of quads that begin at odd columns and rows
-  other_row,           // within the quad, in the row or column that the pixel is not in
+  fine_odd,            // the same, for quads that begin at odd columns and rows
+  other_row,           // within the quad, in the other row or column than the pixel's
   coarse_bottom_left,  // within the quad: x in its bottom row, y in its left column; and so on
   coarse_bottom_right,
   coarse_top_left,
@@ -71,7 +71,7 @@ inline constexpr auto kNames<DerivativeMethod> = std::to_array<TabledAlternative
 
 // "analytic", "forward", "quad-fine", …
 
-// Which of the three rules a derivative falls under: 0 plain, 1 fine, 2 coarse.
+// The rule for a derivative: 0 plain, 1 fine, 2 coarse.
 constexpr std::size_t form_of(Derivative derivative) {
   return static_cast<std::size_t>(derivative) / 2;
 }
@@ -80,36 +80,36 @@ constexpr Axis axis_of(Derivative derivative) {
 }
 RuleId derivative_rule_of(Derivative derivative);
 
-// A pixel, and the lower left pixel of the quad that it is shaded in.
+// A pixel, and the lower left pixel of the quad in which it is shaded.
 struct QuadPixel {
   PixelPosition pixel;
   PixelPosition quad;
 };
 
-// The quads of a target whose rows are counted from the bottom, or from the top: they begin at even
-// columns and at even rows.
+// The quads of a target with rows counted from the bottom, or from the top: they begin at even
+// columns and even rows.
 QuadPixel in_quad(PixelPosition pixel, RowOrder rows, int height);
 
-// Two pixels next to each other: the derivative is the second's value less the first's.
+// Two adjacent pixels: the derivative is the second's value minus the first's.
 struct Neighbours {
   PixelPosition first;
   PixelPosition second;
   friend bool operator==(const Neighbours&, const Neighbours&) = default;
 };
 
-// Whose difference a method takes; `analytic` takes none, and the answer is that of `forward`.
+// The pixels whose difference a method takes; for `analytic`, which takes none, those of `forward`.
 Neighbours neighbours_of(const QuadPixel& at, Axis axis, DerivativeMethod method);
 
-// The derivative by a method, per pixel: exact, and what may come out of it when every operation
-// errs (see rules/values/interpolation.h).
+// The derivative by a method, per pixel: exact, and its possible values if every operation errs
+// (see rules/values/interpolation.h).
 Interval derivative_exact(const Interpolant& interpolant, const QuadPixel& at, Axis axis,
                           DerivativeMethod method);
 Interval derivative_inexact(const Interpolant& interpolant, const QuadPixel& at, Axis axis,
                             DerivativeMethod method);
 
-// What any method that the specification allows may yield, with vertices moved by less than
-// `reach` pixels (ruling 16). The differences of a pixel are made of the same values as those of
-// its neighbours and of the other forms, so what was needed once is kept.
+// The results of any permitted method, with vertices moved by less than `reach` pixels (ruling 16).
+// A pixel's differences share values with those of its neighbours and of the other forms, so these
+// are cached.
 class PermittedDerivatives {
  public:
   // Components of one primitive's attributes, at least one; with perspective all have the same w.
@@ -118,8 +118,8 @@ class PermittedDerivatives {
       : PermittedDerivatives(std::span(&component, 1), reach) {}
 
   Interval at(PixelPosition pixel, Derivative derivative, std::size_t component = 0);
-  // What the plain and coarse forms may yield besides, if the area that shares a derivative may be
-  // of up to 4x4 pixels (ruling 49).
+  // Further values of the plain and coarse forms, if the area that shares a derivative may have up
+  // to 4x4 pixels (ruling 49).
   Interval in_area(PixelPosition pixel, Derivative derivative, std::size_t component = 0);
 
  private:
@@ -136,21 +136,21 @@ class PermittedDerivatives {
 
 // ------------------------------------------------------------------------ both texture coordinates
 //
-// What rules/values/derivative.h says of both texture coordinates of a primitive. What they share
-// is worked out once.
+// The derivatives of both texture coordinates of a primitive; the part that they share is computed
+// once.
 
-// Of s and t, which have the same vertices and line parameter and, with perspective, the same w.
+// For s and t with the same vertices and line parameter and, with perspective, the same w.
 std::array<Interval, 2> derivatives_exact(const Interpolant& s, const Interpolant& t,
                                           const QuadPixel& at, Axis axis, DerivativeMethod method);
 
-// The same with inexact operations, of many pixels, rows one after another. The differences of
-// neighbours are made of the same values, so those of the latest rows are kept.
+// The same with inexact operations, for many pixels, row after row. Differences of neighbours share
+// values, so those of the latest rows are cached.
 class InexactDerivatives {
  public:
-  // `width`: of the target, pixels.
+  // `width`: that of the target, pixels.
   explicit InexactDerivatives(int width);
 
-  // `primitive`: the number by which s and t are known.
+  // `primitive`: the number that identifies s and t.
   std::array<Interval, 2> at(int primitive, const Interpolant& s, const Interpolant& t,
                              const QuadPixel& at, Axis axis, DerivativeMethod method);
 

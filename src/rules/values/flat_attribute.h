@@ -27,7 +27,7 @@ inline constexpr auto kNames<ProvokingChoice> = std::to_array<TabledAlternative<
      {ProvokingChoice::last, "last", Openness::illegal,
       "the last vertex, whatever the scene says"}});
 
-// Which of the primitive's vertices provokes, 0 to vertices_of(kind) - 1.
+// The index of the provoking vertex, 0 to vertices_of(kind) - 1.
 std::size_t provoking_index(const ScenePrimitive& primitive, ProvokingChoice choice);
 
 }  // namespace edgecase

@@ -21,9 +21,9 @@ Rule unorm8_rule() {
           {},
           {{10,
             "Pixels of an 8-bit target: either integer next to 255 times the clamped colour of "
-            "the last fragment, as the renderer itself tells that colour; where it tells none, "
-            "of any colour that ruling 9 permits. The alpha of a multisampled point smaller than 1 "
-            "may first be multiplied by the square of its size (17.2). A pixel without fragments "
+            "the last fragment, as the renderer itself reports it, or of any colour that ruling "
+            "9 permits if it reports none. The alpha of a multisampled point smaller than 1 may "
+            "first be multiplied by the square of its size (17.2). A pixel without fragments "
             "holds the clear colour, likewise rounded. Dithering is always disabled; that the "
             "choice between two integers then does not depend on the pixel (17.3.8) is not "
             "judged."}}};

@@ -79,9 +79,9 @@ Interval inexact_mean(const Interpolant& f, const Shares& shares) {
   const Inexact& op = kInexact;
   const Interval mean =
       op.add(f.values[0], op.multiply(shares[1], op.subtract(f.values[1], f.values[0])));
-  // Of (1 - t) a + t b three operations err by a part of the first product, and two by one of the
-  // second; by equation 14.6, where every w is the same, five more: both sums have divisions by w,
-  // and one is divided by the other. Shares that are intervals would not sum to 1 there.
+  // In (1 - t) a + t b, three operations err by a part of the first product, and two by a part of
+  // the second; by equation 14.6, if every w is the same, five more do: both sums have divisions by
+  // w, and one is divided by the other. Interval shares would not sum to 1 there.
   const double more = f.perspective ? 5 : 0;
   const double error = op.relative * 1.001 *
                        ((3 + more) * (shares[0] * f.values[0]).magnitude() +
@@ -136,7 +136,7 @@ Interval interpolate_inexact(const Interpolant& f, Point sample, Point w_place) 
 
 namespace {
 
-// What a triangle's mean is divided by: the sum of the areas, each over its w.
+// The divisor of a triangle's mean: the sum of the areas, each over its w.
 Interval triangle_total(const Interpolant& f, const WindowPlaces& v, const WindowPlace& p) {
   const Inexact& op = kInexact;
   if (!has_perspective(f)) return area_of(op, v[1], v[2], v[0]);
@@ -146,7 +146,7 @@ Interval triangle_total(const Interpolant& f, const WindowPlaces& v, const Windo
   return total;
 }
 
-// How fast each area grows along the axis: the opposite edge's run along the other one.
+// The growth of each area along the axis: the opposite edge's run along the other axis.
 Shares area_slopes(const WindowPlaces& v, Axis axis) {
   Shares slopes;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -158,7 +158,7 @@ Shares area_slopes(const WindowPlaces& v, Axis axis) {
   return slopes;
 }
 
-// How fast the shares of a line change along the axis.
+// The change of a line's shares along the axis.
 Shares line_slopes(const Interpolant& f, const WindowPlaces& v, Axis axis) {
   const Inexact& op = kInexact;
   const Interval dx = op.subtract(v[1][0], v[0][0]);
@@ -173,8 +173,8 @@ Shares line_slopes(const Interpolant& f, const WindowPlaces& v, Axis axis) {
   return {op.subtract(0, slope), slope, 0};
 }
 
-// The sum of slope_i (a_i - a) / w_i, over the total. Any number will do for `value` where nothing
-// is divided by w: the slopes sum to 0.
+// The sum of slope_i (a_i - a) / w_i, over the total. Without division by w any number will do for
+// `value`: the slopes sum to 0.
 Interval inexact_slope(const Interpolant& f, const Shares& slopes, Interval value, Interval total) {
   const Inexact& op = kInexact;
   Interval sum = 0;

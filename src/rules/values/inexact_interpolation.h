@@ -24,13 +24,13 @@ struct Inexact {
 // The floating-point clause: relative error that one operation may have.
 inline constexpr Inexact kInexact{1e-5};
 
-// In the window, pixels: x and y, each a number but for the rounding of a quotient.
+// A position in the window, pixels: x and y, each a number except for the rounding of a quotient.
 using WindowPlace = std::array<Interval, 2>;
 using WindowPlaces = std::array<WindowPlace, 3>;
 WindowPlace place_of(Point point);
 WindowPlaces places_of(const Interpolant& f);
 
-// By vertex: they sum to about 1.
+// One per vertex; their sum is about 1.
 using Shares = std::array<Interval, 3>;
 
 // Twice the area of a triangle, above 0 if a, b and p lie counter-clockwise.
@@ -46,24 +46,24 @@ struct SharesOverW {
 };
 SharesOverW divided_by_w(const Interpolant& f, const Shares& shares);
 
-// The mean by these shares: along a line where nothing is divided by w, as equation 14.7 has it, or
-// from the first vertex on, as that can be read too.
+// The mean by these shares: along a line without division by w, as equation 14.7 has it, or
+// starting from the first vertex, as it can be read too.
 Interval inexact_mean(const Interpolant& f, const Shares& shares);
-// The same of an attribute that has perspective.
+// The same for an attribute with perspective.
 Interval inexact_mean(const Interpolant& f, const SharesOverW& over_w);
 
-// A point's attributes are those of its vertex, whatever their qualifier (14.4); what is divided by
-// w and multiplied again on the way may err twice.
+// A point has the attributes of its vertex, whatever their qualifier (14.4); a value that is
+// divided by w and multiplied again on the way may err twice.
 Interval point_value(const Interpolant& f);
 
-// How fast an attribute changes along an axis. Of a triangle `value` is the attribute's, which
-// counts where it has perspective, and `total` what its mean is divided by.
+// The change of an attribute along an axis. For a triangle, `value` is the attribute's, used only
+// with perspective, and `total` is the divisor of its mean.
 Interval line_slope(const Interpolant& f, const WindowPlaces& v, const WindowPlace& p, Axis axis);
 Interval triangle_slope(const Interpolant& f, const WindowPlaces& v, Axis axis, Interval value,
                         Interval total);
 
-// What interpolate_inexact yields for several attributes of one primitive at one sample. What the
-// attributes share is worked out once.
+// The results of interpolate_inexact for several attributes of one primitive at one sample. The
+// part that the attributes share is computed once.
 class InexactPlace {
  public:
   explicit InexactPlace(Point sample) : sample_(sample) {}
@@ -73,7 +73,7 @@ class InexactPlace {
 
  private:
   Point sample_;
-  // When they are first asked for.
+  // Computed on demand.
   mutable std::optional<Shares> shares_;
   mutable std::optional<SharesOverW> over_w_;
 };

@@ -18,7 +18,7 @@ std::size_t count_of(const Interpolant& f) {
   return static_cast<std::size_t>(vertices_of(f.kind));
 }
 
-// Are these the same number at all vertices?
+// True if these are the same number at all vertices.
 bool is_one_number(const Interpolant& f, const std::array<Interval, 3>& numbers) {
   return std::all_of(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count_of(f)),
                      [&](Interval number) {
@@ -26,15 +26,15 @@ bool is_one_number(const Interpolant& f, const std::array<Interval, 3>& numbers)
                      });
 }
 
-// ------------------------------------------------------------------------------------------ exact
+// ------------------------------------------------------------------------------------------- exact
 
 bool is_small(Int128 value) {
   constexpr Int128 kLimit = Int128{1} << 62;
   return -kLimit < value && value < kLimit;
 }
 
-// a b + c d. Factors below 2^62 are multiplied as integers: where the two products all but cancel,
-// nothing is lost.
+// a b + c d. Factors below 2^62 are multiplied as integers, so nothing is lost if the two products
+// nearly cancel.
 Interval sum_of_products(Int128 a, Int128 b, Int128 c, Int128 d) {
   if (is_small(a) && is_small(b) && is_small(c) && is_small(d)) return interval_of(a * b + c * d);
   return interval_of(a) * interval_of(b) + interval_of(c) * interval_of(d);
@@ -55,7 +55,7 @@ Int128 magnitude(Int128 value) {
   return value < 0 ? -value : value;
 }
 
-// With the projection: w_1 is (p - a).(b - a), times the three denominators, and the sum of both
+// With the projection: w_1 is (p - a).(b - a), times the three denominators, and the sum of both is
 // |b - a|^2, times the same.
 Weights line_weights(const Interpolant& f, const HomogeneousPoint& p) {
   const HomogeneousPoint& a = f.positions[0];
@@ -75,8 +75,8 @@ Weights line_weights(const Interpolant& f, const HomogeneousPoint& p) {
           sum_of_products(here.x, run.x, here.y, run.y) * static_cast<double>(b.w), 0};
 }
 
-// The determinant of the two other vertices and the sample is the area times all three
-// denominators but the vertex's own.
+// The determinant of the two other vertices and the sample is the area times all three denominators
+// except the vertex's own.
 Weights triangle_weights(const Interpolant& f, const HomogeneousPoint& p) {
   const auto& v = f.positions;
   const Int128 turn = cross(v[0], v[1], v[2]) < 0 ? -1 : 1;
@@ -93,8 +93,8 @@ bool has_extent(const Interpolant& f) {
   return !same_point(f.positions[0], f.positions[1]);
 }
 
-// The sum of the weights before they are divided by w: it does not depend on the sample, and is
-// known better than by adding them.
+// The sum of the weights before division by w: it does not depend on the sample, and is known more
+// precisely than by adding them.
 Interval total_of(const Interpolant& f, const HomogeneousPoint& p) {
   const auto scale = static_cast<double>(p.w);
   if (f.kind == PrimitiveKind::triangle)
@@ -142,7 +142,7 @@ Mean mean_of(const Interpolant& f, const HomogeneousPoint& p) {
   return mean;
 }
 
-// Asked again without rounding where what is known leaves open which float32 number is nearest.
+// Computed again without rounding, if the interval does not determine the nearest float32 number.
 Interval settled(Interval value, const Interpolant& f, Point sample) {
   const Interval nearest = rounded_to_float(value);
   if (nearest.low == nearest.high) return value;
@@ -150,14 +150,14 @@ Interval settled(Interval value, const Interpolant& f, Point sample) {
   return number ? interval_of(*number) : value;
 }
 
-// The point of the sample, and the one a pixel further, over the same denominator.
+// The sample's point, and the one a pixel further, over the same denominator.
 HomogeneousPoint next_pixel(HomogeneousPoint p, Axis axis) {
   (axis == Axis::x ? p.x : p.y) += p.w;
   return p;
 }
 
-// Weights are linear in a homogeneous point: those of a direction are how they change along it.
-// They sum to 0, so that the first vertex's value may be taken from all values.
+// Weights are linear in a homogeneous point: those of a direction are their change along it. They
+// sum to 0, so the first vertex's value may be subtracted from all values.
 Interval linear_slope(const Interpolant& f, Axis axis) {
   const Weights steps =
       plain_weights(f, axis == Axis::x ? HomogeneousPoint{1, 0, 0} : HomogeneousPoint{0, 1, 0});
@@ -253,7 +253,7 @@ Interval differentiate_exact(const Interpolant& f, Point sample, Axis axis) {
   const Weights there = exact_weights(f, next_pixel(p, axis));
   const Mean mean = mean_of(f, p);
   const Interval value = mean.value();
-  // N' - v D' as one sum over the vertices: what cancels is the values, not the products.
+  // N' - v D' as one sum over the vertices, so that values cancel and not products.
   Interval slope = 0;
   for (std::size_t i = 0; i < count_of(f); ++i)
     slope = slope + (there[i] - here[i]) * (f.values[i] - value);

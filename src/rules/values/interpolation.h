@@ -9,9 +9,9 @@
 //   lines      w_1 = t, w_0 = 1 - t, with t = (p - a).(b - a) / |b - a|^2
 //
 // each up to a common factor, so nothing is divided until the end. An attribute that is
-// interpolated with perspective has weights w_i / (clip w of vertex i): then attribute/w and 1/w
-// are what runs linearly in the window, and the attribute is their quotient. Where all clip w are
-// equal the two are the same. Depth and noperspective attributes take the weights as they are.
+// interpolated with perspective has weights w_i / (clip w of vertex i): attribute/w and 1/w are
+// linear in the window, and the attribute is their quotient. If all clip w are equal the two are
+// the same. Depth and noperspective attributes use the weights as they are.
 //
 // Three questions are answered, each by an interval:
 //   exact       what is the number? A few units of double precision wide.
@@ -32,50 +32,50 @@
 
 namespace edgecase {
 
-// How far along a line a sample lies: by its projection onto the line, as OpenGL says, or by its
-// coordinate on the major axis alone, which is what a walk along that axis yields. Where a line is
-// as long in x as in y, or nearly so, an implementation may take the other axis for the major one.
+// The position of a sample along a line: by its projection onto the line, as OpenGL says, or by its
+// coordinate on the major axis alone, as a walk along that axis yields. If a line is as long in x
+// as in y, or nearly so, an implementation may take the other axis for the major one.
 enum class LineParameter { projection, major_axis, minor_axis };
 
-// One component of an attribute over one primitive; entries beyond the primitive's vertices are
-// ignored.
+// One component of an attribute over one primitive; entries beyond its vertices are ignored.
 struct Interpolant {
   PrimitiveKind kind = PrimitiveKind::triangle;
   std::array<HomogeneousPoint, 3> positions{};  // in the window, exact
   std::array<Interval, 3> values{};             // narrow: a number, or a quotient rounded outwards
-  std::array<Interval, 3> w{1, 1, 1};           // clip w, more than 0; narrow as the values are
+  std::array<Interval, 3> w{1, 1, 1};           // clip w, more than 0; as narrow as the values
   bool perspective = true;                      // weights are divided by w
   LineParameter line_parameter = LineParameter::projection;
 };
 
-// Is the attribute the same at all vertices? Then it stays so to the bit, wherever the sample lies.
+// True if the attribute is equal at all vertices. Then it stays so to the bit, for every sample.
 bool is_constant(const Interpolant& interpolant);
 
-// Are the weights divided by w, and does that change anything? Not where all w are equal.
+// True if the weights are divided by w and that makes a difference; it makes none if all w are
+// equal.
 bool has_perspective(const Interpolant& interpolant);
 
-// Does the attribute change by the same number from each pixel to the next? Then derivatives by all
-// methods are that number.
+// True if the attribute changes by the same number from each pixel to the next. Then derivatives by
+// all methods are that number.
 bool is_linear(const Interpolant& interpolant);
 
-// The attribute over w, and 1/w, without perspective: what runs linearly in the window.
+// The attribute over w, and 1/w, without perspective: they are linear in the window.
 Interpolant over_w(Interpolant interpolant);
 Interpolant inverse_w(Interpolant interpolant);
 
-// Is the line longer in x than in y, or as long? Decided by its vertices as they are.
+// True if the line is at least as long in x as in y, by its vertices as they are.
 bool is_x_major(const Interpolant& line);
 
-// Of a parameter that is one coordinate's: is it that of x?
+// For a parameter along one coordinate: true if that is x.
 bool goes_by_x(const Interpolant& line);
 
-// May the longer axis become the shorter one, or as long, if each vertex moves by up to `reach`
-// pixels in x and in y?
+// True if the longer axis may become the shorter one, or as long, if each vertex moves by up to
+// `reach` pixels in x and in y.
 bool may_swap_axes(const Interpolant& line, double reach);
 
-// A narrow interval (about 2^-48 of the largest value, before division by a tiny area) that holds
-// the exact value at the sample, which may lie outside the primitive. Where that would leave open
-// which float32 number is nearest, and values and w are single numbers, it is the exact value, or
-// the two neighbouring doubles round it. Everything when the primitive has no extent.
+// A narrow interval (about 2^-48 of the largest value, before division by a tiny area) that
+// contains the exact value at the sample, which may lie outside the primitive. If the interval does
+// not determine the nearest float32 number, and values and w are single numbers, the result is the
+// exact value, or the two doubles around it. Everything if the primitive has no extent.
 Interval interpolate_exact(const Interpolant& interpolant, Point sample);
 
 Interval interpolate_inexact(const Interpolant& interpolant, Point sample);
@@ -83,27 +83,27 @@ Interval interpolate_inexact(const Interpolant& interpolant, Point sample);
 // `reach`: each vertex may have moved by less than this many pixels in x and in y.
 Interval interpolate_permitted(const Interpolant& interpolant, Point sample, double reach);
 
-// With w taken at one place and the attribute over w at another, as some implementations do with
+// With w taken at one point and the attribute over w at another, as some implementations do for
 // samples beside the pixel's centre: the mean of the values over w at the sample, times w at
-// `w_place`. Without perspective the two above.
+// `w_place`. Without perspective equal to the two above.
 Interval interpolate_exact(const Interpolant& interpolant, Point sample, Point w_place);
 Interval interpolate_inexact(const Interpolant& interpolant, Point sample, Point w_place);
 
-// How fast the value changes there, per pixel along x or along y: the analytic derivative. Of what
-// is linear the exact one is the same interval wherever the sample lies.
+// The change of the value there, per pixel along x or along y: the analytic derivative. For a
+// linear attribute the exact one is the same interval for every sample.
 enum class Axis { x, y };
 Interval differentiate_exact(const Interpolant& interpolant, Point sample, Axis axis);
 Interval differentiate_inexact(const Interpolant& interpolant, Point sample, Axis axis);
 Interval differentiate_permitted(const Interpolant& interpolant, Point sample, Axis axis,
                                  double reach);
 
-// What interpolate_exact yields for several attributes of one primitive at one sample. What the
-// attributes share is worked out once.
+// The results of interpolate_exact for several attributes of one primitive at one sample. The part
+// that the attributes share is computed once.
 class ExactPlace {
  public:
   explicit ExactPlace(Point sample) : sample_(sample) {}
 
-  // Attributes have the same vertices and line parameter; those that have perspective the same w.
+  // Attributes have the same vertices and line parameter; those with perspective have the same w.
   Interval value(const Interpolant& f) const;
 
  private:
@@ -113,7 +113,7 @@ class ExactPlace {
   const Interval& total_of(const Interpolant& f) const;
 
   Point sample_;
-  // When they are first asked for: whether the primitive has an extent, the weights as they are,
+  // Computed on demand: whether the primitive has an extent, the weights as they are, the weights
   // divided by w, and the sum of the former.
   mutable std::optional<bool> has_extent_;
   mutable std::optional<Weights> plain_;

@@ -4,7 +4,7 @@
 namespace edgecase {
 namespace {
 
-// Without the clause: wide by the rounding of doubles alone.
+// Without the clause: as wide as the rounding of doubles alone.
 constexpr Inexact kExactly{0};
 
 std::size_t next(std::size_t vertex) {
@@ -67,8 +67,8 @@ MovedShares::Areas MovedShares::areas(const Inexact& op) const {
   return result;
 }
 
-// What may be 0 at a corner is divided by there, and yields everything; so may what changes its
-// sign between corners.
+// False if a divisor may be 0 at a corner or change its sign between corners; then everything is
+// permitted.
 bool MovedShares::is_steady(const Interpolant& f) const {
   if (!vertices_.is_steady_) return false;
   if (!has_perspective(f)) return true;

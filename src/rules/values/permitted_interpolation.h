@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The permitted half of rules/values/interpolation.h: what a primitive's attributes may be where
-// each vertex may have moved.
+// The permitted half of rules/values/interpolation.h: the possible values of a primitive's
+// attributes if each vertex may have moved.
 //
-// Of a triangle a mean's numerator and denominator are linear in each coordinate of a vertex, so
-// the quotient is monotonic in each while the denominator keeps its sign: its extremes lie where
-// every coordinate has moved as far as it may, at one of 64 corners. What a primitive's samples
-// share is worked out once, by MovedVertices; what its attributes share at a sample, by
-// MovedShares.
+// For a triangle, the numerator and denominator of a mean are linear in each coordinate of a
+// vertex, so the quotient is monotonic in each while the denominator keeps its sign: its extremes
+// are where every coordinate has moved as far as it may, at one of 64 corners. MovedVertices
+// computes once the part that a primitive's samples share; MovedShares, the part that its
+// attributes share at a sample.
 #pragma once
 
 #include <array>
@@ -22,18 +22,18 @@ namespace edgecase {
 // The vertices of one primitive, and the corners if it is a triangle.
 class MovedVertices {
  public:
-  // `primitive`: an attribute of it; its positions count. reach: each vertex may have moved by less
-  // than this many pixels in x and in y.
+  // `primitive`: one of its attributes, for its positions. reach: each vertex may have moved by
+  // less than this many pixels in x and in y.
   MovedVertices(const Interpolant& primitive, double reach);
 
-  // Where each vertex may be.
+  // The possible positions of each vertex.
   const WindowPlaces& grown() const { return grown_; }
 
  private:
   friend class MovedShares;
 
   static constexpr std::size_t kCorners = 64;
-  // Of a vertex: bit 0 and 1 of its number tell whether x and y have grown. A corner's number has
+  // One vertex: bits 0 and 1 of the index tell whether x and y have grown. A corner's index has
   // those of the first vertex lowest.
   using Moved = std::array<WindowPlace, 4>;
   static std::size_t move_of(std::size_t corner, std::size_t vertex) {
@@ -48,30 +48,30 @@ class MovedVertices {
   Interval area_;                         // in inexact arithmetic, of the whole triangle
   std::array<Interval, kCorners> areas_;  // the same by corner
   bool is_steady_ = true;                 // all areas have one sign, exactly
-  bool is_above_zero_ = false;            // and this is it
+  bool is_above_zero_ = false;            // the sign, if they have one
 };
 
 // The shares of a triangle's vertices at one sample, by corner.
 //
-// An area with a sample depends on two vertices alone, so there are 16 of each; areas belong to the
+// An area with a sample depends on two vertices alone, so there are 16 of each. Areas belong to the
 // corner and the sample, not to the attribute, and so do shares over w, since all attributes have
-// one w. They are worked out once.
+// one w. They are computed once.
 class MovedShares {
  public:
   // `vertices` must outlive this.
   MovedShares(const MovedVertices& vertices, Point sample);
 
-  // interpolate_permitted of an attribute of that triangle. All attributes that are asked for with
-  // perspective have the same w.
+  // interpolate_permitted for an attribute of that triangle. All attributes with perspective must
+  // have the same w.
   Interval mean(const Interpolant& f) const;
 
-  // What the mean is divided by, made of areas: the triangle's own, or with perspective the sum of
-  // those with the sample, each over its w. Everything where it may be 0.
+  // The divisor of the mean, made of areas: the triangle's own or, with perspective, the sum of
+  // those with the sample, each over its w. Everything if it may be 0.
   Interval total(const Interpolant& f) const;
 
  private:
-  // By the vertex that an area's edge lies opposite to, and the moves of the next vertex and of the
-  // one after it.
+  // By the vertex opposite to an area's edge, and the moves of the next vertex and of the one
+  // after.
   using Areas = std::array<std::array<Interval, 16>, 3>;
 
   static std::size_t edge_of(std::size_t corner, std::size_t opposite);
@@ -87,24 +87,24 @@ class MovedShares {
   Areas areas_;
   Shares unmoved_;
   std::array<Shares, MovedVertices::kCorners> shares_;
-  // Of the one w, when they are first asked for.
+  // For the one w, computed on demand.
   mutable std::optional<bool> total_keeps_sign_;
   mutable std::vector<SharesOverW> over_w_;  // of the unmoved vertices, and by corner
   mutable std::optional<Interval> total_over_w_;
 };
 
-// What interpolate_permitted and differentiate_permitted yield for several attributes of one
-// primitive at one sample. What the attributes share is worked out once.
+// The results of interpolate_permitted and differentiate_permitted for several attributes of one
+// primitive at one sample. The part that the attributes share is computed once.
 class PermittedPlace {
  public:
-  // `vertices`, of the primitive that the attributes belong to, must outlive this.
+  // `vertices`, those of the attributes' primitive, must outlive this.
   PermittedPlace(const MovedVertices& vertices, Point sample)
       : vertices_(vertices), sample_(sample) {}
 
-  // Attributes that have perspective have the same w.
+  // Attributes with perspective have the same w.
   Interval value(const Interpolant& f) const;
   Interval slope(const Interpolant& f, Axis axis) const;
-  // Along x and along y; `value`: what value(f) is.
+  // Along x and along y; `value`: the result of value(f).
   std::array<Interval, 2> slopes(const Interpolant& f, Interval value) const;
 
  private:
@@ -113,7 +113,7 @@ class PermittedPlace {
 
   const MovedVertices& vertices_;
   Point sample_;
-  mutable std::optional<MovedShares> shares_;  // of a triangle, when it is first asked for
+  mutable std::optional<MovedShares> shares_;  // for a triangle, computed on demand
 };
 
 }  // namespace edgecase

@@ -44,7 +44,7 @@ Weights triangle_weights(const Interpolant& f) {
   return weights;
 }
 
-// t = (p - a).(b - a), or the like along the major axis alone, and |b - a|^2 - t.
+// t = (p - a).(b - a), or its like along the major axis alone, and |b - a|^2 - t.
 Weights line_weights(const Interpolant& f) {
   const auto divided = [](std::int64_t coordinate, std::int64_t w) {
     return Rational(Integer(coordinate), Integer(w));
@@ -67,7 +67,7 @@ bool has_extent(const Interpolant& f) {
   return !same_point(f.positions[0], f.positions[1]);
 }
 
-// Six coefficients, all multiplied by what makes them integers without a common factor.
+// Six coefficients, scaled to integers without a common factor.
 SixIntegers reduced(const std::array<Rational, 6>& given) {
   Integer multiple = 1;
   for (const Rational& value : given) multiple = lcm(multiple, denominator(value));
@@ -123,7 +123,7 @@ std::optional<Rational> RationalInterpolation::at(Point sample) const {
   return quotient_of(above_.at(sample), below);
 }
 
-// Of the quotient N / D, with N and D linear: (N' D - N D') / D^2.
+// For the quotient N / D, with N and D linear: (N' D - N D') / D^2.
 Rational RationalInterpolation::slope(Point sample, Axis axis, const Integer& below) const {
   const bool along_x = axis == Axis::x;
   const Integer rise = along_x ? above_.x : above_.y;
@@ -133,7 +133,7 @@ Rational RationalInterpolation::slope(Point sample, Axis axis, const Integer& be
 
 std::optional<Rational> RationalInterpolation::derivative(const QuadPixel& pixel, Axis axis,
                                                           DerivativeMethod method) const {
-  // Where it runs linearly in the window, all methods yield one number.
+  // For a value that is linear in the window, all methods yield one number.
   const bool is_linear = below_.x == 0 && below_.y == 0;
   if (method == DerivativeMethod::analytic || is_linear) {
     const Point sample = centre_of(pixel.pixel);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Interpolation without rounding: the values of rules/values/interpolation.h as quotients of
-// integers, for the few questions that an interval leaves open.
+// integers, for the few questions that an interval does not decide.
 //
 // Weights are linear in the sample, so the value is the quotient of two linear forms in its
-// coordinates, whose integer coefficients are computed once for a primitive.
+// coordinates, with integer coefficients that are computed once for a primitive.
 #pragma once
 
 #include <optional>
@@ -17,14 +17,14 @@ namespace edgecase {
 
 class RationalInterpolation {
  public:
-  // None where the primitive has no extent, or a value is no single finite number.
+  // None if the primitive has no extent, or a value is not a single finite number.
   static std::optional<RationalInterpolation> of(const Interpolant& interpolant);
 
-  // The value at a sample, which may lie outside the primitive; none where its denominator is 0,
-  // on the line of the window where all that the primitive's plane shows is infinitely far away.
+  // The value at a sample, which may lie outside the primitive; none if its denominator is 0, on
+  // the line of the window where the primitive's plane is infinitely far away.
   std::optional<Rational> at(Point sample) const;
 
-  // Per pixel; none where one of the values it is made of is none.
+  // Per pixel; none if one of the values needed is none.
   std::optional<Rational> derivative(const QuadPixel& at, Axis axis, DerivativeMethod method) const;
 
  private:
@@ -42,7 +42,7 @@ class RationalInterpolation {
   Form below_;
 };
 
-// The same of one sample, as interpolate_exact and derivative_exact.
+// The same for one sample, like interpolate_exact and derivative_exact.
 std::optional<Rational> interpolate_rational(const Interpolant& interpolant, Point sample);
 std::optional<Rational> derivative_rational(const Interpolant& interpolant, const QuadPixel& at,
                                             Axis axis, DerivativeMethod method);

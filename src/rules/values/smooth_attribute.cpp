@@ -27,27 +27,27 @@ Rule smooth_attribute_rule() {
   rule.alternatives = alternatives_of<LineParameter>();
   rule.rulings = {
       {9,
-       "Smooth attributes and depth: permitted is what the interpolation formula yields when every "
-       "operation may err by 1 part in 10^5 and every vertex may have moved by less than 2^-b (b "
-       "as in ruling 4). Equal to the correctly rounded exact value is agreement. Where the exact "
-       "value is a number, NaN and infinity are violations. A point's attributes are its vertex's; "
-       "they may err by a division and a multiplication by a w that is not 1, unless they are "
-       "flat. Depths and 1/w of vertices err by the division by w, the scaling and the addition "
-       "that make them, where ruling 15 lets places err, and depths by the latter two where the "
-       "depth range is not 0 to 1."},
+       "Smooth attributes and depth: a value is permitted if the interpolation formula can yield "
+       "it when every operation may err by 1 part in 10^5 and every vertex may have moved by "
+       "less than 2^-b (b as in ruling 4). A value equal to the correctly rounded exact value "
+       "agrees. Where the exact value is a number, NaN and infinity are violations. A point's "
+       "attributes are its vertex's; they may err by a division and a multiplication by a w that "
+       "is not 1, unless they are flat. Where ruling 15 lets positions err, depths and 1/w of "
+       "vertices err by the division by w, the scaling and the addition that make them; where "
+       "the depth range is not 0 to 1, depths err by the latter two."},
       {13,
-       "Attributes across a wide line: preferred are those of the adjusted line at the column's "
-       "lowest fragment, for all fragments of the column, which is what the line has in the middle "
-       "of the column, and exact takes these; each fragment may have those of its own centre "
-       "instead (14.5.2.2). Permitted is what lies between both, in whichever row of its column a "
-       "fragment may be: at most (w - 1)/2 away along the minor axis. gl_FragCoord and depth are "
-       "interpolated as usual, and given the same leave; derivatives are differences of any values "
-       "that fragments may have."},
+       "Attributes across a wide line: the preferred values are those of the adjusted line at "
+       "the column's lowest fragment, for all fragments of the column. These are the line's "
+       "values in the middle of the column, and exact takes them; each fragment may have those "
+       "of its own centre instead (14.5.2.2). Everything between both is permitted, in whichever "
+       "row of its column a fragment may be: at most (w - 1)/2 away along the minor axis. "
+       "gl_FragCoord and depth are interpolated as usual, and have the same latitude; "
+       "derivatives are differences of any values that fragments may have."},
       {46,
-       "Values along a line go by the sample's projection onto it (equation 14.5), and not by its "
-       "coordinate on the major axis alone (on either axis where the line is as long in x as in y, "
-       "or vertices that move as ruling 9 has it can make it so); those of a wide line are none "
-       "that only another fragment of the column may have under ruling 13."}};
+       "Values along a line follow the sample's projection onto it (equation 14.5), and not its "
+       "coordinate on the major axis alone (on either axis if the line is as long in x as in y, "
+       "or if moves of its vertices under ruling 9 can make it so). A wide line's fragment has "
+       "no value that ruling 13 permits only for another fragment of its column."}};
   return rule;
 }
 

@@ -30,7 +30,7 @@ Rule attribute_positions_rule();   // attribute.positions
 Rule depth_rule();                 // fragment.depth
 Rule fragment_coordinates_rule();  // fragment.coordinates: gl_FragCoord
 
-// Are attributes divided by w?
+// Whether attributes are divided by w.
 enum class PerspectiveChoice {
   as_set,  // smooth ones are, noperspective ones are not
   always,
@@ -48,8 +48,8 @@ inline constexpr auto kNames<PerspectiveChoice> = std::to_array<
       "smooth attributes of multisampled targets, evaluated elsewhere in the pixel, are multiplied "
       "by w at its centre"}});
 
-// From where are the weights of the vertices computed: where the vertices are, or where coverage
-// has snapped them to?
+// The positions from which the weights of the vertices are computed: the exact ones, or those to
+// which coverage has snapped them.
 enum class AttributePositions { unsnapped, snapped };
 template <>
 inline constexpr auto kNames<AttributePositions> =
@@ -67,7 +67,7 @@ inline constexpr auto kNames<LineParameter> = std::to_array<TabledAlternative<Li
       "along a line by the sample's coordinate on the major axis alone; Vulkan allows it, "
       "OpenGL's text does not"}});
 
-// Is a draw's colour divided by w under a choice? Flat ones are not interpolated at all.
+// True if a draw's colour is divided by w under a choice. Flat colours are not interpolated at all.
 bool divides_by_w(Interpolation interpolation, PerspectiveChoice choice);
 
 }  // namespace edgecase

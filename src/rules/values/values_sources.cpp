@@ -123,19 +123,20 @@ void add_values_sources(std::map<int, RulingSource>& of) {
                 "within 1 pixel for functions that are not linear; none asks for an area's size",
             .es = "ESSL 8.14.1: no Coarse; dFdx by \"local differencing\", of no stated area"};
 
-  of[59] = {.clause = "2.3.5.2; 13.8.1 (Controlling the Viewport)",
-            .quotation =
-                "z_w may be represented using either a fixed-point or floating-point "
-                "representation",
-            .basis = Basis::contested,
-            .contest =
-                "a fixed-point depth reaches gl_FragCoord.z by a conversion, of which ES 3.2 "
-                "(14.2.2) asks no more than that 0 and 1 stay, and GL nothing: what is told may be "
-                "a code off what was converted",
-            .khronos = "none asks the last bit of a stored depth",
-            .es =
-                "14.2.2: the implied conversion of gl_FragCoord's depth \"must leave the values 0 "
-                "and 1 invariant\""};
+  of[59] = {
+      .clause = "2.3.5.2; 13.8.1 (Controlling the Viewport)",
+      .quotation =
+          "z_w may be represented using either a fixed-point or floating-point "
+          "representation",
+      .basis = Basis::contested,
+      .contest =
+          "a fixed-point depth reaches gl_FragCoord.z by a conversion, of which ES 3.2 "
+          "(14.2.2) asks no more than that 0 and 1 stay, and GL nothing: the reported depth may "
+          "be a code off what was converted",
+      .khronos = "none asks the last bit of a stored depth",
+      .es =
+          "14.2.2: the implied conversion of gl_FragCoord's depth \"must leave the values 0 "
+          "and 1 invariant\""};
 
   of[46] = {.clause = "14.5.1, equations 14.5 to 14.7; 14.5.2.2",
             .quotation = "Set t = (p_r - p_a) . (p_b - p_a) / |p_b - p_a|^2",

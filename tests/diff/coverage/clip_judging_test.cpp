@@ -38,7 +38,7 @@ TEST(ClipJudging, ExactAgreesWithItself) {
     scene.draws[0].cull = round % 3 == 0 ? CullMode::back : CullMode::none;
     for (const ScenePrimitive& primitive : primitives_of(scene)) clipped += primitive.is_clipped;
     const Result result = judge_output(scene, {}, rasterize(scene, {}));
-    EXPECT_EQ(result.verdict, Verdict::agree) << told(result);
+    EXPECT_EQ(result.verdict, Verdict::agree) << described(result);
     if (HasFailure()) return;
   }
   EXPECT_GT(clipped, 500);
@@ -51,7 +51,7 @@ TEST(ClipJudging, IllegalWaysAreNamedAndConvicted) {
         judge_output(scene, {}, rasterize(scene, policy_with("clip.volume", name)));
     EXPECT_EQ(result.verdict, Verdict::violation) << name;
     EXPECT_EQ(disagreement_causes_of(result), Names{std::string("clip.volume=") + name})
-        << told(result);
+        << described(result);
     EXPECT_EQ(rules_of(result), Names{"clip.volume"});
     for (const Disagreement& d : result.disagreements)
       if (!is_legal(d)) {
@@ -71,7 +71,7 @@ TEST(ClipJudging, PermittedWaysAreConventions) {
     const Scene scene = random.scene(Primitive::triangles, 3, kViewport);
     if (!primitives_of(scene).front().is_clipped) continue;
     const Result result = judge_output(scene, {}, rasterize(scene, policy), Latitude::opengl, 4);
-    EXPECT_NE(result.verdict, Verdict::violation) << told(result);
+    EXPECT_NE(result.verdict, Verdict::violation) << described(result);
     if (HasFailure()) return;
     if (result.verdict != Verdict::convention) continue;
     ++conventions;
@@ -96,7 +96,7 @@ TEST(ClipJudging, NothingIsDrawnOfPointsAndLinesOutside) {
   const Scene seen = scene_of(Primitive::lines, {{-1, 0, 2, 2}, {1, 0, 2, 2}});
   EXPECT_TRUE(rasterize(line, {}).fragments.empty());
   const Result beyond = judge_output(line, {}, rasterize(seen, {}));
-  EXPECT_EQ(beyond.verdict, Verdict::violation) << told(beyond);
+  EXPECT_EQ(beyond.verdict, Verdict::violation) << described(beyond);
   EXPECT_TRUE(rules_of(beyond).contains("clip.volume"));
 }
 
@@ -123,13 +123,13 @@ TEST(ClipJudging, PointsBeyondTheSidesMayBeDrawnOrNot) {
   ASSERT_FALSE(drawn.fragments.empty());
   ASSERT_TRUE(rasterize(point, {}).fragments.empty());
   const Result result = judge_output(point, {}, drawn);
-  EXPECT_EQ(result.verdict, Verdict::permitted) << told(result);
+  EXPECT_EQ(result.verdict, Verdict::permitted) << described(result);
   // A column too many is not covered, whoever discards what.
   Scene larger = point;
   larger.draws[0].point_size = Fixed::from_integer(8);
   const Result beyond = judge_output(point, {}, unclipped(larger));
   EXPECT_EQ(beyond.verdict, Verdict::violation);
-  EXPECT_TRUE(rules_of(beyond).contains("point.ownership")) << told(beyond);
+  EXPECT_TRUE(rules_of(beyond).contains("point.ownership")) << described(beyond);
   // Farther than far by a hair nothing is passed.
   for (const auto& [z, verdict] :
        {std::pair{1.000005F, Verdict::permitted}, std::pair{1.00002F, Verdict::violation}}) {
@@ -157,16 +157,16 @@ TEST(ClipJudging, APolygonsFragmentsLieInTheHullOfItsVertices) {
   other.fragments.front().color[0] = 1.0001;
   const Result beyond = judge_output(scene, {}, other);
   EXPECT_EQ(beyond.verdict, Verdict::violation);
-  EXPECT_EQ(beyond.disagreements.size(), 1U) << told(beyond);
+  EXPECT_EQ(beyond.disagreements.size(), 1U) << described(beyond);
   // Off its plane a depth breaks the ruling that is contested, one beyond near and far ruling 9.
   Rendering flat = exact;
   flat.fragments.front().depth = 0.3;
   const Result off = judge_output(scene, {}, flat);
-  ASSERT_EQ(off.disagreements.size(), 1U) << told(off);
+  ASSERT_EQ(off.disagreements.size(), 1U) << described(off);
   EXPECT_EQ(off.disagreements[0].ruling, 44);
   flat.fragments.front().depth = 0.6;
   const Result outside = judge_output(scene, {}, flat);
-  ASSERT_EQ(outside.disagreements.size(), 1U) << told(outside);
+  ASSERT_EQ(outside.disagreements.size(), 1U) << described(outside);
   EXPECT_EQ(outside.disagreements[0].ruling, 9);
   // A triangle that nothing cuts keeps to its plane.
   Scene whole = scene;

@@ -113,18 +113,18 @@ TEST(SupportedSizes, AreAskedFor) {
   const auto raw = [](double size) {
     return Fixed::from_raw(static_cast<std::int64_t>(size * Fixed::kOne));
   };
-  const SupportedSizes told =
+  const SupportedSizes reported =
       supported_sizes({{"point_size_steps", "1 by 0.5"}, {"sampled_line_width_steps", "nonsense"}});
-  EXPECT_EQ(told.points.step, 0.5);
-  EXPECT_EQ(told.lines.step, 0);
+  EXPECT_EQ(reported.points.step, 0.5);
+  EXPECT_EQ(reported.lines.step, 0);
   const auto range = [&](double size, const SizeSteps& steps) {
     const SizeRange sizes = permitted_sizes(raw(size), steps);
     return std::pair{sizes.low.to_double(), sizes.high.to_double()};
   };
-  EXPECT_EQ(range(2.5, told.points), (std::pair{2.5, 2.5}));
-  EXPECT_EQ(range(2.25, told.points), (std::pair{2.0, 2.5}));
-  EXPECT_EQ(range(0.125, told.points), (std::pair{1.0 / Fixed::kOne, 0.375}));
-  EXPECT_EQ(range(2.25, told.lines), (std::pair{2.25, 2.25}));
+  EXPECT_EQ(range(2.5, reported.points), (std::pair{2.5, 2.5}));
+  EXPECT_EQ(range(2.25, reported.points), (std::pair{2.0, 2.5}));
+  EXPECT_EQ(range(0.125, reported.points), (std::pair{1.0 / Fixed::kOne, 0.375}));
+  EXPECT_EQ(range(2.25, reported.lines), (std::pair{2.25, 2.25}));
   EXPECT_EQ(range(1, SizeSteps{0.3, 0.7}), (std::pair{1.0, 1.0})) << "1 must be supported";
 
   // A point of size 3.5 drawn as one of 3 or 4 by a renderer whose sizes are whole numbers.

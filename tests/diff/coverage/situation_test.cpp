@@ -53,10 +53,10 @@ TEST(SituationOfALine, NamesDirections) {
 
 TEST(SituationOfALine, NamesEveryPartOfTheDiamondThatAnEndLiesIn) {
   const auto first = [](double x, double y, PixelPosition pixel = {6, 6}) {
-    const std::string told = line(at(x, y), at(x + 5, y), pixel);
+    const std::string described = line(at(x, y), at(x + 5, y), pixel);
     const std::string before = "line, horizontal right, first pixel, start ";
-    EXPECT_EQ(told.substr(0, before.size()), before);
-    return told.substr(before.size());
+    EXPECT_EQ(described.substr(0, before.size()), before);
+    return described.substr(before.size());
   };
   EXPECT_EQ(first(6.5, 6.5), "at the centre of its diamond");
   EXPECT_EQ(first(6.375, 6.375), "inside its diamond");
@@ -103,19 +103,19 @@ TEST(SituationOfATriangle, NamesTheEdgeThatASampleLiesOn) {
 
 TEST(SituationOfATriangle, NamesHowFarASampleLiesFromItsEdges) {
   // The left edge lies so far right of the centre of pixel (4, 6).
-  const auto told = [](double distance) {
+  const auto described = [](double distance) {
     const double left = 4.5 + distance;
     return triangle({at(left, 1), at(15, 1), at(left, 15)}, {4, 6});
   };
-  EXPECT_EQ(told(1. / 256), "triangle, sample outside, within 1/256 pixel");
-  EXPECT_EQ(told(1. / 256 + 1. / 65536), "triangle, sample outside, within 1/16 pixel");
-  EXPECT_EQ(told(1. / 16), "triangle, sample outside, within 1/16 pixel");
-  EXPECT_EQ(told(1), "triangle, sample outside, within 1 pixel");
-  EXPECT_EQ(told(1.25), "triangle, sample outside, more than 1 pixel");
-  EXPECT_EQ(told(-1. / 256), "triangle, sample inside, within 1/256 pixel");
-  EXPECT_EQ(told(-1. / 256 - 1. / 65536), "triangle, sample inside, within 1/16 pixel");
-  EXPECT_EQ(told(-.5), "triangle, sample inside, within 1 pixel");
-  EXPECT_EQ(told(-2), "triangle, sample inside, more than 1 pixel");
+  EXPECT_EQ(described(1. / 256), "triangle, sample outside, within 1/256 pixel");
+  EXPECT_EQ(described(1. / 256 + 1. / 65536), "triangle, sample outside, within 1/16 pixel");
+  EXPECT_EQ(described(1. / 16), "triangle, sample outside, within 1/16 pixel");
+  EXPECT_EQ(described(1), "triangle, sample outside, within 1 pixel");
+  EXPECT_EQ(described(1.25), "triangle, sample outside, more than 1 pixel");
+  EXPECT_EQ(described(-1. / 256), "triangle, sample inside, within 1/256 pixel");
+  EXPECT_EQ(described(-1. / 256 - 1. / 65536), "triangle, sample inside, within 1/16 pixel");
+  EXPECT_EQ(described(-.5), "triangle, sample inside, within 1 pixel");
+  EXPECT_EQ(described(-2), "triangle, sample inside, more than 1 pixel");
   EXPECT_EQ(triangle(kRight, {4, 14}), "triangle, sample outside, more than 1 pixel")
       << "on the line of an edge, beyond its end";
   // Distances are across an edge, not along an axis: 3-4-5.

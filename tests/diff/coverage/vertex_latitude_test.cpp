@@ -245,7 +245,7 @@ TEST(ClipCoordinates, AreExplainedAsQuotients) {
   const ScenePrimitive point = primitives_of(scene)[0];
   const RuleChoices choices = resolve({}, Surface::fbo);
   const std::string note =
-      "; vertices given as clip coordinates are quotients by w, here told to the nearest 1/65536 "
+      "; vertices given as clip coordinates are quotients by w, here given to the nearest 1/65536 "
       "pixel";
   const std::string tie = explain(point, pixel_centre(5, 9), scene.target, choices.points).text;
   EXPECT_TRUE(tie.ends_with(note)) << tie;

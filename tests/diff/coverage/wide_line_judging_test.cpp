@@ -31,7 +31,7 @@ Scene slanted_line(int width, int samples = 1) {
 }
 
 // Every fragment with the colour of a place so many pixels above its own centre.
-Rendering with_colors_above(const Scene& scene, double pixels, bool tells_colors = true) {
+Rendering with_colors_above(const Scene& scene, double pixels, bool reports_colors = true) {
   Rendering rendering = rasterize(scene, {});
   const ScenePrimitive line = primitives_of(scene).front();
   const PrimitiveAttributes attributes =
@@ -41,7 +41,7 @@ Rendering with_colors_above(const Scene& scene, double pixels, bool tells_colors
     const Point place{centre.x, centre.y + at(0, pixels).y};
     const double red = to_float(middle(color_exact(attributes, 0, place, {f.x, f.y})));
     f.color[0] = red;
-    f.has_color = tells_colors;
+    f.has_color = reports_colors;
     for (std::size_t s = 0; s < static_cast<std::size_t>(scene.target.samples); ++s) {
       const std::size_t index = 4 * rendering.sample_index(f.x, f.y, static_cast<int>(s));
       (scene.target.samples > 1 ? rendering.sample_pixels : rendering.pixels)[index] =
@@ -54,12 +54,12 @@ Rendering with_colors_above(const Scene& scene, double pixels, bool tells_colors
 
 TEST(WideLineJudging, ValuesOfEachOwnCentreArePermitted) {
   for (const int samples : {1, 4})
-    for (const bool told : {true, false}) {
+    for (const bool reported : {true, false}) {
       const Scene scene = slanted_line(5, samples);
       EXPECT_LE(judged(scene, rasterize(scene, {})).verdict, Verdict::permitted);
-      const Result own = judged(scene, with_colors_above(scene, 0, told));
-      EXPECT_EQ(broken_rulings(own), std::set<int>{}) << samples << told;
-      EXPECT_EQ(own.verdict, Verdict::permitted) << samples << told;
+      const Result own = judged(scene, with_colors_above(scene, 0, reported));
+      EXPECT_EQ(broken_rulings(own), std::set<int>{}) << samples << reported;
+      EXPECT_EQ(own.verdict, Verdict::permitted) << samples << reported;
     }
 }
 

@@ -25,7 +25,7 @@ TEST(OutputAgreement, OfRandomScenes) {
     const Rendering exact = rasterize(scene, {});
     fragments += exact.fragments.size();
     const Result result = judge_output(scene, {}, exact);
-    ASSERT_EQ(result.verdict, Verdict::agree) << i << ": " << told(result);
+    ASSERT_EQ(result.verdict, Verdict::agree) << i << ": " << described(result);
   }
   EXPECT_GT(fragments, 20000u);
 }
@@ -35,12 +35,12 @@ TEST(OutputAgreement, OfMultisampledScenes) {
   for (int i = 0; i < 300; ++i) {
     const Scene scene = random_multisampled_output_scene(random);
     const Result result = judge_output(scene, {}, rasterize(scene, {}));
-    ASSERT_EQ(result.verdict, Verdict::agree) << i << ": " << told(result);
+    ASSERT_EQ(result.verdict, Verdict::agree) << i << ": " << described(result);
   }
 }
 
 // Renderers tell float32 numbers, keep values to themselves, or lack planes.
-TEST(OutputAgreement, OfFloatsAndOfWhatIsNotTold) {
+TEST(OutputAgreement, OfFloatsAndOfPlanesThatAreNotReported) {
   RandomScenes random(83);
   for (int i = 0; i < 400; ++i) {
     const Scene scene = random_output_scene(random);
@@ -50,7 +50,7 @@ TEST(OutputAgreement, OfFloatsAndOfWhatIsNotTold) {
     if (i % 3 == 1) silent.stencils.clear();
     if (i % 5 == 0) silent.depths.clear();
     const Result result = judge_output(scene, {}, silent);
-    ASSERT_EQ(result.verdict, Verdict::agree) << i << ": " << told(result);
+    ASSERT_EQ(result.verdict, Verdict::agree) << i << ": " << described(result);
   }
 }
 
@@ -67,15 +67,16 @@ TEST(OutputAgreement, UnderEveryPolicy) {
         const Rendering exact = rasterize(scene, policy);
         Result result = judge_output(scene, policy, exact, Latitude::none);
         ASSERT_EQ(result.verdict, Verdict::agree)
-            << rule << "=" << alternative.name << " " << i << ": " << told(result);
+            << rule << "=" << alternative.name << " " << i << ": " << described(result);
         result = judge_output(scene, policy, exact);
         if (alternative.openness == Openness::illegal) {
           for (const Disagreement& d : result.disagreements)
-            ASSERT_TRUE(d.policy_agrees) << told(result);
-          ASSERT_TRUE(result.values.empty()) << rule << "=" << alternative.name << told(result);
+            ASSERT_TRUE(d.policy_agrees) << described(result);
+          ASSERT_TRUE(result.values.empty())
+              << rule << "=" << alternative.name << described(result);
         } else {
           ASSERT_EQ(result.verdict, Verdict::agree)
-              << rule << "=" << alternative.name << " " << i << ": " << told(result);
+              << rule << "=" << alternative.name << " " << i << ": " << described(result);
         }
       }
 }

@@ -52,7 +52,7 @@ Tally planted(const std::string& rule, const Alternative& alternative, bool mult
     const bool is_contested = result.verdict == Verdict::contested;
     tally.convicted += is_contested || result.verdict == Verdict::violation ? 1 : 0;
     std::set<std::string> causes = disagreement_causes_of(result);
-    EXPECT_FALSE(causes.contains("")) << told(result);
+    EXPECT_FALSE(causes.contains("")) << described(result);
     causes.merge(aggregate_causes_of(result));
     for (const std::string& cause : causes) ++tally.named[cause];
   }
@@ -121,14 +121,14 @@ TEST(OutputAlternatives, RoundingsOfBlendingAreConventions) {
     const std::string cause = "blend.rounding=" + alternative.name;
     Rendering rendered = rasterize(scene, policy_with("blend.rounding", alternative.name));
     Result result = judge_output(scene, {}, rendered);
-    EXPECT_EQ(result.verdict, Verdict::convention) << told(result);
+    EXPECT_EQ(result.verdict, Verdict::convention) << described(result);
     EXPECT_EQ(aggregate_causes_of(result), std::set<std::string>{cause});
     // One pixel that it does not make, and nothing accounts for all.
     std::uint8_t& green = rendered.pixels[4 * rendered.pixel_index(20, 20) + 1];
     green = rasterize(scene, {}).pixels[4 * rendered.pixel_index(20, 20) + 1];
     green = static_cast<std::uint8_t>(green - 1);
     result = judge_output(scene, {}, rendered);
-    EXPECT_EQ(result.verdict, Verdict::permitted) << told(result);
+    EXPECT_EQ(result.verdict, Verdict::permitted) << described(result);
     EXPECT_EQ(judge_output(scene, {}, rendered, Latitude::none).verdict, Verdict::violation);
   }
 }

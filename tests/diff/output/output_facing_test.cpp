@@ -38,7 +38,7 @@ TEST(OutputFacing, ACulledTriangleThatIsDrawnIsAViolation) {
   const Scene scene = two_ways(CullMode::back);
   const Result result = judge_output(scene, {}, rasterize(two_ways(CullMode::none), {}));
   EXPECT_EQ(result.verdict, Verdict::violation);
-  EXPECT_EQ(rules_of(result), Names{"polygon.facing"}) << told(result);
+  EXPECT_EQ(rules_of(result), Names{"polygon.facing"}) << described(result);
   EXPECT_EQ(disagreement_causes_of(result), Names{"polygon.facing=not-culled"});
   for (const Disagreement& d : result.disagreements) {
     EXPECT_EQ(d.ruling, 40);
@@ -51,7 +51,7 @@ TEST(OutputFacing, TheWrongTriangleIsDrawn) {
   const Scene scene = two_ways(CullMode::back);
   const Result result = judge_output(scene, {}, rasterize(two_ways(CullMode::front), {}));
   EXPECT_EQ(result.verdict, Verdict::violation);
-  EXPECT_EQ(rules_of(result), Names{"polygon.facing"}) << told(result);
+  EXPECT_EQ(rules_of(result), Names{"polygon.facing"}) << described(result);
   EXPECT_EQ(disagreement_causes_of(result), Names{"polygon.facing=reversed"});
   Scene clockwise = scene;
   clockwise.draws[0].front_face = FrontFace::cw;
@@ -59,7 +59,7 @@ TEST(OutputFacing, TheWrongTriangleIsDrawn) {
   EXPECT_EQ(other.verdict, Verdict::violation);
   EXPECT_TRUE(disagreement_causes_of(other) == Names{"polygon.facing=reversed"} ||
               disagreement_causes_of(other) == Names{"polygon.facing=always-ccw"})
-      << told(other);
+      << described(other);
 }
 
 // A sliver of 2^-9 pixels high through the centres of a row.
@@ -86,12 +86,12 @@ TEST(OutputFacing, ASliverMayFaceEitherWay) {
   ASSERT_FALSE(drawn.fragments.empty());
   ASSERT_TRUE(culled.fragments.empty());
   Result result = judge_output(front, {}, drawn);
-  EXPECT_EQ(result.verdict, Verdict::permitted) << told(result);
+  EXPECT_EQ(result.verdict, Verdict::permitted) << described(result);
   EXPECT_EQ(rules_of(result), Names{"polygon.facing"});
   EXPECT_NE(judge_output(back, {}, culled).verdict, Verdict::violation);
   // With finer vertices it may not.
   result = judge_output(front, {}, drawn, Latitude::opengl, 14);
-  EXPECT_EQ(result.verdict, Verdict::violation) << told(result);
+  EXPECT_EQ(result.verdict, Verdict::violation) << described(result);
 }
 
 TEST(OutputFacing, LatitudeByTheSignOfTheArea) {
@@ -125,7 +125,7 @@ TEST(OutputFacing, TheStencilStateOfEitherFace) {
     Scene turned = scene;
     turned.draws[0].operations.stencil = {back, front};
     const Result result = judge_output(scene, {}, rasterize(turned, {}));
-    EXPECT_EQ(result.verdict == Verdict::violation, !thin) << told(result);
+    EXPECT_EQ(result.verdict == Verdict::violation, !thin) << described(result);
     if (!thin) {
       EXPECT_EQ(disagreement_causes_of(result), Names{"polygon.facing=reversed"});
     }

@@ -58,7 +58,7 @@ Result judge_output(const Scene& scene, const Policy& policy, const Rendering& r
   return judged(scene, rendered, judging, subpixel_bits);
 }
 
-std::string told(const Result& result) {
+std::string described(const Result& result) {
   std::string text = name_of(result.verdict);
   for (std::size_t i = 0; i < result.disagreements.size() && i < 6; ++i) {
     const Disagreement& d = result.disagreements[i];

@@ -21,6 +21,6 @@ Result judge_output(const Scene& scene, const Policy& policy, const Rendering& r
                     Latitude latitude = Latitude::opengl, int subpixel_bits = 8);
 
 // All that was found, for messages.
-std::string told(const Result& result);
+std::string described(const Result& result);
 
 }  // namespace edgecase

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What is open of fates: comparisons of depths that conversion may turn either way, and states that
-// grow in number.
+// What fragment operations leave open: comparisons of depths that conversion may turn either way,
+// and states that grow in number.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -116,15 +116,15 @@ TEST(OutputLatitude, DepthsThatAreComparedUnconvertedAreContested) {
   EXPECT_EQ(rulings_in(judge_output(scene, {}, mixed)), std::set<int>{39});
 }
 
-TEST(OutputLatitude, AnOpenTestIsToldAsSuch) {
+TEST(OutputLatitude, AnOpenTestIsReportedAsSuch) {
   // Exact rounds the first up and the second down: less passes. Both codes may be the same, too.
   const Scene scene = two_layers(kHigh, kLow, CompareFunction::less);
   const Result result = judge_output(scene, {}, passing(false, kHigh, kLow));
-  EXPECT_EQ(result.verdict, Verdict::permitted) << told(result);
+  EXPECT_EQ(result.verdict, Verdict::permitted) << described(result);
   bool found = false;
   for (const ValueAggregate& values : result.values)
     if (values.rule == "depth.test") found = values.ruling == 39 && values.differing.size() == 16;
-  EXPECT_TRUE(found) << told(result);
+  EXPECT_TRUE(found) << described(result);
 }
 
 TEST(OutputLatitude, WhatIsOpenGoesOneWayInAllPlanes) {
@@ -183,7 +183,7 @@ TEST(OutputLatitude, ManyOpenTestsAreDoneWithAndRefuteWhatCannotBe) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
-TEST(OutputLatitude, AHundredSlopingLayersOfToldDepths) {
+TEST(OutputLatitude, AHundredSlopingLayersOfReportedDepths) {
   Scene scene = many_layers(100, false);
   Rendering rendered = rasterize(scene, {});
   for (Fragment& fragment : rendered.fragments)

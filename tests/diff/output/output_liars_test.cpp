@@ -40,9 +40,9 @@ Scene layered(int samples = 1) {
 // The one disagreement there is.
 void expect_one(const Result& result, const char* rule, PixelPosition at, int sample = 0) {
   EXPECT_EQ(result.verdict, Verdict::violation);
-  ASSERT_EQ(result.disagreements.size(), 1u) << told(result);
+  ASSERT_EQ(result.disagreements.size(), 1u) << described(result);
   const Disagreement& d = result.disagreements.front();
-  EXPECT_EQ(d.rule, rule) << told(result);
+  EXPECT_EQ(d.rule, rule) << described(result);
   EXPECT_EQ((PixelPosition{d.x, d.y}), at);
   EXPECT_EQ(d.sample, sample);
   EXPECT_NE(d.explanation.find("In drawing order: primitive "), std::string::npos) << d.explanation;
@@ -52,7 +52,7 @@ TEST(OutputLiars, TheTruthAgrees) {
   for (const int samples : {1, 4}) {
     const Scene scene = layered(samples);
     const Result result = judge_output(scene, {}, rasterize(scene, {}));
-    EXPECT_EQ(result.verdict, Verdict::agree) << told(result);
+    EXPECT_EQ(result.verdict, Verdict::agree) << described(result);
   }
 }
 
@@ -105,7 +105,7 @@ TEST(OutputLiars, AColourThatIsOffByOneIsPermittedWhereItIsBlended) {
   std::uint8_t& red = rendered.pixels[4 * rendered.pixel_index(1, 2)];
   red = static_cast<std::uint8_t>(red - 1);
   const Result result = judge_output(scene, {}, rendered);
-  EXPECT_EQ(result.verdict, Verdict::permitted) << told(result);
+  EXPECT_EQ(result.verdict, Verdict::permitted) << described(result);
   EXPECT_EQ(judge_output(scene, {}, rendered, Latitude::none).verdict, Verdict::violation);
 }
 
@@ -121,7 +121,7 @@ TEST(OutputLiars, AMaskInAnotherOrder) {
     rendered.pixels = rasterize(other, {}).pixels;
     const Result result = judge_output(scene, {}, rendered);
     EXPECT_EQ(result.verdict, Verdict::violation);
-    EXPECT_EQ(rules_of(result), Names{"color.mask"}) << blended << told(result);
+    EXPECT_EQ(rules_of(result), Names{"color.mask"}) << blended << described(result);
     for (Scene* each : {&scene, &other}) {
       each->draws[2].operations.blending = scene.draws[1].operations.blending;
       for (Vertex& vertex : each->draws[2].vertices) vertex.color = {0.75F, 0.5F, 1, 0.5F};
@@ -182,7 +182,7 @@ TEST(OutputLiars, FragmentsInAnotherOrder) {
   rendered.depths = rasterize(swapped, {}).depths;
   const Result result = judge_output(scene, {}, rendered);
   EXPECT_EQ(result.verdict, Verdict::violation);
-  EXPECT_EQ(rules_of(result), Names{"framebuffer.order"}) << told(result);
+  EXPECT_EQ(rules_of(result), Names{"framebuffer.order"}) << described(result);
 }
 
 }  // namespace

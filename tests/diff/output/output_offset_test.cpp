@@ -70,7 +70,7 @@ TEST(OutputOffset, TheUnitOfAFixedPointBufferIsAnyConstantOfOneStepOrMore) {
   for (const double steps : {1.0, 1.3, 2.02, 4.0, 100.0})
     for (const float units : {2000.0F, 300.0F, -300.0F})
       EXPECT_TRUE(rules_of(with_units(steps, steps, units)).empty())
-          << steps << told(with_units(steps, steps, units));
+          << steps << described(with_units(steps, steps, units));
   for (const double steps : {0.98, 0.5, 0.0}) {
     const Result less = with_units(steps, steps);
     EXPECT_EQ(less.verdict, Verdict::violation) << steps;
@@ -79,7 +79,7 @@ TEST(OutputOffset, TheUnitOfAFixedPointBufferIsAnyConstantOfOneStepOrMore) {
   }
   // Not one constant: one of the two is odd.
   const Result two = with_units(2, 2.01);
-  EXPECT_EQ(two.verdict, Verdict::violation) << told(two);
+  EXPECT_EQ(two.verdict, Verdict::violation) << described(two);
   for (const Disagreement& d : two.disagreements) {
     EXPECT_EQ(d.rule, "offset.unit");
     EXPECT_EQ(d.ruling, 38);
@@ -103,9 +103,10 @@ TEST(OutputOffset, EveryAlternativeIsNamedAndJudgedByItsOpenness) {
         const Scene scene = sloping(format, offset, has_operations);
         const Result result = under(scene, rule, alternative.name);
         if (result.verdict == Verdict::agree) continue;
-        EXPECT_EQ(result.verdict, verdict_on(alternative)) << cause << told(result);
-        EXPECT_TRUE(is_named(result, cause)) << cause << told(result);
-        for (const Disagreement& d : result.disagreements) EXPECT_EQ(d.rule, rule) << told(result);
+        EXPECT_EQ(result.verdict, verdict_on(alternative)) << cause << described(result);
+        EXPECT_TRUE(is_named(result, cause)) << cause << described(result);
+        for (const Disagreement& d : result.disagreements)
+          EXPECT_EQ(d.rule, rule) << described(result);
       }
     }
 }
@@ -150,7 +151,7 @@ TEST(OutputOffset, ADepthThatNoOffsetYields) {
     EXPECT_EQ(result.verdict, Verdict::violation);
     const std::set<std::string> rules = rules_of(result);
     EXPECT_TRUE(rules.contains(offset.factor != 0 ? "offset.slope" : "offset.unit"))
-        << told(result);
+        << described(result);
   }
 }
 
@@ -173,17 +174,17 @@ TEST(OutputOffset, DepthsAreClampedOnceTheyAreOffset) {
       const Result unclamped = judge_output(scene, {}, rendered);
       ASSERT_FALSE(unclamped.disagreements.empty());
       for (const Disagreement& d : unclamped.disagreements)
-        EXPECT_EQ(d.ruling, 45) << told(unclamped);
+        EXPECT_EQ(d.ruling, 45) << described(unclamped);
       // The fragment's depth is contested; what is stored of it is clamped, and right.
       EXPECT_EQ(rules_of(unclamped),
                 std::set<std::string>{format == DepthFormat::depth32f ? "offset.exponent"
                                                                       : "offset.unit"})
-          << told(unclamped);
+          << described(unclamped);
     }
 }
 
 // Of a fragment whose depth the renderer tells unclamped, 0 is stored, and nothing else.
-TEST(OutputOffset, AStoredDepthIsClampedWhateverIsToldOfTheFragment) {
+TEST(OutputOffset, AStoredDepthIsClampedWhateverTheFragmentReports) {
   for (const bool has_operations : {false, true}) {
     const Scene scene = sloping(DepthFormat::depth32f, {0, -1e9F, 0}, has_operations);
     const Rendering exact = rasterize(scene, {});

@@ -49,10 +49,10 @@ TEST(OutputSamples, DepthsOfOtherPlacesAreNamed) {
   for (const char* name : {"centre", "mirrored-x"}) {
     const Result result = under(crossing(), "sample.depth", name);
     EXPECT_EQ(result.verdict, Verdict::violation);
-    Names told_causes;
+    Names reported_causes;
     for (const Disagreement& d : result.disagreements)
-      if (d.rule != "fragment.depth") told_causes.insert(text_of(d.cause));
-    EXPECT_EQ(told_causes, Names{"sample.depth=" + std::string(name)}) << told(result);
+      if (d.rule != "fragment.depth") reported_causes.insert(text_of(d.cause));
+    EXPECT_EQ(reported_causes, Names{"sample.depth=" + std::string(name)}) << described(result);
   }
 }
 
@@ -61,7 +61,7 @@ TEST(OutputSamples, AnIgnoredSwitchIsNamed) {
   scene.draws.front().multisampling.enabled = false;
   const Result result = under(scene, "sample.enable", "ignored");
   EXPECT_EQ(result.verdict, Verdict::violation);
-  EXPECT_EQ(disagreement_causes_of(result), Names{"sample.enable=ignored"}) << told(result);
+  EXPECT_EQ(disagreement_causes_of(result), Names{"sample.enable=ignored"}) << described(result);
 }
 
 TEST(OutputSamples, OtherMasksOfAlphaAreConventions) {
@@ -70,7 +70,7 @@ TEST(OutputSamples, OtherMasksOfAlphaAreConventions) {
   draw.multisampling.alpha_to_coverage = true;
   for (Vertex& vertex : draw.vertices) vertex.color[3] = 0.39F;
   const Result result = under(scene, "sample.alpha-to-coverage", "spread");
-  EXPECT_EQ(result.verdict, Verdict::convention) << told(result);
+  EXPECT_EQ(result.verdict, Verdict::convention) << described(result);
   EXPECT_EQ(aggregate_causes_of(result), Names{"sample.alpha-to-coverage=spread"});
   // A fragment of alpha 1 writes all samples.
   for (Vertex& vertex : draw.vertices) vertex.color[3] = 1;
@@ -81,10 +81,10 @@ TEST(OutputSamples, OtherMasksOfAlphaAreConventions) {
   *hit = 0;
   const Result missing = judge_output(scene, {}, rendered);
   EXPECT_EQ(missing.verdict, Verdict::violation);
-  EXPECT_EQ(missing.disagreements.size(), 1u) << told(missing);
+  EXPECT_EQ(missing.disagreements.size(), 1u) << described(missing);
 }
 
-TEST(OutputSamples, ResolvedPixelsOfSamplesThatAreNotTold) {
+TEST(OutputSamples, ResolvedPixelsOfSamplesThatAreNotReported) {
   RandomScenes random(86);
   int caught = 0;
   for (int i = 0; i < 60; ++i) {
@@ -99,7 +99,7 @@ TEST(OutputSamples, ResolvedPixelsOfSamplesThatAreNotTold) {
     ++caught;
     EXPECT_TRUE(rules_of(result).contains("sample.resolve") ||
                 rules_of(result).contains("sample.alpha-to-coverage"))
-        << told(result);
+        << described(result);
   }
   EXPECT_GT(caught, 40);
 }

@@ -82,7 +82,7 @@ TEST(SampleAlternatives, ALineThatIsLostBetweenBordersIsAFault) {
   EXPECT_EQ(judged_under(scene, rules).verdict, Verdict::agree);
 }
 
-TEST(SampleAlternatives, WhatFollowsFromAnIgnoredSwitchIsToldWithIt) {
+TEST(SampleAlternatives, ConsequencesOfAnIgnoredSwitchAreReportedWithIt) {
   for (const Primitive primitive : {Primitive::triangles, Primitive::points}) {
     Scene scene = steep(primitive);
     Draw& draw = scene.draws.front();
@@ -185,9 +185,9 @@ TEST(SampleAlternatives, GlFragCoordZHasTheCauseOfTheDepth) {
   EXPECT_EQ(result.verdict, Verdict::violation);
   EXPECT_TRUE(rules_of(result).contains("fragment.coordinates"));
   for (const Disagreement& d : result.disagreements) {
-    const bool told = d.rule == "fragment.coordinates" || d.rule == "fragment.depth";
-    EXPECT_EQ(d.cause, told ? "sample.depth=mirrored-x-or-zero" : "sample.depth=mirrored-x");
-    EXPECT_EQ(told, d.rendered == std::vector<double>{0});
+    const bool reported = d.rule == "fragment.coordinates" || d.rule == "fragment.depth";
+    EXPECT_EQ(d.cause, reported ? "sample.depth=mirrored-x-or-zero" : "sample.depth=mirrored-x");
+    EXPECT_EQ(reported, d.rendered == std::vector<double>{0});
   }
   scene = steep(Primitive::lines);
   scene.details.coordinates = true;
@@ -206,15 +206,15 @@ TEST(SampleAlternatives, SamplesThatAreExchangedAreNamed) {
   Rendering rendered = rasterize(scene, {}, swapped);
   rendered.sample_positions = standard;
   const Result result = compare(scene, {}, rasterize(scene, {}), rendered, {8, nullptr});
-  int told = 0;
+  int reported = 0;
   for (const Disagreement& d : result.disagreements) {
     if (d.kind == DisagreementKind::value) continue;
-    ++told;
-    EXPECT_NE(d.explanation.find("With samples 1 and 3 exchanged exact draws so."),
+    ++reported;
+    EXPECT_NE(d.explanation.find("With samples 1 and 3 exchanged, exact draws the same."),
               std::string::npos)
         << d.explanation;
   }
-  EXPECT_GT(told, 10);
+  EXPECT_GT(reported, 10);
 }
 
 }  // namespace

@@ -58,11 +58,11 @@ TEST(ExactLookups, AreTheSameWhetherDrawnOrNot) {
 TEST(ExactLookups, OfRenderersThatTellNoLevelAreColours) {
   const Scene& scene = textures_named("floor");
   const Rendering exact = rasterize(scene, {});
-  const Rendering untold = without_details(exact);
-  const auto of_drawn = looked_up(scene, untold, untold);
-  EXPECT_EQ(of_drawn, looked_up(scene, {}, untold));
-  ASSERT_EQ(of_drawn.size(), 6 * untold.fragments.size());
-  for (std::size_t i = 0; i < untold.fragments.size(); ++i) {
+  const Rendering unreported = without_details(exact);
+  const auto of_drawn = looked_up(scene, unreported, unreported);
+  EXPECT_EQ(of_drawn, looked_up(scene, {}, unreported));
+  ASSERT_EQ(of_drawn.size(), 6 * unreported.fragments.size());
+  for (std::size_t i = 0; i < unreported.fragments.size(); ++i) {
     EXPECT_EQ(of_drawn[6 * i], 0u);
     EXPECT_EQ(of_drawn[6 * i + 1], 0u);
     for (std::size_t c = 0; c < 4; ++c)

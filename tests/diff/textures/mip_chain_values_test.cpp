@@ -48,7 +48,7 @@ TEST(MipChainValues, WrongNumbersAndSizesAreFaults) {
 }
 
 // Every texel of the wrong chain that is looked up is the renderer's own: told once, by the chain.
-TEST(MipChainValues, WhatIsLookedUpInAShortChainIsNotToldAgain) {
+TEST(MipChainValues, LookupsInAShortChainAreNotReportedAgain) {
   for (const char* name : {"generated codes", "generated even codes"}) {
     const Scene& scene = textures_named(name);
     const Rendering rendered = rasterize(scene, policy_from({"mipmap.level-count=smaller-side"}));
@@ -75,12 +75,12 @@ TEST(MipChainValues, OtherTexelsArePermitted) {
     Rendering other = exact;
     other.mip_chains.at(0)[1].texels[5] += 1;
     // Colours that fit what is told.
-    Scene told = scene;
+    Scene reported = scene;
     Texture texture = *scene.textures[0];
     texture.generated = false;
     texture.levels = other.mip_chains.at(0);
-    told.textures = {std::make_shared<const Texture>(texture)};
-    const Rendering fitting = rasterize(told, {});
+    reported.textures = {std::make_shared<const Texture>(texture)};
+    const Rendering fitting = rasterize(reported, {});
     other.fragments = fitting.fragments;
     other.pixels = fitting.pixels;
     const Result result = judge_textures(scene, other);

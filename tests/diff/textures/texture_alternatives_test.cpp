@@ -91,17 +91,17 @@ void expect_no_other_fault(const Result& result, const std::string& choice,
 TEST(TextureAlternatives, EachIsNamedAsTheOnlyCauseAndOpenOnesAreFaultsNowhere) {
   int named = 0, differing = 0;
   for (const std::string& choice : of_share(all_choices())) {
-    std::string told;
+    std::string reported;
     bool is_named = false;
     for (const TexturedScene& one : judged_textures()) {
       const Result result = judge_follower(one.scene, {choice});
       if (result.verdict == Verdict::agree) continue;
       ++differing;
       is_named = is_named || is_exactly(result, choice);
-      told += one.name + ": " + describe_textures(result) + "\n";
+      reported += one.name + ": " + describe_textures(result) + "\n";
       expect_no_other_fault(result, choice, one.name);
     }
-    EXPECT_TRUE(is_named) << choice << "\n" << told;
+    EXPECT_TRUE(is_named) << choice << "\n" << reported;
     named += is_named ? 1 : 0;
   }
   std::printf("%d alternatives\n", named);
@@ -154,10 +154,10 @@ TEST(TextureAlternatives, ALevelOfDerivativesThatAreZeroIsNamed) {
   }
   // Whoever tells that level and takes another is told of the filter, too.
   for (Fragment& fragment : rendered.fragments) fragment.color[0] += 1;
-  bool is_told = false;
+  bool is_reported = false;
   for (const Disagreement& d : judge_textures(scene, in_float32(scene, rendered)).disagreements)
-    is_told = is_told || (d.rule == "texture.filter" && d.cause.empty());
-  EXPECT_TRUE(is_told);
+    is_reported = is_reported || (d.rule == "texture.filter" && d.cause.empty());
+  EXPECT_TRUE(is_reported);
 }
 
 TEST(TextureAlternatives, WhoAnswersExactAgreesWithoutASingleAggregate) {

@@ -17,7 +17,7 @@ namespace {
 using Causes = std::set<std::string>;
 
 // Of what is told, without what lies in the reach of the policy's own way.
-Causes told_causes(const Result& result) {
+Causes reported_causes(const Result& result) {
   Causes causes = causes_of(result);
   causes.erase("");
   return causes;
@@ -48,7 +48,7 @@ TEST(TextureCombinations, TwoAreNamedTogether) {
     const std::string whole = joined(pair.choices);
     Causes allowed{whole};
     for (const std::string& choice : pair.choices) allowed.insert(choice);
-    const Causes causes = told_causes(result);
+    const Causes causes = reported_causes(result);
     EXPECT_TRUE(causes.contains(whole)) << pair.scene << "\n" << describe_textures(result);
     for (const std::string& cause : causes)
       EXPECT_TRUE(allowed.contains(cause)) << cause << " in " << describe_textures(result);
@@ -80,16 +80,16 @@ TEST(TextureCombinations, AProfileNamesFourAndOnlyThoseThatMatter) {
                            "floor of nearest levels", "mirrored"}) {
     const Result result = judge_follower(textures_named(name), kFour, &profile);
     expect_contested_at_most(result);
-    for (const std::string& cause : told_causes(result)) {
+    for (const std::string& cause : reported_causes(result)) {
       EXPECT_TRUE(is_made_of(cause, kFour)) << name << ": " << cause;
       most[name] = std::max(most[name], parts_of(cause).size());
     }
   }
   EXPECT_GE(most["floor"], 2u);
   EXPECT_EQ(most["off the grid"], 1u);
-  EXPECT_EQ(told_causes(judge_follower(textures_named("off the grid"), kFour, &profile)),
+  EXPECT_EQ(reported_causes(judge_follower(textures_named("off the grid"), kFour, &profile)),
             Causes{"texture.texel-grid=floor-8"});
-  EXPECT_EQ(told_causes(judge_follower(textures_named("mirrored"), {}, &profile)), Causes{});
+  EXPECT_EQ(reported_causes(judge_follower(textures_named("mirrored"), {}, &profile)), Causes{});
 }
 
 // Where the level of detail is not told, colours alone have to tell all of it.
@@ -101,13 +101,13 @@ TEST(TextureCombinations, AProfileNamesThreeAndFourByColoursAlone) {
   const Result result = judge_textures(scene, rendered, {}, &profile);
   expect_contested_at_most(result);
   std::size_t most = 0;
-  for (const std::string& cause : told_causes(result)) {
+  for (const std::string& cause : reported_causes(result)) {
     EXPECT_TRUE(is_made_of(cause, kFour)) << cause;
     most = std::max(most, parts_of(cause).size());
   }
   EXPECT_GE(most, 3u) << describe_textures(result);
   // Without the profile, no set of three is searched for, and what is open stays so.
-  EXPECT_EQ(told_causes(judge_textures(scene, rendered)).count(joined(kFour)), 0u);
+  EXPECT_EQ(reported_causes(judge_textures(scene, rendered)).count(joined(kFour)), 0u);
 }
 
 // A profile that fits this case in nothing explains nothing, and does no harm.
@@ -119,7 +119,7 @@ TEST(TextureCombinations, AWrongProfileHidesNothing) {
   for (const auto& [choice, scene] : tried) {
     const Result result = judge_follower(textures_named(scene), {choice}, &wrong);
     EXPECT_EQ(result.verdict, Verdict::violation) << describe_textures(result);
-    EXPECT_EQ(told_causes(result), Causes{choice}) << describe_textures(result);
+    EXPECT_EQ(reported_causes(result), Causes{choice}) << describe_textures(result);
   }
 }
 
@@ -131,7 +131,7 @@ TEST(TextureCombinations, AFaultInTheProfileStaysAFault) {
   const Policy profile = policy_from(choices);
   const Result result = judge_follower(textures_named("narrow"), choices, &profile);
   EXPECT_EQ(result.verdict, Verdict::violation);
-  EXPECT_EQ(told_causes(result), Causes{joined(choices)}) << describe_textures(result);
+  EXPECT_EQ(reported_causes(result), Causes{joined(choices)}) << describe_textures(result);
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ void expect_one_fault(const Result& result, const std::string& rule) {
 TEST(TextureLatitude, ALevelInsideTheBandIsPermittedAndOneBeyondIsAFault) {
   const Scene& scene = textures_named("rotated");  // band: from 1.5027 to 2.6 about 1.6485
   for (const double by : {0.0217, -0.0131, 0.31, 0.61}) {
-    Scene untold = scene;
-    const Result result = judged(untold, [&](Fragment& f, FragmentDetail& detail) {
+    Scene unreported = scene;
+    const Result result = judged(unreported, [&](Fragment& f, FragmentDetail& detail) {
       level_moved(by)(f, detail);
       f.has_color = false;  // it would have to move along
     });
@@ -55,7 +55,7 @@ TEST(TextureLatitude, ALevelInsideTheBandIsPermittedAndOneBeyondIsAFault) {
 }
 
 // What is looked up must be of the level that the renderer itself tells.
-TEST(TextureLatitude, ALevelThatIsToldIsTheOneThatIsAccessedAndLookedUp) {
+TEST(TextureLatitude, AReportedLevelIsTheOneThatIsAccessedAndLookedUp) {
   const Scene& scene = textures_named("rotated");
   const Result accessed =
       judge_textures(scene, changed_texture(scene, 7, [](Fragment& f, FragmentDetail& detail) {
@@ -269,11 +269,11 @@ TEST(TextureLatitude, ATextureThatDoesNotMoveMayBeAnywhereBelowItsFirstLevel) {
     EXPECT_EQ(point.low, -kInfinity);
     EXPECT_LT(point.high, -6);
   }
-  for (const double told : {-31.75, -63.5, -127.0}) {
+  for (const double reported : {-31.75, -63.5, -127.0}) {
     const Result result = judged(scene, [&](Fragment&, FragmentDetail& detail) {
-      detail.level_of_detail.value()[1] = told;
+      detail.level_of_detail.value()[1] = reported;
     });
-    EXPECT_EQ(result.verdict, Verdict::permitted) << told << "\n" << describe_textures(result);
+    EXPECT_EQ(result.verdict, Verdict::permitted) << reported << "\n" << describe_textures(result);
   }
   const Result above =
       judge_textures(scene, changed_texture(scene, 0, [](Fragment& f, FragmentDetail& detail) {
@@ -344,14 +344,14 @@ TEST(TextureLatitude, DetailsMayBeMissing) {
 }
 
 // Of levels that a renderer generates and does not tell, nothing is known.
-TEST(TextureLatitude, AnyColourComesOfAChainThatIsNotTold) {
+TEST(TextureLatitude, AChainThatIsNotReportedYieldsAnyColour) {
   const Scene& scene = textures_named("generated codes");
-  Rendering untold = changed_textures(scene, [](Fragment& f, FragmentDetail&) {
+  Rendering unreported = changed_textures(scene, [](Fragment& f, FragmentDetail&) {
     f.color = {0.125, 0.25, 0.5, 1};
   });
-  EXPECT_EQ(judge_textures(scene, untold).verdict, Verdict::violation);
-  untold.mip_chains.clear();
-  EXPECT_EQ(judge_textures(scene, untold).verdict, Verdict::permitted);
+  EXPECT_EQ(judge_textures(scene, unreported).verdict, Verdict::violation);
+  unreported.mip_chains.clear();
+  EXPECT_EQ(judge_textures(scene, unreported).verdict, Verdict::permitted);
 }
 
 TEST(TextureLatitude, WiderLatitudeHoldsTheNarrower) {

@@ -94,7 +94,7 @@ TEST(ValueAggregator, TheHistogramCountsComponentsByPowersOfTwo) {
 }
 
 // Passes of one scene are added up before anything is left out.
-TEST(ValueAggregator, WhatWasComparedIsToldThoughNothingDiffers) {
+TEST(ValueAggregator, ComparedValuesAreReportedThoughNothingDiffers) {
   ValueAggregator aggregator("color", RuleId::attribute_smooth, 9);
   EXPECT_TRUE(flushed(aggregator).values.empty());
   aggregator.count_compared(4);

@@ -26,8 +26,8 @@ Scene constant_scene() {
   return scene;
 }
 
-Result compared(const Scene& scene, const Rendering& exact, const Rendering& told) {
-  return compare(scene, {}, exact, stored(scene, told), {8});
+Result compared(const Scene& scene, const Rendering& exact, const Rendering& reported) {
+  return compare(scene, {}, exact, stored(scene, reported), {8});
 }
 
 TEST(RepeatedValues, AnyOneOfManyThatIsOffIsNamedAndAllAreCounted) {
@@ -36,9 +36,9 @@ TEST(RepeatedValues, AnyOneOfManyThatIsOffIsNamedAndAllAreCounted) {
   const std::size_t count = exact.fragments.size();
   ASSERT_GT(count, 10u);
   for (const std::size_t victim : {std::size_t{0}, std::size_t{1}, count / 2, count - 1}) {
-    Rendering told = exact;
-    told.fragments[victim].color[1] = float_above(told.fragments[victim].color[1]);
-    const Result result = compared(scene, exact, told);
+    Rendering reported = exact;
+    reported.fragments[victim].color[1] = float_above(reported.fragments[victim].color[1]);
+    const Result result = compared(scene, exact, reported);
     EXPECT_TRUE(result.disagreements.empty());
     ASSERT_EQ(result.values.size(), 1u) << victim;
     EXPECT_EQ(result.values[0].attribute, "color");
@@ -53,10 +53,10 @@ TEST(RepeatedValues, AnyOneOfManyThatIsOffIsNamedAndAllAreCounted) {
 TEST(RepeatedValues, ADepthOfItsOwnIsNamedToo) {
   const Scene scene = constant_scene();
   const Rendering exact = rasterize(scene, {});
-  Rendering told = exact;
-  Fragment& last = told.fragments.back();
+  Rendering reported = exact;
+  Fragment& last = reported.fragments.back();
   last.depth = float_below(last.depth);
-  const Result result = compared(scene, exact, told);
+  const Result result = compared(scene, exact, reported);
   ASSERT_EQ(result.values.size(), 1u);
   EXPECT_EQ(result.values[0].attribute, "depth");
   EXPECT_EQ(result.values[0].compared, exact.fragments.size());
@@ -68,11 +68,11 @@ TEST(RepeatedValues, OfAGradientEachIsHeldAgainstItsOwnPlace) {
   const Scene scene = value_scene("linear triangle");
   const Rendering exact = rasterize_without_details(scene, {});
   for (const bool color : {true, false}) {
-    Rendering told = exact;
-    for (Fragment& fragment : told.fragments)
+    Rendering reported = exact;
+    for (Fragment& fragment : reported.fragments)
       (color ? fragment.color[0] : fragment.depth) =
           color ? exact.fragments[0].color[0] : exact.fragments[0].depth;
-    const Result result = compared(scene, exact, told);
+    const Result result = compared(scene, exact, reported);
     const auto off = std::ranges::count_if(result.disagreements, [&](const Disagreement& d) {
       return d.rule == (color ? "attribute.smooth" : "fragment.depth");
     });
@@ -86,9 +86,9 @@ TEST(RepeatedValues, OfAnotherPrimitiveIsAnotherMatter) {
   scene.draws.push_back(scene.draws[0]);
   for (Vertex& vertex : scene.draws[1].vertices) vertex.color = {0.25f, 0.5f, 0.75f, 1};
   const Rendering exact = rasterize(scene, {});
-  Rendering told = exact;
-  for (Fragment& fragment : told.fragments) fragment.color = exact.fragments[0].color;
-  const Result result = compared(scene, exact, told);
+  Rendering reported = exact;
+  for (Fragment& fragment : reported.fragments) fragment.color = exact.fragments[0].color;
+  const Result result = compared(scene, exact, reported);
   std::size_t off = 0;
   for (const Disagreement& d : result.disagreements)
     if (d.rule == "attribute.smooth") {

@@ -45,7 +45,7 @@ std::string describe(const Result& result) {
   return text;
 }
 
-void expect_told(const Result& result) {
+void expect_reported(const Result& result) {
   for (const Disagreement& d : result.disagreements) {
     EXPECT_FALSE(d.explanation.empty());
     EXPECT_EQ(d.kind, DisagreementKind::value);
@@ -67,7 +67,7 @@ void expect_killed(const ValueMutant& mutant, const Scene& scene) {
   if (mutant.verdict < Verdict::contested) {
     EXPECT_EQ(aggregates_of(result), mutant.aggregates) << describe(result);
   }
-  expect_told(result);
+  expect_reported(result);
   Result* const alone[] = {&result};
   judge(alone, Latitude::none);
   EXPECT_EQ(result.verdict, Verdict::violation) << "without latitude every difference is one";

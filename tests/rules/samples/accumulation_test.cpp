@@ -92,9 +92,9 @@ TEST(Accumulation, Ruling36PermitsEveryRoundingOfFloat32) {
     const double exact = accumulated(shown, passes, Accumulation::exact_mean);
     EXPECT_TRUE(permitted.contains(exact));
     for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-      const double told = sum_in_mode(shown, passes, mode);
-      EXPECT_TRUE(permitted.contains(told)) << round << " " << mode;
-      if (told != static_cast<double>(static_cast<float>(exact))) ++off;
+      const double reported = sum_in_mode(shown, passes, mode);
+      EXPECT_TRUE(permitted.contains(reported)) << round << " " << mode;
+      if (reported != static_cast<double>(static_cast<float>(exact))) ++off;
     }
   }
   EXPECT_GT(off, 3000);

@@ -89,7 +89,7 @@ TEST(Directed, WhatIsTooSmallToTellMovesOutwards) {
   EXPECT_GT(Up::quotient(0x1p-1060, 3), 0x1p-1060 / 3);
 }
 
-TEST(Directed, TheLeastProductIsStillTold) {
+TEST(Directed, TheLeastProductIsStillDistinguished) {
   const double root = 0x1p-480;
   EXPECT_EQ(Down::product(root, root), kLeastProduct);
   EXPECT_EQ(Up::product(root, root), kLeastProduct);

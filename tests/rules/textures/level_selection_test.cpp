@@ -209,7 +209,7 @@ TEST(LevelWeights, AreOffByWhatTheirNamesSay) {
   EXPECT_EQ(worst(LevelWeight::one_at_ties), 128);
 }
 
-TEST(LevelWeights, AreToldApart) {
+TEST(LevelWeights, AreDistinguished) {
   std::set<std::tuple<double, double, double>> results;
   for (const LevelWeight choice : values_of<LevelWeight>()) {
     Setting s;

@@ -116,7 +116,7 @@ float mean_of(const std::vector<float>& values, MipmapRounding rounding,
   return mean(numbers, rounding);
 }
 
-TEST(Roundings, OfCodesAreToldApart) {
+TEST(Roundings, OfCodesAreDistinguished) {
   const auto mean = [](const std::vector<float>& codes, MipmapRounding rounding) {
     return mean_of(codes, rounding, mean_of_codes);
   };
@@ -161,7 +161,7 @@ TEST(Roundings, ByRowsRoundTwice) {
   }
 }
 
-TEST(Roundings, OfFloatsAreToldApart) {
+TEST(Roundings, OfFloatsAreDistinguished) {
   constexpr float kStep = 0x1p-23F;
   const auto mean = [](const std::vector<float>& values, MipmapRounding rounding) {
     return mean_of(values, rounding, mean_of_floats);

@@ -158,7 +158,7 @@ TEST(DepthPermitted, AFormatHoldsItsOwnNumbersAlone) {
 }
 
 // Between the codes 100 and 101 a stored one may be one beyond, and no two.
-TEST(DepthPermitted, OneCodeBeyondIsToldFromTwo) {
+TEST(DepthPermitted, OneCodeBeyondIsDistinguishedFromTwo) {
   for (const auto& [format, largest, stride] : kFormats) {
     const auto within = [&, format = format, most = static_cast<double>(largest)](
                             double code, double low, double high) {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "diff/output/fate_compare.h"
+#include "diff/output/operations_compare.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "diff/output/fate_causes.h"
-#include "diff/output/fate_question.h"
+#include "diff/output/operations_causes.h"
+#include "diff/output/operations_question.h"
 #include "rules/all_rules.h"
 #include "rules/values/depth_buffer.h"
 
 namespace edgecase {
 namespace {
 
-// What a renderer tells of one of its samples.
+// What a renderer reports about one of its samples.
 StoredSample stored_at(const Rendering& rendered, PixelPosition pixel, int sample) {
   const std::size_t index = rendered.sample_index(pixel.x, pixel.y, sample);
   const std::vector<std::uint8_t>& colors =
@@ -25,28 +25,28 @@ StoredSample stored_at(const Rendering& rendered, PixelPosition pixel, int sampl
   return stored;
 }
 
-// Calls `visit` with the question of every sample, in the order of rows, columns and samples.
+// Calls `visit` with the question of every sample, sorted by row, column and sample.
 template <class Visit>
 void for_each_sample(const ValueContext& context, const Arrivals& arrivals,
                      const Rendering& rendered, const Visit& visit) {
-  // Fragments are sorted by row, column and primitive: walk them along with the pixels.
+  // Fragments are sorted by row, column and primitive, so they are read along with the pixels.
   auto next = rendered.fragments.begin();
   for (int y = 0; y < rendered.height; ++y) {
     for (int x = 0; x < rendered.width; ++x) {
       const auto first = next;
       while (next != rendered.fragments.end() && next->x == x && next->y == y) ++next;
       for (int sample = 0; sample < rendered.samples; ++sample)
-        visit(FateQuestion(context, arrivals, {first, next}, {x, y}, sample,
-                           stored_at(rendered, {x, y}, sample)));
+        visit(OperationsQuestion(context, arrivals, {first, next}, {x, y}, sample,
+                                 stored_at(rendered, {x, y}, sample)));
     }
   }
 }
 
 constexpr int kRulingOnUnconverted = 55;
 
-class FateComparison {
+class OperationsComparison {
  public:
-  FateComparison(const ValueContext& context, const Rendering& rendered)
+  OperationsComparison(const ValueContext& context, const Rendering& rendered)
       : context_(context),
         rendered_(rendered),
         arrivals_(context),
@@ -58,7 +58,7 @@ class FateComparison {
 
   void run(Result& result) {
     for_each_sample(context_, arrivals_, rendered_,
-                    [&](const FateQuestion& question) { compare(question); });
+                    [&](const OperationsQuestion& question) { compare(question); });
     aggregates_.flush(result);
     if (are_unconverted()) {
       report_unconverted(result);
@@ -70,13 +70,13 @@ class FateComparison {
   }
 
  private:
-  void compare(const FateQuestion& question) {
+  void compare(const OperationsQuestion& question) {
     aggregates_.count(question.stored);
-    const FateState exact = question.exact(chosen_);
+    const SampleState exact = question.exact(chosen_);
     const bool agrees = is_exact(exact, question.stored);
     if (agrees && (is_standard_ || context_.latitude == Latitude::none)) return;
-    const FateReason reason = reason_for(question);
-    if (reason != FateReason::none) {
+    const OperationsReason reason = reason_for(question);
+    if (reason != OperationsReason::none) {
       if (!agrees) aggregates_.add(question, reason, exact);
       return;
     }
@@ -84,23 +84,23 @@ class FateComparison {
     (agrees ? excused_causes_ : causes_).add(question);
   }
 
-  // Do depths that are compared before they are converted account for all samples (ruling 55)?
+  // True if comparing depths before their conversion accounts for all samples (ruling 55).
   bool are_unconverted() const {
     if (missed_.empty() || bits_of(context_.scene.target.depth) == 0) return false;
     RuleChoices unconverted;
     unconverted.output.depth = DepthTestMethod::unconverted;
-    const auto agrees = [&](const FateQuestion& question) {
+    const auto agrees = [&](const OperationsQuestion& question) {
       return question.agrees(unconverted, kAllPermitted);
     };
     if (!std::ranges::all_of(missed_, agrees)) return false;
     bool all = true;
     for_each_sample(context_, arrivals_, rendered_,
-                    [&](const FateQuestion& question) { all = all && agrees(question); });
+                    [&](const OperationsQuestion& question) { all = all && agrees(question); });
     return all;
   }
 
   void report_unconverted(Result& result) const {
-    for (const FateQuestion& question : missed_) {
+    for (const OperationsQuestion& question : missed_) {
       Disagreement d = disagreement(
           question, alternative_id(RuleId::depth_test, name_of(DepthTestMethod::unconverted)),
           chosen_);
@@ -109,13 +109,13 @@ class FateComparison {
     }
   }
 
-  // By samples that agree, so many of them.
+  // Weighs causes by a limited number of samples that agree.
   void weigh_causes() {
     constexpr std::size_t kMostWeighed = 4096;
     if (!causes_.is_ambiguous()) return;
     auto missed = missed_.begin();
     std::size_t weighed = 0;
-    for_each_sample(context_, arrivals_, rendered_, [&](const FateQuestion& question) {
+    for_each_sample(context_, arrivals_, rendered_, [&](const OperationsQuestion& question) {
       if (missed != missed_.end() && missed->pixel == question.pixel &&
           missed->sample == question.sample) {
         ++missed;
@@ -126,8 +126,8 @@ class FateComparison {
     });
   }
 
-  // Those that agree with the policy, and break the specification, are held against the latter.
-  void report(const std::vector<FateQuestion>& questions, const std::vector<Cause>& causes,
+  // Samples that agree with the policy and break the specification are compared with the latter.
+  void report(const std::vector<OperationsQuestion>& questions, const std::vector<Cause>& causes,
               const RuleChoices& choice, Result& result) const {
     for (std::size_t i = 0; i < questions.size(); ++i) {
       Disagreement d = disagreement(questions[i], causes[i], choice);
@@ -138,8 +138,8 @@ class FateComparison {
     }
   }
 
-  // A fault with a name is no matter of precision.
-  static void contest(const FateQuestion& question, Disagreement& d) {
+  // A fault with a named cause is not a matter of precision.
+  static void contest(const OperationsQuestion& question, Disagreement& d) {
     if (!d.cause.empty() && d.cause.rule() != RuleId::blend_rounding) return;
     const int ruling = contested_ruling(question);
     if (ruling == 0) return;
@@ -147,22 +147,22 @@ class FateComparison {
     d.rule = ruling == kRulingOnDepthCodes ? RuleId::framebuffer_depth : RuleId::blend_rounding;
   }
 
-  static Disagreement disagreement(const FateQuestion& question, const Cause& cause,
+  static Disagreement disagreement(const OperationsQuestion& question, const Cause& cause,
                                    const RuleChoices& choice) {
     const RuleId named = cause.rule();
-    // What follows from an ignored switch is told with it, by the rule that it breaks.
+    // Consequences of an ignored switch are reported with it, under the rule that they break.
     const RuleId rule =
         named == RuleId::none || named == RuleId::sample_enable ? broken_rule(question) : named;
     Disagreement d = value_disagreement(question.pixel, -1, rule, rule_of(rule).ruling);
     d.sample = question.sample;
     d.cause = cause;
-    d.explanation = explain_fate(question, choice);
+    d.explanation = explain_operations(question, choice);
     set_values(question.exact(choice), question.stored, d);
     return d;
   }
 
-  // Of the first plane that differs.
-  static void set_values(const FateState& exact, const StoredSample& stored, Disagreement& d) {
+  // Sets the values of the first plane that differs.
+  static void set_values(const SampleState& exact, const StoredSample& stored, Disagreement& d) {
     if (!has_color(exact, stored)) {
       d.exact.assign(exact.color.begin(), exact.color.end());
       d.rendered.assign(stored.color, stored.color + 4);
@@ -183,41 +183,42 @@ class FateComparison {
   const Arrivals arrivals_;
   const RuleChoices& chosen_;
   const bool is_standard_;
-  FateAggregates aggregates_;
-  FateCauses causes_;
-  FateCauses excused_causes_;
-  std::vector<FateQuestion> missed_;
-  std::vector<FateQuestion> excused_;
+  OperationsAggregates aggregates_;
+  OperationsCauses causes_;
+  OperationsCauses excused_causes_;
+  std::vector<OperationsQuestion> missed_;
+  std::vector<OperationsQuestion> excused_;
 };
 
 }  // namespace
 
-void compare_fates(const ValueContext& context, const Rendering& rendered, Result& result) {
-  FateComparison(context, rendered).run(result);
+void compare_operations(const ValueContext& context, const Rendering& rendered, Result& result) {
+  OperationsComparison(context, rendered).run(result);
 }
 
-SamplePlanes fated_samples(const ValueContext& context, const Rendering& rendered, AlphaEnds ends) {
+SamplePlanes samples_by_operations(const ValueContext& context, const Rendering& rendered,
+                                   AlphaEnds ends) {
   const std::size_t size = rendered.pixels.size() * static_cast<std::size_t>(rendered.samples);
   SamplePlanes planes{std::vector<std::uint8_t>(size, 255), std::vector<std::uint8_t>(size),
                       std::vector<std::uint8_t>(size)};
   const Arrivals arrivals(context);
   const RuleChoices& chosen = context.choices;
-  FateFreedom freedom = kAllPermitted;
-  if (ends == AlphaEnds::open) freedom.alpha = FateScope::any;
-  for_each_sample(context, arrivals, rendered, [&](const FateQuestion& question) {
-    std::vector<FateState> states = question.states({}, freedom);
-    const auto agrees_with_others = [&](const FateState& state) {
+  OperationsFreedom freedom = kAllPermitted;
+  if (ends == AlphaEnds::open) freedom.alpha = OutcomeScope::any;
+  for_each_sample(context, arrivals, rendered, [&](const OperationsQuestion& question) {
+    std::vector<SampleState> states = question.states({}, freedom);
+    const auto agrees_with_others = [&](const SampleState& state) {
       return agrees(state, question.stored, question.target().depth);
     };
-    // What else is told narrows it down.
+    // Other reported planes narrow the states down.
     if (std::ranges::any_of(states, agrees_with_others))
-      std::erase_if(states, [&](const FateState& state) { return !agrees_with_others(state); });
+      std::erase_if(states, [&](const SampleState& state) { return !agrees_with_others(state); });
     const Rgba8 nearest = question.exact(chosen).color;
     const std::size_t index =
         4 * rendered.sample_index(question.pixel.x, question.pixel.y, question.sample);
     for (std::size_t c = 0; c < 4; ++c) {
       planes.nearest[index + c] = nearest[c];
-      for (const FateState& state : states) {
+      for (const SampleState& state : states) {
         const auto [low, high] = state.permitted_color[c];
         planes.low[index + c] =
             static_cast<std::uint8_t>(std::min<int>(planes.low[index + c], low));

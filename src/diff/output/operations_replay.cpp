@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "diff/output/fate.h"
+#include "diff/output/operations_replay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,15 +20,15 @@ bool is_equal(const Rgba8Range& a, const Rgba8Range& b) {
   });
 }
 
-bool is_equal(const FateState& a, const FateState& b) {
+bool is_equal(const SampleState& a, const SampleState& b) {
   return a.color == b.color && is_equal(a.permitted_color, b.permitted_color) &&
          a.depth == b.depth && a.permitted_depth.low == b.permitted_depth.low &&
          a.permitted_depth.high == b.permitted_depth.high && a.source == b.source &&
          a.stencil == b.stencil && a.hits == b.hits && a.blended == b.blended;
 }
 
-// The state that permits all that either does.
-FateState merged(FateState a, const FateState& b) {
+// A state that permits everything that either of the two permits.
+SampleState merged(SampleState a, const SampleState& b) {
   for (std::size_t c = 0; c < 4; ++c) {
     a.permitted_color[c].low = std::min(a.permitted_color[c].low, b.permitted_color[c].low);
     a.permitted_color[c].high = std::max(a.permitted_color[c].high, b.permitted_color[c].high);
@@ -39,32 +39,32 @@ FateState merged(FateState a, const FateState& b) {
   return a;
 }
 
-std::vector<FateState> merged(const std::vector<FateState>& states) {
-  std::map<std::pair<std::uint8_t, std::uint32_t>, FateState> by_count;
-  for (const FateState& state : states) {
+std::vector<SampleState> merged(const std::vector<SampleState>& states) {
+  std::map<std::pair<std::uint8_t, std::uint32_t>, SampleState> by_count;
+  for (const SampleState& state : states) {
     const auto [place, is_new] = by_count.try_emplace({state.stencil, state.hits}, state);
     if (!is_new) place->second = merged(place->second, state);
   }
-  std::vector<FateState> result;
+  std::vector<SampleState> result;
   for (const auto& [key, state] : by_count) result.push_back(state);
   return result;
 }
 
-void add(const FateState& state, std::vector<FateState>& states) {
+void add(const SampleState& state, std::vector<SampleState>& states) {
   const bool known =
-      std::ranges::any_of(states, [&](const FateState& other) { return is_equal(state, other); });
+      std::ranges::any_of(states, [&](const SampleState& other) { return is_equal(state, other); });
   if (!known) states.push_back(state);
 }
 
-FateState with_step(FateState state, FateStep step) {
+SampleState with_step(SampleState state, OperationsStep step) {
   state.last = step;
   return state;
 }
 
 }  // namespace
 
-FateState Replay::cleared() const {
-  FateState state;
+SampleState Replay::cleared() const {
+  SampleState state;
   for (std::size_t c = 0; c < 4; ++c) {
     const auto component = static_cast<double>(target_.clear[c]);
     state.color[c] = to_unorm8(component);
@@ -77,90 +77,91 @@ FateState Replay::cleared() const {
   return state;
 }
 
-std::vector<FateState> Replay::run(std::span<const Arrival> arrivals) const {
-  std::vector<FateState> states{cleared()};
+std::vector<SampleState> Replay::run(std::span<const Arrival> arrivals) const {
+  std::vector<SampleState> states{cleared()};
   for (const Arrival& arrival : arrivals) states = after(states, arrival);
   return states;
 }
 
-std::vector<FateState> Replay::after(const std::vector<FateState>& states,
-                                     const Arrival& arrival) const {
-  std::vector<FateState> next;
-  for (const FateState& state : states) add_after(state, arrival, next);
+std::vector<SampleState> Replay::after(const std::vector<SampleState>& states,
+                                       const Arrival& arrival) const {
+  std::vector<SampleState> next;
+  for (const SampleState& state : states) add_after(state, arrival, next);
   return next.size() > kMostStates ? merged(next) : next;
 }
 
-void Replay::add_after(const FateState& state, const Arrival& arrival,
-                       std::vector<FateState>& next) const {
+void Replay::add_after(const SampleState& state, const Arrival& arrival,
+                       std::vector<SampleState>& next) const {
   Outcomes kept{arrival.is_kept, !arrival.is_kept};
   const bool is_open = arrival.may_be_dropped || !arrival.is_kept;
-  if (freedom_.alpha == FateScope::permitted) kept = {arrival.may_be_kept, arrival.may_be_dropped};
-  if (freedom_.alpha == FateScope::any && is_open) kept = {true, true};
-  if (kept.fail) add(with_step(state, FateStep::dropped), next);
+  if (freedom_.alpha == OutcomeScope::permitted)
+    kept = {arrival.may_be_kept, arrival.may_be_dropped};
+  if (freedom_.alpha == OutcomeScope::any && is_open) kept = {true, true};
+  if (kept.fail) add(with_step(state, OperationsStep::dropped), next);
   if (!kept.pass) return;
   add_tested(state, arrival, arrival.front_facing, next);
-  if (freedom_.facing == FateScope::permitted && arrival.may_face_otherwise)
+  if (freedom_.facing == OutcomeScope::permitted && arrival.may_face_otherwise)
     add_tested(state, arrival, !arrival.front_facing, next);
 }
 
-void Replay::add_tested(const FateState& state, const Arrival& arrival, bool front_facing,
-                        std::vector<FateState>& next) const {
+void Replay::add_tested(const SampleState& state, const Arrival& arrival, bool front_facing,
+                        std::vector<SampleState>& next) const {
   const FragmentOperations& operations = *arrival.operations;
   const bool has_stencil = target_.stencil != StencilFormat::none && operations.stencil;
   const StencilFace* face = nullptr;
   if (has_stencil) face = &face_of(*operations.stencil, front_facing, output_.stencil);
-  const auto with = [&](FateState reached, StencilOperation StencilFace::*operation,
-                        FateStep step) {
+  const auto with = [&](SampleState reached, StencilOperation StencilFace::*operation,
+                        OperationsStep step) {
     if (face != nullptr)
       reached.stencil = edgecase::after(face->*operation, *face, reached.stencil, output_.stencil);
     add(with_step(std::move(reached), step), next);
   };
   const Outcomes stencil = face != nullptr ? stencil_outcomes(state, *face) : Outcomes{true, false};
-  if (stencil.fail) with(state, &StencilFace::fail, FateStep::stencil_failed);
+  if (stencil.fail) with(state, &StencilFace::fail, OperationsStep::stencil_failed);
   if (!stencil.pass) return;
   const Outcomes depth = depth_outcomes(state, arrival);
-  if (depth.fail) with(state, &StencilFace::depth_fail, FateStep::depth_failed);
+  if (depth.fail) with(state, &StencilFace::depth_fail, OperationsStep::depth_failed);
   if (!depth.pass) return;
-  for (FateState& reached : written_depths(written(state, arrival), arrival))
-    with(std::move(reached), &StencilFace::pass, FateStep::passed);
+  for (SampleState& reached : written_depths(written(state, arrival), arrival))
+    with(std::move(reached), &StencilFace::pass, OperationsStep::passed);
 }
 
-Replay::Outcomes Replay::stencil_outcomes(const FateState& state, const StencilFace& face) const {
-  if (freedom_.stencil_test == FateScope::any && face.function != CompareFunction::always)
+Replay::Outcomes Replay::stencil_outcomes(const SampleState& state, const StencilFace& face) const {
+  if (freedom_.stencil_test == OutcomeScope::any && face.function != CompareFunction::always)
     return {true, true};
   const bool passes = passes_stencil_test(face, state.stencil, output_.stencil);
   return {passes, !passes};
 }
 
-Replay::Outcomes Replay::depth_outcomes(const FateState& state, const Arrival& arrival) const {
+Replay::Outcomes Replay::depth_outcomes(const SampleState& state, const Arrival& arrival) const {
   if (target_.depth == DepthFormat::none) return {true, false};
   const DepthTest& test = arrival.operations->depth;
-  if (freedom_.depth_test == FateScope::any && test.function != CompareFunction::always)
+  if (freedom_.depth_test == OutcomeScope::any && test.function != CompareFunction::always)
     return {true, true};
   if (compares_unconverted()) {
     const auto [may_pass, may_fail] = unconverted_outcomes(test.function, arrival.permitted_depth,
                                                            state.permitted_depth, target_.depth);
     return {may_pass, may_fail};
   }
-  if (freedom_.depth_test == FateScope::exact || output_.depth != DepthTestMethod::as_set) {
+  if (freedom_.depth_test == OutcomeScope::exact || output_.depth != DepthTestMethod::as_set) {
     const bool passes =
         passes_depth_test(test, arrival.depth, state.depth, target_.depth, output_.depth);
     return {passes, !passes};
   }
-  const bool same = arrival.told_depth && arrival.told_depth == state.source;
+  const bool same = arrival.reported_depth && arrival.reported_depth == state.source;
   const auto [may_pass, may_fail] =
       permitted_outcomes(test.function, depth_permitted(arrival.permitted_depth, target_.depth),
                          state.permitted_depth, same);
   return {may_pass, may_fail};
 }
 
-// Where depths are compared unconverted, it matters which of two neighbours was stored of a depth:
-// each has a state of its own.
-std::vector<FateState> Replay::written_depths(FateState state, const Arrival& arrival) const {
+// If depths are compared unconverted, it matters which of two neighbouring values was stored for a
+// depth: each has a state of its own.
+std::vector<SampleState> Replay::written_depths(SampleState state, const Arrival& arrival) const {
   const auto [low, high] = state.permitted_depth;
-  const bool is_own = state.source && state.source == arrival.told_depth;
+  const bool is_own = state.source && state.source == arrival.reported_depth;
   if (!compares_unconverted() || !is_own || low == high) return {std::move(state)};
-  std::vector<FateState> states(2, state);
+  std::vector<SampleState> states(2, state);
   states[0].depth = low;
   states[0].permitted_depth = low;
   states[1].depth = high;
@@ -168,7 +169,7 @@ std::vector<FateState> Replay::written_depths(FateState state, const Arrival& ar
   return states;
 }
 
-FateState Replay::written(FateState state, const Arrival& arrival) const {
+SampleState Replay::written(SampleState state, const Arrival& arrival) const {
   FragmentOperations operations = *arrival.operations;
   const Rgba8 before = state.color;
   state.color = written_color(operations, arrival.color, before, output_.blend);
@@ -177,7 +178,7 @@ FateState Replay::written(FateState state, const Arrival& arrival) const {
     state.permitted_color =
         permitted_color(operations, arrival.permitted_color, state.permitted_color);
   } else {
-    // Nothing says what may come of another equation but what it yields.
+    // For another equation, only its own result is known to be possible.
     for (std::size_t c = 0; c < 4; ++c) state.permitted_color[c] = {state.color[c], state.color[c]};
   }
   const bool all = std::ranges::all_of(operations.color_mask, [](bool on) { return on; });
@@ -186,7 +187,7 @@ FateState Replay::written(FateState state, const Arrival& arrival) const {
       stores_depth(operations.depth, output_.depth_mask)) {
     state.depth = to_depth(arrival.depth, target_.depth);
     state.permitted_depth = depth_permitted(arrival.permitted_depth, target_.depth);
-    state.source = arrival.told_depth;
+    state.source = arrival.reported_depth;
   }
   ++state.hits;
   return state;
@@ -194,41 +195,41 @@ FateState Replay::written(FateState state, const Arrival& arrival) const {
 
 namespace {
 
-bool permits(const FateState& state, const std::uint8_t* color) {
+bool permits(const SampleState& state, const std::uint8_t* color) {
   for (std::size_t c = 0; c < 4; ++c)
     if (color[c] < state.permitted_color[c].low || color[c] > state.permitted_color[c].high)
       return false;
   return true;
 }
 
-// A range of depths holds numbers between the format's values too.
-bool permits(const FateState& state, double depth, DepthFormat format) {
+// A permitted range of depths also contains numbers between the format's values.
+bool permits(const SampleState& state, double depth, DepthFormat format) {
   if (depth == state.depth) return true;
   return is_depth_of(depth, format) && state.permitted_depth.contains(depth);
 }
 
 }  // namespace
 
-bool agrees(const FateState& state, const StoredSample& stored, DepthFormat format,
-            FatePlanes planes) {
+bool agrees(const SampleState& state, const StoredSample& stored, DepthFormat format,
+            ComparedPlanes planes) {
   if (planes.stencil && stored.stencil && *stored.stencil != state.stencil) return false;
   if (planes.hits && stored.hits && *stored.hits != state.hits) return false;
   if (planes.color && stored.color != nullptr && !permits(state, stored.color)) return false;
   return !planes.depth || !stored.depth || permits(state, *stored.depth, format);
 }
 
-bool any_agrees(std::span<const FateState> states, const StoredSample& stored, DepthFormat format,
-                FatePlanes planes) {
+bool any_agrees(std::span<const SampleState> states, const StoredSample& stored, DepthFormat format,
+                ComparedPlanes planes) {
   return std::ranges::any_of(
-      states, [&](const FateState& state) { return agrees(state, stored, format, planes); });
+      states, [&](const SampleState& state) { return agrees(state, stored, format, planes); });
 }
 
-bool has_color(const FateState& state, const StoredSample& stored) {
+bool has_color(const SampleState& state, const StoredSample& stored) {
   return stored.color == nullptr ||
          std::equal(state.color.begin(), state.color.end(), stored.color);
 }
 
-bool is_exact(const FateState& state, const StoredSample& stored) {
+bool is_exact(const SampleState& state, const StoredSample& stored) {
   return has_color(state, stored) && (!stored.depth || *stored.depth == state.depth) &&
          (!stored.stencil || *stored.stencil == state.stencil) &&
          (!stored.hits || *stored.hits == state.hits);
@@ -272,7 +273,7 @@ std::vector<Arrival> Arrivals::at(std::span<const Fragment> at_pixel, int sample
   return arrivals;
 }
 
-// A sample of a multisampled draw has a depth of its own, that of the primitive at the sample.
+// Each sample of a multisampled draw has its own depth, that of the primitive at the sample.
 void Arrivals::set_depth(Arrival& arrival, int sample, const RuleChoices& choice) const {
   const Fragment& fragment = *arrival.fragment;
   const ScenePrimitive& primitive = context_.primitive_of(fragment);
@@ -288,7 +289,7 @@ void Arrivals::set_depth(Arrival& arrival, int sample, const RuleChoices& choice
     return;
   }
   if (fragment.has_depth && !by_sample) {
-    arrival.told_depth = fragment.depth;
+    arrival.reported_depth = fragment.depth;
     arrival.depth = fragment.depth;
     arrival.permitted_depth =
         std::isnan(fragment.depth)
@@ -312,8 +313,8 @@ void Arrivals::set_depth_without_multisampling(Arrival& arrival) const {
   const Fragment& fragment = *arrival.fragment;
   const PrimitiveValues& values = context_.values_of(fragment);
   const Point centre = pixel_centre(fragment.x, fragment.y);
-  const bool is_told = fragment.has_depth && !std::isnan(fragment.depth);
-  arrival.depth = is_told ? fragment.depth : middle(depth_exact(values.chosen, centre));
+  const bool is_reported = fragment.has_depth && !std::isnan(fragment.depth);
+  arrival.depth = is_reported ? fragment.depth : middle(depth_exact(values.chosen, centre));
   arrival.permitted_depth = hull(arrival.depth, depth_permitted_at(values, centre));
   for (const Point position : context_.sample_positions())
     arrival.permitted_depth =

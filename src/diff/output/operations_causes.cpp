@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "diff/output/fate_causes.h"
+#include "diff/output/operations_causes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,21 +10,21 @@
 namespace edgecase {
 namespace {
 
-// All alternatives are tried on so many samples, pairs of them on these first ones; on all others
-// those that yielded something.
+// All alternatives are tried on this many samples, and pairs of them on the first few; later
+// samples only try those that fitted an earlier one.
 constexpr std::size_t kMostSearches = 2048;
 constexpr std::size_t kMostPairSearches = 64;
-// Where more fragments than this meet, pairs take too long.
+// With more fragments than this, pairs take too long.
 constexpr std::size_t kMostFragments = 16;
 
 }  // namespace
 
-FateCauses::FateCauses(const Scene& scene, const RuleChoices& chosen)
-    : changes_(fate_changes(scene, chosen)), chosen_(chosen) {
+OperationsCauses::OperationsCauses(const Scene& scene, const RuleChoices& chosen)
+    : changes_(operations_changes(scene, chosen)), chosen_(chosen) {
   for (const Change& change : changes_) singles_.push_back({change.id, change.applied_to(chosen)});
 }
 
-void FateCauses::add(const FateQuestion& question) {
+void OperationsCauses::add(const OperationsQuestion& question) {
   std::vector<Cause> causes;
   if (searches_ < kMostSearches) {
     causes = search(question);
@@ -36,12 +36,12 @@ void FateCauses::add(const FateQuestion& question) {
   causes_.push_back(std::move(causes));
 }
 
-void FateCauses::weigh(const FateQuestion& question) {
+void OperationsCauses::weigh(const OperationsQuestion& question) {
   for (const Candidate& candidate : found_)
     if (!question.yields(candidate.choice)) --counts_[candidate.cause];
 }
 
-std::vector<Cause> FateCauses::search(const FateQuestion& question) {
+std::vector<Cause> OperationsCauses::search(const OperationsQuestion& question) {
   ++searches_;
   const auto known = [&](const Cause& cause) {
     return std::ranges::any_of(found_, [&](const Candidate& c) { return c.cause == cause; });
@@ -62,7 +62,8 @@ std::vector<Cause> FateCauses::search(const FateQuestion& question) {
   return causes;
 }
 
-void FateCauses::search_pairs(const FateQuestion& question, std::vector<Cause>& causes) {
+void OperationsCauses::search_pairs(const OperationsQuestion& question,
+                                    std::vector<Cause>& causes) {
   for (std::size_t i = 0; i < changes_.size(); ++i)
     for (std::size_t j = i + 1; j < changes_.size(); ++j) {
       if (changes_[i].id.rule == changes_[j].id.rule) continue;
@@ -73,7 +74,7 @@ void FateCauses::search_pairs(const FateQuestion& question, std::vector<Cause>& 
     }
 }
 
-std::vector<Cause> FateCauses::take() const {
+std::vector<Cause> OperationsCauses::take() const {
   std::vector<Cause> best;
   for (const std::vector<Cause>& causes : causes_) {
     Cause& most = best.emplace_back();
@@ -87,26 +88,26 @@ std::vector<Cause> FateCauses::take() const {
 
 namespace {
 
-// Distance of the stored values next to this one.
+// The distance between stored values near this one.
 double step_at(double depth, DepthFormat format) {
   const int bits = bits_of(format);
   return bits == 0 ? float_ulp(depth) : 1 / (std::ldexp(1.0, bits) - 1);
 }
 
-// Of one rule, if it has a say in what becomes of the scene's fragments.
+// The changes of one rule, if it concerns the scene's per-fragment operations.
 Changes changes_of(RuleId rule, const Scene& scene, const RuleChoices& chosen) {
-  Changes changes = fate_changes(scene, chosen);
+  Changes changes = operations_changes(scene, chosen);
   std::erase_if(changes, [&](const Change& change) { return change.id.rule != rule; });
   return changes;
 }
 
-ValueAggregate::Place question_place(const FateQuestion& question) {
+ValueAggregate::Place question_place(const OperationsQuestion& question) {
   return {question.pixel.x, question.pixel.y, -1};
 }
 
 }  // namespace
 
-FateAggregates::FateAggregates(const Scene& scene, const RuleChoices& chosen)
+OperationsAggregates::OperationsAggregates(const Scene& scene, const RuleChoices& chosen)
     : scene_(scene),
       chosen_(chosen),
       blended_{
@@ -120,20 +121,21 @@ FateAggregates::FateAggregates(const Scene& scene, const RuleChoices& chosen)
               changes_of(RuleId::sample_alpha_to_coverage, scene, chosen),
               {}} {}
 
-void FateAggregates::count(const StoredSample& stored) {
+void OperationsAggregates::count(const StoredSample& stored) {
   ++samples_;
   colors_ += stored.color != nullptr ? 1U : 0U;
   depths_ += stored.depth ? 1U : 0U;
 }
 
-FateAggregates::Part& FateAggregates::part_for(FateReason reason) {
-  return reason == FateReason::depth_test ? depth_tests_
-         : reason == FateReason::facing   ? facings_
-                                          : alphas_;
+OperationsAggregates::Part& OperationsAggregates::part_for(OperationsReason reason) {
+  return reason == OperationsReason::depth_test ? depth_tests_
+         : reason == OperationsReason::facing   ? facings_
+                                                : alphas_;
 }
 
-void FateAggregates::add(const FateQuestion& question, FateReason reason, const FateState& exact) {
-  if (reason == FateReason::conversion) {
+void OperationsAggregates::add(const OperationsQuestion& question, OperationsReason reason,
+                               const SampleState& exact) {
+  if (reason == OperationsReason::conversion) {
     if (!has_color(exact, question.stored)) {
       if (exact.blended) follow_roundings(question);
       add_colors(question, exact, exact.blended ? blended_ : converted_);
@@ -148,14 +150,14 @@ void FateAggregates::add(const FateQuestion& question, FateReason reason, const 
   add_outcome(question, exact, part);
 }
 
-void FateAggregates::follow_roundings(const FateQuestion& question) {
+void OperationsAggregates::follow_roundings(const OperationsQuestion& question) {
   std::erase_if(blended_.followed, [&](const Change& change) {
     return !has_color(question.exact(change.applied_to(chosen_)), question.stored);
   });
 }
 
-void FateAggregates::add_colors(const FateQuestion& question, const FateState& exact,
-                                Part& part) const {
+void OperationsAggregates::add_colors(const OperationsQuestion& question, const SampleState& exact,
+                                      Part& part) const {
   Place place{question_place(question), {}};
   for (std::size_t c = 0; c < 4; ++c) {
     const double rendered = question.stored.color[c];
@@ -166,16 +168,16 @@ void FateAggregates::add_colors(const FateQuestion& question, const FateState& e
   part.places.push_back(std::move(place));
 }
 
-void FateAggregates::add_depth(const FateQuestion& question, const FateState& exact) {
+void OperationsAggregates::add_depth(const OperationsQuestion& question, const SampleState& exact) {
   if (!question.stored.depth || *question.stored.depth == exact.depth) return;
   const double rendered = *question.stored.depth;
   const double ulp = std::fabs(rendered - exact.depth) / step_at(rendered, question.target().depth);
   stored_depths_.places.push_back({question_place(question), {{0, exact.depth, rendered, ulp, 1}}});
 }
 
-// An outcome is off in what shows it: how many fragments passed, else colour, depth or stencil.
-void FateAggregates::add_outcome(const FateQuestion& question, const FateState& exact,
-                                 Part& part) const {
+// Counts an open outcome by the first plane that shows it: hits, else colour, depth or stencil.
+void OperationsAggregates::add_outcome(const OperationsQuestion& question, const SampleState& exact,
+                                       Part& part) const {
   const StoredSample& stored = question.stored;
   const auto add_one = [&](double one, double other) {
     part.places.push_back({question_place(question),
@@ -191,8 +193,8 @@ void FateAggregates::add_outcome(const FateQuestion& question, const FateState& 
     add_one(exact.stencil, *stored.stencil);
 }
 
-void FateAggregates::flush(const Part& part, std::size_t compared, std::size_t components,
-                           Result& result) const {
+void OperationsAggregates::flush(const Part& part, std::size_t compared, std::size_t components,
+                                 Result& result) const {
   const bool has_cause = !part.places.empty() && !part.followed.empty();
   ValueAggregator aggregator(part.attribute, part.rule, rule_of(part.rule).ruling,
                              has_cause ? Cause(part.followed.front().id) : Cause());
@@ -205,7 +207,7 @@ void FateAggregates::flush(const Part& part, std::size_t compared, std::size_t c
   aggregator.flush(result);
 }
 
-void FateAggregates::flush(Result& result) const {
+void OperationsAggregates::flush(Result& result) const {
   flush(converted_, colors_, 4, result);
   flush(blended_, colors_, 4, result);
   flush(stored_depths_, depths_, 1, result);

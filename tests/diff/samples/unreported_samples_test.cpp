@@ -17,7 +17,7 @@ Rendering without_samples(Rendering rendering) {
   return rendering;
 }
 
-TEST(UntoldSamples, AreInferredFromFragments) {
+TEST(UnreportedSamples, AreInferredFromFragments) {
   for (const bool alpha : {false, true}) {
     Scene scene = partly_covered();
     scene.draws.front().multisampling.alpha_to_coverage = alpha;
@@ -30,7 +30,7 @@ TEST(UntoldSamples, AreInferredFromFragments) {
   }
 }
 
-TEST(UntoldSamples, ATruncatingResolveOfUntoldSamplesIsAConvention) {
+TEST(UnreportedSamples, ATruncatingResolveOfUnreportedSamplesIsAConvention) {
   const Scene scene = partly_covered();
   const Result result =
       judged(scene, without_samples(rendered_with(scene, "sample.resolve", "truncated")));
@@ -38,7 +38,7 @@ TEST(UntoldSamples, ATruncatingResolveOfUntoldSamplesIsAConvention) {
   EXPECT_EQ(causes_of(result), std::set<std::string>{"sample.resolve=truncated"});
 }
 
-TEST(UntoldSamples, AResolveBeyondUntoldSamplesIsContested) {
+TEST(UnreportedSamples, AResolveBeyondUnreportedSamplesIsContested) {
   const Scene scene = partly_covered();
   const Rendering right = without_samples(rasterize(scene, {}));
   // Of pixels that no fragment covers, that one fragment covers in part, and that it covers wholly.
@@ -58,7 +58,7 @@ TEST(UntoldSamples, AResolveBeyondUntoldSamplesIsContested) {
 }
 
 // What hits say of samples decides which of the fragments' colours a pixel is the mean of.
-TEST(UntoldSamples, HitsTellWhichSamplesAlphaHasLeft) {
+TEST(UnreportedSamples, HitsTellWhichSamplesAlphaHasLeft) {
   Scene scene = partly_covered();
   scene.draws.front().multisampling.alpha_to_coverage = true;
   const Rendering drawn = rasterize(scene, {});
@@ -82,20 +82,20 @@ TEST(UntoldSamples, HitsTellWhichSamplesAlphaHasLeft) {
   EXPECT_EQ(nothing.values.size() + nothing.disagreements.size(), 0U);
 }
 
-TEST(UntoldSamples, AlphasOfZeroAndOneAreHeededWithoutHits) {
+TEST(UnreportedSamples, AlphasOfZeroAndOneAreHeededWithoutHits) {
   Scene scene = partly_covered();
   scene.draws.front().multisampling.alpha_to_coverage = true;
   for (Vertex& vertex : scene.draws.front().vertices) vertex.color[3] = 0;
   const Rendering right = rasterize(scene, {});
   Rendering written = rendered_with(scene, "sample.alpha-to-coverage", "ignored");
-  for (const bool told : {false, true}) {
-    Rendering rendering = told ? written : without_samples(written);
+  for (const bool reported : {false, true}) {
+    Rendering rendering = reported ? written : without_samples(written);
     rendering.hits.clear();
     const Result result = judged(scene, rendering);
     EXPECT_EQ(result.verdict, Verdict::violation);
     EXPECT_EQ(rules_of(result), std::set<std::string>{"sample.alpha-to-coverage"});
     rendering.pixels = right.pixels;
-    if (told) rendering.sample_pixels = right.sample_pixels;
+    if (reported) rendering.sample_pixels = right.sample_pixels;
     EXPECT_EQ(judged(scene, rendering).verdict, Verdict::agree);
   }
 }

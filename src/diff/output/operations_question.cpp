@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "diff/output/fate_question.h"
+#include "diff/output/operations_question.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,41 +11,43 @@
 
 namespace edgecase {
 
-FateState FateQuestion::exact(const RuleChoices& choice) const {
+SampleState OperationsQuestion::exact(const RuleChoices& choice) const {
   return Replay(target(), choice.output, {}).run(arrivals(choice)).front();
 }
 
-std::vector<FateState> FateQuestion::states(const RuleChoices& choice, FateFreedom freedom) const {
+std::vector<SampleState> OperationsQuestion::states(const RuleChoices& choice,
+                                                    OperationsFreedom freedom) const {
   return Replay(target(), choice.output, freedom).run(arrivals(choice));
 }
 
-bool FateQuestion::agrees(const RuleChoices& choice, FateFreedom freedom, FatePlanes planes) const {
+bool OperationsQuestion::agrees(const RuleChoices& choice, OperationsFreedom freedom,
+                                ComparedPlanes planes) const {
   return any_agrees(states(choice, freedom), stored, target().depth, planes);
 }
 
-bool FateQuestion::yields(const RuleChoices& choice) const {
-  FateFreedom freedom = kAllPermitted;
+bool OperationsQuestion::yields(const RuleChoices& choice) const {
+  OperationsFreedom freedom = kAllPermitted;
   if (choice.samples.alpha_to_coverage != SampleChoice{}.alpha_to_coverage)
-    freedom.alpha = FateScope::exact;
-  if (choice.triangles.facing != FacingMethod::as_set) freedom.facing = FateScope::exact;
+    freedom.alpha = OutcomeScope::exact;
+  if (choice.triangles.facing != FacingMethod::as_set) freedom.facing = OutcomeScope::exact;
   return agrees(choice, freedom);
 }
 
-FateReason reason_for(const FateQuestion& question) {
+OperationsReason reason_for(const OperationsQuestion& question) {
   const RuleChoices& lawful = standard_choices();
-  FateFreedom freedom;
-  if (question.agrees(lawful, freedom)) return FateReason::conversion;
-  freedom.depth_test = FateScope::permitted;
-  if (question.agrees(lawful, freedom)) return FateReason::depth_test;
-  freedom.facing = FateScope::permitted;
-  if (question.agrees(lawful, freedom)) return FateReason::facing;
-  freedom.alpha = FateScope::permitted;
-  return question.agrees(lawful, freedom) ? FateReason::alpha : FateReason::none;
+  OperationsFreedom freedom;
+  if (question.agrees(lawful, freedom)) return OperationsReason::conversion;
+  freedom.depth_test = OutcomeScope::permitted;
+  if (question.agrees(lawful, freedom)) return OperationsReason::depth_test;
+  freedom.facing = OutcomeScope::permitted;
+  if (question.agrees(lawful, freedom)) return OperationsReason::facing;
+  freedom.alpha = OutcomeScope::permitted;
+  return question.agrees(lawful, freedom) ? OperationsReason::alpha : OperationsReason::none;
 }
 
 namespace {
 
-// Which tests and stages have a say in what becomes of the arrivals.
+// The tests and stages that can decide the outcome of the arrivals.
 struct Stages {
   bool depth_test = false;
   bool stencil_test = false;
@@ -64,8 +66,9 @@ Stages stages_of(std::span<const Arrival> arrivals, const Target& target) {
   return stages;
 }
 
-// Do the same fragments in the opposite order, or two neighbours exchanged, make what is stored?
-bool agrees_in_another_order(const FateQuestion& question) {
+// True if the same fragments in reverse order, or with two neighbours exchanged, yield what is
+// stored.
+bool agrees_in_another_order(const OperationsQuestion& question) {
   const RuleChoices& lawful = standard_choices();
   const Replay replay(question.target(), lawful.output, kAllPermitted);
   std::vector<Arrival> arrivals = question.arrivals(lawful);
@@ -81,8 +84,8 @@ bool agrees_in_another_order(const FateQuestion& question) {
   return arrivals.size() > 2 && agree();
 }
 
-// Do the components of the draws' masks, taken in another order, make what is stored?
-bool agrees_with_masks_in_another_order(const FateQuestion& question) {
+// True if the draws' masks with their components in another order yield what is stored.
+bool agrees_with_masks_in_another_order(const OperationsQuestion& question) {
   const RuleChoices& lawful = standard_choices();
   const Replay replay(question.target(), lawful.output, kAllPermitted);
   std::vector<Arrival> arrivals = question.arrivals(lawful);
@@ -100,7 +103,7 @@ bool agrees_with_masks_in_another_order(const FateQuestion& question) {
   return false;
 }
 
-RuleId broken_color_rule(const FateQuestion& question) {
+RuleId broken_color_rule(const OperationsQuestion& question) {
   RuleChoices unmasked;
   unmasked.output.blend.mask = ColorMaskMethod::ignored;
   if (question.agrees(unmasked, kAllPermitted)) return RuleId::color_mask;
@@ -108,8 +111,8 @@ RuleId broken_color_rule(const FateQuestion& question) {
   return question.exact({}).blended ? RuleId::blend_equation : RuleId::framebuffer_unorm8;
 }
 
-// The rule of the stage that is open to doubt where no single plane is.
-RuleId first_stage(const Stages& stages, const FateQuestion& question) {
+// The rule of the first stage in doubt, if no single plane is to blame.
+RuleId first_stage(const Stages& stages, const OperationsQuestion& question) {
   if (stages.depth_test) return RuleId::depth_test;
   if (stages.stencil_test) return RuleId::stencil_test;
   if (stages.alpha) return RuleId::sample_alpha_to_coverage;
@@ -119,26 +122,28 @@ RuleId first_stage(const Stages& stages, const FateQuestion& question) {
 
 }  // namespace
 
-RuleId broken_rule(const FateQuestion& question) {
+RuleId broken_rule(const OperationsQuestion& question) {
   const RuleChoices& lawful = standard_choices();
   const Stages stages = stages_of(question.arrivals(lawful), question.target());
-  const auto agrees_with = [&](FateScope FateFreedom::*step) {
-    FateFreedom freedom = kAllPermitted;
-    freedom.*step = FateScope::any;
+  const auto agrees_with = [&](OutcomeScope OperationsFreedom::*step) {
+    OperationsFreedom freedom = kAllPermitted;
+    freedom.*step = OutcomeScope::any;
     return question.agrees(lawful, freedom);
   };
-  if (stages.depth_test && agrees_with(&FateFreedom::depth_test)) return RuleId::depth_test;
-  if (stages.stencil_test && agrees_with(&FateFreedom::stencil_test)) return RuleId::stencil_test;
-  if (stages.alpha && agrees_with(&FateFreedom::alpha)) return RuleId::sample_alpha_to_coverage;
+  if (stages.depth_test && agrees_with(&OperationsFreedom::depth_test)) return RuleId::depth_test;
+  if (stages.stencil_test && agrees_with(&OperationsFreedom::stencil_test))
+    return RuleId::stencil_test;
+  if (stages.alpha && agrees_with(&OperationsFreedom::alpha))
+    return RuleId::sample_alpha_to_coverage;
   if (agrees_in_another_order(question)) return RuleId::framebuffer_order;
-  const auto agrees_without = [&](bool FatePlanes::*plane) {
-    FatePlanes planes;
+  const auto agrees_without = [&](bool ComparedPlanes::*plane) {
+    ComparedPlanes planes;
     planes.*plane = false;
     return question.agrees(lawful, kAllPermitted, planes);
   };
-  if (agrees_without(&FatePlanes::color)) return broken_color_rule(question);
-  if (agrees_without(&FatePlanes::depth)) return RuleId::framebuffer_depth;
-  if (agrees_without(&FatePlanes::stencil)) return RuleId::stencil_test;
+  if (agrees_without(&ComparedPlanes::color)) return broken_color_rule(question);
+  if (agrees_without(&ComparedPlanes::depth)) return RuleId::framebuffer_depth;
+  if (agrees_without(&ComparedPlanes::stencil)) return RuleId::stencil_test;
   return first_stage(stages, question);
 }
 
@@ -155,8 +160,8 @@ std::array<bool, 4> blended_components(std::span<const Arrival> arrivals) {
   return blended;
 }
 
-// The same state, its blended components free by some codes to both sides.
-FateState loosened(FateState state, const std::array<bool, 4>& blended) {
+// The state with its blended components widened by some codes to both sides.
+SampleState loosened(SampleState state, const std::array<bool, 4>& blended) {
   constexpr int kCodes = 5;
   for (std::size_t c = 0; c < blended.size(); ++c) {
     if (!blended[c]) continue;
@@ -169,10 +174,10 @@ FateState loosened(FateState state, const std::array<bool, 4>& blended) {
 
 }  // namespace
 
-int contested_ruling(const FateQuestion& question) {
+int contested_ruling(const OperationsQuestion& question) {
   const DepthFormat format = question.target().depth;
   const auto blended = blended_components(question.arrivals({}));
-  for (const FateState& state : question.states({}, kAllPermitted)) {
+  for (const SampleState& state : question.states({}, kAllPermitted)) {
     if (agrees(loosened(state, blended), question.stored, format)) return kRulingOnBlendedCodes;
     if (question.stored.depth &&
         agrees(state, question.stored, format, {true, false, true, true}) &&
@@ -182,74 +187,74 @@ int contested_ruling(const FateQuestion& question) {
   return 0;
 }
 
-// ------------------------------------------------------------------------------------------- words
+// ------------------------------------------------------------------------------------- explanation
 //
-// What is said of a sample whose fate is not what the renderer's own fragments make it.
+// Explains a sample that does not hold what the renderer's own fragments make of it.
 
 namespace {
 
-// More fragments than this are not told one by one.
-constexpr std::size_t kMostTold = 6;
+// More fragments than this are not described one by one.
+constexpr std::size_t kMostDescribed = 6;
 
-std::string words_of_stencil(const Arrival& arrival, std::uint8_t stored,
-                             const RuleChoices& choice) {
+std::string describe_stencil_failure(const Arrival& arrival, std::uint8_t stored,
+                                     const RuleChoices& choice) {
   const StencilFace& face =
       face_of(*arrival.operations->stencil, arrival.front_facing, choice.output.stencil);
   return fmt::format("fails the stencil test ({} {} {} under mask {})", face.reference,
                      name_of(face.function), stored, face.read_mask);
 }
 
-std::string words_of_step(const Arrival& arrival, const FateState& before, const FateState& after,
-                          const RuleChoices& choice, DepthFormat format) {
+std::string describe_step(const Arrival& arrival, const SampleState& before,
+                          const SampleState& after, const RuleChoices& choice, DepthFormat format) {
   switch (after.last) {
-    case FateStep::none:
+    case OperationsStep::none:
       return "";
-    case FateStep::dropped:
+    case OperationsStep::dropped:
       return "is left out by alpha to coverage";
-    case FateStep::stencil_failed:
-      return words_of_stencil(arrival, before.stencil, choice);
-    case FateStep::depth_failed:
+    case OperationsStep::stencil_failed:
+      return describe_stencil_failure(arrival, before.stencil, choice);
+    case OperationsStep::depth_failed:
       return fmt::format("fails the depth test ({:.9g} {} {:.9g})", to_depth(arrival.depth, format),
                          name_of(arrival.operations->depth.function), before.depth);
-    case FateStep::passed:
+    case OperationsStep::passed:
       return fmt::format("{}, ({:.6g})", arrival.operations->blending ? "is blended" : "is written",
                          fmt::join(arrival.color, ", "));
   }
   return "";
 }
 
-// "primitive 0, depth 0.25, is written, (1, 0, 0, 1)" of each.
-std::vector<std::string> words_of_arrivals(const FateQuestion& question,
+// For each arrival: "primitive 0, depth 0.25, is written, (1, 0, 0, 1)".
+std::vector<std::string> describe_arrivals(const OperationsQuestion& question,
                                            const RuleChoices& choice) {
   const Target& target = question.target();
   const Replay replay(target, choice.output, {});
-  std::vector<FateState> states{replay.cleared()};
-  std::vector<std::string> words;
+  std::vector<SampleState> states{replay.cleared()};
+  std::vector<std::string> texts;
   for (const Arrival& arrival : question.arrivals(choice)) {
-    const FateState before = states.front();
+    const SampleState before = states.front();
     states = replay.after(states, arrival);
     const std::string depth =
         target.depth == DepthFormat::none ? "" : fmt::format(", depth {:.9g},", arrival.depth);
-    words.push_back(
+    texts.push_back(
         fmt::format("primitive {}{} {}", arrival.fragment->primitive, depth,
-                    words_of_step(arrival, before, states.front(), choice, target.depth)));
+                    describe_step(arrival, before, states.front(), choice, target.depth)));
   }
-  return words;
+  return texts;
 }
 
-std::string words_of_story(std::vector<std::string> words) {
-  if (words.empty()) return "no fragment was drawn there";
+std::string describe_sequence(std::vector<std::string> texts) {
+  if (texts.empty()) return "no fragment was drawn there";
   std::string left_out;
-  if (words.size() > kMostTold) {
-    const std::size_t more = words.size() - kMostTold;
+  if (texts.size() > kMostDescribed) {
+    const std::size_t more = texts.size() - kMostDescribed;
     left_out = fmt::format("{} fragments, then ", more);
-    words.erase(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(more));
+    texts.erase(texts.begin(), texts.begin() + static_cast<std::ptrdiff_t>(more));
   }
-  return left_out + fmt::format("{}", fmt::join(words, "; "));
+  return left_out + fmt::format("{}", fmt::join(texts, "; "));
 }
 
-// The planes that are told, of exact and as they are stored.
-struct PlaneWords {
+// The reported planes, as exact has them and as they are stored.
+struct PlaneTexts {
   std::string exact;
   std::string rendered;
   void add(const std::string& one, const std::string& other) {
@@ -258,28 +263,28 @@ struct PlaneWords {
   }
 };
 
-PlaneWords words_of_planes(const FateState& exact, const StoredSample& stored) {
-  PlaneWords words;
+PlaneTexts describe_planes(const SampleState& exact, const StoredSample& stored) {
+  PlaneTexts texts;
   if (stored.color != nullptr)
-    words.add(fmt::format("({})", fmt::join(exact.color, ", ")),
+    texts.add(fmt::format("({})", fmt::join(exact.color, ", ")),
               fmt::format("({})", fmt::join(stored.color, stored.color + 4, ", ")));
   if (stored.depth)
-    words.add(fmt::format("depth {:.9g}", exact.depth), fmt::format("depth {:.9g}", *stored.depth));
+    texts.add(fmt::format("depth {:.9g}", exact.depth), fmt::format("depth {:.9g}", *stored.depth));
   if (stored.stencil)
-    words.add(fmt::format("stencil {}", exact.stencil), fmt::format("stencil {}", *stored.stencil));
+    texts.add(fmt::format("stencil {}", exact.stencil), fmt::format("stencil {}", *stored.stencil));
   if (stored.hits)
-    words.add(fmt::format("{} passed", exact.hits), fmt::format("{} passed", *stored.hits));
-  return words;
+    texts.add(fmt::format("{} passed", exact.hits), fmt::format("{} passed", *stored.hits));
+  return texts;
 }
 
 }  // namespace
 
-std::string explain_fate(const FateQuestion& question, const RuleChoices& chosen) {
-  const PlaneWords planes = words_of_planes(question.exact(chosen), question.stored);
+std::string explain_operations(const OperationsQuestion& question, const RuleChoices& chosen) {
+  const PlaneTexts planes = describe_planes(question.exact(chosen), question.stored);
   return fmt::format(
       "by the renderer's own fragments the {} should hold {}; it holds {}. In drawing order: {}",
       question.target().samples > 1 ? fmt::format("sample {}", question.sample) : "pixel",
-      planes.exact, planes.rendered, words_of_story(words_of_arrivals(question, chosen)));
+      planes.exact, planes.rendered, describe_sequence(describe_arrivals(question, chosen)));
 }
 
 }  // namespace edgecase
