@@ -15,7 +15,7 @@
 #include "casefile/scene/plain_fields.h"
 #include "casefile/scene/textures.h"
 #include "casefile/scene/viewport.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 
 namespace edgecase {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "casefile/case_writer.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "profile/profile_reports.h"
 
 namespace edgecase {
@@ -38,7 +38,7 @@ const char* rule_of(ValueKind kind) {
 
 Json to_json(const ValueExample& example, const ValueErrors& row) {
   Json json = {{"id", example.id},
-               {"scene", scene_words(example.scene)},
+               {"scene", scene_text(example.scene)},
                {"primitive", example.primitive},
                {"pixel", {example.pixel.x, example.pixel.y}},
                {"component", component_name(row.kind, example.component)},
@@ -71,7 +71,7 @@ Json to_json(const ValueErrors& row) {
 
 Json to_json(const ResidualExample& example) {
   Json json = {{"id", example.id},
-               {"scene", scene_words(example.scene)},
+               {"scene", scene_text(example.scene)},
                {"primitive", example.primitive},
                {"pixel", {example.pixel.x, example.pixel.y}},
                {"told", example.told},
@@ -218,7 +218,7 @@ Json to_json(const ProfileCluster& found) {
                {"situation", cluster.situation},
                {"disagreements", cluster.disagreements},
                {"scenes", cluster.cases},
-               {"smallest", scene_words(found.smallest)},
+               {"smallest", scene_text(found.smallest)},
                {"pixel", {cluster.x, cluster.y}}};
   add_case(json, found.smallest, title_of(cluster), rules_of(cluster));
   return json;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/counted.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "profile/profile_reports.h"
 
 namespace edgecase {
@@ -51,7 +51,7 @@ void print_example(Buffer& out, const char* what, ValueKind kind,
         found->rendered);
   if (found->permitted)
     print(out, ", permitted {:.9g} to {:.9g}", found->permitted->low, found->permitted->high);
-  print(out, "; {} {}\n", found->id, scene_words(found->scene));
+  print(out, "; {} {}\n", found->id, scene_text(found->scene));
 }
 
 // "2^6": so many ULP are more than the errors of 99 % of the components.
@@ -90,8 +90,7 @@ void print_found(Buffer& out, const LevelResiduals& row) {
   if (!found.worst) return;
   const ResidualExample& worst = *found.worst;
   print(out, "    largest: pixel ({}, {}) is told {:.9g}, by formula {:.9g}; {} {}\n",
-        worst.pixel.x, worst.pixel.y, worst.told, worst.formula, worst.id,
-        scene_words(worst.scene));
+        worst.pixel.x, worst.pixel.y, worst.told, worst.formula, worst.id, scene_text(worst.scene));
 }
 
 // The mean and the largest residual of one formula over all rows of a source.
@@ -278,7 +277,7 @@ void print_clusters(Buffer& out, const SurfaceProfile& surface, std::size_t most
     print(out, "    {} {} in {}, {}\n      smallest: {}, pixel ({}, {})\n", cluster.disagreements,
           title_of(cluster), counted(cluster.cases, "scene", "scenes"),
           cluster.legality == Legality::illegal ? "NOT allowed" : describe(cluster.legality),
-          scene_words(scene), cluster.x, cluster.y);
+          scene_text(scene), cluster.x, cluster.y);
   }
   if (shown < surface.clusters.size())
     print(out, "    and {}; --json has all\n",

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "casefile/scene/viewport.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 
 namespace edgecase {
 

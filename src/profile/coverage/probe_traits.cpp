@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "diff/coverage/neighbour_faults.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "profile/evidence/tally.h"
 #include "raster/rasterizer.h"
 #include "rules/values/flat_attribute.h"
@@ -162,7 +162,7 @@ std::vector<Trait> joint_traits(const Seen<JointProbe>& seen, const CoverageChoi
     straight_trait.remark = fmt::format(
         "violation of ruling 14: {} joints with a pixel twice, {} with a gap; for "
         "example {}",
-        faults.twice, faults.gaps, scene_words(*faults.example.scene));
+        faults.twice, faults.gaps, scene_text(*faults.example.scene));
   }
   return {straight_trait, {TraitId("line.turn"), "each segment as if alone", turns}};
 }
@@ -190,7 +190,7 @@ Trait shared_edge_trait(std::span<const Observation* const> observations, int bi
       "violation of ruling 5: {} holes and {} double hits; triangles {} and {} hit pixel ({}, {}) "
       "{} times in {}",
       holes, doubles, fault.first, fault.second, fault.pixel.x, fault.pixel.y, fault.hits,
-      scene_words(*example.scene));
+      scene_text(*example.scene));
   return trait;
 }
 
@@ -220,7 +220,7 @@ std::vector<Trait> clip_traits(const Seen<ClipProbe>& seen,
          finding.rate,
          "",
          {},
-         example == nullptr ? "" : fmt::format("for example {}", scene_words(*example))});
+         example == nullptr ? "" : fmt::format("for example {}", scene_text(*example))});
   }
   return traits;
 }

@@ -13,7 +13,7 @@
 #include "casefile/case_writer.h"
 #include "casefile/json/text.h"
 #include "model/counted.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "reports/text.h"
 #include "rules/all_rules.h"
 #include "run/renderer_names.h"
@@ -198,7 +198,7 @@ ExitCode deliver(const MinimizeCommand& command, const Case& original, const Min
   }
   print_to_stderr(fmt::format(
       "{}: {}\n  from {}\n  to {}: {}\n  {}{}\n", one_line(original.id), title_of(signature),
-      words_of_size(original.scene), words_of_size(minimized.scene), scene_words(minimized.scene),
+      words_of_size(original.scene), words_of_size(minimized.scene), scene_text(minimized.scene),
       counted(minimized.asks, "scene asked", "scenes asked"), ending_words(minimized.end)));
   const std::string text =
       command.json ? json_text(minimized, signature, original, info, written.text) : written.text;
