@@ -31,7 +31,7 @@ void read_text_into(const ObjectReader& object, const char* name, TextLimits lim
     value = read_text(*place, name, limits, findings).value_or("");
 }
 
-// An array of strings without repetition; `check` looks at each of them.
+// Reads an array of distinct strings; `check` is called for each of them.
 template <class Check>
 std::vector<std::string> read_words(const Place& place, const char* what, Findings& findings,
                                     const Check& check) {
@@ -120,7 +120,7 @@ Details read_details(const Place& place, Findings& findings) {
   return details;
 }
 
-// What is drawn with one sample alone so far.
+// Refuses features that are only supported with one sample per pixel so far.
 void refuse_of_several_samples(const ObjectReader& object, const CaseFields& fields,
                                Findings& findings) {
   if (fields.target.target.samples <= 1) return;

@@ -31,10 +31,10 @@ std::string text_of(const ObjectReader& object, const char* key, const std::stri
 std::map<std::string, std::string> read_words(const Place& place, std::span<const KnownRule> known,
                                               Findings& findings) {
   std::map<std::string, std::string> words;
-  if (!expect_kind(place, JsonKind::object, "words on rules", findings)) return words;
+  if (!expect_kind(place, JsonKind::object, "explanations of rules", findings)) return words;
   for (std::size_t i = 0; i < place.node->children.size(); ++i) {
     const Place item = place.child(i);
-    const auto text = read_text(item, "what is said of a rule", kWords, findings);
+    const auto text = read_text(item, "the explanation of a rule", kWords, findings);
     if (check_rule_id(item, known, findings) && text && !item.node->duplicate)
       words[item.node->name] = *text;
   }

@@ -27,7 +27,7 @@ const JsonPiece& find_blank(std::string_view name, const Pieces& blanks) {
   return *found;
 }
 
-// A line that ends on a backslash goes on after the blanks of the next one.
+// Joins a line that ends on a backslash with the next one, without the latter's indentation.
 std::string joined(std::string_view text) {
   std::string result;
   while (true) {
@@ -38,7 +38,7 @@ std::string joined(std::string_view text) {
   }
 }
 
-// The text of a string whose blanks are filled in.
+// A string with its placeholders filled in.
 std::string filled_text(std::string_view text, const Pieces& blanks) {
   std::string result;
   while (!text.empty()) {

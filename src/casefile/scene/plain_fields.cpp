@@ -56,7 +56,7 @@ void read_plain(const Place& place, const char* title, Limits limits, Findings& 
   value = read_coordinate(place, title, range, findings).value_or(value);
 }
 
-// A decimal where it is short; a fraction says what 10.01171875 hides.
+// A short decimal if possible; otherwise a fraction, which is clearer than 10.01171875.
 JsonPiece plain_piece(Fixed value) {
   constexpr std::int64_t kReadable = Fixed::kOne / 16;
   if (value.raw() % kReadable == 0) return json_scalar(to_decimal(value));
