@@ -28,8 +28,9 @@ std::string text_of(const ObjectReader& object, const char* key, const std::stri
   return place ? read_text(*place, what, limits, findings).value_or("") : "";
 }
 
-std::map<std::string, std::string> read_words(const Place& place, std::span<const KnownRule> known,
-                                              Findings& findings) {
+std::map<std::string, std::string> read_explanations(const Place& place,
+                                                     std::span<const KnownRule> known,
+                                                     Findings& findings) {
   std::map<std::string, std::string> words;
   if (!expect_kind(place, JsonKind::object, "explanations of rules", findings)) return words;
   for (std::size_t i = 0; i < place.node->children.size(); ++i) {
@@ -86,9 +87,9 @@ Gallery read_gallery(const JsonNode& root, std::span<const KnownRule> known, Fin
   gallery.policy = text_of(object, "policy", "a policy's name", kNameLimits, findings);
   if (const auto place = object.find("sources")) gallery.sources = read_sources(*place, findings);
   if (const auto place = object.find("choices"))
-    gallery.choices = read_words(*place, known, findings);
+    gallery.choices = read_explanations(*place, known, findings);
   if (const auto place = object.find("not_shown"))
-    gallery.not_shown = read_words(*place, known, findings);
+    gallery.not_shown = read_explanations(*place, known, findings);
   if (const auto place = object.find("pictures"))
     gallery.pictures = read_pictures(*place, known, findings);
   return gallery;

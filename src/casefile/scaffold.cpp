@@ -31,7 +31,7 @@ std::vector<std::string> split(std::string_view text, char separator) {
   }
 }
 
-std::vector<std::string> words_of(std::string_view text) {
+std::vector<std::string> split_words(std::string_view text) {
   std::vector<std::string> words = split(text, ' ');
   std::erase(words, "");
   return words;
@@ -109,7 +109,7 @@ void drop_color_of_vertex(JsonNode& vertex) {
 }  // namespace
 
 std::variant<ScaffoldDraw, std::string> parse_scaffold_draw(std::string_view text) {
-  const std::vector<std::string> words = words_of(text);
+  const std::vector<std::string> words = split_words(text);
   if (words.size() < 2)
     return fmt::format(
         "\"{}\" is no draw; write a primitive and its vertices, like "

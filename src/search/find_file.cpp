@@ -52,7 +52,7 @@ std::string sentence_of_bits(const Find& find) {
 
 std::string explanation_of(const Find& find) {
   if (find.result.failure)
-    return fmt::format("The renderer fails: {}.", words_for_file(find.result.failure->reason));
+    return fmt::format("The renderer fails: {}.", text_for_file(find.result.failure->reason));
   const Disagreement* d = first_disagreement(find);
   if (d == nullptr)
     return fmt::format("Its {} differs inside what is permitted.", find.key.signature.attribute);
@@ -74,22 +74,22 @@ std::string judgement_of(const Find& find) {
 std::string why_of(const Find& find, std::uint64_t seed) {
   std::string why = explanation_of(find) + " " + judgement_of(find);
   for (const FindAnswer& answer : find.answers)
-    why += fmt::format("{}: {}. ", words_for_file(answer.renderer), words_for_file(answer.words));
+    why += fmt::format("{}: {}. ", text_for_file(answer.renderer), text_for_file(answer.words));
   return why + fmt::format("Found by edgecase fuzz: {}. {}{}", describe(find.origin, seed),
                            sentence_of_end(find), sentence_of_bits(find));
 }
 
 }  // namespace
 
-std::string words_for_file(const std::string& words) {
+std::string text_for_file(const std::string& words) {
   return std::string(beginning_of(clean_line(words), kMostWords));
 }
 
 FindFile find_file(const Find& find, std::uint64_t seed, const std::string& schema) {
   const std::string rule = rule_of(find);
   CaseWords words;
-  words.title = beginning_of(fmt::format("{}: {}", words_for_file(find.renderer), title_of(find)),
-                             kMostTitle);
+  words.title =
+      beginning_of(fmt::format("{}: {}", text_for_file(find.renderer), title_of(find)), kMostTitle);
   words.rules = {rule};
   const CaseText plain = case_text(find.scene, words);
   FindFile file;

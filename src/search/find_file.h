@@ -21,7 +21,7 @@ namespace edgecase {
 constexpr std::size_t kMostTitle = 200;  // bytes of the title of a case that was found
 
 // What a renderer is called or says, as a case file may hold it: a line, 500 bytes of it at most.
-std::string words_for_file(const std::string& words);
+std::string text_for_file(const std::string& words);
 
 struct FindFile {
   std::string name;  // "line.diamond-exit-1f2e3d4c.json": the rule, and a hash of title and scene

@@ -50,7 +50,7 @@ std::string filled_text(std::string_view text, const Pieces& blanks) {
     double number = 0;
     const char* const last = piece.data() + piece.size();
     const bool is_number = std::from_chars(piece.data(), last, number).ptr == last;
-    result += is_number ? number_words(number) : piece;
+    result += is_number ? number_text(number) : piece;
     text = {end, text.end()};
   }
   return result;
@@ -103,7 +103,7 @@ Pieces schema_pieces(std::string_view text, const Pieces& blanks) {
   return filled_children(*document.root, blanks);
 }
 
-std::string number_words(double value) {
+std::string number_text(double value) {
   int exponent = 0;
   const bool is_power = std::fabs(std::frexp(value, &exponent)) == 0.5;
   if (is_power && std::abs(exponent - 1) >= 20)

@@ -21,7 +21,7 @@ namespace edgecase {
 // named pieces:
 //
 //   "@NAME" as a whole string   stands for the piece
-//   @NAME within a string       for the text of the piece, a scalar, with numbers as number_words
+//   @NAME within a string       for the text of the piece, a scalar, with numbers as number_text
 //   "@NAME": 0 as a member      for all members of the piece, an object
 //
 // A line of the text may end within a string, on a backslash: the string continues after the
@@ -31,7 +31,7 @@ Pieces schema_pieces(std::string_view text, const Pieces& blanks = {});
 
 // A finite number as people read it in a sentence: powers of two from 2^20 on, and up to 2^-20, are
 // written as such.
-std::string number_words(double value);
+std::string number_text(double value);
 // The number with all its digits.
 JsonPiece schema_number(double value);
 

@@ -117,7 +117,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-Words words_of(std::string_view line) {
+Words split_words(std::string_view line) {
   Words words;
   for (std::size_t at = line.find_first_not_of(" \t"); at < line.size();) {
     const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
@@ -177,13 +177,13 @@ class Checker {
 
 ObjCheck Checker::run() {
   for (const std::string_view line : lines_) {
-    const Words words = words_of(line);
+    const Words words = split_words(line);
     if (!words.empty() && words[0] == "v") ++all_vertices_;
     if (!words.empty() && words[0] == "vt") ++all_coordinates_;
   }
   for (const std::string_view line : lines_) {
     ++line_;
-    check_line(words_of(line));
+    check_line(split_words(line));
     if (!result_.message.empty()) return std::move(result_);
   }
   line_ = 0;

@@ -64,8 +64,8 @@ JsonPiece plain_piece(Fixed value) {
 }
 
 std::string with_limits(std::string_view description, Limits limits) {
-  return fmt::format(fmt::runtime(description), fmt::arg("low", number_words(limits.low)),
-                     fmt::arg("high", number_words(limits.high)));
+  return fmt::format(fmt::runtime(description), fmt::arg("low", number_text(limits.low)),
+                     fmt::arg("high", number_text(limits.high)));
 }
 
 void add_limits(Limits limits, bool is_size, Pieces& members) {

@@ -41,7 +41,7 @@ struct Outline {
   int dimensions = 2;
 };
 
-std::string words_of(PatternSize size) {
+std::string text_of(PatternSize size) {
   return fmt::format("{} x {}", size.width, size.height);
 }
 
@@ -156,7 +156,7 @@ bool is_sized(const Place& place, PatternSize found, const Outline& outline, Fin
   if (outline.size->width == found.width && outline.size->height == found.height) return true;
   findings.add(place,
                fmt::format("the picture has {} texels, and the texture's size is {}",
-                           words_of(found), words_of(*outline.size)),
+                           text_of(found), text_of(*outline.size)),
                "make them equal, or leave the size out");
   return false;
 }
@@ -306,10 +306,10 @@ std::optional<Texture> read_texture(const Place& place, const fs::path& case_fil
 }
 
 // A key that is equal exactly for equal trees.
-void append_words(const JsonNode& node, std::string& words) {
+void append_key(const JsonNode& node, std::string& words) {
   words += fmt::format("{}:{}:{}{}:{}{}(", static_cast<int>(node.kind), node.name.size(), node.name,
                        node.text.size(), node.text, node.truth ? '1' : '0');
-  for (const JsonNode& child : node.children) append_words(child, words);
+  for (const JsonNode& child : node.children) append_key(child, words);
   words += ')';
 }
 
@@ -317,7 +317,7 @@ void append_words(const JsonNode& node, std::string& words) {
 
 std::shared_ptr<const Texture> TextureShelf::find(const Place& place, Findings& findings) {
   std::string words;
-  append_words(*place.node, words);
+  append_key(*place.node, words);
   if (const auto known = textures_.find(words); known != textures_.end()) return known->second;
   if (texels_ > kMost) {
     findings.add(place,

@@ -240,7 +240,7 @@ ClipPosition round_to_grid(const ClipPosition& clip) {
           rounded(clip.w, exponent)};
 }
 
-std::string words_of(const ClipPosition& clip) {
+std::string text_of(const ClipPosition& clip) {
   return fmt::format("({}, {}, {}, {})", short_decimal(clip.x), short_decimal(clip.y),
                      short_decimal(clip.z), short_decimal(clip.w));
 }
@@ -249,12 +249,12 @@ std::optional<Inexactness> find_clip_fault(const ClipPosition& clip, const std::
   if (!std::isfinite(clip.w) || !std::isfinite(clip.x) || !std::isfinite(clip.y) ||
       !std::isfinite(clip.z))
     return Inexactness{
-        fmt::format("{} has clip coordinates beyond float32, {}", subject, words_of(clip)),
+        fmt::format("{} has clip coordinates beyond float32, {}", subject, text_of(clip)),
         "use smaller numbers"};
   const float largest = largest_of(clip);
   if (largest >= kMinW && largest <= kMaxW) return std::nullopt;
   return Inexactness{
-      fmt::format("{} has clip coordinates {}, out of range", subject, words_of(clip)),
+      fmt::format("{} has clip coordinates {}, out of range", subject, text_of(clip)),
       fmt::format("keep the largest of |x|, |y|, |z| and |w| from {} to {}", exact_decimal(kMinW),
                   exact_decimal(kMaxW))};
 }
@@ -270,7 +270,7 @@ std::optional<Inexactness> find_volume_fault(const ClipPosition& clip, const std
       return Inexactness{
           fmt::format("{} lies outside the clip volume: its clip coordinates are {}, and {} is not "
                       "within -w and w",
-                      subject, words_of(clip), axis),
+                      subject, text_of(clip), axis),
           axis == 'z' ? "move it between the near and the far plane" : "move it into the view"};
   return std::nullopt;
 }

@@ -85,7 +85,7 @@ constexpr float kMaxW = 1048576;
 ClipPosition round_to_grid(const ClipPosition& clip);
 
 // "(0.5, -1, 0, 2)", shortest decimals.
-std::string words_of(const ClipPosition& clip);
+std::string text_of(const ClipPosition& clip);
 
 // Why the coordinates cannot be drawn anywhere: out of range, or not numbers. The fault's message
 // starts with `subject`.
