@@ -20,7 +20,7 @@ bool has_pixel(const std::vector<PixelPosition>& pixels, PixelPosition p) {
   return std::find(pixels.begin(), pixels.end(), p) != pixels.end();
 }
 
-// In how many probes of one pixel and one primitive a choice says what the renderer does there.
+// The share of probes, each of one pixel and one primitive, in which a choice matches the renderer.
 template <class Probe>
 Rate agreement(const Seen<Probe>& seen, const CoverageChoice& choice) {
   Rate rate;
@@ -36,7 +36,7 @@ Rate agreement(const Seen<Probe>& seen, const CoverageChoice& choice) {
   return rate;
 }
 
-// The smallest of several scenes, the first of those that tie, with details of it.
+// The smallest of several scenes, the first in case of a tie, with details of it.
 template <class Detail>
 struct Smallest {
   const Scene* scene = nullptr;
@@ -58,7 +58,7 @@ std::vector<PrimitiveCoverage> coverage_of(const Observation& observation) {
   return coverage;
 }
 
-// Ruling 14 for one scene, as the segments are given: a pixel drawn twice, another fault, or none.
+// Ruling 14 for one scene, with the segments as given: pixels drawn twice, and other faults.
 struct JointFaultCounts {
   std::size_t twice = 0;
   std::size_t gaps = 0;
@@ -81,7 +81,7 @@ bool count_joint_faults(const Observation& observation, JointFaultCounts& counts
   return any;
 }
 
-// Has every fragment the colour of the vertex that provokes under the choice?
+// Whether every fragment has the colour of the vertex that provokes under the choice.
 bool has_colors_of(ProvokingChoice choice, const Scene& scene, const Rendering& rendering) {
   const auto primitives = primitives_of(scene);
   return std::ranges::all_of(rendering.fragments, [&](const Fragment& fragment) {
