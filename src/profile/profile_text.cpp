@@ -324,9 +324,7 @@ std::string level_residuals_text(std::span<const LevelResiduals> rows) {
   Buffer out;
   if (rows.empty()) return "";
   const FormulaResidual& found = rows[0].found();
-  print(out,
-        "  levels of detail against {} + {}, derivatives {}: at most {:.4g} levels off is "
-        "for\n",
+  print(out, "  levels of detail against {} + {}, derivatives {}: at most {:.4g} levels of error\n",
         name_of(found.scale_factor), name_of(found.log2), rows[0].derivatives, kMostResidual);
   print(out, "  {:<34}{:>10}{:>13}{:>13}\n", "ramp, where the level is told", "fragments", "mean",
         "largest");
