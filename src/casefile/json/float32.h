@@ -5,7 +5,7 @@
 // A coordinate is a multiple of 2^-16 (exact/numeral.h); the other inputs of a vertex shader (w,
 // clip coordinates, colours) are any float32 numbers. Whether a decimal is one is decided by its
 // digits: 0.1 is not, 0.5 and 9.5367431640625e-07 are. So is 14.644210815429688, which
-// exact/numeral.h reads as the multiple of 2^-16 whose nearest double it is.
+// exact/numeral.h reads as its nearest double, a multiple of 2^-16.
 #pragma once
 
 #include <optional>

@@ -306,19 +306,19 @@ std::optional<Texture> read_texture(const Place& place, const fs::path& case_fil
 }
 
 // A key that is equal exactly for equal trees.
-void append_key(const JsonNode& node, std::string& words) {
-  words += fmt::format("{}:{}:{}{}:{}{}(", static_cast<int>(node.kind), node.name.size(), node.name,
-                       node.text.size(), node.text, node.truth ? '1' : '0');
-  for (const JsonNode& child : node.children) append_key(child, words);
-  words += ')';
+void append_key(const JsonNode& node, std::string& key) {
+  key += fmt::format("{}:{}:{}{}:{}{}(", static_cast<int>(node.kind), node.name.size(), node.name,
+                     node.text.size(), node.text, node.truth ? '1' : '0');
+  for (const JsonNode& child : node.children) append_key(child, key);
+  key += ')';
 }
 
 }  // namespace
 
 std::shared_ptr<const Texture> TextureShelf::find(const Place& place, Findings& findings) {
-  std::string words;
-  append_key(*place.node, words);
-  if (const auto known = textures_.find(words); known != textures_.end()) return known->second;
+  std::string key;
+  append_key(*place.node, key);
+  if (const auto known = textures_.find(key); known != textures_.end()) return known->second;
   if (texels_ > kMost) {
     findings.add(place,
                  fmt::format("the textures of the file's cases have more than {} texels", kMost),
@@ -328,7 +328,7 @@ std::shared_ptr<const Texture> TextureShelf::find(const Place& place, Findings& 
   std::optional<Texture> texture = read_texture(place, case_file_, findings);
   if (!texture) return nullptr;
   for (const TextureLevel& level : texture->levels) texels_ += level.texels.size() / 4;
-  return textures_[words] = std::make_shared<const Texture>(std::move(*texture));
+  return textures_[key] = std::make_shared<const Texture>(std::move(*texture));
 }
 
 std::optional<TextureList> read_textures(const Place& place, TextureShelf& shelf,

@@ -29,14 +29,14 @@ namespace edgecase {
 //
 // Numbers beyond 0 to 1 are clamped first. With M = 2^bits - 1:
 enum class CodeRounding {
-  nearest,             // to the exact product by M, ties to even
+  nearest,             // the code nearest to the exact product by M, ties to even
   nearest_of_float,    // the same for the product rounded to float32
   half_up_of_float,    // that product plus 1/2, added in float32, truncated
-  truncated,           // the exact product by M
-  truncated_of_float,  // that product rounded to float32
+  truncated,           // the exact product by M, rounded down
+  truncated_of_float,  // that product rounded to float32, then down
   up,                  // the exact product by M, rounded up
-  power_nearest,       // the product by 2^bits, at most M
-  power_truncated,     // the same, truncated
+  power_nearest,       // the code nearest to the product by 2^bits, at most M
+  power_truncated,     // the same product, rounded down
 };
 template <>
 inline constexpr auto kNames<CodeRounding> =
