@@ -31,15 +31,15 @@ std::string text_of(const ObjectReader& object, const char* key, const std::stri
 std::map<std::string, std::string> read_explanations(const Place& place,
                                                      std::span<const KnownRule> known,
                                                      Findings& findings) {
-  std::map<std::string, std::string> words;
-  if (!expect_kind(place, JsonKind::object, "explanations of rules", findings)) return words;
+  std::map<std::string, std::string> explanations;
+  if (!expect_kind(place, JsonKind::object, "explanations of rules", findings)) return explanations;
   for (std::size_t i = 0; i < place.node->children.size(); ++i) {
     const Place item = place.child(i);
     const auto text = read_text(item, "the explanation of a rule", kWords, findings);
     if (check_rule_id(item, known, findings) && text && !item.node->duplicate)
-      words[item.node->name] = *text;
+      explanations[item.node->name] = *text;
   }
-  return words;
+  return explanations;
 }
 
 std::vector<std::string> read_sources(const Place& place, Findings& findings) {
