@@ -29,8 +29,8 @@ constexpr const char* kQuotient = R"(
 void main() { target = texelFetch(image, ivec2(gl_FragCoord.xy), 0) / number; }
 )";
 
-// Colours and weights of which every product and sum is a float32 number, whose 24 digits are all
-// needed, and which lie outside [0, 1].
+// Colours and weights whose products and sums are all float32 numbers that need all 24 digits, and
+// which lie outside [0, 1].
 constexpr std::array<Color, 2> kProven = {{{-2.5F, 0x1p-20F, 0x1p21F, 1}, {1, 1, 1, 0.75F}}};
 constexpr std::array<std::int64_t, 2> kProvenWeights = {7, 1};
 constexpr std::array<double, 4> kProvenSum = {-16.5, 7 * 0x1p-20 + 1, 7 * 0x1p21 + 1, 7.75};
@@ -148,7 +148,7 @@ void Accumulator::draw(const GlProgram& program, double number, const Image& fro
   gl_->ActiveTexture(kSourceUnit);
   gl_->BindTexture(GL_TEXTURE_2D, from.texture.name());
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
-  // It is drawn to again, and must not be read meanwhile.
+  // This image is drawn to again later, so it must not stay bound for reading.
   gl_->BindTexture(GL_TEXTURE_2D, 0);
   gl_->ActiveTexture(GL_TEXTURE0);
 }
@@ -166,7 +166,7 @@ void Accumulator::add(std::int64_t weight) {
 void Accumulator::read(Rendering& rendering) {
   set_state();
   std::vector<float> mean(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-  // The last pass has been added: its image has room for the mean.
+  // The last pass has been added, so its image is free for the mean.
   draw(quotient_, static_cast<double>(total_), sum_, pass());
   gl_->ReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, mean.data());
   rendering.accumulated.assign(mean.begin(), mean.end());

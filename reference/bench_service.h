@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The worker's side of `edgecase bench`: times what a context draws.
+// The worker's side of `edgecase bench`: times drawing in a context.
 #pragma once
 
 #include "reference/scene_renderer.h"
@@ -8,7 +8,7 @@
 
 namespace edgecase {
 
-// Does what the request says. It measures the worker alone: nothing of asking and answering.
+// Executes the request. Only the worker is timed, not the exchange of messages.
 BenchAnswer time_scenes(SceneRenderer& renderer, const BenchRequest& request);
 
 }  // namespace edgecase

@@ -19,7 +19,7 @@ namespace edgecase {
 
 namespace {
 
-// As the capture shader lays it out under std430: scalars only, so 4-byte alignment throughout.
+// The capture shader's layout under std430: only scalars, so the alignment is 4 bytes throughout.
 struct Record {
   std::int32_t x;
   std::int32_t y;
@@ -29,14 +29,14 @@ struct Record {
 };
 static_assert(sizeof(Record) == 32);
 
-// Four floats to a vec4, which std430 aligns to 16 bytes.
+// Four floats for a vec4, which std430 aligns to 16 bytes.
 struct DetailedRecord : Record {
   float coordinates[4];
   float derivatives[kDerivatives][4];
 };
 static_assert(sizeof(DetailedRecord) == 144);
 
-// Two floats to a vec2, which std430 aligns to 8 bytes.
+// Two floats for a vec2, which std430 aligns to 8 bytes.
 struct TexturedRecord : DetailedRecord {
   float texture_coordinates[2];
   float level_of_detail[2];
@@ -45,11 +45,11 @@ static_assert(sizeof(TexturedRecord) == 160);
 
 constexpr std::size_t kHeaderSize = 32;
 constexpr std::uint32_t kFirstCapacity = 4096;
-// 16.8 million fragments of 32 bytes, a 4096 x 4096 target covered once.
+// 16.8 million fragments of 32 bytes: a 4096 x 4096 target covered once.
 constexpr std::size_t kLargestSize = std::size_t{1} << 29;
 
-// The order in which a driver's threads append is theirs. Sorting by every bit of a record makes
-// the list the same each time.
+// The driver's threads append in any order. Sorting by every bit of a record gives the same list
+// each time.
 template <class AnyRecord>
 bool comes_before(const AnyRecord& a, const AnyRecord& b) {
   const auto place = [](const Record& r) { return std::tie(r.y, r.x, r.primitive); };
@@ -57,9 +57,9 @@ bool comes_before(const AnyRecord& a, const AnyRecord& b) {
   return std::memcmp(&a, &b, sizeof(AnyRecord)) < 0;
 }
 
-// The numbers of the records in their order, which are sorted instead of them for being small. Of
-// each pixel's few have to be compared, where there are enough records to make counting them at
-// each pixel worth it, and all lie at pixels.
+// The sorted indices of the records; indices are smaller to sort. If there are enough records, and
+// all lie within the target, they are first counted by pixel, so that only the few of each pixel
+// have to be compared.
 template <class AnyRecord>
 std::vector<std::uint32_t> sorted(std::span<const AnyRecord> records, const Rendering& target) {
   std::vector<std::uint32_t> order(records.size());
@@ -89,13 +89,12 @@ std::vector<std::uint32_t> sorted(std::span<const AnyRecord> records, const Rend
   return order;
 }
 
-// Into a fragment that is new: written where it stays, since copying what was just put together is
-// slow.
-void tell(const Record& record, bool multisampled, Fragment& fragment) {
+// Fills a new fragment in its final place, since copying a freshly assembled one is slow.
+void fill(const Record& record, bool multisampled, Fragment& fragment) {
   fragment.x = record.x;
   fragment.y = record.y;
   fragment.primitive = record.primitive;
-  // Without multisampling, a fragment that exists covers the one sample.
+  // Without multisampling, every fragment covers the single sample.
   if (multisampled) {
     fragment.x = record.x & 0xffff;
     fragment.coverage = static_cast<std::uint32_t>(record.x) >> 16;
@@ -131,7 +130,7 @@ FragmentDetail to_detail(const TexturedRecord& record) {
 
 Capture::Capture(const GladGLContext& gl, Form form)
     : gl_(gl), form_(form), buffer_(make_buffer(gl)) {
-  // Some drivers have 2^32 - 1, which is no GLint.
+  // Some drivers report 2^32 - 1, which does not fit a GLint.
   GLint64 block_size = 0;
   gl_.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block_size);
   const std::size_t bytes = block_size > 0 ? static_cast<std::size_t>(block_size) : 0;
@@ -178,7 +177,7 @@ std::size_t Capture::record_size() const {
 
 template <class AnyRecord>
 void Capture::read_records(std::uint32_t count, Rendering& rendering) {
-  // Of zeros, since a GL that raises an error writes nothing there.
+  // Zeros, since a GL that raises an error leaves them unwritten.
   std::vector<AnyRecord> records(count);
   if (count > 0 && !read_storage(gl_, kHeaderSize, count * sizeof(AnyRecord), records.data())) {
     lost_ = true;
@@ -190,7 +189,7 @@ void Capture::read_records(std::uint32_t count, Rendering& rendering) {
   rendering.details.reserve(kDetailed ? count : 0);
   for (const std::uint32_t i : sorted<AnyRecord>(records, rendering)) {
     Fragment& fragment = rendering.fragments.emplace_back();
-    tell(records[i], multisampled, fragment);
+    fill(records[i], multisampled, fragment);
     if constexpr (kDetailed) {
       fragment.detail = static_cast<int>(rendering.details.size());
       rendering.details.push_back(to_detail(records[i]));

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Capture: the list of fragment shader invocations of a pass, written by the shader itself.
+// Capture: the list of a pass's fragment shader invocations, written by the shader itself.
 //
-// The buffer holds a counter and records. A shader invocation takes a slot from the counter and
-// writes only where there is room; helper invocations never write. When the counter says that there
-// was no room, the buffer grows and the pass is drawn again; beyond a limit there is no capture.
+// The buffer has a counter and records. A shader invocation takes a slot from the counter and
+// writes only if there is room; helper invocations never write. If the counter shows that there was
+// no room, the buffer grows and the pass is drawn again; beyond a limit there is no capture.
 //
-// A record holds pixel, primitive, depth and colour, in 32 bytes. A detailed one holds gl_FragCoord
-// and six derivatives of the colour as well, in 144: it is written for scenes that ask for details.
-// A textured one, of 160 bytes, adds texture coordinates and the level of detail; its derivatives
-// are those of the attribute before anything is looked up. Of a multisampled target, the pixel's
-// column has the samples that the fragment covers, gl_SampleMaskIn, in its upper 16 bits.
+// A record has pixel, primitive, depth and colour, in 32 bytes. A detailed one also has
+// gl_FragCoord and six derivatives of the colour, in 144 bytes: it is written for scenes that
+// request details. A textured one, of 160 bytes, adds texture coordinates and the level of detail;
+// its derivatives are those of the attribute before the lookup. For a multisampled target, the
+// upper 16 bits of the pixel's column are the covered samples, gl_SampleMaskIn.
 #pragma once
 
 #include <cstddef>
@@ -28,22 +28,22 @@ class Capture {
   // The context must be current and outlive the capture.
   Capture(const GladGLContext& gl, Form form);
 
-  // Most fragments that one pass may have: a limit of the driver, or ours.
+  // The largest number of fragments in a pass, limited by the driver or by us.
   std::uint32_t limit() const { return limit_; }
-  // Fragments that the buffer has room for now: the value of the capacity uniform.
+  // The present capacity in fragments, which is the value of the capacity uniform.
   std::uint32_t capacity() const { return capacity_; }
 
-  // Empties the list and binds the buffer for the pass that is drawn next.
+  // Empties the list and binds the buffer for the next pass.
   void begin();
-  // Fragments that the pass since `begin` had, whether or not there was room for all.
+  // The number of fragments of the pass since `begin`, whether or not there was room for all.
   std::uint32_t count();
-  // Makes room for `count` fragments, of at most limit(). What was captured is lost.
+  // Makes room for `count` fragments, at most limit(). Earlier captures are lost.
   void grow(std::uint32_t count);
-  // The captured fragments, sorted, of a rendering that knows its number of samples; all `count` of
-  // them must have had room. Of a detailed capture, every fragment has all details of its record.
+  // Reads the captured fragments, sorted, into a rendering with a known number of samples; there
+  // must have been room for all `count`. In a detailed capture, every fragment has all details of
+  // its record.
   void read(std::uint32_t count, Rendering& rendering);
-  // Was something since `begin` not to be read? Then neither the count nor the fragments are what
-  // was captured.
+  // Whether some reading since `begin` failed. Count and fragments are then invalid.
   bool lost() const { return lost_; }
 
  private:

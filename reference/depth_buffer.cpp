@@ -12,7 +12,7 @@ namespace edgecase {
 
 namespace {
 
-// The integer of 32 bits that stands for a depth of 1.
+// The 32-bit integer for a depth of 1.
 constexpr double kLargest32 = 4294967295.0;
 
 int bits_of(DepthFormat format) {
@@ -44,7 +44,7 @@ std::string doubt_of_claims(const GladGLContext& gl, GLenum attachment, DepthFor
   return "";
 }
 
-// The depth of the lowest left pixel as it is stored. OpenGL ES reads floats of floats alone.
+// The stored depth of the lowest left pixel. OpenGL ES reads floats only from float buffers.
 double read_depth(const GladGLContext& gl, bool is_float) {
   if (is_es(gl) && !is_float) {
     GLuint expanded = 0;
@@ -56,7 +56,7 @@ double read_depth(const GladGLContext& gl, bool is_float) {
   return static_cast<double>(read);
 }
 
-// Between the integers 1 and 2, where float32 numbers lie closely.
+// Clears to a depth between the integers 1 and 2, where float32 numbers are dense.
 std::string doubt_of_contents(const GladGLContext& gl, DepthFormat format) {
   const bool is_float = holds_floats(format);
   const double largest = is_float ? 65535 : largest_depth(format);
@@ -108,7 +108,7 @@ std::vector<double> read_depths(const GladGLContext& gl, DepthFormat format, int
     gl.ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, floats.data());
     return {floats.begin(), floats.end()};
   }
-  // Fewer bits are expanded to 32, by repeating them or by a multiplication. Either way the stored
+  // Fewer bits are expanded to 32, by repetition or multiplication. In both cases the stored
   // integer is the nearest one.
   const double largest = largest_depth(format);
   std::vector<GLuint> expanded(area);

@@ -17,7 +17,7 @@ void set_scissor(const GladGLContext& gl, const Draw& draw) {
   gl.Scissor(draw.scissor->x, draw.scissor->y, draw.scissor->width, draw.scissor->height);
 }
 
-// Every fragment passes and is written; without the test there is no writing either.
+// Every fragment passes and is written; if the test is disabled, nothing is written either.
 void set_depth(const GladGLContext& gl, bool has_depth) {
   gl.DepthFunc(GL_ALWAYS);
   gl.DepthMask(GL_TRUE);
@@ -27,8 +27,8 @@ void set_depth(const GladGLContext& gl, bool has_depth) {
     gl.Disable(GL_DEPTH_TEST);
 }
 
-// State that OpenGL ES does not have: there it is always as it is set here, but for the size of
-// points, which a shader writes, and the vertex that provokes, which is the last one.
+// State that OpenGL ES lacks. There it always has these values, except for the size of points,
+// which a shader writes, and the provoking vertex, which is the last one.
 void set_desktop_state(const GladGLContext& gl, const Draw& draw) {
   constexpr GLenum kSwitchedOff[] = {
       GL_LINE_SMOOTH,         GL_POLYGON_SMOOTH,    GL_POLYGON_OFFSET_POINT,
@@ -64,7 +64,7 @@ GLenum mode_of(Primitive primitive) {
 }
 
 void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw) {
-  // GL_RASTERIZER_DISCARD is missing: nothing here turns it on, and a driver without transform
+  // GL_RASTERIZER_DISCARD is omitted: nothing here enables it, and a driver without transform
   // feedback raises an error (zink over SwiftShader).
   constexpr GLenum kSwitchedOff[] = {GL_CULL_FACE,       GL_STENCIL_TEST,
                                      GL_DITHER,          GL_POLYGON_OFFSET_FILL,

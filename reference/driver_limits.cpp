@@ -15,7 +15,7 @@ namespace {
 
 std::string sample_limit(const Scene& scene, const DriverLimits& limits) {
   const Target& target = scene.target;
-  // In the window's stead, another surface's rules would be followed.
+  // Drawing elsewhere would follow another surface's rules.
   if (!scene.supersampling.empty() && target.surface == Surface::window)
     return "passes cannot be accumulated in a window: its colours have 8 bits";
   if (target.samples == 1) return "";
@@ -104,7 +104,7 @@ bool takes_saturated_destinations(const GladGLContext& gl) {
   return takes;
 }
 
-// What is asked for otherwise, or is otherwise, in OpenGL ES.
+// Limits that OpenGL ES reports differently, or that differ there.
 void state_es_limits(const GladGLContext& gl, DriverLimits& limits) {
   limits.es = es_features(gl);
   limits.provoking[static_cast<std::size_t>(ProvokingVertex::first)] = false;
@@ -138,7 +138,7 @@ DriverLimits stated_limits(const GladGLContext& gl) {
   limits.clamps_polygon_offset =
       gl.VERSION_4_6 || gl.ARB_polygon_offset_clamp || gl.EXT_polygon_offset_clamp;
   limits.saturates_destinations = gl.ARB_blend_func_extended != 0;
-  // Wide lines are deprecated, and an error in contexts that promise to do without.
+  // Wide lines are deprecated, and an error in forward-compatible contexts.
   GLint flags = 0;
   gl.GetIntegerv(GL_CONTEXT_FLAGS, &flags);
   if ((flags & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) != 0)

@@ -13,10 +13,10 @@ namespace edgecase {
 namespace {
 
 struct Driver {
-  const char* name;         // as the worker's command line has it
-  const char* gl_renderer;  // how GL_RENDERER begins
+  const char* name;         // on the worker's command line
+  const char* gl_renderer;  // the start of GL_RENDERER
   const char* library;      // the Vulkan driver that must be executable; empty: none
-  const char* package;      // Debian's, that has it
+  const char* package;      // the Debian package with the library
   const char* stack;
 };
 

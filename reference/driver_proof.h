@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: MIT
 //
-// Proof that the driver at work is the one that was asked for.
+// Proof that the active driver is the requested one.
 //
-// Environment variables choose among Mesa's drivers and among Vulkan's, and a chooser that finds
-// nothing takes another one without a word. So a worker looks at what the context says of itself,
-// and, where one driver runs upon another, at the code that its process can execute.
+// Environment variables choose among Mesa's drivers and among Vulkan's, and a loader that finds
+// nothing silently takes another one. So a worker checks what the context reports and, if one
+// driver runs on top of another, the code that its process can execute.
 #pragma once
 
 #include <string>
 
 namespace edgecase {
 
-// Drivers by the names that the worker's command line gives them: "llvmpipe", "softpipe", "zink"
-// (over lavapipe) and "zink-swiftshader". All functions return one sentence; empty: nothing is
-// wrong.
+// Driver names are those of the worker's command line: "llvmpipe", "softpipe", "zink" (over
+// lavapipe) and "zink-swiftshader". All functions return one sentence, or nothing if there is no
+// fault.
 
-// What must be installed and is not. To be asked before a context is opened: without it some
-// loaders choose another driver, and others fail with a number. Looks at VK_ICD_FILENAMES.
+// What must be installed but is missing. Call it before a context is opened: without it some
+// loaders choose another driver, and others fail with just a number. Checks VK_ICD_FILENAMES.
 std::string missing_for_driver(const std::string& driver);
 
-// Why the driver at work is another one, by GL_RENDERER and /proc/self/maps. A name that is not
-// known must begin GL_RENDERER.
+// Why the active driver is another one, by GL_RENDERER and /proc/self/maps. For an unknown name,
+// GL_RENDERER must begin with it.
 std::string doubt_of_driver(const std::string& driver, const std::string& gl_renderer);
 
-// What stands between OpenGL and the pixels, for RendererInfo's traits; empty: the driver alone.
+// The layers between OpenGL and the pixels, for RendererInfo's traits; empty: the driver alone.
 std::string stack_of_driver(const std::string& driver);
 
 }  // namespace edgecase

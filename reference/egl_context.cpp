@@ -58,7 +58,7 @@ class EglContext final : public GlContext {
     const std::pair size(width, height);
     if (const auto found = pbuffers_.find(size); found != pbuffers_.end()) return found->second;
     if (pbuffers_.size() >= kMostPbuffers) {
-      // The one that is current lives until another one is.
+      // The current surface lives until another one is current.
       for (const auto& [ignored, surface] : pbuffers_) egl_.destroy_surface(display_, surface);
       pbuffers_.clear();
       current_ = EGL_NO_SURFACE;
@@ -79,8 +79,8 @@ class EglContext final : public GlContext {
   std::string description_;
 };
 
-// A configuration with exactly 8 bits per channel, one sample and pbuffers; null when there is
-// none. EGL lists deeper formats first, so the list is searched.
+// A configuration with exactly 8 bits per channel, one sample and pbuffers, or null. EGL lists
+// deeper formats first, so the list is searched.
 EGLConfig find_config(const EglFunctions& egl, EGLDisplay display, GlApi api) {
   const EGLint wanted[] = {EGL_SURFACE_TYPE,
                            EGL_PBUFFER_BIT,
@@ -113,8 +113,8 @@ EGLConfig find_config(const EglFunctions& egl, EGLDisplay display, GlApi api) {
   return found == configs.end() ? nullptr : *found;
 }
 
-// The newest version that the display offers; fragments are captured from OpenGL 4.3 and OpenGL ES
-// 3.1 on.
+// The newest version that the display offers; capturing fragments needs OpenGL 4.3 or OpenGL ES
+// 3.1.
 EGLContext create_context(const EglFunctions& egl, EGLDisplay display, EGLConfig config,
                           GlApi api) {
   struct Version {
@@ -125,7 +125,7 @@ EGLContext create_context(const EglFunctions& egl, EGLDisplay display, EGLConfig
   constexpr Version kEs[] = {{3, 2}, {3, 1}};
   const bool is_core = api == GlApi::opengl;
   for (const auto& [major, minor] : is_core ? std::span<const Version>(kCore) : kEs) {
-    // Profiles are OpenGL's alone: the list ends before they come.
+    // Only OpenGL has profiles: for OpenGL ES the list ends before them.
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                  major,
                                  EGL_CONTEXT_MINOR_VERSION,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// libEGL, opened at run time: the functions of it that making contexts takes.
+// libEGL, opened at run time: its functions for making contexts.
 #pragma once
 
-// Keeps the X11 headers out; there is no window.
+// avoids the X11 headers, since there is no window
 #define EGL_NO_X11
 #define MESA_EGL_NO_X11_HEADERS
 #include <EGL/egl.h>
@@ -28,18 +28,18 @@ struct EglFunctions {
   decltype(eglMakeCurrent)* make_current = nullptr;
   decltype(eglGetError)* get_error = nullptr;
 
-  // Opens the library, which stays open. Returns what is missing; empty: all is there.
+  // Opens the library, which stays open. Returns what is missing; empty if nothing is.
   std::string load();
 
-  // One that the library need not export; null where there is none.
+  // An optional function; null if there is none.
   template <class Function>
   Function extension(const char* name) const {
     return reinterpret_cast<Function>(get_proc_address(name));
   }
 };
 
-// The devices of EGL_EXT_device_enumeration, in its order. Returns why they cannot be listed;
-// empty: done.
+// The devices of EGL_EXT_device_enumeration, in order. Returns why they cannot be listed; empty on
+// success.
 std::string list_devices(const EglFunctions& egl, std::vector<EGLDeviceEXT>& devices);
 
 }  // namespace edgecase

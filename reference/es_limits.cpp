@@ -51,7 +51,7 @@ std::string texture_use_beyond_es(const Texture& texture, const Sampler& sampler
   return "";
 }
 
-// Does it lie where no plane but the near and the far one can clip it?
+// Whether only the near and the far plane can clip the vertex.
 bool is_between_sides(const Vertex& vertex, const Viewport& viewport) {
   if (vertex.clip) {
     const ClipPosition& clip = *vertex.clip;
@@ -62,7 +62,7 @@ bool is_between_sides(const Vertex& vertex, const Viewport& viewport) {
   return x >= 0 && x <= viewport.width && y >= 0 && y <= viewport.height;
 }
 
-// Can pixels of the target within `reach` of a place be beyond the viewport, along one axis?
+// Whether pixels of the target near a position may be beyond the viewport, along one axis.
 bool may_leave(double place, double reach, int origin, int size, int target_size) {
   const int end = origin + size;
   return (origin > 0 && place - reach < origin) || (end < target_size && place + reach > end);
@@ -72,7 +72,7 @@ std::string sides_beyond_es(const Draw& draw, const Scene& scene) {
   const PrimitiveKind kind = kind_of(draw.primitive);
   if (kind == PrimitiveKind::triangle) return "";
   const Fixed thickness = kind == PrimitiveKind::point ? draw.point_size : draw.line_width;
-  // Half of the thickness, and what rounding and moving to whole pixels may add.
+  // Half of the thickness, plus the effect of rounding and of moving to whole pixels.
   const double reach = thickness.to_double() / 2 + 1;
   const Viewport& viewport = scene.viewport;
   const auto is_inside = [&](const Vertex& vertex) {

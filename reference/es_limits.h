@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// What OpenGL ES does not have, as a whole or on a driver, and what of a scene asks for it. Such a
-// scene gets a sentence and no rendering: whatever else was drawn in its stead would be judged by
-// rules that it does not follow.
+// Features that OpenGL ES lacks, in general or on a driver, and which scenes need them. Such a
+// scene gets a sentence and no rendering: any substitute would be judged by rules that it does not
+// follow.
 //
-// Where both APIs have a thing, their specifications say the same of it, with one exception.
-// OpenGL clips points and lines at all six planes of the clip volume; OpenGL ES clips them at the
-// near and the far plane alone, and does not say what is drawn of them beyond the viewport.
-// Triangles are clipped at all planes by both. So what of points and lines is not wholly in the
-// viewport is not drawn here, except where the target ends there as well and all centres are
-// inside.
+// Features of both APIs have the same specification, with one exception. OpenGL clips points and
+// lines at all six planes of the clip volume. OpenGL ES clips them at the near and the far plane
+// only, and does not define what is drawn of them beyond the viewport. Both clip triangles at all
+// planes. So points and lines that are not entirely in the viewport are not drawn here, unless the
+// target ends there as well and all centres are inside.
 #pragma once
 
 #include <glad/gl.h>
@@ -20,7 +19,7 @@
 
 namespace edgecase {
 
-// Which of its optional parts a context of OpenGL ES has, by its version and its extensions.
+// The optional features of an OpenGL ES context, by its version and its extensions.
 struct EsFeatures {
   bool noperspective = false;   // interpolation without perspective
   bool samples = false;         // gl_SampleMaskIn, and the qualifier sample
@@ -34,8 +33,8 @@ struct EsFeatures {
 
 EsFeatures es_features(const GladGLContext& gl);
 
-// What of a scene OpenGL ES with these features cannot draw, as a sentence; empty: it can draw all,
-// as far as this tells.
+// What OpenGL ES with these features cannot draw of a scene, as a sentence; empty if it can draw
+// everything, as far as these checks go.
 std::string beyond_es(const Scene& scene, const EsFeatures& features);
 
 }  // namespace edgecase

@@ -122,7 +122,7 @@ void set_stencil(const GladGLContext& gl, const std::optional<StencilTest>& test
   set_stencil_face(gl, GL_BACK, test->back);
 }
 
-// Where there is no buffer, the test stays off.
+// Without a buffer, the test stays off.
 void set_depth_test(const GladGLContext& gl, const DepthTest& test, DepthFormat format) {
   enable(gl, GL_DEPTH_TEST, format != DepthFormat::none);
   gl.DepthFunc(to_gl(test.function));
@@ -159,7 +159,7 @@ void set_culling(const GladGLContext& gl, const Draw& draw) {
 void set_polygon_offset(const GladGLContext& gl, const std::optional<PolygonOffset>& offset) {
   enable(gl, GL_POLYGON_OFFSET_FILL, offset.has_value());
   if (!offset) return;
-  // The clamp stays until the next call of either function.
+  // The clamp persists until the next call of either function.
   if (offset->clamp == 0) return gl.PolygonOffset(offset->factor, offset->units);
   if (gl.PolygonOffsetClamp != nullptr)
     gl.PolygonOffsetClamp(offset->factor, offset->units, offset->clamp);

@@ -10,7 +10,7 @@ bool load_functions(GladGLContext& gl, const GlContext& context) {
   auto* user = const_cast<GlContext*>(&context);
   if (context.api() == GlApi::opengl) return gladLoadGLContextUserPtr(&gl, load, user) != 0;
   if (gladLoadGLES2ContextUserPtr(&gl, load, user) == 0) return false;
-  // Part of OpenGL ES 3.2, and the same as an extension before.
+  // Part of OpenGL ES 3.2, and an identical extension before.
   if (gl.MinSampleShading == nullptr) gl.MinSampleShading = gl.MinSampleShadingOES;
   return true;
 }
@@ -23,9 +23,9 @@ void set_depth_range(const GladGLContext& gl, float near, float far) {
 }
 
 GLenum select_window_buffer(const GladGLContext& gl) {
-  // A context that began without a window draws to no buffer of it.
+  // A context that was made without a window draws to none of its buffers.
   if (is_es(gl)) {
-    // Windows of one buffer and of two have the same name.
+    // Single- and double-buffered windows use the same name.
     constexpr GLenum kBack = GL_BACK;
     gl.DrawBuffers(1, &kBack);
     gl.ReadBuffer(kBack);

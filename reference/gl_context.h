@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// GlContext: a current context of OpenGL core or of OpenGL ES without a window, however it was
-// made.
+// GlContext: a current context of OpenGL core or OpenGL ES without a window, however it was made.
 //
-// One process holds one context for its whole life: Mesa reads the choice of its driver once per
+// One process has one context for its whole life: Mesa reads the choice of its driver once per
 // process, and a driver that crashes must take nothing else with it.
 //
-// Beside framebuffer objects, which are the GL's, there is the framebuffer of the window system:
-// OSMesa's own buffer, or an EGL pbuffer. It is what framebuffer 0 names while it is bound, has
-// RGBA8 colours and one sample, and drivers may treat it otherwise than a framebuffer object.
+// Besides framebuffer objects, which belong to the GL, there is the framebuffer of the window
+// system: OSMesa's own buffer, or an EGL pbuffer. It is framebuffer 0 while it is bound, has RGBA8
+// colours and one sample, and drivers may treat it differently from a framebuffer object.
 #pragma once
 
 #include <memory>
@@ -19,7 +18,7 @@ namespace edgecase {
 
 using GlFunction = void (*)();
 
-// What a context offers. They differ in functions, in shaders, and in what can be asked for:
+// The API of a context. The two differ in functions, in shaders, and in features:
 // reference/gl_api.h.
 enum class GlApi { opengl, opengl_es };
 
@@ -27,11 +26,11 @@ class GlContext {
  public:
   virtual ~GlContext() = default;
   virtual GlApi api() const = 0;
-  // Makes the context current on this thread; false when the system refuses.
+  // Makes the context current on this thread; false if the system refuses.
   virtual bool make_current() = 0;
   // Keeps the context current, and makes a window-system framebuffer of this size, in pixels, its
-  // framebuffer 0. Contents are undefined. Returns why that cannot be; empty: done. Framebuffer
-  // objects and all other state stay as they are.
+  // framebuffer 0, with undefined contents. Returns why that is impossible; empty on success.
+  // Framebuffer objects and all other state are unchanged.
   virtual std::string bind_window(int width, int height) = 0;
   // The GL function of this name, or null. The context must be current.
   virtual GlFunction get_proc(const char* name) const = 0;
@@ -46,9 +45,9 @@ struct ContextError {
 
 using ContextResult = std::variant<std::unique_ptr<GlContext>, ContextError>;
 
-// Opens the context that a worker's command line names: "osmesa", "egl-surfaceless" or
-// "egl-device:N" (N from 0), or of OpenGL ES "egl-es-surfaceless" or "egl-es-device:N", and makes
-// it current.
+// Opens the context named on a worker's command line and makes it current: "osmesa",
+// "egl-surfaceless" or "egl-device:N" (N from 0) or, for OpenGL ES, "egl-es-surfaceless" or
+// "egl-es-device:N".
 ContextResult open_context(const std::string& name);
 
 }  // namespace edgecase

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Owners of GL objects: each deletes its object in its destructor. The context must still be
-// current then, and the function table must outlive the owner.
+// Owners of GL objects: each deletes its object in its destructor. The context must then still be
+// current, and the function table must outlive the owner.
 #pragma once
 
 #include <glad/gl.h>

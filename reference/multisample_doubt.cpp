@@ -16,13 +16,13 @@ std::uint32_t all_of(int samples) {
   return (std::uint32_t{1} << samples) - 1;
 }
 
-// Is all that is covered written?
+// Whether every covered sample is written.
 bool writes_what_it_covers(const Draw& draw, int samples) {
   const Multisampling& use = draw.multisampling;
   return use.enabled && !use.alpha_to_coverage && (use.mask & all_of(samples)) == all_of(samples);
 }
 
-// How many fragments cover each sample.
+// The number of fragments that cover each sample.
 std::vector<std::uint32_t> covering(const Rendering& rendering) {
   std::vector<std::uint32_t> counts(rendering.hits.size());
   for (const Fragment& fragment : rendering.fragments)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Do the passes over a multisampled scene contradict each other, or the GL?
+// Checks whether the passes over a multisampled scene contradict each other, or the GL.
 #pragma once
 
 #include <string>
@@ -10,11 +10,10 @@
 
 namespace edgecase {
 
-// Why a rendering of a multisampled scene is not to be relied upon, as a sentence; empty: nothing
-// speaks against it. Every fragment must cover a sample that there is. Where no sample mask, no
-// alpha to coverage and no disabled multisampling stands between a fragment's coverage and what is
-// written, each sample must have as many hits as fragments that cover it, or with fragment
-// operations at most so many.
+// Why a rendering of a multisampled scene is unreliable, as a sentence; empty if nothing is found.
+// Every fragment must cover an existing sample. Unless a sample mask, alpha to coverage or disabled
+// multisampling comes between a fragment's coverage and what is written, each sample must have as
+// many hits as fragments that cover it, or with fragment operations at most that many.
 std::string doubt_of_samples(const Scene& scene, const Rendering& rendering);
 
 }  // namespace edgecase

@@ -15,16 +15,16 @@ namespace edgecase {
 
 namespace {
 
-// The texture unit on which images are made; the one that scenes look up at stays as it is.
+// The texture unit on which images are made; the unit of scenes' lookups is not changed.
 constexpr GLenum kWorkUnit = GL_TEXTURE1;
 
 GlTexture make_image(const GladGLContext& gl, GLenum format, const Target& target) {
   GlTexture image = make_texture(gl);
   gl.ActiveTexture(kWorkUnit);
   gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, image.name());
-  // Placed samples are no fixed ones.
+  // Placed samples do not have fixed locations.
   const GLboolean fixed = target.sample_positions.empty() ? GL_TRUE : GL_FALSE;
-  // OpenGL ES has images of a fixed size alone.
+  // OpenGL ES only has images of immutable size.
   (is_es(gl) ? gl.TexStorage2DMultisample : gl.TexImage2DMultisample)(
       GL_TEXTURE_2D_MULTISAMPLE, target.samples, format, target.width, target.height, fixed);
   gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
@@ -32,7 +32,7 @@ GlTexture make_image(const GladGLContext& gl, GLenum format, const Target& targe
   return image;
 }
 
-// How many samples the bound framebuffer has; 0 where it is not complete.
+// The number of samples of the bound framebuffer; 0 if it is not complete.
 int samples_of_framebuffer(const GladGLContext& gl) {
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return 0;
   GLint samples = 0;
@@ -52,7 +52,7 @@ GlFramebuffer make_framebuffer_of(const GladGLContext& gl, const GlTexture& imag
   return framebuffer;
 }
 
-// A single-sampled framebuffer; false where the driver has none.
+// Makes a single-sampled framebuffer; false if the driver cannot.
 bool make_single(const GladGLContext& gl, GLenum format, int width, int height,
                  GlRenderbuffer& image, GlFramebuffer& framebuffer) {
   image = make_renderbuffer(gl);
@@ -64,7 +64,7 @@ bool make_single(const GladGLContext& gl, GLenum format, int width, int height,
   return gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
-// How many planes of the target's size an image of this driver can hold, one above the other.
+// The number of planes of the target's size, stacked vertically, in an image of this driver.
 int planes_at_once(const GladGLContext& gl, const Target& target) {
   GLint rows = 0;
   std::array<GLint, 2> viewport{};
@@ -73,8 +73,8 @@ int planes_at_once(const GladGLContext& gl, const Target& target) {
   return std::clamp(std::min(rows, viewport[1]) / target.height, 1, target.samples);
 }
 
-// Places the samples of the bound framebuffer, in all its pixels alike. Returns why that cannot be;
-// empty: done.
+// Places the samples of the bound framebuffer, in all pixels alike. Returns why that is impossible;
+// empty on success.
 std::string place_samples(const GladGLContext& gl, const SamplePositions& positions) {
   GLint bits = 0;
   gl.GetIntegerv(GL_SAMPLE_LOCATION_SUBPIXEL_BITS_ARB, &bits);
@@ -95,7 +95,7 @@ std::string place_samples(const GladGLContext& gl, const SamplePositions& positi
   return "";
 }
 
-// Of the bound framebuffer, y up. Its rows are those of the window, so nothing is turned round.
+// Of the bound framebuffer, y up. Its rows are those of the window, so nothing is turned.
 SamplePositions positions_of_framebuffer(const GladGLContext& gl, const Target& target) {
   const GLenum name =
       target.sample_positions.empty() ? GL_SAMPLE_POSITION : GL_PROGRAMMABLE_SAMPLE_LOCATION_ARB;
@@ -111,11 +111,11 @@ SamplePositions positions_of_framebuffer(const GladGLContext& gl, const Target& 
   return positions;
 }
 
-// Checks, places and describes the samples of the bound framebuffer. Returns what is not as asked.
+// Checks, places and describes the bound framebuffer's samples. Returns what is not as requested.
 std::string settle_samples(const GladGLContext& gl, const Target& target,
                            SamplePositions& positions) {
   const int samples = samples_of_framebuffer(gl);
-  const std::string formats = words_of_formats(target.depth, target.stencil);
+  const std::string formats = text_of_formats(target.depth, target.stencil);
   if (samples == 0)
     return fmt::format("this driver has no {}x{} framebuffer with {} samples{}{}", target.width,
                        target.height, target.samples, formats.empty() ? "" : " and ", formats);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Multisampled framebuffers: textures, so that their samples can be fetched, and single-sampled
-// images into which they are resolved and fetched.
+// Multisampled framebuffers: textures, whose samples can be fetched, and single-sampled images into
+// which they are resolved and fetched.
 //
-// A driver is free to make more samples than it is asked for (GL 4.6 core, 8.8), and another number
-// of samples is another picture: it is refused. All pixels of a texture have their samples in the
-// same places ("fixed sample locations"), which the driver reports by GL_SAMPLE_POSITION. A case's
-// own places need GL_ARB_sample_locations.
+// A driver may make more samples than requested (GL 4.6 core, 8.8), which would give another
+// picture and is refused. All pixels of a texture have the same sample positions ("fixed sample
+// locations"), which the driver reports by GL_SAMPLE_POSITION. Positions from a case need
+// GL_ARB_sample_locations.
 #pragma once
 
 #include <string>
@@ -24,9 +24,9 @@ struct MultisampleTarget {
   int samples = 0;
   DepthFormat depth = DepthFormat::none;
   StencilFormat stencil = StencilFormat::none;
-  SamplePositions placed;     // where the case puts the samples; empty: it does not
-  SamplePositions positions;  // as the driver reports them
-  GlTexture depth_image;      // depths and stencils, of both framebuffers; none without either
+  SamplePositions placed;     // the case's sample positions; empty: it gives none
+  SamplePositions positions;  // as reported by the driver
+  GlTexture depth_image;      // depths and stencils, of both framebuffers; absent without either
   GlTexture color_image;      // RGBA8
   GlFramebuffer color;
   GlTexture count_image;  // R32F
@@ -42,18 +42,18 @@ struct MultisampleTarget {
   GlFramebuffer float_planes;
 };
 
-// The numbers of samples, more than one, that the driver makes when it is asked for them: by trying
-// 2, 4, 8 and 16. Leaves no error.
+// The numbers of samples, more than one, that the driver supports exactly, found by trying 2, 4, 8
+// and 16. Leaves no error.
 std::vector<int> find_sample_counts(const GladGLContext& gl);
 
-// Can a case place the samples of a framebuffer?
+// Whether a case can place the samples of a framebuffer.
 bool can_place_samples(const GladGLContext& gl);
 
-// Was it made for a target like this one?
+// Whether it was made for a target like this one.
 bool fits(const MultisampleTarget& made, const Target& target);
 
-// Makes the framebuffers for a target of more than one sample. Returns why the driver cannot have
-// them, as a sentence; empty: they are made.
+// Makes the framebuffers for a target of more than one sample. Returns why the driver does not
+// support them, as a sentence; empty on success.
 std::string make_multisample_target(const GladGLContext& gl, const Target& target,
                                     MultisampleTarget& made);
 

@@ -17,7 +17,7 @@ struct DevicePrefix {
 constexpr DevicePrefix kDevicePrefixes[] = {{"egl-device:", GlApi::opengl},
                                             {"egl-es-device:", GlApi::opengl_es}};
 
-// The number after the prefix; -1: there is none.
+// The number after the prefix; -1 if there is none.
 int device_of(std::string_view name, std::string_view prefix) {
   if (!name.starts_with(prefix)) return -1;
   int index = -1;

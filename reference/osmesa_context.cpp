@@ -47,9 +47,9 @@ class OsmesaContext final : public GlContext {
   std::string description() const override { return "OSMesa"; }
 
  private:
-  static constexpr int kFirstSize = 16;  // pixels; until a scene asks for a window
+  static constexpr int kFirstSize = 16;  // pixels; until a scene requests a window
 
-  // OSMesa copies what is drawn to the buffer, which must live until another one is bound.
+  // OSMesa copies the drawing to the buffer, which must live until another one is bound.
   bool bind(int width, int height) {
     std::vector<unsigned char> buffer(4 * static_cast<std::size_t>(width) *
                                       static_cast<std::size_t>(height));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// OSMesa: Mesa's software drivers inside a library of their own, without any window system.
+// OSMesa: Mesa's software drivers in a separate library, without any window system.
 //
 // The environment variable GALLIUM_DRIVER chooses llvmpipe or softpipe; it must be set before the
 // process starts. The context is always bound to a buffer in memory, which is its window: a small
-// one until a scene asks for a window surface. Newer releases of Mesa no longer have OSMesa.
+// one until a scene requests a window surface. Newer releases of Mesa no longer have OSMesa.
 #pragma once
 
 #include "reference/gl_context.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// ProgramCache: which programs draw a scene. Those of scenes without textures and samples are there
-// from the start, and the others are made for the first scene that needs them.
+// ProgramCache: chooses the programs for a scene. Those for scenes without textures and samples
+// exist from the start; others are made for the first scene that needs them.
 #pragma once
 
 #include <map>
@@ -17,13 +17,13 @@ class ProgramCache {
   // The context must be current and outlive the cache.
   ProgramCache(const GladGLContext& gl, Programs plain) : gl_(gl), plain_(std::move(plain)) {}
 
-  // Those of scenes without textures and samples.
+  // The programs for scenes without textures and samples.
   const Programs& plain() const { return plain_; }
 
-  // Makes sure of all that a scene needs. `looks_up`: its textures count; `query`: as of
-  // make_texture_programs. Returns why there are no such programs, as a sentence; empty: there are.
+  // Makes the programs that a scene needs. `looks_up`: whether its textures matter; `query`: as for
+  // make_texture_programs. Returns why there are none, as a sentence; empty on success.
   std::string prepare(const Scene& scene, bool looks_up, bool query);
-  // Those of a scene's draw, as prepared.
+  // The programs for a scene's draw, after prepare.
   const Programs& find(const Scene& scene, const Draw& draw, bool looks_up) const;
 
  private:

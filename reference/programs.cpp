@@ -26,7 +26,7 @@ const char* lookup_of(LookupKind kind) {
   return "";
 }
 
-// What comes between the version and a fragment shader that looks up.
+// The text between the version and a fragment shader that looks up.
 std::string lookup_head(LookupForm form, bool query) {
   if (form.dimensions == 0) return kUntextured;
   std::string head = form.dimensions == 1 ? kOneDimensional : kTwoDimensional;
@@ -34,7 +34,7 @@ std::string lookup_head(LookupForm form, bool query) {
   return head + "#define LOOKUP " + lookup_of(form.kind) + "\n" + kImage + kTextured;
 }
 
-// Compiles one shader; on failure appends the driver's words to `log`.
+// Compiles one shader; on failure appends the driver's message to `log`.
 GlShader compile(const GladGLContext& gl, GLenum stage, const std::string& source,
                  std::string& log) {
   GlShader shader(gl, gl.CreateShader(stage));
@@ -50,7 +50,7 @@ GlShader compile(const GladGLContext& gl, GLenum stage, const std::string& sourc
   return shader;
 }
 
-// Sources begin with a version. Does nothing where the log says that something has failed.
+// Sources start with a version. Does nothing if the log has an earlier failure.
 GlProgram link_sources(const GladGLContext& gl, const std::string& vertex_source,
                        const std::string& fragment_source, std::string& log) {
   if (!log.empty()) return {};
@@ -71,13 +71,13 @@ GlProgram link_sources(const GladGLContext& gl, const std::string& vertex_source
   return program;
 }
 
-// `at`: where both shaders have interpolated attributes evaluated.
+// `at`: where both shaders evaluate interpolated attributes.
 GlProgram link(const GladGLContext& gl, const std::string& at, const std::string& version,
                const std::string& fragment, std::string& log) {
   return link_sources(gl, head_of_vertices(gl) + at + kVertexShader, version + at + fragment, log);
 }
 
-// The programs of a form; `head` is what its shaders begin with after the version.
+// The programs of a form; `head` is the start of its shaders after the version.
 Programs link_form(const GladGLContext& gl, const std::string& at, const std::string& head,
                    std::string& log) {
   Programs programs;
@@ -85,7 +85,7 @@ Programs link_form(const GladGLContext& gl, const std::string& at, const std::st
   programs.color = link(gl, at, version, head + kColorShader, log);
   programs.capture = link(gl, at, version, head + kCaptureShader, log);
   if (!log.empty()) return programs;
-  // Details have fine and coarse derivatives where the driver takes them, by trying.
+  // Details include fine and coarse derivatives if the driver compiles them.
   const std::string details = kDetails + head + kCaptureShader;
   for (const std::string& fine : fine_heads_of_fragments(gl)) {
     std::string refusal;

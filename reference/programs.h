@@ -2,22 +2,22 @@
 //
 // The GL programs, compiled once: a program per case would cost more than all drawing.
 //
-// Four serve every scene without textures. A scene with textures has programs by the form of each
-// draw's lookup, made when it first comes. Each has one lookup: llvmpipe compiles a shader anew
-// for each state of a sampler, and one that has every kind of lookup takes three times as long.
+// Four programs serve every scene without textures. Textured scenes have programs by the form of
+// each draw's lookup, made on first use. Each has one lookup: llvmpipe recompiles a shader for each
+// state of a sampler, and one with every kind of lookup takes three times as long.
 //
-// A multisampled scene has programs by where each draw's attributes are evaluated, made when it
-// first comes: the qualifiers centroid and sample are part of a shader's text, and reading
-// gl_SampleMaskIn would burden all other scenes.
+// Multisampled scenes have programs by where each draw's attributes are evaluated, made on first
+// use: the qualifiers centroid and sample are part of a shader's text, and reading gl_SampleMaskIn
+// would slow all other scenes.
 //
-// All share one vertex shader, so that every pass rasterizes the same primitives. What differs from
-// draw to draw is a uniform or a vertex attribute. The primitive's number travels as a flat
-// attribute, reference/vertex_data.h: gl_PrimitiveID makes a shader draw nothing on one driver and
-// is garbage on another.
+// All share one vertex shader, so that every pass rasterizes the same primitives. Differences
+// between draws are uniforms or vertex attributes. The primitive's number is a flat attribute,
+// reference/vertex_data.h: gl_PrimitiveID makes a shader draw nothing on one driver and is garbage
+// on another.
 //
-// Derivatives are taken of the colour that the uniform chose, before anything else is done: in
-// uniform control flow, where they are defined (GLSL 4.60, 8.14.1). Of a textured draw, that
-// attribute holds s, t, 0 and 1, and the colour is looked up thereafter.
+// Derivatives are taken of the colour that the uniform chose, before anything else: in uniform
+// control flow, where they are defined (GLSL 4.60, 8.14.1). In a textured draw, that attribute is
+// (s, t, 0, 1), and the colour is looked up afterwards.
 #pragma once
 
 #include <compare>
@@ -36,12 +36,12 @@ constexpr GLuint kColorAttribute = 1;      // vec4
 constexpr GLuint kPrimitiveAttribute = 2;  // int
 
 // Uniform locations of the fragment shaders.
-constexpr GLint kInterpolationUniform = 0;  // int: which of the colours below is taken
-constexpr GLint kCapacityUniform = 1;       // uint: records that the capture's buffer has room for
-constexpr GLint kStepUniform = 2;           // float: what the count program writes
-constexpr GLint kLookupValueUniform = 3;    // float: of lookups by bias and by level of detail
+constexpr GLint kInterpolationUniform = 0;  // int: which of the colours below is used
+constexpr GLint kCapacityUniform = 1;       // uint: the capacity of the capture's buffer in records
+constexpr GLint kStepUniform = 2;           // float: the count program's output
+constexpr GLint kLookupValueUniform = 3;    // float: for lookups by bias and by level of detail
 constexpr GLint kGradientsUniform = 4;      // vec4: ds/dx, dt/dx, ds/dy, dt/dy
-constexpr GLint kPointSizeUniform = 5;      // float, of the vertex shader, of OpenGL ES alone
+constexpr GLint kPointSizeUniform = 5;      // float, in the vertex shader, only in OpenGL ES
 
 constexpr GLint kFlatColor = 0;
 constexpr GLint kSmoothColor = 1;
@@ -52,47 +52,46 @@ constexpr GLuint kCaptureBinding = 0;
 
 struct Programs {
   GlProgram color;    // writes the fragment's colour
-  GlProgram count;    // writes the step to the red channel; of multisampled scenes, alpha as well
+  GlProgram count;    // writes the step to red; in multisampled scenes, alpha as well
   GlProgram capture;  // writes the colour, and appends a record: see reference/capture.h
   GlProgram details;  // the same with a detailed record
-  // Are dFdxFine, dFdyFine, dFdxCoarse and dFdyCoarse in that record? Without GLSL 4.50 and
-  // GL_ARB_derivative_control there are none, and their places hold zeros.
+  // Whether that record has dFdxFine, dFdyFine, dFdxCoarse and dFdyCoarse. Without GLSL 4.50 and
+  // GL_ARB_derivative_control they are zeros.
   bool fine_and_coarse = false;
 };
 
-// What a program for textured scenes looks up. The default is a draw of such a scene without a
-// texture: it has the vertices' colour, and the same records as the rest of its scene.
+// The lookup of a program for textured scenes. The default is a draw without a texture in such a
+// scene: it has the vertices' colour, and the same records as the rest of the scene.
 struct LookupForm {
   int dimensions = 0;  // of the texture, 1 or 2
   LookupKind kind = LookupKind::implicit;
   friend auto operator<=>(const LookupForm&, const LookupForm&) = default;
 };
 
-// Why there are no programs, one sentence with the driver's own words.
+// Why there are no programs: one sentence with the driver's own message.
 struct ProgramError {
   std::string message;
 };
 
-// Compiles the four of scenes without textures. The context must have GL 4.3 or GL ES 3.1, or
-// later, and be current.
+// Compiles the four programs for scenes without textures. The context must be current and have at
+// least GL 4.3 or GL ES 3.1.
 std::variant<Programs, ProgramError> make_programs(const GladGLContext& gl);
 
-// Compiles the four of multisampled scenes. Their records tell which samples a fragment covers, and
-// their count program writes the alpha of the colour, on which alpha to coverage depends.
+// Compiles the four programs for multisampled scenes. Their records include the covered samples,
+// and their count program writes the colour's alpha, on which alpha to coverage depends.
 std::variant<Programs, ProgramError> make_sampled_programs(const GladGLContext& gl,
                                                            AttributeLocation location);
 
-// Has the driver's GLSL textureQueryLod? By trying.
+// Whether the driver's GLSL has textureQueryLod, found by trying.
 bool can_query_level_of_detail(const GladGLContext& gl);
 
-// Compiles those of scenes with textures; `count` is left empty. The image is at the unit of
-// reference/textures.h. `query`: the detailed record holds what textureQueryLod tells of an
-// implicit lookup; else, and of other lookups, it holds zeros.
+// Compiles the programs for scenes with textures, without `count`. The image is at the unit of
+// reference/textures.h. `query`: the detailed record has the result of textureQueryLod for an
+// implicit lookup; otherwise zeros.
 std::variant<Programs, ProgramError> make_texture_programs(const GladGLContext& gl, LookupForm form,
                                                            bool query);
 
-// Compiles one program of any two shaders, given without a version: they are of GLSL 4.30, or of
-// GLSL ES 3.10.
+// Compiles one program of any two shaders, given without a version, in GLSL 4.30 or GLSL ES 3.10.
 std::variant<GlProgram, ProgramError> make_program(const GladGLContext& gl,
                                                    const std::string& vertex,
                                                    const std::string& fragment);

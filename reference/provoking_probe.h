@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Does the provoking vertex obey? An entry point that is there need not have an effect, and where
-// it has none, flat colours and the numbers of primitives would be another vertex's. So a context
-// is asked by drawing.
+// Tests whether setting the provoking vertex has an effect. The function may exist without one, and
+// then flat colours and primitive numbers would be those of another vertex, so it is tested by
+// drawing.
 #pragma once
 
 #include "model/rendering.h"
@@ -10,10 +10,10 @@
 
 namespace edgecase {
 
-// One line or triangle (`primitive` is lines or triangles), each vertex in a colour of its own.
+// One line or triangle (`primitive` is lines or triangles), with a distinct colour at each vertex.
 Scene provoking_scene(Primitive primitive, ProvokingVertex which);
 
-// Has every fragment of that scene the colour of the vertex that provokes, and is there one?
+// Whether there are fragments, all with the colour of the vertex that provokes.
 bool obeys(const Rendering& rendering, const Scene& scene);
 
 }  // namespace edgecase

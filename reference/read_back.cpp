@@ -19,13 +19,13 @@ bool read_storage(const GladGLContext& gl, std::size_t offset, std::size_t size,
                                          static_cast<GLsizeiptr>(size), GL_MAP_READ_BIT);
   if (mapped == nullptr) return false;
   std::memcpy(bytes, mapped, size);
-  // What was mapped may have been lost meanwhile.
+  // The mapped contents may have been lost meanwhile.
   return gl.UnmapBuffer(GL_SHADER_STORAGE_BUFFER) == GL_TRUE;
 }
 
 void read_red(const GladGLContext& gl, Channels channels, int width, int height, float* red) {
   if (!is_es(gl)) return gl.ReadPixels(0, 0, width, height, GL_RED, GL_FLOAT, red);
-  // OpenGL ES reads four channels, of the framebuffer's own kind.
+  // OpenGL ES reads four channels, of the framebuffer's own type.
   const auto area = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if (channels == Channels::bytes) {
     std::vector<std::uint8_t> bytes(4 * area);

@@ -14,7 +14,7 @@ namespace edgecase {
 
 namespace {
 
-// More hits than fragments, `captured` by pixel.
+// Finds more hits than fragments, which are `captured` by pixel.
 std::string doubt_of_hits(const Rendering& rendering, const std::vector<std::uint32_t>& captured) {
   const auto found = std::mismatch(rendering.hits.begin(), rendering.hits.end(), captured.begin(),
                                    [](auto hits, auto fragments) { return hits <= fragments; });
@@ -24,7 +24,7 @@ std::string doubt_of_hits(const Rendering& rendering, const std::vector<std::uin
                      index / rendering.width, *found.first, *found.second);
 }
 
-// With pixels come the values of the other buffers, or there were none to be told.
+// With pixels there are values of the other buffers, unless these could not be read.
 std::string doubt_of_buffers(const Target& target, const Rendering& rendering) {
   if (target.depth != DepthFormat::none &&
       rendering.depths.size() * 4 != rendering.sample_pixels.size())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Do the passes over a scene contradict each other, or the GL?
+// Checks whether the passes over a scene contradict each other, or the GL.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace edgecase {
 
-// Why a rendering is not to be relied upon, as a sentence; empty: nothing speaks against it. Every
-// fragment must come from a primitive, no pixel of one sample may have more fragments than
-// `most_hits`, which its surface can count, and with fragment operations none more hits than
-// fragments. (Without them both are the same; whoever reads the answer sees to that.) Samples: see
-// reference/multisample_doubt.h; their depths and stencils must be there if their colours are.
+// Why a rendering is unreliable, as a sentence; empty if nothing is found. Every fragment must come
+// from a primitive, no pixel of one sample may have more fragments than the `most_hits` that its
+// surface can count, and with fragment operations none more hits than fragments. (Without them both
+// must be equal, which the reader of the answer checks.) Samples: see
+// reference/multisample_doubt.h; their depths and stencils must exist if their colours do.
 std::string doubt_of(const Scene& scene, const Rendering& rendering, std::uint32_t most_hits);
 
 }  // namespace edgecase

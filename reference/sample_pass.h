@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What all passes over the samples of a multisampled target have in common.
+// Common parts of all passes over the samples of a multisampled target.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ inline std::size_t area_of(const MultisampleTarget& target) {
   return static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height);
 }
 
-// One triangle is to cover so many pixels, and nothing to decide which of them are written.
+// Prepares for one triangle that covers width x height pixels and writes all of them.
 // `vertex_array`: without attributes.
 inline void begin_sample_pass(const GladGLContext& gl, const GlVertexArray& vertex_array, int width,
                               int height) {

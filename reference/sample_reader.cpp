@@ -29,9 +29,9 @@ void main() {
 }
 )";
 
-// At scale 0, depth 1 everywhere. At scale 1, in the highest row the depths just below 1, and in
-// the others a ramp that has every depth of 16 bits: the two ways in which a fetch makes numbers of
-// them differ for 512 alone. The red channel says where it was drawn.
+// At scale 0, the depth is 1 everywhere. At scale 1, the highest row has the depths just below 1,
+// and the others a ramp with every depth of 16 bits: the two conversions of a fetch differ for only
+// 512 of them. The red channel marks where it was drawn.
 constexpr GLint kScaleUniform = 0;
 constexpr int kRampWidth = 256;  // pixels
 constexpr int kRampHeight = 257;
@@ -46,14 +46,14 @@ void main() {
 }
 )";
 
-// What a fetch makes of an integer of a depth buffer.
+// The result of fetching an integer of a depth buffer.
 float fetched_from(double integer, double largest, DepthConversion conversion) {
   if (conversion == DepthConversion::quotient) return static_cast<float>(integer / largest);
   return static_cast<float>(integer) * static_cast<float>(1 / largest);
 }
 
-// The integer nearest to the fetched number of which a fetch makes that number; none: there is no
-// such integer.
+// The integer, nearest to the fetched number, whose fetch gives that number; nothing if there is
+// none.
 std::optional<double> integer_of(float fetched, double largest, DepthConversion conversion) {
   const double nearest = std::round(static_cast<double>(fetched) * largest);
   for (double integer : {nearest, nearest + 1, nearest - 1})
@@ -89,7 +89,7 @@ void SampleReader::fetch(const MultisampleTarget& target, const GlTexture& image
   gl_->ActiveTexture(kImageOfSamples);
   gl_->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, image.name());
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
-  // It is drawn to again, and must not be read meanwhile.
+  // This image is drawn to again later, so it must not stay bound for reading.
   gl_->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
   gl_->ActiveTexture(GL_TEXTURE0);
 }
@@ -146,7 +146,7 @@ void SampleReader::draw_depths(const GlFramebuffer& framebuffer, int width, int 
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-// By sample: is its depth 1, the largest?
+// For each sample, whether its depth is 1, the largest.
 std::vector<float> SampleReader::largest_depths(const MultisampleTarget& target) const {
   constexpr float kNone[] = {0, 0, 0, 0};
   begin_sample_pass(*gl_, vertex_array_, target.width, target.height);
@@ -168,7 +168,7 @@ std::optional<std::vector<double>> SampleReader::depths(const MultisampleTarget&
     if (!integer) return std::nullopt;
     depth = *integer / largest;
   }
-  // The two largest integers may come as the same number.
+  // The two largest integers may give the same number.
   if (fetched_from(largest - 1, largest, conversion) < 1 ||
       std::find(depths.begin(), depths.end(), 1.0) == depths.end())
     return depths;
@@ -196,7 +196,7 @@ std::string SampleReader::prove(const Target& asked) {
   MultisampleTarget made;
   if (std::string problem = make_multisample_target(*gl_, target, made); !problem.empty())
     return problem;
-  const std::string words = words_of_formats(target.depth, target.stencil);
+  const std::string formats = text_of_formats(target.depth, target.stencil);
   const DepthStencilStorage storage = storage_of(target.depth, target.stencil);
   const GlRenderbuffer depth_image = make_renderbuffer(*gl_);
   gl_->BindRenderbuffer(GL_RENDERBUFFER, depth_image.name());
@@ -206,7 +206,7 @@ std::string SampleReader::prove(const Target& asked) {
                                depth_image.name());
   if (const std::string doubt = doubt_of_depth_buffer(*gl_, GL_DEPTH_ATTACHMENT, target.depth);
       !doubt.empty())
-    return another_framebuffer(words, doubt);
+    return another_framebuffer(formats, doubt);
   draw_depths(made.color, kRampWidth, kRampHeight, GL_ALWAYS, 1);
   draw_depths(made.resolved, kRampWidth, kRampHeight, GL_ALWAYS, 1);
   const std::vector<double> plane = read_depths(*gl_, target.depth, kRampWidth, kRampHeight);
@@ -217,7 +217,7 @@ std::string SampleReader::prove(const Target& asked) {
     conversions_[{target.depth, target.stencil, target.samples}] = conversion;
     if (depths(made) == expected) return "";
   }
-  return another_framebuffer(words, "its samples do not hold what a buffer without them holds");
+  return another_framebuffer(formats, "its samples do not hold what a buffer without them holds");
 }
 
 }  // namespace edgecase

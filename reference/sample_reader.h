@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// SampleReader: what the samples of a multisampled target hold, each by itself.
+// SampleReader: reads the samples of a multisampled target individually.
 //
-// glReadPixels reads no multisampled framebuffer, and a resolved one tells no samples. So a shader
-// fetches every sample (texelFetch) into a single-sampled image in which planes of samples lie one
-// above the other, and that is read. Colours of 8 bits and floats come through unchanged.
+// glReadPixels cannot read multisampled framebuffers, and a resolved one no longer has samples. So
+// a shader fetches every sample (texelFetch) into a single-sampled image in which planes of samples
+// are stacked, and that is read. Colours of 8 bits and floats are unchanged.
 //
 // Unsigned depths need care: a fetch turns the integer n into a float32 number, and drivers that
-// multiply by float32(1 / (2^24 - 1)) are up to one step beside n / (2^24 - 1). The number is
-// turned back by the driver's own formula, of those known here. The two largest integers of 24 bits
-// may come as the same number, 1, and then the depth test tells them apart. Which formula it is,
-// and that nothing is lost, is proven for each format when it is first asked for: a ramp of depths
-// is drawn into a buffer with samples and into one without, whose integers glReadPixels gives.
+// multiply by float32(1 / (2^24 - 1)) err by up to one step from n / (2^24 - 1). The number is
+// converted back by the driver's own formula, if it is one of those below. The two largest integers
+// of 24 bits may give the same number, 1, and then the depth test separates them. The formula, and
+// that nothing is lost, are proven for each format on first use: a ramp of depths is drawn into a
+// buffer with samples and into one without, whose integers glReadPixels returns.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@
 
 namespace edgecase {
 
-// What a fetch makes of the integer n, where `largest` stands for depth 1.
+// The result of fetching the integer n, where `largest` is the integer for depth 1.
 enum class DepthConversion {
   quotient,  // float32(n / largest)
   product,   // float32(n) * float32(1 / largest)
@@ -37,30 +37,30 @@ enum class DepthConversion {
 
 class SampleReader {
  public:
-  // Compiles what it draws with. The context must be current and outlive the reader.
+  // Compiles its programs. The context must be current and outlive the reader.
   static std::variant<SampleReader, ProgramError> make(const GladGLContext& gl);
 
-  // All that follows leaves blending, depth test and scissor test off, and another viewport, vertex
-  // array, program and framebuffer than before. Planes come by sample, each row by row from the
+  // All of the following leave blending, depth test and scissor test off, and change viewport,
+  // vertex array, program and framebuffer. Planes are ordered by sample, each row by row from the
   // bottom.
 
   // RGBA8, resolved by glBlitFramebuffer.
   std::vector<std::uint8_t> resolved(const MultisampleTarget& target) const;
   // RGBA8 of the colour image.
   std::vector<std::uint8_t> colors(const MultisampleTarget& target) const;
-  // Of the count image.
+  // The samples of the count image.
   std::vector<float> counts(const MultisampleTarget& target) const;
-  // Of the depth buffer, 0 to 1: of an unsigned format the integer that is stored, over 2^bits - 1.
-  // The format must be without doubt. None where a sample holds what its format does not. The count
-  // image is lost.
+  // The depth buffer's samples, 0 to 1; for an unsigned format the stored integer over 2^bits - 1.
+  // The format must have no doubt. Nothing if some sample has a value that its format cannot have.
+  // The count image is lost.
   std::optional<std::vector<double>> depths(const MultisampleTarget& target) const;
 
-  // Why depths of a target's formats cannot be told, where buffers have so many samples, as a
-  // sentence; empty: they can, or there are none. Draws when it is first asked about them.
+  // Why depths of a target's formats cannot be read with this number of samples, as a sentence;
+  // empty if they can, or there are none. Draws on the first query.
   std::string doubt_of_depths(const Target& target);
 
  private:
-  // What a conversion depends on: a depth buffer's format, what it is packed with, and samples.
+  // The parameters of a conversion: a depth buffer's format, what it is packed with, and samples.
   using Formats = std::tuple<DepthFormat, StencilFormat, int>;
 
   SampleReader(const GladGLContext& gl, GlProgram fetch, GlProgram depth);
@@ -78,7 +78,7 @@ class SampleReader {
   GlProgram fetch_;
   GlProgram depth_;
   GlVertexArray vertex_array_;                      // without attributes
-  std::map<Formats, DepthConversion> conversions_;  // of unsigned formats alone
+  std::map<Formats, DepthConversion> conversions_;  // only of unsigned formats
   std::map<Formats, std::string> doubts_;
 };
 

@@ -37,7 +37,7 @@ layout(location = 0) out vec4 target;
 void main() { target = vec4(0.0); }
 )";
 
-// Samples differ, and with them most of their bits.
+// Differs between samples in most bits.
 std::uint8_t proven_stencil(int sample, std::uint8_t flipped) {
   return static_cast<std::uint8_t>((0x5a + 37 * sample) ^ flipped);
 }
@@ -74,7 +74,7 @@ void SampleStencils::fetch(const MultisampleTarget& target, int first) const {
   set_mode(GL_STENCIL_INDEX);
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
   set_mode(GL_DEPTH_COMPONENT);
-  // It is drawn to again, and must not be read meanwhile.
+  // This image is drawn to again later, so it must not stay bound for reading.
   gl_->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
   gl_->ActiveTexture(GL_TEXTURE0);
 }
@@ -137,7 +137,7 @@ std::string SampleStencils::prove(const Target& asked) const {
     for (int sample = 0; sample < target.samples; ++sample)
       expected.insert(expected.end(), area_of(made), proven_stencil(sample, flipped));
     if (read(made) != expected)
-      return another_framebuffer(words_of_formats(target.depth, target.stencil),
+      return another_framebuffer(text_of_formats(target.depth, target.stencil),
                                  "its samples do not hold the stencils that were written to them");
   }
   return "";

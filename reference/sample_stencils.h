@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// SampleStencils: the stencils of a multisampled target, each sample's by itself.
+// SampleStencils: reads the stencils of a multisampled target, sample by sample.
 //
 // A shader fetches them as integers (GL_DEPTH_STENCIL_TEXTURE_MODE, GL 4.6 core, 8.23) and writes
-// them as floats into the image that depths go to as well. That every sample comes back with the
-// bits that were written to it is proven for each format when it is first asked for.
+// them as floats into the image that depths also use. For each format, the first use proves that
+// every sample returns the bits that were written to it.
 #pragma once
 
 #include <cstdint>
@@ -22,23 +22,23 @@ namespace edgecase {
 
 class SampleStencils {
  public:
-  // Compiles what it draws with. The context must be current and outlive the object.
+  // Compiles its programs. The context must be current and outlive the object.
   static std::variant<SampleStencils, ProgramError> make(const GladGLContext& gl);
 
-  // A plane for each sample, row by row from the bottom; empty where a sample holds what no 8 bits
-  // do. Fragment state must be as a context begins with it. Leaves blending, depth test and scissor
-  // test off, and another viewport, vertex array, program and framebuffer than before.
+  // One plane per sample, row by row from the bottom; empty if a sample has a value that does not
+  // fit 8 bits. Fragment state must be a context's initial state. Leaves blending, depth test and
+  // scissor test off, and changes viewport, vertex array, program and framebuffer.
   std::vector<std::uint8_t> read(const MultisampleTarget& target) const;
 
-  // Why stencils of a target's formats cannot be told, where buffers have so many samples, as a
-  // sentence; empty: they can. Draws when it is first asked about them. Needs what `read` needs.
+  // Why stencils of a target's formats cannot be read with this number of samples, as a sentence;
+  // empty if they can. Draws on the first query, with the same requirements as `read`.
   std::string doubt_of(const Target& target);
 
  private:
   SampleStencils(const GladGLContext& gl, GlProgram fetch, GlProgram nothing);
 
   void fetch(const MultisampleTarget& target, int first) const;
-  // Writes to each sample a value of its own, `flipped` with all bits the other way.
+  // Writes a distinct value to each sample, with the bits of `flipped` inverted.
   void write_samples(const MultisampleTarget& target, std::uint8_t flipped) const;
   std::string prove(const Target& asked) const;
 

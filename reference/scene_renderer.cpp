@@ -49,7 +49,7 @@ bool is_multisampled(const Scene& scene) {
   return scene.target.samples > 1;
 }
 
-// The nearest whole number. Most are whole, and take no call.
+// The nearest whole number. Most numbers are whole already, and need no function call.
 std::uint32_t hits_of(float steps) {
   constexpr float kEnd = 0x1p24f;
   if (steps >= 0 && steps < kEnd) {
@@ -60,7 +60,7 @@ std::uint32_t hits_of(float steps) {
 }
 
 // "2 4 8"
-std::string words_of(const std::vector<int>& numbers) {
+std::string text_of(const std::vector<int>& numbers) {
   return numbers.empty() ? "none" : fmt::format("{}", fmt::join(numbers, " "));
 }
 
@@ -126,7 +126,7 @@ void SceneRenderer::probe_provoking_vertices() {
     for (Primitive primitive : {Primitive::lines, Primitive::triangles}) {
       const Scene scene = provoking_scene(primitive, which);
       const Outcome outcome = render(scene);
-      // What cannot be drawn at all says so to every scene.
+      // Primitives that cannot be drawn at all are refused with every scene.
       const auto* rendering = std::get_if<Rendering>(&outcome);
       if (rendering != nullptr && !obeys(*rendering, scene)) works = false;
     }
@@ -174,7 +174,7 @@ void SceneRenderer::describe_objects() {
   info_.traits["level_of_detail"] = queries_level_of_detail_ ? "query" : "none";
   limits_.sample_counts = find_sample_counts(gl_);
   limits_.places_samples = can_place_samples(gl_);
-  info_.traits["samples"] = words_of(limits_.sample_counts);
+  info_.traits["samples"] = text_of(limits_.sample_counts);
   limits_.anisotropy = objects_->textures.max_anisotropy();
   info_.traits["max_anisotropy"] = fmt::format("{:g}", limits_.anisotropy);
 }
@@ -218,7 +218,7 @@ void SceneRenderer::draw_all(const Scene& scene, const Pass& pass) {
       gl_.Disable(GL_BLEND);
     }
     if (has_more_state) set_fragment_state(gl_, scene, draw, kind);
-    // Hits depend on colours where alpha says which samples are covered.
+    // Hits depend on colours if alpha determines the covered samples.
     if (!counts || is_multisampled(scene))
       gl_.Uniform1i(kInterpolationUniform, to_uniform(draw.interpolation));
     if (pass.capture != nullptr) gl_.Uniform1ui(kCapacityUniform, pass.capture->capacity());
@@ -322,7 +322,7 @@ void SceneRenderer::drop_details(const Scene& scene, Rendering& rendering) const
   }
 }
 
-void SceneRenderer::tell_mip_chains(const Scene& scene, Rendering& rendering) {
+void SceneRenderer::report_mip_chains(const Scene& scene, Rendering& rendering) {
   for (std::size_t i = 0; i < scene.textures.size(); ++i)
     if (scene.textures[i]->generated)
       rendering.mip_chains[i] = objects_->textures.generated_chain(scene.textures[i]);
@@ -385,7 +385,7 @@ Outcome SceneRenderer::render(const Scene& scene, bool coverage_only) {
   count_hits(scene, surfaces, rendering);
   const auto overflow = capture_fragments(scene, surfaces, coverage_only, rendering);
   drop_details(scene, rendering);
-  if (!coverage_only) tell_mip_chains(scene, rendering);
+  if (!coverage_only) report_mip_chains(scene, rendering);
   if (auto failure = take_failure()) return std::move(*failure);
   if (overflow) return Failure{FailureKind::unsupported, *overflow};
   if (std::string doubt = doubt_of(scene, rendering, surfaces.most_hits); !doubt.empty())

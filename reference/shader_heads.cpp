@@ -15,7 +15,7 @@ std::string require(const std::string& extension) {
   return "#extension " + extension + " : require\n";
 }
 
-// What GLSL ES 3.20 has by itself is an extension of 3.10.
+// Features of GLSL ES 3.20 are extensions in 3.10.
 std::string es_head(const GladGLContext& gl, bool of_fragments) {
   const bool is_3_2 = gl.ES_VERSION_3_2 != 0;
   std::string head = is_3_2 ? "#version 320 es\n" : "#version 310 es\n";

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What all shaders of a context begin with: the version of its API, the extensions that ours use,
-// and what makes one text good for GLSL and for GLSL ES.
+// The common start of all shaders of a context: the version of its API, the extensions that ours
+// use, and macros that make one text valid in both GLSL and GLSL ES.
 //
-// Of GLSL ES, numbers and samplers are highp: float32, as everywhere else. The macro NOPERSPECTIVE
-// is the qualifier, or where there is none, smooth: then no scene may ask for it. POINT_SIZE has
-// the vertex shader write the size of points, which OpenGL ES takes from nowhere else.
+// In GLSL ES, numbers and samplers are highp: float32, as everywhere else. The macro NOPERSPECTIVE
+// is the qualifier or, if there is none, smooth; then no scene may request it. With POINT_SIZE the
+// vertex shader writes the size of points, the only way to set it in OpenGL ES.
 #pragma once
 
 #include <string>
@@ -18,8 +18,8 @@ namespace edgecase {
 std::string head_of_vertices(const GladGLContext& gl);
 std::string head_of_fragments(const GladGLContext& gl);
 
-// Heads of fragment shaders that take fine and coarse derivatives, to be tried in this order. None
-// of OpenGL ES.
+// Heads of fragment shaders with fine and coarse derivatives, to be tried in this order. None for
+// OpenGL ES.
 std::vector<std::string> fine_heads_of_fragments(const GladGLContext& gl);
 
 }  // namespace edgecase

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The sources of the shaders that draw scenes. None has a version or says where its attributes are
-// evaluated: reference/programs.cpp puts the heads before them.
+// The sources of the shaders that draw scenes. They contain neither a version nor where attributes
+// are evaluated: reference/programs.cpp prepends these.
 #pragma once
 
 namespace edgecase::shaders {
 
 // Heads of the shaders: where interpolated attributes are evaluated, what is switched on, and for
 // textured scenes how colours are looked up. One function serves pixels and capture, so that both
-// have the same colours. The version before them is for reference/shader_heads.h to tell.
+// have the same colours. reference/shader_heads.h provides the version before them.
 constexpr const char* kDetails = "#define DETAILS\n";
 constexpr const char* kSamples = "#define SAMPLES\n";
 constexpr const char* kAtCenter = "#define AT\n";
@@ -93,7 +93,7 @@ void main() {
 )";
 
 // Counts hits of a multisampled target: by the colour's alpha, alpha to coverage decides which
-// samples are hit. Inputs are those of the colour's shader, so that it runs as often.
+// samples are hit. Inputs equal those of the colour's shader, so that it runs equally often.
 constexpr const char* kSampledCountShader = R"(
 flat in vec4 flat_color;
 smooth AT in vec4 smooth_color;
@@ -109,9 +109,9 @@ void main() {
 )";
 
 // Without a version, and in two forms: DETAILS adds what reference/capture.h calls details, and
-// FINE_AND_COARSE the derivatives that not every GLSL has. The counter runs on beyond the capacity,
-// so that an overflow tells how much room is needed. SAMPLES, of multisampled targets, puts the
-// coverage into the upper half of x, which holds at most 16 samples and 4096 columns.
+// FINE_AND_COARSE the derivatives that not every GLSL has. The counter continues beyond the
+// capacity, so that an overflow shows how much room is needed. SAMPLES, for multisampled targets,
+// puts the coverage into the upper half of x, which suffices for 16 samples and 4096 columns.
 constexpr const char* kCaptureShader = R"(
 flat in vec4 flat_color;
 smooth AT in vec4 smooth_color;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A shared library that is opened at run time, so that one that is missing is a message.
+// A shared library that is opened at run time, so that a missing one gives a message.
 #pragma once
 
 #include <initializer_list>
@@ -15,10 +15,10 @@ class SharedLibrary {
   explicit SharedLibrary(std::initializer_list<const char*> names);
 
   bool is_open() const { return handle_ != nullptr; }
-  // What the dynamic linker said about the last name, when none could be opened.
+  // The dynamic linker's message about the last name, if none could be opened.
   const std::string& error() const { return error_; }
 
-  // Sets `function` to the symbol of this name; false, and null, when there is none.
+  // Sets `function` to the symbol of this name; false, and null, if there is none.
   template <class Function>
   bool load(const char* name, Function*& function) const {
     function = reinterpret_cast<Function*>(symbol(name));

@@ -20,8 +20,8 @@ std::string doubt_of_claims(const GladGLContext& gl, GLenum attachment) {
   return bits == 8 ? "" : fmt::format("its stencil buffer has {} bits", bits);
 }
 
-// Every bit is set in one of two clears and not in the other. Where there is a depth buffer, it is
-// cleared after the one and read after the other.
+// Every bit is set in one of two clears and not in the other. A depth buffer, if there is one, is
+// cleared after the first and read after the second.
 std::string doubt_of_contents(const GladGLContext& gl, DepthFormat depth) {
   const bool has_depth = depth != DepthFormat::none;
   gl.Disable(GL_SCISSOR_TEST);
@@ -65,7 +65,7 @@ std::string limit_of_formats(DepthFormat depth, StencilFormat stencil) {
   return "OpenGL has no buffer of depth16 and stencil8";
 }
 
-std::string words_of_formats(DepthFormat depth, StencilFormat stencil) {
+std::string text_of_formats(DepthFormat depth, StencilFormat stencil) {
   if (stencil == StencilFormat::none) return depth == DepthFormat::none ? "" : name_of(depth);
   return depth == DepthFormat::none ? name_of(stencil)
                                     : fmt::format("{} and {}", name_of(depth), name_of(stencil));

@@ -17,7 +17,7 @@ namespace {
 // Sizes kept at a time; a suite uses a handful.
 constexpr std::size_t kMostSizes = 16;
 
-// R32F counts one by one up to here.
+// R32F counts exactly up to here.
 constexpr std::uint32_t kFloatHits = std::uint32_t{1} << 24;
 
 GlRenderbuffer make_image(const GladGLContext& gl, GLenum format, const Target& target) {
@@ -38,7 +38,7 @@ bool make_target(const GladGLContext& gl, const GlRenderbuffer& image, const GlR
   return gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
-// Has the bound framebuffer's buffer 8 bits in each channel?
+// Whether the bound framebuffer's buffer has 8 bits in each channel.
 bool is_rgba8(const GladGLContext& gl, GLenum buffer) {
   constexpr GLenum kChannels[] = {
       GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE,
@@ -64,13 +64,13 @@ std::string Targets::make(const Target& target, Buffers& made) {
       !make_target(gl_, made.color_image, made.depth_image, storage.attachment, made.color))
     return fmt::format("this driver has no {}x{} framebuffer{}{}", target.width, target.height,
                        has_depth || has_stencil ? " with " : "",
-                       words_of_formats(target.depth, target.stencil));
+                       text_of_formats(target.depth, target.stencil));
   std::string doubt;
   if (has_depth) doubt = doubt_of_depth_buffer(gl_, GL_DEPTH_ATTACHMENT, target.depth);
   if (doubt.empty() && has_stencil)
     doubt = doubt_of_stencil_buffer(gl_, GL_STENCIL_ATTACHMENT, target.depth);
   return doubt.empty() ? ""
-                       : another_framebuffer(words_of_formats(target.depth, target.stencil), doubt);
+                       : another_framebuffer(text_of_formats(target.depth, target.stencil), doubt);
 }
 
 std::variant<Surfaces, std::string> Targets::find_objects(const Target& target) {

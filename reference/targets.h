@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the passes of a scene land: framebuffer objects of the sizes that scenes ask for, kept for
-// the next scene of the same size and formats, or the framebuffer of the window system.
+// The framebuffers for the passes of a scene: framebuffer objects, kept for the next scene of the
+// same size and formats, or the framebuffer of the window system.
 //
 // Hits are counted by additive blending. A framebuffer object counts in R32F, exact up to 2^24 hits
-// per pixel. A window has RGBA8 alone and must do the counting too, or another surface's rules
-// would be counted: each hit adds 1/255, one step of an 8-bit channel, which is exact up to 255
-// hits.
+// per pixel. A window only has RGBA8 and must do the counting too, or another surface's rules would
+// be counted: each hit adds 1/255, one step of an 8-bit channel, which is exact up to 255 hits.
 //
-// A depth buffer is part of a framebuffer object where the scene asks for one, with the count too,
-// so that all passes are drawn with the same state; likewise a stencil buffer, packed with it. A
-// window has those that it was made with, or none, and scenes that ask for others are refused.
+// If a scene requests a depth buffer, it is part of the framebuffer object and of that of the
+// count, so that all passes are drawn with the same state; likewise a stencil buffer, packed with
+// it. A window has only the buffers with which it was made, and scenes that request others are
+// refused.
 //
-// Multisampled targets are framebuffer objects of their own kind, reference/multisample_target.h.
+// Multisampled targets are framebuffer objects of a different kind, reference/multisample_target.h.
 #pragma once
 
 #include <cstdint>
@@ -34,11 +34,11 @@ namespace edgecase {
 
 // Framebuffers by name, and how hits are counted in the second.
 struct Surfaces {
-  GLuint color = 0;             // RGBA8: what the scene draws to; 0 is the window
+  GLuint color = 0;             // RGBA8: the scene's own target; 0 is the window
   GLuint count = 0;             // its red channel holds hits, in units of `step`
-  float step = 1;               // what a hit adds
-  std::uint32_t most_hits = 0;  // per pixel, beyond which counts are wrong
-  // The two framebuffers, where they are multisampled: samples() reads them. Else null.
+  float step = 1;               // the value of one hit
+  std::uint32_t most_hits = 0;  // per pixel; counts beyond are wrong
+  // The two framebuffers if they are multisampled, which samples() reads; otherwise null.
   const MultisampleTarget* multisampled = nullptr;
 };
 
@@ -47,24 +47,24 @@ class Targets {
   // The context must be current and outlive the targets, and `gl` be its functions.
   Targets(const GladGLContext& gl, GlContext& context) : gl_(gl), context_(context) {}
 
-  // The framebuffers for a target, contents undefined, or why the driver cannot have them. Good
-  // until the next call.
+  // The framebuffers for a target, with undefined contents, or why the driver does not support
+  // them. Valid until the next call.
   std::variant<Surfaces, std::string> find(const Target& target);
   // Reads multisampled targets; `find` must have found one.
   const SampleReader& samples() const { return *samples_; }
-  // Likewise, of one that has stencils.
+  // The same for a target with stencils.
   const SampleStencils& stencils() const { return *stencils_; }
 
  private:
   struct Buffers {
-    GlRenderbuffer depth_image;  // depths and stencils, of both framebuffers; none without either
+    GlRenderbuffer depth_image;  // depths and stencils, of both framebuffers; absent without either
     GlRenderbuffer color_image;
     GlFramebuffer color;
     GlRenderbuffer count_image;
     GlFramebuffer count;
   };
 
-  // Why there are no such framebuffers, as a sentence; empty: they are made.
+  // Why there are no such framebuffers, as a sentence; empty if they are made.
   std::string make(const Target& target, Buffers& made);
   std::variant<Surfaces, std::string> find_objects(const Target& target);
   std::variant<Surfaces, std::string> find_multisampled(const Target& target);
@@ -75,7 +75,7 @@ class Targets {
   std::map<std::tuple<int, int, DepthFormat, StencilFormat>, Buffers> sizes_;
   std::list<MultisampleTarget> multisampled_;
   std::optional<SampleReader> samples_;     // made for the first multisampled target
-  std::optional<SampleStencils> stencils_;  // and for the first that has stencils
+  std::optional<SampleStencils> stencils_;  // and for the first with stencils
 };
 
 }  // namespace edgecase

@@ -12,11 +12,11 @@ namespace edgecase {
 
 namespace {
 
-// What is kept at a time. A suite uses a handful of textures, and draws cases that share one after
-// each other.
+// The number of objects kept. A suite uses a handful of textures, and draws cases that share one
+// consecutively.
 constexpr std::size_t kMostImages = 16;
 constexpr std::size_t kMostSamplers = 64;
-// Two of the largest textures with whole chains, of four numbers a texel.
+// Two of the largest textures with whole chains, at four numbers per texel.
 constexpr std::size_t kMostNumbers = std::size_t{12} * kMaxTextureSize * kMaxTextureSize;
 
 bool has_extension(const GladGLContext& gl, std::string_view name) {
@@ -78,7 +78,7 @@ GLint filter_of(Filter filter) {
   return GL_NEAREST;
 }
 
-// The minifying filter holds both filters (GL 4.6 core, table 8.20).
+// The minifying filter combines both filters (GL 4.6 core, table 8.20).
 GLint filter_of(Filter filter, MipFilter mipmap) {
   const bool nearest = filter == Filter::nearest;
   switch (mipmap) {
@@ -92,7 +92,7 @@ GLint filter_of(Filter filter, MipFilter mipmap) {
   return GL_NEAREST;
 }
 
-// A float that is not a number equals itself here, and the two zeros differ.
+// NaN equals itself here, and the two zeros differ.
 bool same_level(const TextureLevel& a, const TextureLevel& b) {
   return a.width == b.width && a.height == b.height && a.texels.size() == b.texels.size() &&
          std::memcmp(a.texels.data(), b.texels.data(), a.texels.size() * sizeof(float)) == 0;
@@ -132,8 +132,8 @@ void upload(const GladGLContext& gl, const Texture& texture) {
   }
 }
 
-// OpenGL ES reads framebuffers alone; every format of ours can be drawn to. A draw may be under
-// way, so the framebuffer that is bound stays so.
+// OpenGL ES only reads framebuffers; all of our formats can be attached to one. A draw may be in
+// progress, so the bound framebuffer is restored.
 void read_attached(const GladGLContext& gl, GLuint name, GLint level, int width, int height,
                    GLenum type, void* data) {
   const GlFramebuffer framebuffer = make_framebuffer(gl);
@@ -145,8 +145,8 @@ void read_attached(const GladGLContext& gl, GLuint name, GLint level, int width,
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
 }
 
-// One level of the bound texture, which has this name. Codes of sRGB come as they are stored
-// (GL 4.6 core, 8.11.4).
+// One level of the bound texture, which has this name. sRGB codes are returned as stored (GL 4.6
+// core, 8.11.4).
 TextureLevel read_level(const GladGLContext& gl, const Texture& texture, GLuint name, GLint number,
                         int width, int height) {
   TextureLevel level{width, height, {}};
@@ -168,7 +168,7 @@ TextureLevel read_level(const GladGLContext& gl, const Texture& texture, GLuint 
   return level;
 }
 
-// Every level that the bound texture has, up to the first without a size.
+// Every level of the bound texture, up to the first without a size.
 std::vector<TextureLevel> read_chain(const GladGLContext& gl, const Texture& texture, GLuint name,
                                      int max_level) {
   std::vector<TextureLevel> chain;
@@ -231,7 +231,7 @@ GlSampler Textures::make(const Sampler& sampler) const {
   if (!is_es(gl_)) gl_.SamplerParameterf(name, GL_TEXTURE_LOD_BIAS, sampler.lod_bias);
   gl_.SamplerParameterf(name, GL_TEXTURE_MIN_LOD, sampler.min_lod);
   gl_.SamplerParameterf(name, GL_TEXTURE_MAX_LOD, sampler.max_lod);
-  // A driver without borders is asked for none.
+  // Borders are not set on a driver without them.
   const bool has_border = std::find(sampler.wrap.begin(), sampler.wrap.end(),
                                     Wrap::clamp_to_border) != sampler.wrap.end();
   if (!is_es(gl_) || has_border)
@@ -259,7 +259,7 @@ void Textures::bind(const std::shared_ptr<const Texture>& texture, const Sampler
   gl_.ActiveTexture(GL_TEXTURE0 + kImageUnit);
   const Image& image = find(texture);
   gl_.BindTexture(target, image.object.name());
-  // A texture of one level is complete by itself; of a chain, the levels beyond the last are none.
+  // A texture of one level is complete by itself; levels beyond the last of a chain do not exist.
   const auto levels = static_cast<int>(texture->levels.size());
   const int last = texture->generated || levels > 1 ? sampler.max_level : 0;
   gl_.TexParameteri(target, GL_TEXTURE_BASE_LEVEL, sampler.base_level);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Textures: a scene's textures and samplers as objects of the GL, kept for the next scene with the
-// same content.
+// Textures: a scene's textures and samplers as GL objects, kept for the next scene with the same
+// content.
 //
-// Every level that a scene gives is uploaded as it is. Levels that the driver is to make are made
-// once, and read back: what the driver made of them is part of the rendering. A sampler's state
-// lies in a sampler object, but for the base and the largest level, which are the texture's (GL 4.6
-// core, 8.2) and set anew for each draw.
+// Every level that a scene gives is uploaded unchanged. Levels that the driver generates are made
+// once and read back, since they are part of the rendering. A sampler's state is in a sampler
+// object, except for the base and the largest level, which belong to the texture (GL 4.6 core, 8.2)
+// and are set for each draw.
 #pragma once
 
 #include <cstddef>
@@ -28,13 +28,13 @@ class Textures {
   // The context must be current and outlive the textures.
   explicit Textures(const GladGLContext& gl);
 
-  // Largest max_anisotropy of a sampler; 1 where the driver has no anisotropic filtering.
+  // Largest max_anisotropy of a sampler; 1 if the driver has no anisotropic filtering.
   float max_anisotropy() const { return max_anisotropy_; }
 
   // Binds a texture and the sampler of its use.
   void bind(const std::shared_ptr<const Texture>& texture, const Sampler& sampler);
-  // All levels of a texture whose levels the driver makes, in the texture's units, as many and as
-  // large as the driver says. Good until the next call of a member.
+  // All levels of a texture that the driver generated, in the texture's units, with the number and
+  // sizes that the driver reports. Valid until the next call of a member.
   const std::vector<TextureLevel>& generated_chain(const std::shared_ptr<const Texture>& texture);
 
  private:
@@ -55,9 +55,9 @@ class Textures {
 
   const GladGLContext& gl_;
   float max_anisotropy_ = 1;
-  int max_level_ = 0;        // that a texture can have on this driver
-  std::list<Image> images_;  // the one used last comes first
-  std::size_t numbers_ = 0;  // that the texels of images_ have
+  int max_level_ = 0;        // of a texture on this driver
+  std::list<Image> images_;  // the most recently used one first
+  std::size_t numbers_ = 0;  // total size of images_
   std::list<SamplerObject> samplers_;
 };
 

@@ -24,7 +24,7 @@ std::variant<DrawingTime, std::string> SceneRenderer::time_drawing(const Scene& 
   Rendering last;
   last.width = scene.target.width;
   last.height = scene.target.height;
-  // The first frame makes what drivers make late, and is not timed.
+  // The first frame includes drivers' deferred work and is not timed.
   draw_pixels(scene, surfaces, last);
   gl_.Finish();
   const auto start = Clock::now();

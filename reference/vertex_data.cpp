@@ -6,8 +6,8 @@ namespace edgecase {
 namespace {
 
 // The clip coordinate that the division by w and the viewport transform take to window coordinate
-// `window`. It is a float32 number, so its product with the size has 39 bits at most: multiplied
-// first, nothing is rounded.
+// `window`. It is a float32 number, so its product with the size has at most 39 bits: multiplying
+// first avoids rounding.
 float to_clip(Fixed window, int origin, int size, float w) {
   const double half = size / 2.0;
   return static_cast<float>((window.to_double() - (origin + half)) * static_cast<double>(w) / half);

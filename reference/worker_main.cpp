@@ -5,16 +5,15 @@
 //   edgecase-gl CONTEXT [--expect-driver NAME] [--messages|--bench]
 //   edgecase-gl --devices
 //
-// CONTEXT is osmesa, egl-surfaceless or egl-device:N, or of OpenGL ES egl-es-surfaceless or
-// egl-es-device:N. With --devices it prints how many devices EGL lists, and ends.
+// CONTEXT is osmesa, egl-surfaceless or egl-device:N or, for OpenGL ES, egl-es-surfaceless or
+// egl-es-device:N. With --devices it only prints how many devices EGL lists.
 //
 // It speaks the protocol of reference/PROTOCOL.md: one scene per line on standard input, one answer
-// per line on standard output, until its input ends. With --messages it says the same in bytes
-// (wire/message.h), each message with its length before it: the program starts it so. With
-// --bench it times what it is asked to draw (wire/message.h). Which driver draws is decided
-// by environment variables that its parent sets; --expect-driver makes sure of it, see
-// driver_proof.h. A context that cannot be had, or another driver than the expected one, is a
-// sentence on standard error and exit status 3.
+// per line on standard output, until its input ends. With --messages, which the main program uses,
+// requests and answers are bytes (wire/message.h), each preceded by its length. With --bench it
+// times drawing (wire/message.h). Environment variables set by its parent choose the driver;
+// --expect-driver verifies it, see driver_proof.h. If there is no context, or another driver than
+// the expected one, it prints a sentence to standard error and exits with status 3.
 #include <unistd.h>
 
 #include <array>
@@ -49,8 +48,8 @@ int complain(int status, const std::string& sentence) {
   return status;
 }
 
-// The standard output that the parent reads. Whatever a driver prints goes to standard error.
-// Most answers fit into the buffer and go out at once: each write wakes the parent if it waits.
+// The standard output that the parent reads. A driver's own output goes to standard error. Most
+// answers fit into the buffer and are written at once, since each write wakes a waiting parent.
 std::FILE* take_standard_output() {
   static std::array<char, std::size_t{1} << 16> buffer;
   const int copy = dup(STDOUT_FILENO);
@@ -65,7 +64,7 @@ bool write_line(std::FILE* output, const std::string& line) {
          std::fputc('\n', output) != EOF && std::fflush(output) == 0;
 }
 
-// Messages have their length before them, as eight bytes of this machine.
+// Messages are preceded by their length, eight bytes in this machine's order.
 bool write_message(std::FILE* output, const std::string& bytes) {
   const std::uint64_t length = bytes.size();
   return std::fwrite(&length, sizeof(length), 1, output) == 1 &&
@@ -89,14 +88,14 @@ std::string line_of(const std::string& digest, const Outcome& outcome, bool cove
                        : answer_line(digest, rendering, claims);
 }
 
-// Runs of pixels tell neither samples, nor passes, nor which fragments pass their tests.
+// Runs of pixels cannot express samples, passes, or which fragments pass their tests.
 bool can_be_runs(const Scene& scene) {
   return scene.target.samples == 1 && scene.supersampling.empty() &&
          !has_fragment_operations(scene);
 }
 
-// Draws one scene. `answer(outcome, coverage_only)` writes the answer. The exit status where there
-// is no going on.
+// Draws one scene. `answer(outcome, coverage_only)` writes the answer. Returns the exit status if
+// the worker cannot continue.
 template <class AnyRequest, class Answer>
 std::optional<int> answer_one(SceneRenderer& renderer, const AnyRequest& request, Answer answer) {
   const bool coverage_only = request.coverage_only && can_be_runs(request.scene);
@@ -109,7 +108,7 @@ std::optional<int> answer_one(SceneRenderer& renderer, const AnyRequest& request
 }
 
 int serve_lines(SceneRenderer& renderer, const RendererInfo& info, std::FILE* output) {
-  // The parent needs to hear only once who answers.
+  // The parent needs the renderer's identity only once.
   const RendererInfo* claims = &info;
   for (std::string line; std::getline(std::cin, line);) {
     const auto parsed = parse_request(line);

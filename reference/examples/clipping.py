@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""Lines and triangles that reach out of the clip volume, for rasterizer.py: the rules of OpenGL 4.6
-(core), 13.7. Lines are cut, and triangles drawn without cutting anything.
+"""Lines and triangles that leave the clip volume, for rasterizer.py, by OpenGL 4.6 (core), 13.7.
+Lines are cut, and triangles are drawn without cutting them.
 
-A vertex there need not have a place in the window, since its w may be 0 or less. But a place (x, y)
-that the triangle has is the sum of shares of its vertices, (x, y, 1) = sum of b (X, Y, W), with
-X = w times the vertex' x in the window: it is covered where all shares are positive.
+A vertex outside need not have a position in the window, since its w may be 0 or less. But every
+point (x, y) is a sum of shares b of the three vertices, (x, y, 1) = sum of b (X, Y, W), with X = w
+times the vertex's x in the window. The triangle covers it if all shares are positive.
 """
 from fractions import Fraction
 
 
 def is_outside(vertex):
-    """13.7: is it not within -w <= x, y, z <= w?"""
+    """13.7: whether -w <= x, y, z <= w does not hold."""
     x, y, z, w = vertex.get("clip", (0, 0, 0, 1))
     return not (w > 0 and max(map(abs, (x, y, z))) <= w)
 
 
 def clip_of(vertex, viewport):
-    """x, y, z and w in clip coordinates of a vertex that is given either way."""
+    """The clip coordinates x, y, z and w of a vertex in either form."""
     if "clip" in vertex:
         return [Fraction(n) for n in vertex["clip"]]
     x, y, z = map(Fraction, vertex["position"])
@@ -25,8 +25,8 @@ def clip_of(vertex, viewport):
 
 
 def cut_line(vertices, viewport):
-    """The two ends of what lies in the volume, each as how much it has of the second vertex and its
-    clip coordinates; none where nothing does."""
+    """The two ends of the part inside the volume, each with its fraction of the way to the second
+    vertex and its clip coordinates; none if nothing is inside."""
     a, b = (clip_of(vertex, viewport) for vertex in vertices)
     enter, leave = Fraction(0), Fraction(1)
     for i in range(3):
@@ -55,7 +55,7 @@ class ClippedTriangle:
 
     @staticmethod
     def row(vertex, viewport):
-        """x, y and z of the window, times w, and w."""
+        """Window x, y and z, each times w, and w."""
         left, bottom, wide, high = viewport
         if "clip" not in vertex:
             w = Fraction(vertex.get("w", 1))
@@ -67,7 +67,7 @@ class ClippedTriangle:
         return [(nx * p[0] + ny * p[1] + nw) / self.area for nx, ny, nw in self.planes]
 
     def covers(self, p):
-        """As rasterizer.py has it of triangles: what lies on an edge is moved by (e, -e^2)."""
+        """As for triangles in rasterizer.py: a point on an edge is moved by (e, -e^2)."""
         if self.area == 0:
             return False
         shares = self.shares(p)
@@ -76,7 +76,7 @@ class ClippedTriangle:
         return inside and -1 <= sum(b * row[2] for b, row in zip(shares, self.rows)) <= 1
 
     def window_weights(self, p):
-        """Of what runs linearly in the window."""
+        """The weights of values that are linear in the window."""
         return [b * row[3] for b, row in zip(self.shares(p), self.rows)]
 
     def depth(self, p):

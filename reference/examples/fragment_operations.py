@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What becomes of the fragments of rasterizer.py: stencil test, depth test, blending and colour mask,
-as OpenGL 4.6 (core) has them in chapter 17.
+"""Fragment operations for rasterizer.py: stencil test, depth test, blending and colour mask, by
+OpenGL 4.6 (core), chapter 17.
 
-Numbers are fractions until they are stored. Then a colour is four codes of 0 to 255.
+Numbers are fractions until they are stored. A stored colour is four codes of 0 to 255.
 """
 import operator
 import struct
@@ -10,7 +10,7 @@ from fractions import Fraction
 
 
 def stored(depth, kind):
-    """What a depth buffer makes of a depth: a multiple of 1/(2^bits - 1), or a float32."""
+    """A depth as a depth buffer stores it: a multiple of 1/(2^bits - 1), or a float32."""
     depth = min(max(depth, Fraction(0)), Fraction(1))
     if kind == "depth32f":
         return struct.unpack("f", struct.pack("f", depth))[0]
@@ -26,11 +26,11 @@ def unorm(color):
     return [round(255 * n) for n in clamped(color)]
 
 
-# 17.3.3 and 17.3.4: how a reference or a depth compares with what is stored.
+# 17.3.3 and 17.3.4: comparisons of a reference or a depth with the stored value.
 COMPARISONS = {"never": lambda a, b: False, "less": operator.lt, "equal": operator.eq,
                "lequal": operator.le, "greater": operator.gt, "notequal": operator.ne,
                "gequal": operator.ge, "always": lambda a, b: True}
-# 17.3.3: what becomes of a stored stencil value.
+# 17.3.3: the new stencil value.
 STENCIL_OPERATIONS = {
     "keep": lambda s, reference: s, "zero": lambda s, reference: 0,
     "replace": lambda s, reference: reference, "invert": lambda s, reference: ~s & 255,
@@ -41,7 +41,7 @@ EQUATIONS = {"add": operator.add, "subtract": operator.sub,
 
 
 def factors(name, source, destination, constant):
-    """Table 17.2: for red, green, blue and alpha."""
+    """Table 17.2: the factors for red, green, blue and alpha."""
     if name in ("zero", "one"):
         return [int(name == "one")] * 4
     if name == "src_alpha_saturate":
@@ -53,7 +53,7 @@ def factors(name, source, destination, constant):
 
 
 def blended(use, source, destination):
-    """17.3.6: both colours 0 to 1."""
+    """17.3.6, for colours from 0 to 1."""
     result, colors = [], (source, destination, [Fraction(n) for n in use["constant"]])
     for i in range(4):
         term = use["color" if i < 3 else "alpha"]
@@ -66,7 +66,7 @@ def blended(use, source, destination):
 
 
 class Buffers:
-    """What the target holds: a plane for each sample, one after the other."""
+    """The target's contents: a plane for each sample, one after the other."""
 
     def __init__(self, target, size):
         self.kind = target.get("depth")
@@ -76,7 +76,7 @@ class Buffers:
         self.depths = [stored(cleared, self.kind)] * size if self.kind else []
 
     def meet(self, index, drawn, color, depth):
-        """17.3: what a fragment does to a sample. Without its buffer a test passes."""
+        """17.3: the effect of a fragment on a sample. Without its buffer a test passes."""
         test = drawn.draw.get("depth", {"test": "always", "write": True})
         face = drawn.draw.get("stencil", {}).get(drawn.face) if self.stencils else None
         outcome = "pass"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What rasterizer.py knows of requests. A name that it does not know may ask for anything, so it
-refuses the scene rather than leave the thing out. Only beside the scene, where nothing can change
-what is drawn, are unknown keys passed over."""
+"""The names in requests that rasterizer.py knows. An unknown name may change what must be drawn, so
+the scene is refused. Unknown keys beside the scene never change what is drawn, so they are
+ignored."""
 
 KEYS = {
     "scene": "target viewport depth_range details textures draws",
@@ -18,14 +18,14 @@ NAMES = {
 
 
 def unknown_in(kind, thing):
-    """The keys of a part of the scene, and the names there, that are not known."""
+    """The unknown keys of a part of the scene, and the unknown names in it."""
     keys = [key for key in thing if key not in KEYS[kind].split()]
     return keys + [value for key, value in thing.items()
                    if isinstance(value, str) and key in NAMES and value not in NAMES[key].split()]
 
 
 def refusal(request):
-    """The answer to a request that holds something unknown; none to any other."""
+    """The answer to a request with something unknown; none for any other."""
     if request["edgecase"] != 1:
         return {"not_run": "this example speaks version 1"}
     scene = request["scene"]

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// An exact rasterizer in C++, to be read and to start from: points, lines of width 1 and triangles
-// of flat colours. It refuses whatever else a scene asks for. Build it, and try it:
+// An exact rasterizer in C++, to read and to start from: points, lines of width 1 and triangles of
+// flat colours. It refuses everything else in a scene. To build and try it:
 //
 //   g++ -std=c++20 -O2 -o rasterizer reference/examples/rasterizer.cpp
 //   edgecase run --against exec:./rasterizer
 //
-// All is decided in integers. Vertices lie on multiples of 1/65536 pixel within 8192 pixels of the
-// origin: counted in those units they stay below 2^30, and all products below 2^63. Where the
-// rules move something by an infinitesimal e, a Number a + b e + c e^2 is the array {a, b, c}, and
-// arrays compare by their first difference, which is just the order of such numbers.
+// All decisions use integers. Vertices lie on multiples of 1/65536 pixel within 8192 pixels of the
+// origin: in those units they are below 2^30, and all products below 2^63. Where the rules move
+// something by an infinitesimal e, a Number a + b e + c e^2 is the array {a, b, c}, and arrays
+// compare by their first difference, which is exactly the order of such numbers.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,7 +30,7 @@ struct Point {
 using Corners = std::vector<Point>;  // of a primitive: one, two or three
 
 // GL 4.6 core, 14.4.1: the centre lies in the square, which owns its right and top sides. The
-// specification leaves open which.
+// specification leaves open which sides.
 bool point_covers(Point p, Int size, Point centre) {
   const Int x = 2 * (centre.x - p.x), y = 2 * (centre.y - p.y);
   return -size < x && x <= size && -size < y && y <= size;
@@ -63,7 +63,7 @@ bool line_covers(Point a, Point b, Point centre) {
   return !ends_inside && less(enter, leave) && less(enter, end) && less(start, leave);
 }
 
-// Twice the area of these, positive where c lies to the left of a -> b.
+// Twice the triangle's area, positive if c lies to the left of a -> b.
 Int side(Point a, Point b, Point c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -83,7 +83,7 @@ bool covers(const Corners& c, Int point_size, Point centre) {
   return c.size() == 2 ? line_covers(c[0], c[1], centre) : triangle_covers(c, centre);
 }
 
-// 10.1: the vertices of primitive i of n vertices, or none. They are turned so that the first one
+// 10.1: the vertices of primitive i of n vertices, or none. They are rotated so that the first one
 // provokes under the convention `first`, and the last one under `last`.
 std::vector<int> primitive(const std::string& kind, int i, int n) {
   if (kind == "points" && i < n) return {i};
@@ -96,7 +96,7 @@ std::vector<int> primitive(const std::string& kind, int i, int n) {
   return {};
 }
 
-// Why a scene is not drawn, or "". A key that is not known may ask for anything.
+// Why a scene is not drawn, or "". An unknown key may change anything.
 std::string refusal(const json& scene) {
   std::string reason;
   const auto unless = [&](bool good, const std::string& why) {

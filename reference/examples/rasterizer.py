@@ -6,13 +6,13 @@ Try it:  edgecase run --against "exec:python3 reference/examples/rasterizer.py"
 
 Numbers are fractions, so nothing is rounded before the answer is written. Where the specification
 moves things by an infinitesimal e, a number is a tuple (a, b, c) that stands for a + b e + c e^2;
-Python orders tuples by their first difference, which is just the order of such numbers.
+Python orders tuples by their first difference, which is exactly the order of such numbers.
 
-A target with several samples has a plane of pixels for each; one with a single sample is the same,
-with that sample at the centre, but for lines.
+A target with several samples has a plane of pixels for each. One with a single sample is treated
+alike, with the sample at the centre, except for lines.
 
-It leaves out derivatives and levels of detail, which an answer may: OpenGL allows several, and no
-exact one. So it draws only those textures of which no level has to be chosen.
+It omits derivatives and levels of detail, as an answer may: OpenGL allows several values, and none
+is exact. So it draws textures only if no level has to be chosen.
 """
 import json
 import math
@@ -26,8 +26,8 @@ from known_names import refusal
 
 HALF = Fraction(1, 2)
 CENTRE = [HALF, HALF]
-# Where the samples of a pixel lie unless a scene says so, in sixteenths of it from its lower left
-# corner: the patterns of Direct3D and Vulkan. Other numbers have the first ones of a larger one.
+# Default sample positions, in sixteenths of a pixel from its lower left corner: the patterns of
+# Direct3D and Vulkan. Other numbers of samples use the start of the next larger pattern.
 PATTERNS = {
     1: [(8, 8)], 2: [(12, 12), (4, 4)], 4: [(6, 2), (14, 6), (2, 10), (10, 14)],
     8: [(9, 5), (7, 11), (13, 9), (5, 3), (3, 13), (1, 7), (11, 15), (15, 1)],
@@ -36,8 +36,8 @@ PATTERNS = {
 
 
 def point(size):
-    """14.4.1 and 14.4.3: the sample, of one sample per pixel its centre, lies in the square of this
-    size round the point. The square owns its right and top sides; OpenGL leaves that open."""
+    """14.4.1 and 14.4.3: the sample (a single one is the centre) lies in the square of this size
+    round the point. The square owns its right and top sides; OpenGL leaves that open."""
     def rule(a):
         return lambda p: all(n - size / 2 < at <= n + size / 2 for n, at in zip(a, p))
     return rule
@@ -58,7 +58,7 @@ def line(a, b):
             if slope == 0:
                 if (at_a, -sx, -sy) >= (0, 0, 0):
                     return False
-            else:  # the condition's border is crossed at this part of the way from a to b
+            else:  # this part of the way from a to b crosses the condition's border
                 crossing = (-at_a / slope, sx / slope, sy / slope)
                 enter, leave = ((enter, min(leave, crossing)) if slope > 0
                                 else (max(enter, crossing), leave))
@@ -68,7 +68,7 @@ def line(a, b):
 
 def rectangle(width):
     """14.5.4: the sample of a multisampled line lies in the rectangle round the segment, as wide as
-    the line. One on its border is moved as for triangles, by (e, -e^2)."""
+    the line. A sample on its border is moved by (e, -e^2), as for triangles."""
     def rule(a, b):
         dx, dy = b[0] - a[0], b[1] - a[1]
         squared = dx ** 2 + dy ** 2
@@ -85,13 +85,13 @@ def rectangle(width):
 
 
 def side(p, q, at):
-    """Twice the area of these, positive where `at` lies to the left of p -> q."""
+    """Twice the triangle's area, positive if `at` lies to the left of p -> q."""
     return (q[0] - p[0]) * (at[1] - p[1]) - (q[1] - p[1]) * (at[0] - p[0])
 
 
 def triangle(a, b, c):
-    """14.6.1: the sample, of one sample per pixel its centre, lies inside; one on an edge is moved
-    by (e, -e^2), so that left edges and then top edges own it. OpenGL leaves that choice open."""
+    """14.6.1: the sample (a single one is the centre) lies inside. One on an edge is moved by
+    (e, -e^2), so that left edges and then top edges own it. OpenGL leaves that choice open."""
     area = side(a, b, c)
     turn = 1 if area > 0 else -1
 
@@ -103,7 +103,7 @@ def triangle(a, b, c):
 
 
 def window_weights(corners, p):
-    """14.5.1 and 14.6.1: how much of each vertex a place has, which need not be covered."""
+    """14.5.1 and 14.6.1: the weights of the vertices at a point, which need not be covered."""
     if len(corners) == 1:
         return [Fraction(1)]
     a, b = corners[:2]
@@ -116,8 +116,8 @@ def window_weights(corners, p):
 
 
 def primitives(kind, n):
-    """10.1: the primitives that n vertices make. Each is the numbers of its vertices, turned so
-    that under the `first` convention the first one provokes, and under `last` the last one."""
+    """10.1: the primitives of n vertices, as the numbers of their vertices. These are rotated so
+    that the first one provokes under the `first` convention, and the last one under `last`."""
     return {"points": [[i] for i in range(n)],
             "lines": [[i, i + 1] for i in range(0, n - 1, 2)],
             "line_strip": [[i, i + 1] for i in range(n - 1)],
@@ -128,15 +128,15 @@ def primitives(kind, n):
 
 
 def front_facing(draw, numbers, area):
-    """14.6.1: by the winding in the window. Every second triangle of a strip winds the other way
-    than its numbers above, and every one of a fan."""
+    """14.6.1: by the winding in the window. The numbers above have the opposite winding for every
+    second triangle of a strip, and for every one of a fan."""
     turned = {"triangle_fan": 1, "triangle_strip": numbers[0] % 2}.get(draw["primitive"], 0)
     return ((area > 0) != turned) == (draw.get("front_face", "ccw") == "ccw")
 
 
 def window(vertex, viewport):
-    """13.8.1: x, y and depth (-1 to 1) after the division by w, and w. Clip coordinates are taken
-    rather than the position, which is only the nearest multiple of 2^-16 to their quotients."""
+    """13.8.1: x, y and depth (-1 to 1) after the division by w, and w. Clip coordinates are used
+    instead of the position, which only has the multiples of 2^-16 nearest to their quotients."""
     if "clip" not in vertex:
         return [Fraction(n) for n in (*vertex["position"], vertex.get("w", 1))]
     x, y, z, w = map(Fraction, vertex["clip"])
@@ -151,7 +151,7 @@ def perspective(weights, corners):
     return [part / sum(parts) for part in parts], sum(parts)
 
 
-# 8.14.2: the texel i of n in a row that stands at a coordinate; none where the border does.
+# 8.14.2: the index of the texel for index i in a row of n texels; none for the border.
 WRAPS = {"repeat": lambda i, n: i % n,
          "mirrored-repeat": lambda i, n: min(i % (2 * n), 2 * n - 1 - i % (2 * n)),
          "clamp-to-edge": lambda i, n: min(max(i, 0), n - 1),
@@ -159,8 +159,8 @@ WRAPS = {"repeat": lambda i, n: i % n,
 
 
 def nearest(texture, use, coordinates):
-    """8.14.2: the colour of the texel that these coordinates lie in, a border's clamped where the
-    format is fixed-point. A texture of one dimension has one row, wherever t is."""
+    """8.14.2: the colour of the texel at these coordinates; a border's is clamped if the format is
+    fixed-point. A one-dimensional texture has one row, whatever t is."""
     level, most = texture["levels"][use["base_level"]], {"rgba8": 255}.get(texture["format"])
     sizes = [level["width"], level["height"]]
     i, j = (WRAPS[wrap](math.floor(c * n), n)
@@ -182,7 +182,7 @@ def common(boxes):
 
 
 def sample_positions(target):
-    """Within a pixel; of one sample the centre."""
+    """Positions within a pixel; a single sample is at the centre."""
     if "sample_positions" in target:
         return [[Fraction(n) for n in at] for at in target["sample_positions"]]
     pattern = PATTERNS[min(n for n in PATTERNS if n >= target["samples"])]
@@ -190,8 +190,8 @@ def sample_positions(target):
 
 
 def invocations(use, mask, positions):
-    """14.3.1.1: the fragments of a pixel. Of each, the samples that it stands for, and where in the
-    pixel its attributes are evaluated, which is open in part, and its gl_FragCoord."""
+    """14.3.1.1: the fragments of a pixel: for each the samples that it stands for, where in the
+    pixel its attributes are evaluated, which is partly left open, and its gl_FragCoord."""
     covered = [s for s in range(len(positions)) if mask >> s & 1]
     share = Fraction(use.get("min_sample_shading", 0))
     if use["location"] == "sample" or share * len(positions) > 1:
@@ -201,23 +201,23 @@ def invocations(use, mask, positions):
 
 
 def kept(alpha, samples):
-    """17.3.1, alpha to coverage: a mask with as many samples as alpha says; which, is open."""
+    """17.3.1, alpha to coverage: alpha gives the number of samples; OpenGL leaves open which."""
     return (1 << math.floor(min(max(alpha, 0), 1) * samples + HALF)) - 1
 
 
 def resolved(values):
-    """18.3.1: one 8-bit value of a pixel's samples. round() takes the even one of two."""
+    """18.3.1: one 8-bit value from a pixel's samples. round() sends ties to even."""
     return round(Fraction(sum(values), len(values)))
 
 
 class Drawn:
-    """One primitive: which samples it covers, and what it has anywhere in the window."""
+    """One primitive: the samples that it covers, and its values anywhere in the window."""
 
     def __init__(self, scene, draw, numbers):
         vertices = [draw["vertices"][n] for n in numbers]
         self.scene, self.draw, self.vertices = scene, draw, vertices
         self.clipped = None
-        self.corners = []  # none: nothing is seen of it
+        self.corners = []  # empty: nothing of it is visible
         key = "texture_coordinates" if "texture" in draw else "color"
         self.values = [[Fraction(n) for n in v[key]] for v in vertices]
         if not any(map(is_outside, vertices)):
@@ -241,7 +241,7 @@ class Drawn:
                 scene["target"].get("depth"))
 
     def cut(self, ends):
-        """13.7.1: of a line, the ends become those of what is seen."""
+        """13.7.1: replaces the ends of a line by those of its visible part."""
         if ends is None:
             return
         self.corners = [window({"clip": clip}, self.scene["viewport"]) for _, clip in ends]
@@ -260,7 +260,7 @@ class Drawn:
         return front_facing(self.draw, numbers, area)
 
     def pixels(self):
-        """Those in which it may cover something. Of a point outside the clip volume: none."""
+        """The pixels that it may cover; none for a point outside the clip volume."""
         if not self.corners:
             return []
         if len(self.corners) == 3 and self.face in self.draw.get("cull", "none").split("_and_"):
@@ -269,8 +269,8 @@ class Drawn:
         left, bottom, wide, high = viewport = self.scene["viewport"]
         target = [0, 0, width, height]
         boxes = [target, self.draw.get("scissor", target)]
-        # 13.7: triangles are cut at the viewport. Of lines and points only vertices are clipped:
-        # what is wider may reach beyond.
+        # 13.7: triangles are cut at the viewport. For lines and points only vertices are clipped,
+        # so wide ones may extend beyond it.
         if len(self.corners) == 3:
             return common([*boxes, viewport])
         if len(self.corners) == 2:
@@ -281,7 +281,7 @@ class Drawn:
         return common(boxes)
 
     def fragments(self, x, y, positions):
-        """Of a pixel, as invocations() has them. 14.3.1: without multisampling, its centre's."""
+        """A pixel's fragments, as from invocations(). 14.3.1: without samples, at its centre."""
         if self.use is None:
             return [(1, CENTRE, CENTRE)] if self.covers((x + HALF, y + HALF)) else []
         mask = sum(1 << s for s, at in enumerate(positions)
@@ -351,7 +351,7 @@ def render(scene):
                     fragments[-1]["texture_coordinates"] = [float(n) for n in values]
                 for s in drawn.written(mask, color, len(positions)):
                     within = positions[s] if drawn.use else CENTRE
-                    if kind:  # of each sample its own, even where they share a fragment
+                    if kind:  # each sample has its own depth, even in a shared fragment
                         depth, _ = drawn.depth_at((x + within[0], y + within[1]))
                         depth = stored(depth, kind)
                     buffers.meet(s * area + y * width + x, drawn, color, depth)
@@ -377,8 +377,8 @@ def answer(scene):
         return {"not_run": "this example has no such depth buffer"}
     if scene["target"].get("stencil") not in (None, "stencil8"):
         return {"not_run": "this example has no such stencil buffer"}
-    # 14.6.5: where depths are floats, an offset's unit is that of the deepest place of a primitive,
-    # and of one that is clipped that need not be a vertex.
+    # 14.6.5: for float depths, an offset's unit depends on the deepest point of a primitive, which
+    # need not be a vertex if the primitive is clipped.
     if any("polygon_offset" in draw and any(map(is_outside, draw["vertices"]))
            for draw in scene["draws"]):
         return {"not_run": "this example offsets no depths of clipped triangles"}

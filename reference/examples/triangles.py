@@ -8,7 +8,7 @@ viewport draws primitive interpolation provoking_vertex line_width point_size ve
 """.split())
 
 
-def side(a, b, p):  # above 0 where p lies to the left of a -> b
+def side(a, b, p):  # above 0 if p lies to the left of a -> b
     (ax, ay), (bx, by), (px, py) = ([round(65536 * n) for n in q[:2]] for q in (a, b, p))
     return (bx - ax) * (py - ay) - (by - ay) * (px - ax)
 

@@ -31,10 +31,10 @@ void read_text_into(const ObjectReader& object, const char* name, TextLimits lim
     value = read_text(*place, name, limits, findings).value_or("");
 }
 
-// An array of strings without repetition; `check` looks at each of them.
+// Reads an array of distinct strings; `check` is called for each of them.
 template <class Check>
-std::vector<std::string> read_words(const Place& place, const char* what, Findings& findings,
-                                    const Check& check) {
+std::vector<std::string> read_strings(const Place& place, const char* what, Findings& findings,
+                                      const Check& check) {
   std::vector<std::string> words;
   if (!expect_kind(place, JsonKind::array, what, findings)) return words;
   for (std::size_t i = 0; i < place.node->children.size(); ++i) {
@@ -54,7 +54,7 @@ std::vector<std::string> read_rules(const Place& place, std::span<const std::str
                                     Findings& findings) {
   if (place.node->kind == JsonKind::array && place.node->children.empty())
     findings.add(place, "a case names no rule", "name the rule that the case is about");
-  return read_words(place, "rules", findings, [&](const Place& item, const std::string& word) {
+  return read_strings(place, "rules", findings, [&](const Place& item, const std::string& word) {
     if (!is_rule_id(word)) {
       findings.add(item, fmt::format("{} is no rule's id", quote(word)),
                    "write an id like line.diamond-exit; `edgecase rules` lists them");
@@ -66,7 +66,7 @@ std::vector<std::string> read_rules(const Place& place, std::span<const std::str
 }
 
 std::vector<std::string> read_tags(const Place& place, Findings& findings) {
-  return read_words(place, "tags", findings, [&](const Place& item, const std::string& word) {
+  return read_strings(place, "tags", findings, [&](const Place& item, const std::string& word) {
     if (!is_word(word, true))
       findings.add(item, fmt::format("{} is no tag", quote(word)),
                    "use lower-case letters, digits and dashes");
@@ -89,8 +89,8 @@ void read_origin(const Place& place, Findings& findings, std::string& origin) {
                  "write a link that starts with https:// or http://");
 }
 
-void read_words_of_case(const ObjectReader& object, std::span<const std::string> known_rules,
-                        Findings& findings, Case& result) {
+void read_case_texts(const ObjectReader& object, std::span<const std::string> known_rules,
+                     Findings& findings, Case& result) {
   std::string schema;
   read_text_into(object, "$schema", {}, findings, schema);
   read_text_into(object, "title", kWordLimits, findings, result.title);
@@ -107,7 +107,7 @@ Details read_details(const Place& place, Findings& findings) {
   for_each_plain_field<Details>(
       [&](const auto& field) { names.allowed.push_back(field.case_key); });
   const std::vector<std::string> given =
-      read_words(place, "details", findings, [&](const Place& item, const std::string&) {
+      read_strings(place, "details", findings, [&](const Place& item, const std::string&) {
         read_choice(item, "a detail", names, findings);
       });
   if (place.node->kind == JsonKind::array && place.node->children.empty())
@@ -120,7 +120,7 @@ Details read_details(const Place& place, Findings& findings) {
   return details;
 }
 
-// What is drawn with one sample alone so far.
+// Refuses features that are only supported with one sample per pixel so far.
 void refuse_of_several_samples(const ObjectReader& object, const CaseFields& fields,
                                Findings& findings) {
   if (fields.target.target.samples <= 1) return;
@@ -177,7 +177,7 @@ CaseFields read_case_fields(const JsonNode& root, std::span<const std::string> k
                             MeshShelf& meshes, TextureShelf& textures, Findings& findings) {
   CaseFields fields;
   const ObjectReader object({&root, ""}, "a case", kCaseKeys, findings);
-  read_words_of_case(object, known_rules, findings, fields.words);
+  read_case_texts(object, known_rules, findings, fields.words);
   if (const auto place = object.find("expect"))
     expect_kind(*place, JsonKind::array, "expect", findings);
   read_scene(object, meshes, textures, findings, fields);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads the root of a case file: the words round the scene, then what is drawn and on what.
+// Reads the root of a case file: title and other texts, then what is drawn and on what.
 #pragma once
 
 #include <optional>
@@ -16,27 +16,26 @@
 
 namespace edgecase {
 
-// Whether a name has the form of a rule's id: words of a-z, 0-9 and, after the first, '-', joined
-// by dots, two words at least: "line.diamond-exit".
+// Whether a name has the form of a rule's id: at least two words joined by dots, of a-z, 0-9 and,
+// after the first word, '-': "line.diamond-exit".
 bool is_rule_id(std::string_view name);
 
 // The keys of a case file's root.
 const Keys& case_keys();
 
-// A case as its file says it, before anything that depends on the case's id. Its places live as
-// long as the tree.
+// A case as written, before anything that depends on its id. Places live as long as the tree.
 struct CaseFields {
-  Case words;  // title to tags
+  Case words;  // from title to tags
   TargetFields target;
   Details details;
   TextureList textures;
   std::vector<DrawFields> draws;
-  std::optional<Place> draws_place;  // none: the file has no draws
+  std::optional<Place> draws_place;  // nothing if the file has no draws
 };
 
-// Reads a tree. What is wrong is added to `findings`, and the result is then incomplete. Of
-// "sweep", "variants" and "expect" only their presence is looked at.
-// Where the file counts y downwards, the result no longer does.
+// Reads a tree. Faults are added to `findings`, and the result is then incomplete. For "sweep",
+// "variants" and "expect" only their presence is checked. If the file counts y downwards, the
+// result is already converted.
 CaseFields read_case_fields(const JsonNode& root, std::span<const std::string> known_rules,
                             MeshShelf& meshes, TextureShelf& textures, Findings& findings);
 

@@ -262,7 +262,7 @@ Pieces expectation_schemas() {
                                        named("name", schema_number(kNameLimits.most))});
 }
 
-// In the order of what uses them.
+// In the order of their users.
 Pieces definitions() {
   Pieces all;
   for (Pieces part :

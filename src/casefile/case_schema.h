@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The JSON schema of case files, by which editors help and check (draft 2020-12): the parts of all
-// nouns, each made beside its reader, and the root round them.
+// The JSON schema of case files, for editors to help and check (draft 2020-12): the parts of all
+// nouns, each made beside its reader, within the root.
 #pragma once
 
 #include <string>

@@ -15,7 +15,7 @@
 #include "casefile/scene/plain_fields.h"
 #include "casefile/scene/textures.h"
 #include "casefile/scene/viewport.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 
 namespace edgecase {
 
@@ -42,7 +42,7 @@ JsonPiece positions_piece(const SamplePositions& positions) {
   return json_array(std::move(items));
 }
 
-// The passes one by one, whichever pattern and kernel they came from.
+// The passes one by one, whatever pattern and kernel made them.
 JsonPiece passes_piece(const Supersampling& passes) {
   Pieces samples;
   Pieces weights;
@@ -71,7 +71,7 @@ JsonPiece target_piece(const Scene& scene) {
   if (target.depth != standard.depth) members.push_back(named("depth", plain_piece(target.depth)));
   if (target.stencil != standard.stencil)
     members.push_back(named("stencil", plain_piece(target.stencil)));
-  // Width and height stand in front whatever they are.
+  // Width and height are always written, and come first.
   Target others = standard;
   others.width = target.width;
   others.height = target.height;
@@ -95,10 +95,10 @@ JsonPiece clip_piece(const ClipPosition& clip) {
   return exact_list(std::array{clip.x, clip.y, clip.z, clip.w});
 }
 
-// What a draw's vertices are given beside their places.
+// What a draw's vertices have besides their positions.
 struct VertexParts {
   bool color = false;
-  int texture_coordinates = 0;  // 1 or 2 where the draw is textured
+  int texture_coordinates = 0;  // 1 or 2 if the draw is textured
 };
 
 JsonPiece vertex_piece(const Vertex& vertex, VertexParts parts) {
@@ -112,7 +112,7 @@ JsonPiece vertex_piece(const Vertex& vertex, VertexParts parts) {
   return json_object(std::move(members));
 }
 
-// Of the texture that a draw looks up; 0: it looks up none.
+// The dimensions of the texture that a draw looks up; 0 if there is none.
 int dimensions_of(const Draw& draw, const Scene& scene) {
   return draw.texture ? scene.textures[draw.texture->texture]->dimensions : 0;
 }
@@ -189,7 +189,7 @@ JsonPiece case_piece(const Scene& scene, const CaseWords& words) {
   return piece;
 }
 
-// JSON holds well-formed UTF-8 alone, and the printer throws on anything else.
+// JSON must be well-formed UTF-8, and the printer throws on anything else.
 std::optional<Diagnostic> find_malformed(const CaseWords& words) {
   std::vector<std::pair<const char*, const std::string*>> all{{"/$schema", &words.schema},
                                                               {"/title", &words.title},
@@ -213,7 +213,7 @@ CaseText case_text(const Scene& scene, const CaseWords& words) {
     return result;
   }
   std::string text = lay_out(case_piece(scene, words));
-  // The loader decides what a case file can say. Its id matters only for colours left open.
+  // The loader decides what a case file can express. The id only matters for unspecified colours.
   LoadedCases read = load_cases_text(text, "", "written");
   result.diagnostics = std::move(read.diagnostics);
   if (!result.diagnostics.empty()) return result;

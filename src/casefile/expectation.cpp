@@ -163,13 +163,13 @@ namespace {
 
 const Keys kExpectKeys{{}, {"policy", "when", "coverage", "coverage_file", "masks"}, {"values"}};
 
-// One row of a drawing and the place that messages about it name.
+// One row of a drawing and its place for messages.
 struct Row {
   std::string text;
   Place place;
 };
 
-// Hits that a character of a drawing stands for, or -1.
+// The number of hits for a character of a drawing, or -1.
 int hits_of(char c) {
   if (c == '.') return 0;
   if (c == '#') return 1;
@@ -192,7 +192,7 @@ void check_row(const Row& row, const std::string& name, const Target& target, Fi
                  fmt::format("draw {} characters", target.width));
 }
 
-// Turns rows, top first, into hits, bottom first. Rows of a file are named by their number.
+// Converts rows, top first, to hits, bottom first. Rows of a file are named by their number.
 std::vector<int> rows_to_hits(const std::vector<Row>& rows, const Place& drawing,
                               const Target& target, Findings& findings) {
   if (target.height > 0 && rows.size() != static_cast<std::size_t>(target.height))
@@ -221,7 +221,7 @@ std::vector<Row> rows_of_array(const Place& place, Findings& findings) {
   return rows;
 }
 
-// The path of the drawing's file, when it lies inside the case's folder.
+// The path of the drawing's file, if it lies inside the case's folder.
 std::optional<std::filesystem::path> resolve(const Place& place,
                                              const std::filesystem::path& folder,
                                              Findings& findings) {
@@ -254,7 +254,7 @@ void read_drawing_file(const Place& place, const Target& target,
   if (!expect_kind(place, JsonKind::string, "coverage_file", findings)) return;
   const auto path = resolve(place, folder, findings);
   if (!path) return;
-  // Every row may end in two characters; a little more tells a file that is too long.
+  // A row may end in two characters; a little more suffices to detect a file that is too long.
   constexpr std::size_t kMaxDrawingBytes = (std::size_t{4096} + 2) * 4096 + 2;
   const TextFile file = read_text_file(*path, kMaxDrawingBytes);
   if (!file.text) {
@@ -264,8 +264,8 @@ void read_drawing_file(const Place& place, const Target& target,
   expect.coverage = rows_to_hits(rows_of_text(*file.text, place), place, target, findings);
 }
 
-// The one drawing that an expectation must have, as fits the target's samples; none, and a finding,
-// where there is no such.
+// The single drawing of an expectation, in the form that the target's samples need. Otherwise
+// nothing, and a finding.
 std::optional<Place> find_drawing(const Place& place, const ObjectReader& object, int samples,
                                   Findings& findings) {
   std::optional<Place> drawing;

@@ -28,17 +28,18 @@ std::string text_of(const ObjectReader& object, const char* key, const std::stri
   return place ? read_text(*place, what, limits, findings).value_or("") : "";
 }
 
-std::map<std::string, std::string> read_words(const Place& place, std::span<const KnownRule> known,
-                                              Findings& findings) {
-  std::map<std::string, std::string> words;
-  if (!expect_kind(place, JsonKind::object, "words on rules", findings)) return words;
+std::map<std::string, std::string> read_explanations(const Place& place,
+                                                     std::span<const KnownRule> known,
+                                                     Findings& findings) {
+  std::map<std::string, std::string> explanations;
+  if (!expect_kind(place, JsonKind::object, "explanations of rules", findings)) return explanations;
   for (std::size_t i = 0; i < place.node->children.size(); ++i) {
     const Place item = place.child(i);
-    const auto text = read_text(item, "what is said of a rule", kWords, findings);
+    const auto text = read_text(item, "the explanation of a rule", kWords, findings);
     if (check_rule_id(item, known, findings) && text && !item.node->duplicate)
-      words[item.node->name] = *text;
+      explanations[item.node->name] = *text;
   }
-  return words;
+  return explanations;
 }
 
 std::vector<std::string> read_sources(const Place& place, Findings& findings) {
@@ -86,9 +87,9 @@ Gallery read_gallery(const JsonNode& root, std::span<const KnownRule> known, Fin
   gallery.policy = text_of(object, "policy", "a policy's name", kNameLimits, findings);
   if (const auto place = object.find("sources")) gallery.sources = read_sources(*place, findings);
   if (const auto place = object.find("choices"))
-    gallery.choices = read_words(*place, known, findings);
+    gallery.choices = read_explanations(*place, known, findings);
   if (const auto place = object.find("not_shown"))
-    gallery.not_shown = read_words(*place, known, findings);
+    gallery.not_shown = read_explanations(*place, known, findings);
   if (const auto place = object.find("pictures"))
     gallery.pictures = read_pictures(*place, known, findings);
   return gallery;

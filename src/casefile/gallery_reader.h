@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Loads a gallery: which cases show a policy, and the words beside their pictures.
+// Loads a gallery: the cases that present a policy, and the text beside their pictures.
 //
 //   {"title": "My course", "about": "A rasterizer of half planes.", "policy": "mine",
 //    "sources": ["https://example.org/"],
@@ -9,10 +9,10 @@
 //    "pictures": [{"case": "triangles/ties/flat-top", "heading": "Edges through centres",
 //                  "text": "Both rows are drawn.", "rules": {"triangle.fill-rule": "open"}}]}
 //
-// `title`, `policy` and `pictures` are required, and of a picture `case` and `heading`; "$schema"
-// is allowed. A picture's `rules` are what it alone has otherwise than the policy. Faults are
-// collected as for cases. What rules exist is the caller's knowledge; whether there are such cases
-// and such a policy is not looked at.
+// `title`, `policy` and `pictures` are required, and so are `case` and `heading` of a picture;
+// "$schema" is allowed. A picture's `rules` are its own deviations from the policy. Faults are
+// collected as for cases. The caller provides the known rules; whether cases and policy exist is
+// not checked.
 #pragma once
 
 #include <filesystem>
@@ -27,11 +27,11 @@
 namespace edgecase {
 
 struct LoadedGallery {
-  std::optional<Gallery> value;  // set exactly when there are no diagnostics
+  std::optional<Gallery> value;  // set exactly if there are no diagnostics
   std::vector<Diagnostic> diagnostics;
 };
 
-// `known`: every rule that may be named, with its alternatives; empty: not checked.
+// `known`: all permitted rules with their alternatives; empty: not checked.
 LoadedGallery load_gallery(const std::filesystem::path& file, std::span<const KnownRule> known);
 
 LoadedGallery load_gallery_text(const std::string& text, const std::filesystem::path& file,

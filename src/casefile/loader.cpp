@@ -28,14 +28,14 @@
 namespace edgecase {
 namespace {
 
-// Gathers the faults of all cases of one file, so that a person reads each of them once.
+// Collects the faults of all cases of one file, so that each is reported once.
 //
-// A fault that every combination of a sweep has is one of the file, and told as such; any other
-// says which values of the axes or which image lead to it, and how many more cases have it.
+// A fault of every combination of a sweep is one of the file. Any other fault is reported with the
+// values of the axes, or the image, of its first case and the number of others.
 
 class FaultSheet {
  public:
-  // Adds what was found in one combination; `label` names it: "dx=0.5, dy=1".
+  // Adds the findings of one combination; `label` names it: "dx=0.5, dy=1".
   void add(std::vector<Diagnostic> faults, const std::string& label) { add(faults, label, false); }
   // The same for an image of a combination: "dx=0.5, dy=1, octant=3".
   void add_of_image(std::vector<Diagnostic> faults, const std::string& label) {
@@ -43,10 +43,10 @@ class FaultSheet {
   }
 
   bool empty() const { return entries_.empty(); }
-  // Enough faults that reading more cases helps nobody.
+  // Whether there are enough faults that reading more cases would not help.
   bool full() const { return entries_.size() >= kMost; }
 
-  // Hands all faults over; `combinations`: how many were read.
+  // Hands over all faults; `combinations` is the number that were read.
   void move_to(Findings& findings, std::size_t combinations);
 
  private:
@@ -55,12 +55,12 @@ class FaultSheet {
 
   struct Entry {
     Diagnostic fault;
-    std::string label;      // of the first case
-    bool image = false;     // of an image
-    std::size_t count = 0;  // of cases
+    std::string label;      // of its first case
+    bool image = false;     // whether the first case is an image
+    std::size_t count = 0;  // the number of its cases
   };
   std::vector<Entry> entries_;
-  std::map<std::string, std::size_t> index_;  // text of a fault -> entry
+  std::map<std::string, std::size_t> index_;  // by text of the fault
 };
 
 void FaultSheet::add(std::vector<Diagnostic>& faults, const std::string& label, bool image) {
@@ -86,14 +86,14 @@ void FaultSheet::move_to(Findings& findings, std::size_t combinations) {
 
 // From one file to its cases: every combination of its sweep, and every image of each.
 //
-// Each combination is put into the tree of the file and read by the ordinary reader, so that an
-// expanded case gets every check that a written one gets; images are made of what was read.
+// Each combination is substituted into the tree of the file and read by the ordinary reader, so
+// that an expanded case gets the same checks as a written one. Images are made from what was read.
 //
 // Ids: PATH for a file without sweep and variants. Otherwise PATH, then ":AXIS=VALUE" for every
 // axis in the order of the file, then ":reverse", ":winding", ":octant=1" to ":octant=7" or
-// ":translate=3,2" for an image. Colours that the file leaves open are salted by that id.
+// ":translate=3,2" for an image. Unspecified colours are derived from that id.
 
-// A file's cases times its bytes: what a hostile sweep may cost.
+// The product of a file's cases and its size in bytes, which limits the cost of a hostile sweep.
 constexpr std::size_t kMaxExpandedBytes = std::size_t{64} << 20;
 
 struct CaseOrigin {
@@ -110,7 +110,7 @@ std::optional<Place> member_of(const JsonNode& root, std::string_view name) {
   return std::nullopt;
 }
 
-// What a file says about the cases it stands for.
+// The cases that a file stands for.
 struct Plan {
   Sweep sweep;
   Variants variants{{}, {Image{}}};
@@ -122,7 +122,7 @@ Plan read_plan(const JsonNode& root, Findings& findings) {
   if (const auto place = member_of(root, "sweep")) plan.sweep = read_sweep(*place, findings);
   if (const auto place = member_of(root, "variants"))
     plan.variants = read_variants(*place, findings);
-  if (!findings.empty()) return plan;  // conditions on faulty axes would be refused in vain
+  if (!findings.empty()) return plan;  // conditions on faulty axes would only add misleading faults
   if (const auto place = member_of(root, "expect"))
     plan.conditions = read_conditions(*place, plan.sweep, plan.variants, findings);
   return plan;
@@ -146,7 +146,7 @@ void check_size(const Plan& plan, const JsonNode& root, std::size_t bytes, Findi
   }
 }
 
-// The tree without what the plan and the drawings have read: it is copied for every combination.
+// The tree, which is copied for every combination, without the lists that were read already.
 JsonNode without_lists(const JsonNode& root) {
   JsonNode result = root;
   for (JsonNode& member : result.children)
@@ -155,7 +155,7 @@ JsonNode without_lists(const JsonNode& root) {
   return result;
 }
 
-// A mask says which samples are covered, not by which of several primitives.
+// A mask shows covered samples, but not by which of several primitives.
 void check_primitives(const Place& drawing, std::size_t count, Findings& findings) {
   if (count != 1)
     findings.add(drawing,
@@ -175,7 +175,7 @@ class Expansion {
         textures_(origin.file) {}
 
   std::vector<Case> run();
-  // Reads the file as it stands, for its other faults: its sweep cannot be used.
+  // Reads the file as written, to find other faults although its sweep is unusable.
   void read_as_written();
 
  private:
@@ -187,15 +187,15 @@ class Expansion {
   void check_conditions();
 
   const JsonNode& root_;
-  const JsonNode scene_;  // the tree into which combinations are put
+  const JsonNode scene_;  // the tree into which combinations are substituted
   const CaseOrigin& origin_;
   Plan plan_;
   Findings& findings_;
   MeshShelf meshes_;
   TextureShelf textures_;
   FaultSheet sheet_;
-  std::set<std::string> notes_;  // told already
-  std::set<std::size_t> used_;   // drawings that hold for some case
+  std::set<std::string> notes_;  // already reported
+  std::set<std::size_t> used_;   // drawings that apply to some case
   std::vector<Case> cases_;
 };
 
@@ -274,7 +274,7 @@ Case Expansion::make_case(const CaseFields& fields, const Combination& combinati
   result.scene.details = fields.details;
   result.scene.textures = fields.textures;
   if (findings.empty()) check_pass_work(result.scene, target, findings);
-  // Of a faulty scene nothing can be said of its primitives.
+  // The primitives of a faulty scene are unknown.
   const bool sound = findings.empty();
   for (std::size_t i = 0; sound && i < drawings.size(); ++i)
     if (!result.expect[i].masks.empty())
@@ -294,9 +294,9 @@ void Expansion::check_conditions() {
                     "name values that occur together");
 }
 
-// All cases of a file: combinations in the order of the sweep, the last axis running fastest, each
-// followed by its images. A fault that not every combination has names the axes' values; the same
-// fault of several is told once. Incomplete when there are findings.
+// All cases of a file: combinations in the order of the sweep, the last axis fastest, each followed
+// by its images. Faults are reported once, with the axes' values unless every combination has them.
+// The result is incomplete if there are findings.
 std::vector<Case> expand_cases(const JsonNode& root, const CaseOrigin& origin, Findings& findings) {
   Findings of_plan(findings.file());
   Plan plan = read_plan(root, of_plan);
@@ -310,7 +310,7 @@ std::vector<Case> expand_cases(const JsonNode& root, const CaseOrigin& origin, F
   return {};
 }
 
-// Faults that are listed; more help nobody.
+// The number of faults listed; more would not help.
 constexpr std::size_t kMostFaults = 1000;
 
 void shorten(std::vector<Diagnostic>& faults) {

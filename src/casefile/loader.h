@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Loads a case file: JSON to Cases whose Scenes are complete, or all that is wrong with the file.
+// Loads a case file: JSON to Cases with complete Scenes, or all faults of the file.
 //
-// A file stands for one case, or, with "sweep" and "variants", for several: all
-// combinations of the sweep, and all images of each.
+// A file stands for one case or, with "sweep" and "variants", for all combinations of the sweep and
+// all images of each.
 //
-// Defaults: state is flat interpolation with the last vertex provoking; the target has one sample,
-// format rgba8 and is a framebuffer object; the viewport is chosen so that OpenGL receives exact
-// coordinates (casefile/scene/viewport.h); colours that the file leaves open are salted by the
-// case's id, so that no two cases share their right answer (salted_clear and salted_primitive
-// of casefile/scene/scene_reader.h).
+// Defaults: flat interpolation with the last vertex provoking; a target with one sample and format
+// rgba8 that is a framebuffer object; a viewport that lets OpenGL receive exact coordinates
+// (casefile/scene/viewport.h); colours derived from the case's id, so that no two cases share their
+// right answer (salted_clear and salted_primitive of casefile/scene/scene_reader.h).
 #pragma once
 
 #include <filesystem>
@@ -22,18 +21,18 @@
 namespace edgecase {
 
 struct LoadedCases {
-  std::vector<Case> cases;              // empty exactly when there are diagnostics
-  std::vector<Diagnostic> diagnostics;  // all faults of the file, in the order of their lines
-  std::vector<Diagnostic> notes;        // no faults: which numbers "~" numerals were taken as
+  std::vector<Case> cases;              // empty exactly if there are diagnostics
+  std::vector<Diagnostic> diagnostics;  // all faults of the file, in order of lines
+  std::vector<Diagnostic> notes;  // no faults, but the numbers as which "~" numerals were read
 };
 
-// Reads and checks a file. `id` is the file's id (see casefile/suite.h), with which those of its
-// cases begin. `known_rules`: ids that
-// "rules" may name; empty: any. Never throws for what the file holds.
+// Reads and checks a file. `id` is the file's id (see casefile/suite.h), with which the ids of its
+// cases begin. `known_rules`: ids that "rules" may name; empty: any. Never throws because of the
+// file's content.
 LoadedCases load_cases(const std::filesystem::path& file, const std::string& id,
                        std::span<const std::string> known_rules = {});
 
-// The same for a text; `file` names it in messages, and its folder is where coverage files lie.
+// The same for a text; `file` names it in messages, and coverage files lie in its folder.
 LoadedCases load_cases_text(const std::string& text, const std::filesystem::path& file,
                             const std::string& id, std::span<const std::string> known_rules = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads objects whose keys are rules: choices of alternatives, and words on rules.
+// Reads objects whose keys are rules: choices of alternatives, and explanations of rules.
 #pragma once
 
 #include <filesystem>
@@ -21,28 +21,28 @@ struct KnownRule {
   std::string title = {};  // what the rule says, for people
 };
 
-// Whether a member's key is the id of a rule, of a known one where any are; adds a finding
-// otherwise.
+// Returns true if a member's key is the id of a rule, and of a known one unless `known` is empty;
+// otherwise adds a finding.
 bool check_rule_id(const Place& place, std::span<const KnownRule> known, Findings& findings);
 
-// {"RULE": "ALTERNATIVE", ...}. `known`: every rule that may be named, with its alternatives;
-// empty: not checked.
+// {"RULE": "ALTERNATIVE", ...}. `known`: all permitted rules with their alternatives; empty: not
+// checked.
 Choices read_choices(const Place& place, std::span<const KnownRule> known, Findings& findings);
 
-// Loads a policy file: a choice of alternative for rules, over all and per kind of surface.
+// Loads a policy file: alternatives of rules, in general and per kind of surface.
 //
 //   {"name": "mine", "latitude": "none", "rules": {"triangle.fill-rule": "left-bottom"},
 //    "surfaces": {"fbo": {"line.snap": "none"}}}
 //
-// `name` is required; latitude is "opengl" if not said; "$schema" and "why" (a string for people)
-// are allowed too. Faults are collected as for cases. What rules and alternatives exist is the
-// caller's knowledge.
+// `name` is required; latitude is "opengl" by default; "$schema" and "why" (a string for people)
+// are allowed too. Faults are collected as for cases. The caller provides the known rules and
+// alternatives.
 struct LoadedPolicy {
-  std::optional<Policy> value;  // set exactly when there are no diagnostics
+  std::optional<Policy> value;  // set exactly if there are no diagnostics
   std::vector<Diagnostic> diagnostics;
 };
 
-// `known`: every rule that may be named, with its alternatives; empty: not checked.
+// `known`: all permitted rules with their alternatives; empty: not checked.
 LoadedPolicy load_policy(const std::filesystem::path& file, std::span<const KnownRule> known);
 
 LoadedPolicy load_policy_text(const std::string& text, const std::filesystem::path& file,

@@ -18,7 +18,7 @@ namespace {
 constexpr int kLeastTarget = 8;
 constexpr int kMostTarget = 4096;
 
-// The parts of a text between separators; none for an empty text.
+// The parts of a text between separators; none of an empty text.
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts;
   if (text.empty()) return parts;
@@ -31,13 +31,13 @@ std::vector<std::string> split(std::string_view text, char separator) {
   }
 }
 
-std::vector<std::string> words_of(std::string_view text) {
+std::vector<std::string> split_words(std::string_view text) {
   std::vector<std::string> words = split(text, ' ');
   std::erase(words, "");
   return words;
 }
 
-// A number where JSON takes it for one, "10.5", else a string, "21/2".
+// A number if JSON accepts it as one, such as 10.5; otherwise a string, such as "21/2".
 JsonPiece numeral_piece(const std::string& numeral) {
   const bool is_number =
       !numeral.empty() &&
@@ -75,7 +75,7 @@ JsonNode string_node(std::string text, int line) {
   return node;
 }
 
-// Inside an object or array that opens on `line`, its children on lines of their own.
+// An object or array that opens on `line`, with each child on a line of its own.
 JsonNode parent_node(JsonKind kind, std::string name, int line, std::vector<JsonNode> children) {
   JsonNode node;
   node.kind = kind;
@@ -95,7 +95,7 @@ JsonNode* member(const char* name, JsonNode& node) {
   return found == node.children.end() ? nullptr : &*found;
 }
 
-// A vertex that says nothing but its place is written as that.
+// A vertex with nothing but its position is written as just that.
 void drop_color_of_vertex(JsonNode& vertex) {
   if (vertex.kind != JsonKind::object) return;
   drop("color", vertex);
@@ -109,7 +109,7 @@ void drop_color_of_vertex(JsonNode& vertex) {
 }  // namespace
 
 std::variant<ScaffoldDraw, std::string> parse_scaffold_draw(std::string_view text) {
-  const std::vector<std::string> words = words_of(text);
+  const std::vector<std::string> words = split_words(text);
   if (words.size() < 2)
     return fmt::format(
         "\"{}\" is no draw; write a primitive and its vertices, like "
@@ -156,7 +156,7 @@ std::string scaffold_text(const Scaffold& scaffold) {
 
 std::string with_drawing(const std::string& text, const std::vector<std::string>& rows) {
   JsonDocument document = parse_json(text, "");
-  // Lines tell the layout what is broken; only their order counts.
+  // The layout breaks lines by the nodes' line numbers, of which only the order matters.
   const int line = static_cast<int>(std::ranges::count(text, '\n')) + 1;
   std::vector<JsonNode> drawing;
   for (std::size_t row = 0; row < rows.size(); ++row)

@@ -26,7 +26,7 @@ bool is_skipped(const fs::path& folder) {
   return name.starts_with('.');
 }
 
-// The nearest of `folder` and the folders above it that is named "cases", else `folder`.
+// `folder` or the nearest folder above it that is named "cases"; otherwise `folder`.
 fs::path root_of(const fs::path& folder) {
   for (fs::path at = folder; at.has_relative_path(); at = at.parent_path())
     if (at.filename() == "cases") return at;
@@ -36,7 +36,7 @@ fs::path root_of(const fs::path& folder) {
 fs::path normal(const fs::path& path) {
   std::error_code error;
   fs::path result = fs::absolute(path, error).lexically_normal();
-  // "folder/" and "folder/." both end in an empty name.
+  // Both "folder/" and "folder/." end in an empty name.
   if (!result.has_filename()) result = result.parent_path();
   return result;
 }

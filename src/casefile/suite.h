@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The suite: which case files some paths mean, and what their ids are.
+// The suite: the case files that paths refer to, and their ids.
 //
-// An id must not depend on how a case was reached, since known name it and colours are
-// salted with it. So it is counted from the nearest folder named "cases" above the file (or that is
-// the given folder itself); only where there is none, from the given folder, or, for a single file,
-// from the file's own folder.
+// An id must not depend on how a case was reached, since known faults refer to it and colours are
+// derived from it. So it is relative to the nearest folder named "cases" at or above the file's
+// folder. Only if there is none, it is relative to the given folder or, for a single file, to the
+// file's own folder.
 #pragma once
 
 #include <filesystem>
@@ -24,12 +24,12 @@ struct CaseFile {
 
 struct FoundCases {
   std::vector<CaseFile> cases;          // sorted by id, each file once
-  std::vector<Diagnostic> diagnostics;  // paths that are missing or cannot be read, equal ids
+  std::vector<Diagnostic> diagnostics;  // missing or unreadable paths, equal ids
 };
 
 // Expands files and folders. Folders are searched to any depth, without following links to folders,
-// for *.json except *.schema.json; hidden folders and folders named "known", "policies",
-// "profiles" or "galleries" are skipped. Never throws.
+// for *.json except *.schema.json. Hidden folders and folders named "known", "policies", "profiles"
+// or "galleries" are skipped. Never throws.
 FoundCases find_cases(std::span<const std::filesystem::path> paths);
 
 }  // namespace edgecase

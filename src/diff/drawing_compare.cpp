@@ -210,7 +210,7 @@ class PassComparison {
     const std::string moved =
         shift == Point{} ? "" : fmt::format(", the scene moved by {}", format_point(shift));
     d.explanation =
-        fmt::format("{}{}: {}", words_of_pass(scene_.supersampling, k), moved, d.explanation);
+        fmt::format("{}{}: {}", text_of_pass(scene_.supersampling, k), moved, d.explanation);
     const auto [dx, dy] = position_of(shift);
     for (Mark& mark : d.figure.marks) {
       for (auto& [x, y] : mark.points) {

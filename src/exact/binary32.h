@@ -2,11 +2,11 @@
 //
 // Binary32: single-precision arithmetic of IEEE 754, computed in integers.
 //
-// Some rasterizers decide coverage in single precision. To say that a renderer does what such an
-// algorithm does, the algorithm's roundings must be followed to the bit, on every machine and with
-// every compiler; so they are computed here rather than by the processor. Results are rounded to
-// nearest, ties to even. The exponent is not bounded: coordinates of a window and their quotients
-// come nowhere near overflow, and what would be subnormal keeps all its bits.
+// Some rasterizers decide coverage in single precision. To show that a renderer follows such an
+// algorithm, its roundings must be reproduced to the bit on every machine and with every compiler,
+// so they are computed here instead of by the processor. Results are rounded to nearest, ties to
+// even. The exponent is unbounded: window coordinates and their quotients come nowhere near
+// overflow, and numbers that would be subnormal keep all their bits.
 #pragma once
 
 #include <bit>
@@ -28,7 +28,7 @@ class Binary32 {
   }
 
   friend constexpr Binary32 operator+(Binary32 a, Binary32 b) {
-    // A number too small to reach the last bit counts as its sign, far below that bit.
+    // A number too small to reach the last bit is replaced by its sign, far below that bit.
     if (a.is_zero()) return b;
     if (b.is_zero()) return a;
     if (a.exponent_ < b.exponent_) return b + a;
@@ -49,7 +49,7 @@ class Binary32 {
   }
   // b must not be zero.
   friend constexpr Binary32 operator/(Binary32 a, Binary32 b) {
-    // Two bits more than needed, and a last one that says whether anything is left.
+    // Two bits more than needed, and a last one that is set if there is a remainder.
     constexpr int kShift = 2 * kPrecision + 2;
     const Int128 dividend = static_cast<Int128>(a.significand_) << kShift;
     const Int128 quotient = dividend / b.significand_;
@@ -62,8 +62,8 @@ class Binary32 {
   constexpr bool is_zero() const { return significand_ == 0; }
   constexpr bool is_negative() const { return significand_ < 0; }
 
-  // Largest integer not above the number, smallest not below it, the next one toward zero.
-  // Magnitudes below 2^62.
+  // Largest integer not above the number, smallest not below it, and the next one toward zero. The
+  // magnitude must be below 2^62.
   constexpr std::int64_t floor() const {
     if (exponent_ >= 0) return significand_ << exponent_;
     return exponent_ < -62 ? (significand_ < 0 ? -1 : 0) : significand_ >> -exponent_;
@@ -90,7 +90,7 @@ class Binary32 {
                       exponent + dropped);
   }
 
-  // One representation for each number: an odd significand, or zero.
+  // Each number has one representation: an odd significand, or zero.
   static constexpr Binary32 normalised(std::int64_t significand, int exponent) {
     Binary32 result;
     if (significand == 0) return result;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Elementary functions that answer the same on every processor.
+// Elementary functions with the same results on every processor.
 //
-// Of its functions of doubles glibc has variants with fused multiplication and without, and takes
-// one when a program starts; their last bits differ now and then. Of those of long doubles there is
-// one each. An answer is theirs, rounded to a double: off by little more than half a unit in the
-// last place.
+// For functions of doubles glibc has variants with and without fused multiplication and picks one
+// when a program starts; their last bits sometimes differ. Functions of long doubles have one
+// variant each. Results here are those, rounded to a double, and err by little more than half a
+// unit in the last place.
 //
-// Square roots, scaling by powers of two and rounding are exact or correctly rounded everywhere;
-// they need nothing of this.
+// Square roots, scaling by powers of two and rounding are exact or correctly rounded everywhere, so
+// they are not wrapped here.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ inline double sine(double radians) {
   return static_cast<double>(std::sin(static_cast<long double>(radians)));
 }
 
-// e to the power.
+// e^power.
 inline double exponential(double power) {
   return static_cast<double>(std::exp(static_cast<long double>(power)));
 }
@@ -32,12 +32,12 @@ inline double power_of_2(double power) {
   return static_cast<double>(std::exp2(static_cast<long double>(power)));
 }
 
-// Of 0 or more; of 0 it is minus infinity.
+// The base-2 logarithm of a value >= 0; minus infinity for 0.
 inline double binary_logarithm(double value) {
   return static_cast<double>(std::log2(static_cast<long double>(value)));
 }
 
-// Of 0 or more.
+// base^power, for a base >= 0.
 inline long double raised(long double base, long double power) {
   return std::pow(base, power);
 }

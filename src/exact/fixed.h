@@ -4,8 +4,8 @@
 //
 // Every coordinate of a scene is one. A window coordinate lies in [-2^13, 2^13], so its raw integer
 // lies in [-2^29, 2^29]; a difference of two fits in 31 bits, a product of two differences in 61,
-// and the cross product that decides an edge in 62. All of it is plain int64 arithmetic without
-// rounding. What leaves int64 (the rotated diamond form, squared lengths) uses Int128.
+// and the cross product that decides an edge in 62. All of this is plain int64 arithmetic without
+// rounding. Larger results (the rotated diamond form, squared lengths) use Int128.
 #pragma once
 
 #include <compare>
@@ -13,7 +13,7 @@
 
 namespace edgecase {
 
-// 128-bit integers, for the few exact decisions whose products leave 64 bits.
+// 128-bit integers, for the few exact decisions whose products exceed 64 bits.
 __extension__ using Int128 = __int128;
 
 constexpr int sign(Int128 value) {

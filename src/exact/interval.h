@@ -2,8 +2,8 @@
 //
 // Interval: a closed range of reals with double ends, rounded outwards.
 //
-// Coverage never uses it. Values do: it bounds what a formula may yield when its inputs are ranges
-// (vertices that may be snapped) and when each operation may err by a relative amount (the
+// Coverage never uses it. Values do: it bounds the result of a formula whose inputs are ranges
+// (vertices that may be snapped) and whose operations may each err by a relative amount (the
 // floating-point clause of the specification, GL 4.6 core, 2.3, "about 1 part in 10^5").
 #pragma once
 
@@ -17,14 +17,14 @@
 
 namespace edgecase {
 
-// The next double above and below a double, as std::nextafter with an infinity, in line: outward
-// rounding takes one for each end of each operation, and a call into the C library for each made
-// half of the time that judging values took.
+// The next double above and below a double, as std::nextafter with an infinity, but inline: outward
+// rounding needs one for each end of each operation, and calls into the C library took half of the
+// time of judging values.
 
 // The smallest double above; infinity stays infinity. The value must not be NaN.
 inline double next_above(double value) {
   if (value == std::numeric_limits<double>::infinity()) return value;
-  // Doubles of one sign are in the order of their bits; adding zero turns -0 into +0.
+  // Doubles of one sign are ordered like their bits; adding zero turns -0 into +0.
   const auto bits = std::bit_cast<std::int64_t>(value + 0.0);
   return std::bit_cast<double>(bits < 0 ? bits - 1 : bits + 1);
 }
@@ -42,7 +42,7 @@ struct Interval {
   constexpr Interval(double value) : low(value), high(value) {}  // NOLINT: a number is an interval
   constexpr Interval(double low_end, double high_end) : low(low_end), high(high_end) {}
 
-  // The whole line: nothing is known.
+  // The whole real line: the value is unknown.
   static constexpr Interval everything() {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return {-kInfinity, kInfinity};
@@ -54,13 +54,13 @@ struct Interval {
 };
 
 // One unit in the last place outwards covers the half unit by which the hardware may have rounded.
-// An end that is no number says that nothing is known.
+// If an end is NaN, the result is the whole line.
 inline Interval outward(double low, double high) {
   if (std::isnan(low) || std::isnan(high)) return Interval::everything();
   return {next_below(low), next_above(high)};
 }
 
-// The smallest interval outwards that holds four numbers.
+// The smallest interval, rounded outwards, that holds all four numbers.
 inline Interval outward(double a, double b, double c, double d) {
   if (std::isnan(a) || std::isnan(b) || std::isnan(c) || std::isnan(d))
     return Interval::everything();
@@ -88,7 +88,7 @@ inline Interval operator*(Interval a, Interval b) {
   return outward(a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high);
 }
 
-// Everything when b holds zero.
+// The whole line if b contains zero.
 inline Interval operator/(Interval a, Interval b) {
   if (b.contains(0)) return Interval::everything();
   return outward(a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high);
@@ -99,10 +99,10 @@ inline Interval hull(Interval a, Interval b) {
   return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 
-// Grown at each end by `relative` times the magnitude: the result of one operation that may err by
-// that much.
+// Grown at each end by `relative` times the magnitude: the result of an operation with that
+// relative error.
 inline Interval widened(Interval value, double relative) {
-  // Rounded up: where an end cancels against the margin, the margin's own error is what is left.
+  // Rounded up: if an end cancels against the margin, only the margin's own error remains.
   const double margin = next_above(value.magnitude() * relative);
   return outward(value.low - margin, value.high + margin);
 }

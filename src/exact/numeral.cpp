@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Decimals are handled as strings of digits, so that no digit that a person wrote is ever rounded
-// before it is judged. The fraction of a decimal, 0.d1d2d3..., times 2^16 is a long multiplication
-// digit by digit: what is carried out of the first digit is the whole part, what stays behind is
-// the remainder. A remainder of zero means that the number is a multiple of 2^-16; its first digit
-// against 5 finds the nearest multiple, ties included. A remainder within half a step of doubles of
-// a multiple means that the multiple is the double which the digits stand for.
+// Decimals are handled as strings of digits, so that no digit is rounded before it is judged. The
+// fraction of a decimal, 0.d1d2d3..., times 2^16 is a long multiplication digit by digit: the carry
+// out of the first digit is the whole part, and the remaining digits are the remainder. If the
+// remainder is zero, the number is a multiple of 2^-16; comparing its first digit with 5 finds the
+// nearest multiple, including ties. If the remainder is within half a step of doubles of a
+// multiple, the digits stand for that multiple as a double.
 //
-// The grammar is JSON's, without spaces: no plus sign in front, no leading zeros, digits on both
-// sides of the point (".5" and "1." are refused, as JSON refuses them as numbers). Denominators are
-// powers of two up to 65536, written out, so that a pattern can check them too.
+// The grammar is JSON's, without spaces: no leading plus sign, no leading zeros, digits on both
+// sides of the point (".5" and "1." are rejected, as in JSON). Denominators are powers of two up to
+// 65536, written out, so that a pattern can check them too.
 #include "exact/numeral.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ constexpr int kMaxExponent = 999;
 constexpr std::int64_t kMaxRaw = std::int64_t{1} << (40 + Fixed::kFractionBits);
 constexpr std::int64_t kMaxDenominator = Fixed::kOne;
 constexpr std::size_t kMaxWholeDigits = 13;  // 2^40 has 13 decimal digits
-// A whole number of 13 digits, and its raw value, stay far inside int64.
+// A whole number of 13 digits and its raw value fit easily in int64.
 static_assert(10'000'000'000'000 < (std::int64_t{1} << 44));
 
 using Parsed = std::variant<Fixed, NumeralError>;
@@ -39,7 +39,7 @@ bool is_digit(char c) {
 std::string quoted(std::string_view text) {
   constexpr std::size_t kShown = 48;
   std::size_t end = std::min(text.size(), kShown);
-  // Cut between characters of UTF-8, never inside one.
+  // Cuts between UTF-8 characters, never inside one.
   while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
     --end;
   std::string result(1, '"');
@@ -62,7 +62,7 @@ NumeralError too_large(std::string_view text) {
   return {quoted(text) + " is too large; write a number of magnitude 2^40 at most"};
 }
 
-// Reads characters from the left; what is left over is `rest`.
+// Reads characters from the left; `rest` is the unread part.
 struct Cursor {
   std::string_view rest;
 
@@ -71,7 +71,7 @@ struct Cursor {
     rest.remove_prefix(1);
     return true;
   }
-  // The digits at the front, perhaps none.
+  // The digits at the front; may be empty.
   std::string_view take_digits() {
     std::size_t count = 0;
     while (count < rest.size() && is_digit(rest[count])) ++count;
@@ -94,7 +94,7 @@ struct Decimal {
   std::string fraction;
 };
 
-// The exponent after 'e', or none when it is malformed or beyond 999 in magnitude.
+// The exponent after 'e'; nothing if it is malformed or beyond 999 in magnitude.
 std::optional<int> take_exponent(Cursor& cursor) {
   const bool negative = cursor.take('-');
   if (!negative) cursor.take('+');
@@ -105,7 +105,7 @@ std::optional<int> take_exponent(Cursor& cursor) {
   return negative ? -value : value;
 }
 
-// Moves the decimal point `exponent` places to the right, to the left when negative.
+// Moves the decimal point `exponent` places to the right, or to the left if negative.
 void shift_point(Decimal& decimal, int exponent) {
   std::string& from = exponent > 0 ? decimal.fraction : decimal.whole;
   std::string& to = exponent > 0 ? decimal.whole : decimal.fraction;
@@ -144,7 +144,7 @@ std::variant<Decimal, NumeralError> parse_decimal(std::string_view text, std::st
   return decimal;
 }
 
-// The magnitude times 2^16, rounded down, and what was rounded away.
+// The magnitude times 2^16, rounded down, and the remainder.
 struct Scaled {
   std::int64_t floor = 0;
   std::string remainder;  // digits after the point
@@ -158,7 +158,7 @@ struct Scaled {
   }
 };
 
-// Multiplies the digits behind a point by `factor`, at most 2^18, and returns what is carried out.
+// Multiplies the digits behind a point by `factor`, at most 2^18, and returns the carry.
 std::int64_t multiply(std::string& fraction, std::int64_t factor) {
   std::int64_t carry = 0;
   for (auto digit = fraction.rbegin(); digit != fraction.rend(); ++digit) {
@@ -178,7 +178,7 @@ Scaled scale(const Decimal& decimal) {
   return scaled;
 }
 
-// The remainder times 2^bits, rounded down, and whether nothing was rounded away; bits 0 to 54.
+// The remainder times 2^bits, rounded down, and whether that was exact; `bits` from 0 to 54.
 std::pair<std::int64_t, bool> shifted(std::string remainder, int bits) {
   constexpr int kBitsAtOnce = 18;
   std::int64_t whole = 0;
@@ -189,10 +189,10 @@ std::pair<std::int64_t, bool> shifted(std::string remainder, int bits) {
   return {whole, remainder.find_first_not_of('0') == std::string::npos};
 }
 
-// The integer that is the nearest double of a number between two integers, for numbers below 2^52;
-// none where that double is no integer, or 0. Doubles around an integer n of 2^k to 2^(k + 1) - 1
-// are 2^(k - 52) apart, half as far below a power of two. n has an even significand, so that it
-// takes both ties.
+// The double nearest to a number between two integers, if it is an integer other than 0; otherwise
+// nothing. The number must be below 2^52. Doubles around an integer n of 2^k to 2^(k + 1) - 1 are
+// 2^(k - 52) apart, and half as far just below a power of two. n has an even significand, so both
+// ties go to it.
 std::optional<std::int64_t> nearest_double(const Scaled& scaled) {
   constexpr int kSignificandBits = 53;
   const auto log2 = [](std::int64_t n) {
@@ -239,7 +239,7 @@ Parsed decimal_to_fixed(std::string_view text, std::string_view shown, bool near
 
 // ------------------------------------------------------------------------------------- fractions
 
-// The value of a whole number up to 2^56, or none when the digits say more.
+// The value of a whole number up to 2^56; nothing if it is larger.
 std::optional<std::int64_t> whole_value(std::string_view digits) {
   std::int64_t value = 0;
   for (const char digit : digits) {
@@ -263,7 +263,7 @@ Parsed ratio(std::string_view numerator, std::string_view denominator, std::stri
   return Fixed::from_raw(*above * step);
 }
 
-// "N/D", "W+N/D" and "W-N/D", with a sign in front or not.
+// "N/D", "W+N/D" and "W-N/D", with an optional sign in front.
 Parsed parse_fraction(std::string_view text) {
   Cursor cursor{text};
   const bool negative = cursor.take('-');
@@ -301,7 +301,7 @@ std::variant<Fixed, NumeralError> parse_numeral(std::string_view text) {
 
 std::string to_decimal(Fixed value) {
   const bool negative = value.raw() < 0;
-  // The magnitude as unsigned, so that the most negative raw value has one.
+  // The magnitude is unsigned because that of the most negative raw value does not fit otherwise.
   const auto raw = static_cast<std::uint64_t>(value.raw());
   const std::uint64_t magnitude = negative ? 0 - raw : raw;
   constexpr auto kOne = static_cast<std::uint64_t>(Fixed::kOne);
@@ -321,14 +321,14 @@ std::string to_fraction(Fixed value) {
   const bool negative = value.raw() < 0;
   const auto raw = static_cast<std::uint64_t>(value.raw());
   const std::uint64_t magnitude = negative ? 0 - raw : raw;
-  // Lowest terms: both divided by the powers of two that they share.
+  // To lowest terms: divide both by the powers of two that they share.
   const int shared = magnitude == 0 ? Fixed::kFractionBits
                                     : std::min(Fixed::kFractionBits, std::countr_zero(magnitude));
   const std::uint64_t numerator = magnitude >> shared;
   const std::uint64_t denominator = static_cast<std::uint64_t>(Fixed::kOne) >> shared;
   const std::string sign = negative ? "-" : "";
   if (denominator == 1) return sign + std::to_string(numerator);
-  constexpr std::uint64_t kCoarsest = 4;  // people read 15/4 at once, and 163/16 not
+  constexpr std::uint64_t kCoarsest = 4;  // 15/4 is easy to read, 163/16 is not
   const std::uint64_t whole = denominator > kCoarsest ? numerator / denominator : 0;
   std::string text = sign;
   if (whole != 0) text += std::to_string(whole) + (negative ? "-" : "+");

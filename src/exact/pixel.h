@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Pixels by column and row, and rectangles of them. Rows count from the bottom; nothing here knows
-// where within a pixel a sample lies.
+// Pixels by column and row, and rectangles of them. Rows count from the bottom; sample positions
+// within pixels play no role here.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ struct PixelPosition {
   friend constexpr auto operator<=>(PixelPosition, PixelPosition) = default;
 };
 
-// Whole pixels, both ends inclusive.
+// Whole pixels, both ends inclusive; empty if a maximum is below its minimum.
 struct PixelBounds {
   int x_min = 0;
   int y_min = 0;
@@ -29,7 +29,7 @@ struct PixelBounds {
   friend constexpr bool operator==(const PixelBounds&, const PixelBounds&) = default;
 };
 
-// May be empty: with a maximum below its minimum.
+// The intersection, which may be empty.
 constexpr PixelBounds common_part(const PixelBounds& a, const PixelBounds& b) {
   return {std::max(a.x_min, b.x_min), std::max(a.y_min, b.y_min), std::min(a.x_max, b.x_max),
           std::min(a.y_max, b.y_max)};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Rational: an exact quotient of integers without a bound on their size.
+// Rational: an exact quotient of integers of unbounded size.
 //
-// Intervals answer nearly every question about values. Some are questions of yes or no, and the
-// exact number lies on the border: which texel holds a point, which level a scale factor selects.
-// Those are asked again here. It is slow (a microsecond where an interval takes a nanosecond), and
-// its header costs every user seconds: include it where it is needed.
+// Intervals answer nearly every question about values. Some questions are yes-or-no with the exact
+// number on the border: which texel holds a point, which level a scale factor selects. Those are
+// answered here. This is slow (a microsecond where an interval takes a nanosecond), and its header
+// adds seconds to each compilation, so include it only where needed.
 #pragma once
 
 #include <algorithm>
@@ -22,25 +22,25 @@ namespace edgecase {
 
 using Integer = boost::multiprecision::cpp_int;
 using Rational = boost::multiprecision::cpp_rational;
-// For exact decisions whose products leave 128 bits by a known number of them.
+// For exact decisions whose products exceed 128 bits by a bounded amount.
 using Int256 = boost::multiprecision::int256_t;
 
 inline Integer integer_of(Int128 value) {
   return Integer(value);
 }
 
-// above / below, of a denominator of either sign but 0; the constructor takes positive ones alone.
+// above / below, for a denominator of either sign but not 0; the constructor needs a positive one.
 inline Rational quotient_of(const Integer& above, const Integer& below) {
   return below < 0 ? Rational(Integer(-above), Integer(-below)) : Rational(above, below);
 }
 
-// 2^exponent, of an exponent of either sign.
+// 2^exponent, for an exponent of either sign.
 inline Rational power_of_two(int exponent) {
   const Integer power = Integer(1) << std::abs(exponent);
   return exponent < 0 ? Rational(Integer(1), power) : Rational(power);
 }
 
-// The number itself, which must be finite.
+// The exact value of a finite number.
 inline Rational rational_of(double value) {
   if (value == 0) return 0;
   int exponent = 0;
@@ -71,8 +71,8 @@ inline bool is_whole(const Rational& value) {
   return denominator(value) == 1;
 }
 
-// The narrowest interval that holds the number: a point where it is a double, else two neighbours,
-// the last of which may be infinite.
+// The narrowest interval that holds the number: a point if it is a double, otherwise two
+// neighbours, the outer of which may be infinite.
 inline Interval interval_of(const Rational& value) {
   if (value < 0) {
     const Interval positive = interval_of(Rational(-value));
@@ -80,7 +80,7 @@ inline Interval interval_of(const Rational& value) {
   }
   if (value == 0) return 0;
   const Integer above = numerator(value), below = denominator(value);
-  // At least 53 digits before the point; what lies below the smallest double is cut off.
+  // At least 53 digits before the point; digits below the smallest double are cut off.
   const int scale =
       std::min(53 + static_cast<int>(msb(below)) - static_cast<int>(msb(above)), 1074);
   Integer digits, rest;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t kHalf = Fixed::kOne / 2;
 
-// The quarter that a slanting edge or an outside place lies in, as signs of x and y.
+// The quadrant of a slanting edge or of a place outside the diamond, as signs of x and y.
 struct Quarter {
   std::int64_t x;
   std::int64_t y;
@@ -34,7 +34,7 @@ LineDirection direction_of(const Segment& segment) {
   const std::int64_t dy = segment.b.y.raw() - segment.a.y.raw();
   const std::int64_t wide = std::abs(dx);
   const std::int64_t high = std::abs(dy);
-  // Within the first quarter of a turn: 0 on the axis of x, 4 on that of y.
+  // In the first quadrant: 0 on the x axis, 4 on the y axis.
   int place = 2;
   if (wide != high) place = wide > high ? (high == 0 ? 0 : 1) : (wide == 0 ? 4 : 3);
   if (dx < 0) place = 8 - place;
@@ -74,7 +74,7 @@ Point point_at(DiamondPlace place, std::int64_t along) {
 }
 
 Point random_point_at(DiamondPlace place, RandomSource& random, std::int64_t step) {
-  // Halving twice leaves a multiple of `step`.
+  // Halved twice, the result is still a multiple of `step`.
   const bool on_edge = place >= DiamondPlace::lower_left_edge && place < DiamondPlace::inside;
   const std::int64_t stride = on_edge ? step : 4 * step;
   return point_at(place, stride * random.between(1, (kHalf - 1) / stride));

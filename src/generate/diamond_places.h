@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Places that decide lines: the parts of a pixel's diamond, and the directions in which a line can
-// pass them.
+// The cases that a line rule distinguishes: the parts of a pixel's diamond, and the directions in
+// which a line can pass them.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@
 
 namespace edgecase {
 
-// Where a line goes, y up, counter-clockwise from the right: the axes, the exact diagonals, and the
-// eight octants between them.
+// The direction of a line, y up, counter-clockwise from the right: the axes, the exact diagonals,
+// and the eight octants between them.
 enum class LineDirection {
   right,
   x_major_right_rising,
@@ -56,17 +56,17 @@ inline constexpr auto kNames<LineDirection> = std::to_array<Named<LineDirection>
      {LineDirection::diagonal_right_falling, "diagonal right, falling"},
      {LineDirection::x_major_right_falling, "x-major right, falling"}});
 
-// The segment must have a length.
+// The segment must not have length 0.
 LineDirection direction_of(const Segment& segment);
 
-// A vector of a direction whose longer component is about `length`, both multiples of `step`; raw,
-// at least two steps long.
+// A vector in a direction whose longer component is about `length`, both multiples of `step`; raw
+// units, at least two steps long.
 RawVector random_along(RandomSource& random, LineDirection direction, std::int64_t length,
                        std::int64_t step);
 
-// A place of a pixel, by the diamond |dx| + |dy| < 1/2 round its centre. Edges are without their
-// ends; outside is a quarter of the pixel's square without its border. The first eight are the
-// bits of DiamondPart (rules/coverage/tie_rule.h), in their order.
+// A place in a pixel relative to the diamond |dx| + |dy| < 1/2 round its centre. Edges exclude
+// their ends; an outside place is a quarter of the pixel's square without its border. The first
+// eight are the bits of DiamondPart (rules/coverage/tie_rule.h), in order.
 enum class DiamondPlace {
   left_corner,
   right_corner,
@@ -100,21 +100,22 @@ inline constexpr auto kNames<DiamondPlace> = std::to_array<Named<DiamondPlace>>(
      {DiamondPlace::upper_left_outside, "outside, upper left"},
      {DiamondPlace::upper_right_outside, "outside, upper right"}});
 
-// Where in a pixel a point lies; none on the border of the pixel's square outside its four corners
-// of the diamond, or beyond it.
+// The place of a point in a pixel; nothing if it is beyond the pixel's square, or on its border but
+// not at a corner of the diamond.
 std::optional<DiamondPlace> place_in_pixel(Point point, PixelPosition pixel);
 
 // The point of pixel (0, 0) at a place, by one number: raw, at least 2 and less than 1/2 pixel.
-// On an edge it is the horizontal distance from the centre; outside, the distance from either side
-// of the pixel's square, halved; inside, that from the centre, halved in x and quartered in y. Of a
-// corner there is one point only.
+// The point of pixel (0, 0) at a place, given one number: raw units, at least 2 and less than 1/2
+// pixel. On an edge it is the horizontal distance from the centre; outside, half the distance from
+// either side of the pixel's square; inside, the distance from the centre, halved in x and
+// quartered in y. A corner is a single point.
 Point point_at(DiamondPlace place, std::int64_t along);
 
-// One of those points with coordinates that are multiples of `step`, raw, a power of two up to 1/16
-// pixel.
+// One of those points, with coordinates that are multiples of `step`: raw, a power of two up to
+// 1/16 pixel.
 Point random_point_at(DiamondPlace place, RandomSource& random, std::int64_t step);
 
-// Does some boundary decide whether the segment meets the pixel's diamond, or ends in it?
+// Whether some boundary decides if the segment meets the pixel's diamond, or ends in it.
 bool is_tied(const Segment& segment, PixelPosition pixel);
 
 }  // namespace edgecase

@@ -13,15 +13,15 @@ namespace edgecase {
 
 namespace {
 
-// A step through `count` numbers that visits all of them: about the golden section of it, so that
-// any few that follow each other lie far apart.
+// A step that visits all of `count` numbers: about the golden section of `count`, so that
+// consecutive numbers are far apart.
 std::uint64_t stride_of(std::uint64_t count) {
   std::uint64_t stride = count / 1000 * 618 + count % 1000 * 618 / 1000;
   while (std::gcd(stride, count) != 1) ++stride;
   return stride;
 }
 
-// `count` lines from the `first` one on.
+// `count` lines, starting with number `first`.
 Scene scene_of_lines(std::uint64_t seed, Surface surface, std::uint64_t first,
                      std::uint64_t count) {
   std::vector<Point> ends;
@@ -33,14 +33,15 @@ Scene scene_of_lines(std::uint64_t seed, Surface surface, std::uint64_t first,
 
 }  // namespace
 
-// All pairs of places of which at least one lies in the first pixel.
+// All pairs of coordinates of which at least one lies in the first pixel.
 std::uint64_t GridLines::pairs() const {
   const auto places = static_cast<std::uint64_t>(size_) * static_cast<std::uint64_t>(steps_) - 1;
   const std::uint64_t beyond = places - static_cast<std::uint64_t>(steps_);
   return places * places - beyond * beyond;
 }
 
-// First those whose first place lies in the first pixel, then those whose second alone does.
+// First the pairs whose first coordinate lies in the first pixel, then those with only the second
+// there.
 std::array<Fixed, 2> GridLines::pair(std::uint64_t number) const {
   const auto steps = static_cast<std::uint64_t>(steps_);
   const auto places = static_cast<std::uint64_t>(size_) * steps - 1;

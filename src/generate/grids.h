@@ -2,9 +2,9 @@
 //
 // Grid lines: all lines between points of a coarse grid, one after another.
 //
-// What a search finds with fine coordinates may be there with coarse ones, too, which people read
-// at a glance. Random scenes can only fail to show that; these are all there are. Lines that differ
-// by whole pixels count as one, the one that lies nearest to the origin.
+// What a search finds with fine coordinates may also exist with coarse ones, which are easy to
+// read. Random scenes cannot rule that out; these scenes are complete. Lines that differ by whole
+// pixels count as one, the one nearest to the origin.
 #pragma once
 
 #include <array>
@@ -15,21 +15,21 @@
 namespace edgecase {
 
 // The lines of a square target whose ends lie strictly inside it, on multiples of a fraction of a
-// pixel. Lines of no length are among them.
+// pixel, including lines of length 0.
 class GridLines {
  public:
-  // `size` pixels a side, at least 2; `steps` a pixel, a power of two of at most 2^16.
+  // `size`: pixels per side, at least 2; `steps`: per pixel, a power of two up to 2^16.
   constexpr GridLines(int size, int steps) : size_(size), steps_(steps) {}
 
   std::uint64_t count() const { return pairs() * pairs(); }
-  // Start and end of a line, `number` below count(); each number has another.
+  // Start and end of a line. `number` is below count(); different numbers give different lines.
   std::array<Point, 2> line(std::uint64_t number) const;
-  // One after another these are all numbers, in an order that strays over all of them from the
-  // start; `seed` tells where it begins. Beyond count() they come again.
+  // For consecutive indices, a permutation of all numbers that is spread over them from the start;
+  // `seed` determines where it begins. It repeats after count().
   std::uint64_t strewn(std::uint64_t seed, std::uint64_t index) const;
 
  private:
-  // Of the coordinates of both ends along one axis.
+  // The pairs of both ends' coordinates along one axis.
   std::uint64_t pairs() const;
   std::array<Fixed, 2> pair(std::uint64_t number) const;
 
@@ -37,31 +37,31 @@ class GridLines {
   int steps_;
 };
 
-// What a person reads without a pencil: multiples of 1/16 within 16x16 pixels.
+// Easily readable lines: multiples of 1/16 within 16x16 pixels.
 inline constexpr GridLines kReadableLines{16, 16};
 inline constexpr std::uint64_t kGridLinesOfScene = 32;
 
-// Lines of kReadableLines, as many in each scene. Scenes 0 to grid_line_scenes() - 1 of one seed
-// hold every line once. The second draws them 2 pixels wide.
+// Lines of kReadableLines, kGridLinesOfScene per scene. Scenes 0 to grid_line_scenes() - 1 of one
+// seed contain every line once. The second form draws them 2 pixels wide.
 Scene grid_line_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
 Scene wide_grid_line_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
 std::uint64_t grid_line_scenes();
 
-// The same with 4 samples a pixel, on framebuffer objects, one line in each scene: renderers answer
-// sample by sample, and take as long for it as for a scene of 32 lines without.
+// The same with 4 samples per pixel, on framebuffer objects, one line per scene: renderers answer
+// sample by sample, which takes as long as a scene of 32 lines without samples.
 Scene multisampled_grid_line_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
 std::uint64_t multisampled_grid_line_scenes();
 
 // Grid joints: two lines that meet, between points of a coarse grid.
 //
-// There are too many of them for a list of all (grid lines are lines alone), but what joints
-// show with fine coordinates is found here with ones that people read.
+// They are too many to be listed completely, as grid lines are, but faults of joints with fine
+// coordinates are found here with readable ones.
 inline constexpr int kGridJointsOfScene = 16;
 
-// So many pairs of lines, in one draw: the first of a pair ends where the second starts. All points
-// are multiples of 1/16 strictly inside a target of 16x16 pixels; half of the joints lie at
-// multiples of 1/2, where ends are ties mostly. In one of four scenes lines are half a pixel wide,
-// which are drawn as wide as a pixel.
+// kGridJointsOfScene pairs of lines in one draw: the first of a pair ends where the second starts.
+// All points are multiples of 1/16 strictly inside a target of 16x16 pixels; half of the joints are
+// at multiples of 1/2, where ends usually are ties. In one of four scenes lines are half a pixel
+// wide, which are drawn as wide as a pixel.
 Scene grid_joint_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
 
 }  // namespace edgecase

@@ -11,7 +11,7 @@
 namespace edgecase {
 namespace {
 
-// Generators of one seed and different purpose have nothing in common.
+// Generators of one seed with different purposes are independent.
 constexpr std::uint64_t kStream = 0x6200;
 constexpr int kFinestSnap = 12;
 constexpr std::int64_t kOne = Fixed::kOne;
@@ -22,8 +22,8 @@ struct Mesh {
   std::vector<Point> vertices;
 };
 
-// A hub and what lies round it, counter-clockwise: directions of growing angle. All the way round,
-// the last vertex is the first again.
+// A hub and the vertices round it, counter-clockwise. In a closed fan the last vertex repeats the
+// first.
 Mesh random_fan(RandomSource& random, const Frame& frame, std::int64_t step) {
   const bool is_closed = random.one_in(2);
   const std::int64_t spokes = is_closed ? random.between(3, 8) : random.between(2, 6);
@@ -33,7 +33,7 @@ Mesh random_fan(RandomSource& random, const Frame& frame, std::int64_t step) {
   Mesh mesh{Primitive::triangle_fan, {hub}};
   const std::int64_t first = random.below(kLineDirections);
   for (std::int64_t i = 0; i < spokes; ++i) {
-    // Sixteenths of a turn, spread evenly; part of the way, next to each other.
+    // Sixteenths of a turn: spread evenly in a closed fan, adjacent otherwise.
     const std::int64_t turned = is_closed ? i * kLineDirections / spokes : i;
     const auto direction = static_cast<LineDirection>((first + turned) % kLineDirections);
     const std::int64_t length = random.one_in(3) ? random.between(kOne, 2 * kOne) : most;
@@ -43,7 +43,7 @@ Mesh random_fan(RandomSource& random, const Frame& frame, std::int64_t step) {
   return mesh;
 }
 
-// A long spoke round which a few others lie, from a pixel down to 2^-16 away.
+// A long spoke with a few others near it, from a pixel down to 2^-16 away.
 Mesh random_slivers(RandomSource& random, const Frame& frame, std::int64_t step) {
   const Point hub = pixel_centre(0, 0);
   const RawVector spoke =
@@ -61,7 +61,7 @@ Mesh random_slivers(RandomSource& random, const Frame& frame, std::int64_t step)
   return mesh;
 }
 
-// Two rows of vertices, one half a run before the other.
+// Two rows of vertices, shifted by half a step against each other.
 Mesh random_strip(RandomSource& random, const Frame& frame, std::int64_t step) {
   const std::int64_t triangles = random.between(2, 8);
   const std::int64_t runs = triangles / 2 + 1;
@@ -74,7 +74,7 @@ Mesh random_strip(RandomSource& random, const Frame& frame, std::int64_t step) {
   return mesh;
 }
 
-// One triangle, and two on the other side of its edge that share a vertex upon it.
+// One triangle, and two on the other side of its edge that share a vertex on it.
 Mesh random_t_junction(RandomSource& random, const Frame& frame, std::int64_t step) {
   const std::int64_t before = random.between(1, 3);
   const std::int64_t after = random.between(1, 3);
@@ -119,7 +119,7 @@ Mesh fitting_mesh(RandomSource& random, const Frame& frame) {
     if (!spans_at_most(mesh.vertices, frame.most)) continue;
     shift_inside(random, frame.target, mesh.vertices);
     if (theme != Theme::near_tie) return mesh;
-    // Vertices that are one stay one.
+    // Equal vertices stay equal.
     std::vector<Point> moved = mesh.vertices;
     nudge(random, kFinestSnap, frame.target, moved);
     for (std::size_t i = 0; i < moved.size(); ++i)
@@ -133,7 +133,7 @@ Mesh fitting_mesh(RandomSource& random, const Frame& frame) {
   }
 }
 
-// The triangles one by one, each begun at any vertex and wound either way, in any order.
+// The triangles separately, in any order, each starting at any vertex with either winding.
 Mesh separated(RandomSource& random, const Mesh& mesh) {
   std::vector<std::array<Point, 3>> triangles;
   const std::vector<Point>& v = mesh.vertices;

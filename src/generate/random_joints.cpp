@@ -9,7 +9,7 @@
 namespace edgecase {
 namespace {
 
-// Generators of one seed and different purpose have nothing in common.
+// Generators of one seed with different purposes are independent.
 constexpr std::uint64_t kStream = 0x6100;
 constexpr int kFinestSnap = 12;
 constexpr std::int64_t kOne = Fixed::kOne;
@@ -23,7 +23,7 @@ enum class Course {
   back,       // to and fro
 };
 
-// A direction of the same major axis and sign; 45 degrees counts as x-major.
+// A direction with the same major axis and sign; 45 degrees counts as x-major.
 LineDirection neighbour_of(RandomSource& random, LineDirection direction) {
   const int axis = (static_cast<int>(direction) + 2) / 4 * 4;
   const int most = axis % 8 == 0 ? 2 : 1;
@@ -61,7 +61,7 @@ bool spans_at_most(const Chain& chain, std::int64_t most) {
   return true;
 }
 
-// The first joint lies at a place of pixel (0, 0), where a segment's end is a tie mostly.
+// The first joint is at a place of pixel (0, 0), where a segment's end is usually a tie.
 Chain random_chain(RandomSource& random, const Frame& frame, std::int64_t step) {
   const auto place = static_cast<DiamondPlace>(random.below(kDiamondPlaces));
   const Point joint = random_point_at(place, random, std::min(step, kOne / 16));

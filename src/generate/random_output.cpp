@@ -11,11 +11,11 @@
 namespace edgecase {
 namespace {
 
-// Generators of one seed and different purpose have nothing in common.
-constexpr std::uint64_t kStreams = 0x5e00;  // and an OutputKind
+// Generators of one seed with different purposes are independent.
+constexpr std::uint64_t kStreams = 0x5e00;  // plus an OutputKind
 constexpr std::uint64_t kWindowStreams = 0x1000;
 
-// Comparisons that let something through and something not, mostly.
+// Mostly comparisons that pass some fragments and reject others.
 constexpr std::array kFunctions{CompareFunction::less,     CompareFunction::less,
                                 CompareFunction::lequal,   CompareFunction::greater,
                                 CompareFunction::gequal,   CompareFunction::equal,
@@ -37,7 +37,7 @@ Color random_color(RandomSource& random) {
   return color;
 }
 
-// z of one depth out of sixteen, or any.
+// z for one of few depths, or any.
 Fixed random_z(RandomSource& random) {
   const std::int64_t steps = random.one_in(3) ? 8 : Fixed::kOne;
   return Fixed::from_raw(random.between(-steps, steps) * (Fixed::kOne / steps));
@@ -56,7 +56,7 @@ Draw random_triangle(RandomSource& random, const Frame& of) {
   return draw;
 }
 
-// A factor that drivers need no extension for where it is the destination's.
+// A term whose factors drivers support for the destination without an extension.
 BlendTerm random_term(RandomSource& random) {
   return {any_of(random, BlendEquation::max), any_of(random, BlendFactor::src_alpha_saturate),
           any_of(random, BlendFactor::one_minus_constant_alpha)};

@@ -25,7 +25,7 @@ Fixed random_size(RandomSource& random, const Frame& frame) {
   return Fixed::from_raw(whole * kOne + random.below(16) * kOne / 16);
 }
 
-// A vertex with the centre of pixel (0, 0) on a side of its square, or on two.
+// A vertex whose square has the centre of pixel (0, 0) on one side or on two.
 Point tied_vertex(RandomSource& random, std::int64_t size, std::int64_t step) {
   const std::int64_t half = size / 2;
   const std::int64_t columns = random.sign() * half;
@@ -43,7 +43,7 @@ Point tied_vertex(RandomSource& random, std::int64_t size, std::int64_t step) {
   }
 }
 
-// Places where a line's end is a tie, or next to one; those inside a diamond come seldom.
+// Places where a line's end is a tie, or next to one; places inside a diamond are rare.
 DiamondPlace random_place(RandomSource& random) {
   return static_cast<DiamondPlace>(random.one_in(8)
                                        ? random.below(kDiamondPlaces)
@@ -70,8 +70,8 @@ std::vector<Point> line_between_places(RandomSource& random, const Frame& frame,
   return {a, b + away};
 }
 
-// A line through a corner of a diamond of pixel (0, 0), which lies where a number of equal steps
-// from either end meet.
+// A line through a corner of a diamond of pixel (0, 0); the corner is a whole number of equal steps
+// from either end.
 std::vector<Point> line_through_corner(RandomSource& random, const Frame& frame,
                                        std::int64_t step) {
   const std::int64_t before = random.between(1, 3);
@@ -82,7 +82,7 @@ std::vector<Point> line_through_corner(RandomSource& random, const Frame& frame,
   return {through - before * part, through + after * part};
 }
 
-// A line along the boundaries of diamonds: on an axis between rows of pixels, or on a diagonal.
+// A line along boundaries of diamonds: axis-aligned between rows of pixels, or diagonal.
 std::vector<Point> line_along_boundaries(RandomSource& random, const Frame& frame,
                                          std::int64_t step) {
   const std::int64_t length =
@@ -135,12 +135,12 @@ std::vector<Point> free_line(RandomSource& random, const Frame& frame) {
 
 RandomPoint random_point_shape(RandomSource& random, const Frame& frame) {
   const Fixed size = random_size(random, frame);
-  // Points have one vertex, lines and triangles more that snapping can move: nudge points oftener.
+  // A point has only one vertex for snapping to move, so points are nudged more often.
   const Theme theme = random.one_in(3) ? Theme::near_tie : random_theme(random);
   const Point vertex = theme == Theme::free
                            ? random_point(random, random_grid(random))
                            : tied_vertex(random, size.raw(), step_of(random, theme));
-  // The centre goes along, so that it ends up in the target, too.
+  // The centre moves along, so that it ends up inside the target, too.
   std::vector<Point> points{vertex};
   if (theme != Theme::free) points.push_back(pixel_centre(0, 0));
   shift_inside(random, frame.target, points);
@@ -162,7 +162,7 @@ std::vector<Point> random_line_shape(RandomSource& random, const Frame& frame) {
 
 namespace {
 
-// One of the eight ways to turn and mirror a square.
+// One of the eight rotations and reflections of a square.
 struct Turn {
   bool swapped = false;
   std::int64_t x = 1;
@@ -179,10 +179,10 @@ Turn random_turn(RandomSource& random) {
   return {swapped, x, random.sign()};
 }
 
-// The point lies on the line's end, up to half its width aside.
+// The point lies on the line's end, up to half its width from the middle.
 std::vector<Point> line_ending_at(Point point, RandomSource& random, const Frame& frame,
                                   std::int64_t width, std::int64_t step) {
-  // Steps from which any number of 1024th parts can be taken.
+  // Steps of which any number of 1024ths can be taken.
   const RawVector along =
       random_vector(random, frame.extent, std::max<std::int64_t>(step, kOne / 64));
   const std::int64_t longer = std::max({std::abs(along.x), std::abs(along.y), std::int64_t{1}});
@@ -192,8 +192,8 @@ std::vector<Point> line_ending_at(Point point, RandomSource& random, const Frame
   return {end, end + along};
 }
 
-// The point lies on a side of a line of an axis, or of a 3-4-5 triangle's direction, the only ones
-// whose sides, half a pixel away, have dyadic points.
+// The point lies on a side of an axis-aligned line, or of one with the slope of a 3-4-5 triangle:
+// only their sides, half a pixel away, have dyadic points.
 std::vector<Point> line_beside(Point point, RandomSource& random, const Frame& frame,
                                std::int64_t width, std::int64_t step) {
   const std::int64_t half = width / 2;

@@ -8,14 +8,14 @@
 namespace edgecase {
 namespace {
 
-// Generators of one seed and different purpose have nothing in common.
+// Generators of one seed with different purposes are independent.
 enum Stream : std::uint64_t {
   kPoints,
   kLines,
   kTriangles,
   kWideLines,
   kSharedEdges,
-  kMultisampled = 0x5a00,  // and a MultisampledKind
+  kMultisampled = 0x5a00,  // plus a MultisampledKind
 };
 
 Scene random_point_scene(RandomSource& random, Surface surface) {
@@ -80,7 +80,7 @@ Scene shared_edge_scene(std::uint64_t seed, Surface surface, std::uint64_t index
   const Frame frame = random_frame(random);
   Scene scene =
       scene_of(surface, frame.target, Primitive::triangles, random_pair_shape(random, frame));
-  // One colour a triangle.
+  // One colour per triangle.
   std::vector<Vertex>& vertices = scene.draws[0].vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].color = vertices[i / 3 * 3].color;
   return scene;

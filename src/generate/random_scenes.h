@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Random scenes by which a renderer's rules are measured.
+// Random scenes for measuring a renderer's rules.
 //
-// Each is a function of its seed and index alone, on every machine: integers of our own generator,
-// nothing of <random>. Sizes spread evenly over their logarithms, coordinates over grids from whole
-// pixels to 2^-16, among them those halfway between the steps of usual sub-pixel grids. Left to
-// chance, a fine coordinate never lies on a boundary; so half of the scenes are built round a tie.
+// Each depends only on its seed and index, on every machine: integers from our own generator,
+// nothing from <random>. Sizes are uniform in their logarithms; coordinates lie on grids from whole
+// pixels to 2^-16, including those halfway between the steps of common sub-pixel grids. A random
+// fine coordinate would never lie on a boundary, so half of the scenes are built round a tie.
 //
-// Every target is square, its size a power of two from 4 to 256, its viewport as large, and every
-// vertex lies strictly inside. So OpenGL gets the very numbers: |x - centre| < 2^7 with 16 fraction
-// bits has 23 significant bits, x itself 24 (see casefile/scene/viewport.h). Depth is 0.
+// Every target is square, with a power of two from 4 to 256 as its size and a viewport of the same
+// size, and every vertex lies strictly inside. So OpenGL gets the exact numbers: |x - centre| < 2^7
+// with 16 fraction bits has 23 significant bits, x itself 24 (see casefile/scene/viewport.h). Depth
+// is 0.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +21,8 @@ namespace edgecase {
 
 constexpr int kLeastRandomTarget = 4;   // pixels
 constexpr int kMostRandomTarget = 256;  // pixels
-constexpr int kMostRandomExtent = 256;  // pixels, of the rectangle that holds a primitive
-// Of multisampled targets, whose answers tell every sample.
+constexpr int kMostRandomExtent = 256;  // pixels, of a primitive's bounding rectangle
+// For multisampled targets, whose answers contain every sample.
 constexpr int kMostMultisampledTarget = 64;  // pixels
 
 struct PrimitiveScenes {
@@ -30,67 +31,66 @@ struct PrimitiveScenes {
   Surface surface = Surface::fbo;
 };
 
-// One draw of one primitive: a line of width 1, a point of a size mostly 1, else up to 64, a
+// One draw of one primitive: a line of width 1, or a point of size 1 or, less often, up to 64, a
 // multiple of 1/16. The triangle may be a sliver thinner than a sub-pixel or, rarely, have no area;
-// a line may have no length.
+// a line may have length 0.
 //
-// The sides of points of such sizes meet samples where the vertex is a multiple of 1/32, and so
-// some snaps draw all of these points alike, whatever the scenes are. With right and top sides
-// owned: none and any truncation to 2^-5 or finer; rounding half up and half even to 2^-6 or finer.
-// With left and bottom sides owned: rounding half up to 2^-b and truncation to 2^-(b+1), b at
-// least 5.
+// The sides of points of such sizes meet samples if the vertex is a multiple of 1/32, so some snaps
+// draw all of these points alike, whatever the scenes. With right and top sides owned: none and any
+// truncation to 2^-5 or finer; rounding half up and half even to 2^-6 or finer. With left and
+// bottom sides owned: rounding half up to 2^-b and truncation to 2^-(b+1), b at least 5.
 Scene random_scene(const PrimitiveScenes& of, std::uint64_t index);
 
 // One line, 1.25 to 16 pixels wide, a multiple of 1/4.
 Scene random_wide_line(std::uint64_t seed, Surface surface, std::uint64_t index);
 
-// Two triangles in one draw, on opposite sides of an edge with bit-identical ends, which in half of
-// the scenes or more passes through pixel centres.
+// Two triangles in one draw, on opposite sides of an edge with bit-identical ends. In at least half
+// of the scenes the edge passes through pixel centres.
 Scene shared_edge_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
 
 // The primitives drawn to a multisampled target.
 enum class MultisampledKind { triangle, line, wide_line };
 
-// One triangle, line of width 1, or line of other width (1.25 to 16 pixels, a multiple of 1/4), on
-// a target whose samples lie at these positions. Ties are with samples: on an edge of the triangle,
-// on an end or a side of the line's rectangle.
+// One triangle, line of width 1, or line of another width (1.25 to 16 pixels, a multiple of 1/4) on
+// a target with these sample positions. Ties involve samples: on an edge of the triangle, or on an
+// end or a side of the line's rectangle.
 Scene random_multisampled_scene(std::uint64_t seed, MultisampledKind kind,
                                 const SamplePositions& samples, std::uint64_t index);
 
-// Is a pixel or sample of the scene decided by a tie: does a primitive cover others when all
-// boundaries are open than when all are closed? Vertices are not snapped, lines follow the
-// diamond-exit rule or, of multisampled targets, are rectangles. `samples`: where they lie.
+// Whether a tie decides a pixel or sample of the scene: some primitive covers different ones with
+// all boundaries open than with all closed. Vertices are not snapped; lines follow the diamond-exit
+// rule or, on multisampled targets, are rectangles. `samples`: their positions.
 bool has_tie(const Scene& scene, const SamplePositions& samples = {});
 
-// Random scenes of primitives that share vertices, and of vertices round the steps of sub-pixel
-// grids: a search looks at them as well as at the single primitives above.
+// Random scenes of primitives that share vertices, and of vertices near the steps of sub-pixel
+// grids, for searches in addition to the single primitives above.
 //
-// Each is a function of its seed and index alone, on the same targets, with coordinates that reach
-// OpenGL unrounded. Most are built round a tie, many of them nudged off it.
+// Each depends only on its seed and index, on the same targets, with coordinates that reach OpenGL
+// unrounded. Most are built round a tie, many of them nudged off it.
 constexpr int kMostCompoundTarget = 64;  // pixels
 
-// Two to six segments that follow each other, each starting bit-identically where the one before
-// ends: a strip, a loop or separate lines in one draw. Half of them keep one major axis and
-// direction, the others turn at joints, some turn back. One in eight is wider than a pixel.
+// A chain of two to six segments, each starting bit-identically where the previous one ends: a
+// strip, a loop or separate lines in one draw. Half of them keep one major axis and direction, the
+// others turn at joints, some turn back. One in eight is wider than a pixel.
 Scene random_joint_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
 
-// Triangles that share vertices, in one draw: all round an inner vertex or part of the way, along a
-// strip, down to slivers, or with a vertex of two upon the edge of a third (a T-junction). As fan
-// or strip, or as separate triangles whose vertices come in any order.
+// Triangles that share vertices, in one draw: all or part of the way round an inner vertex, along a
+// strip, down to slivers, or with a vertex of two on the edge of a third (a T-junction). As a fan
+// or strip, or as separate triangles with their vertices in any order.
 Scene random_fan_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
 
-// A point, a line or a triangle whose vertices lie at multiples of 2^-b pixel (b is 4 or 8, at
-// times 2 to 12), halfway between two, or 2^-16 beside either, so near to a tie that it is decided
-// by how vertices are snapped.
+// A point, line or triangle with vertices at multiples of 2^-b pixel (b is 4 or 8, sometimes 2 to
+// 12), halfway between two, or 2^-16 beside either, so near to a tie that the snapping of vertices
+// decides it.
 Scene random_snap_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
 
-// Random scenes of triangles that meet fragment operations, by which a profile is held against the
-// renderer that it is of. Each is a function of its seed and index alone, too.
+// Random scenes of triangles with fragment operations, for comparing a profile with the renderer
+// that it was measured on. Each depends only on its seed and index, too.
 enum class OutputKind {
-  depth_tested,  // crossing one another, and of one depth
+  depth_tested,  // intersecting, and of equal depth
   blended,       // any equation and factors
-  offset,        // each followed by itself with a polygon offset, depth-tested
-  stencilled,    // either facing, any function, operations and masks
+  offset,        // each drawn again with a polygon offset, depth-tested
+  stencilled,    // both facings, any function, operations and masks
 };
 constexpr int kOutputKinds = 4;
 const char* name_of(OutputKind kind);  // "depth-tested", …
@@ -99,7 +99,7 @@ struct RandomOutputScenes {
   std::uint64_t seed = 1;
   OutputKind kind = OutputKind::depth_tested;
   Surface surface = Surface::fbo;
-  DepthFormat depth = DepthFormat::depth24;  // of blended ones none is there
+  DepthFormat depth = DepthFormat::depth24;  // unused for `blended`
 };
 
 // Two to six flat triangles, a draw each, on a target of at most kMostMultisampledTarget pixels.

@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::int64_t kOne = Fixed::kOne;
 
-// The nearest multiple of `step` towards zero; a shorter length stays as it is.
+// The nearest multiple of `step` towards zero; a shorter length is unchanged.
 std::int64_t coarsened(std::int64_t length, std::int64_t step) {
   return std::abs(length) < step ? length : length - length % step;
 }
 
-// The shorter component of a vector whose longer one is `longer`, both without sign.
+// The shorter component of a vector whose longer one is `longer`, both nonnegative.
 std::int64_t random_shorter(RandomSource& random, std::int64_t longer) {
   switch (random.below(8)) {
     case 0:
@@ -40,7 +40,7 @@ std::int64_t random_shorter(RandomSource& random, std::int64_t longer) {
   }
 }
 
-// A coordinate of a square that contains a and b and is `size` wide.
+// A coordinate of a square of width `size` that contains a and b.
 std::int64_t random_between(RandomSource& random, std::int64_t a, std::int64_t b, std::int64_t size,
                             std::int64_t step) {
   const auto [low, high] = std::minmax({a, b});
@@ -51,7 +51,7 @@ std::int64_t random_between(RandomSource& random, std::int64_t a, std::int64_t b
   return a + coarsened(random.between(first, last) - a, step);
 }
 
-// The whole pixels by which coordinates may be shifted to lie strictly between 0 and `target`.
+// The range of whole-pixel shifts that keep coordinates strictly between 0 and `target`.
 std::pair<std::int64_t, std::int64_t> shifts(std::int64_t low, std::int64_t high, int target) {
   return {Fixed::from_raw(-low).floor() + 1, Fixed::from_raw(target * kOne - high).ceil() - 1};
 }
@@ -64,8 +64,8 @@ Frame random_frame(RandomSource& random, int largest) {
   Frame frame;
   frame.target = static_cast<int>(std::max<std::uint64_t>(
       kLeastRandomTarget, std::bit_ceil(static_cast<std::uint64_t>(extent))));
-  // A shift by whole pixels exists for certain when less than the target without a pixel is needed;
-  // the slack is for nudges and for what is coarsened.
+  // A shift by whole pixels surely exists if the shape needs less than the target minus a pixel;
+  // the slack is for nudges and coarsening.
   frame.most = (frame.target - 1) * kOne - kOne / 4;
   frame.extent = std::min(extent * kOne - random.below(kOne), frame.most);
   return frame;
@@ -141,7 +141,7 @@ void shift_inside(RandomSource& random, int target, std::span<Point> points) {
 
 void nudge(RandomSource& random, int finest, int target, std::span<Point> points) {
   const std::int64_t step = kOne >> random.between(4, finest);
-  // Eighths of a step; halves most of all, where roundings part.
+  // Eighths of a step; most often halves, where roundings differ.
   constexpr std::array<std::int64_t, 8> kEighths{0, 0, 2, 4, 4, 4, 6, 8};
   const auto move = [&] {
     const std::int64_t length = random.one_of(std::span<const std::int64_t>(kEighths));

@@ -9,12 +9,12 @@
 namespace edgecase {
 namespace {
 
-// Generators of one seed and different purpose have nothing in common.
+// Generators of one seed with different purposes are independent.
 constexpr std::uint64_t kStream = 0x6300;
 constexpr std::int64_t kOne = Fixed::kOne;
 constexpr int kMostTarget = 16;  // pixels
 
-// Distances from a multiple of `step`: on it, halfway to the next, or close to either.
+// An offset from a multiple of `step`: 0, halfway to the next, or close to either.
 std::int64_t random_offset(RandomSource& random, std::int64_t step) {
   if (random.one_in(3)) return 0;
   const std::int64_t place = random.between(-3, 3) * (step / 2);
@@ -29,7 +29,7 @@ class Places {
     step_ = kOne >> (bits == 0 ? random.between(2, 12) : bits);
   }
 
-  // Near a multiple of half a pixel: `on_centre`, an odd one.
+  // Near a multiple of half a pixel, an odd one if `on_centre`.
   Fixed coordinate(bool on_centre) {
     const std::int64_t whole = random_.between(1, target_ - 2) * kOne + (on_centre ? kOne / 2 : 0);
     return Fixed::from_raw(whole + random_offset(random_, step_));
@@ -50,7 +50,7 @@ class Places {
   std::int64_t step_ = kOne;
 };
 
-// Most edges lie along an axis, where a vertex's snap decides a whole row of samples.
+// Most edges are axis-aligned, so that a vertex's snap decides a whole row of samples.
 std::vector<Point> triangle_of(RandomSource& random, Places& places) {
   const Point corner = places.point(true);
   if (random.one_in(3)) return {corner, places.point(random.one_in(2)), places.point(true)};
@@ -60,7 +60,7 @@ std::vector<Point> triangle_of(RandomSource& random, Places& places) {
 }
 
 std::vector<Point> line_of(RandomSource& random, Places& places) {
-  // An end at a diamond's corner or at its centre: one coordinate whole, one a half.
+  // An end at a diamond's corner or centre: one coordinate whole, one a half.
   const auto end = [&] {
     const bool upright = random.one_in(2);
     const Fixed x = places.coordinate(upright);

@@ -15,8 +15,8 @@ struct Edge {
   Point b;
 };
 
-// An edge through a point, which lies where a number of equal steps from either end meet; `from` 0:
-// it starts there.
+// An edge through a point that is a whole number of equal steps from either end; with `from` 0 it
+// may start there.
 Edge edge_through(Point point, RandomSource& random, const Frame& frame, std::int64_t step,
                   std::int64_t from) {
   const std::int64_t before = random.between(from, 3);
@@ -30,8 +30,8 @@ Edge free_edge(RandomSource& random, const Frame& frame, const Grid& grid) {
   return {a, a + random_vector(random, frame.extent, grid.step)};
 }
 
-// The third vertex. In a quarter of all cases it lies so near to the edge that the triangle is a
-// sliver, from a pixel down to 2^-16 thick; now and then it makes no area.
+// The third vertex. In a quarter of all cases it is so near to the edge that the triangle is a
+// sliver, from a pixel down to 2^-16 thick; rarely the triangle has no area.
 Point third_vertex(RandomSource& random, const Frame& frame, const Edge& edge, std::int64_t step) {
   if (random.one_in(64)) return random.one_in(2) ? edge.a : edge.a + 2 * (edge.b - edge.a);
   if (!random.one_in(4)) {
@@ -96,7 +96,7 @@ std::vector<Point> random_pair_shape(RandomSource& random, const Frame& frame) {
     const RawVector along = points[1] - points[0];
     const std::int64_t left = turn(along, points[2] - points[0]);
     const std::int64_t right = turn(along, points[3] - points[0]);
-    // On opposite sides; other draws of the dice are thrown away.
+    // On opposite sides; other samples are discarded.
     if (left == 0 || right == 0 || (left > 0) == (right > 0)) continue;
     const Point a = points[0];
     const Point b = points[1];

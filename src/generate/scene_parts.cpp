@@ -4,7 +4,7 @@
 namespace edgecase {
 namespace {
 
-// Four levels a channel, so that no two of 63 are alike: index + 1 in base 4.
+// Four levels per channel give 63 distinct colours: index + 1 in base 4.
 Color color_of(std::size_t index) {
   const std::size_t code = index % 63 + 1;
   const auto channel = [&](int digit) {

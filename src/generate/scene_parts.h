@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What all generated scenes are put together from.
+// Common parts of generated scenes.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace edgecase {
 
-// A difference of two points, raw, in units of 2^-16 pixel.
+// A difference of two points in raw units of 2^-16 pixel.
 struct RawVector {
   std::int64_t x = 0;
   std::int64_t y = 0;
@@ -29,7 +29,7 @@ constexpr RawVector operator*(std::int64_t n, RawVector v) {
   return {n * v.x, n * v.y};
 }
 
-// Twice the area between two vectors, positive when b lies to the left of a.
+// Twice the area between two vectors, positive if b lies to the left of a.
 constexpr std::int64_t turn(RawVector a, RawVector b) {
   return a.x * b.y - a.y * b.x;
 }
@@ -39,16 +39,16 @@ constexpr Point in_sixteenths(std::int64_t x, std::int64_t y) {
   return {Fixed::from_raw(x * Fixed::kOne / 16), Fixed::from_raw(y * Fixed::kOne / 16)};
 }
 
-// A square target without draws, its viewport as large.
+// A square target without draws, with a viewport of the same size.
 Scene empty_scene(Surface surface, int size);
 
-// One draw; vertex v has colour v of a few dozen that differ, black not among them.
+// One draw; vertex v has colour v of 63 distinct colours without black.
 Draw colored_draw(Primitive primitive, std::span<const Point> positions);
 
 // The scene of that one draw.
 Scene scene_of(Surface surface, int size, Primitive primitive, std::span<const Point> positions);
 
-// Does the point lie strictly inside a square target, or viewport?
+// Whether the point lies strictly inside a square target, or viewport.
 bool strictly_inside(Point point, int size);
 
 }  // namespace edgecase

@@ -18,8 +18,8 @@ void* find_image_function(const char* symbol, std::string& error) {
   const auto program = std::filesystem::read_symlink("/proc/self/exe", code);
   const auto path = program.parent_path() / kImageLibrary;
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  // An installed program, and one linked with the installed libraries, say by their run path where
-  // it lies. What lies beside the program and cannot be opened is an error, and not passed over.
+  // An installed program, and one linked with installed libraries, find the library by their run
+  // path. If it lies beside the program and cannot be opened, that is an error, never ignored.
   if (library == nullptr && !std::filesystem::exists(path, code))
     library = dlopen(kImageLibrary, RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
@@ -40,7 +40,7 @@ ImageFile refused(std::string error) {
   return result;
 }
 
-// Files have their top row first.
+// Files start with the top row.
 void flip(ImageFile& image) {
   const std::size_t row = 4 * static_cast<std::size_t>(image.width);
   const auto rows = static_cast<std::size_t>(image.height);
@@ -102,7 +102,7 @@ std::string write_png(const std::filesystem::path& path, const ImageView& image,
   const int width = image.width * scale;
   const int height = image.height * scale;
   if (write(path.c_str(), width, height, pixels.data(), error, sizeof error) == 0) return "";
-  // Half a picture is none.
+  // A partly written picture is useless.
   std::error_code ignored;
   if (std::filesystem::is_regular_file(path, ignored)) std::filesystem::remove(path, ignored);
   return fmt::format("cannot write {}: {}", path.string(), error);

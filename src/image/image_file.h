@@ -16,14 +16,14 @@ struct ImageFile {
   int height = 0;  // pixels
   int bits = 0;    // of a component: 8 or 16, unsigned; 32, floating point of 16 or 32 bits
   // Red, green, blue and alpha of each pixel, row by row from the bottom: 0 to 255, 0 to 65535, or
-  // what the file has, infinite numbers included. Alpha is not multiplied in where the file says
-  // that it is not; colours are not converted.
+  // the file's own numbers, including infinities. Unassociated alpha, if the file declares it,
+  // stays so; colours are not converted.
   std::vector<float> rgba;
   std::string error;  // a sentence's end, such as "it has 5 channels"; empty exactly on success
 };
 
-// A file with more than `largest` pixels along a side is refused before they are read. Never
-// throws for what the file holds.
+// Refuses a file with more than `largest` pixels along a side before reading its pixels. Never
+// throws because of the file's content.
 ImageFile read_image(const std::filesystem::path& path, int largest);
 
 struct ImageView {
@@ -32,13 +32,13 @@ struct ImageView {
   std::span<const std::uint8_t> rgba;  // straight alpha, row by row from the bottom
 };
 
-// Writes an 8-bit RGBA PNG with every pixel enlarged to scale x scale (1 to 64). The picture's top
-// row comes first in the file: this, and reading, are the places where y is flipped. Returns an
-// error sentence, empty on success.
+// Writes an 8-bit RGBA PNG with every pixel enlarged to scale x scale (1 to 64). The file starts
+// with the top row: only here and in read_image is y flipped. Returns an error sentence, empty on
+// success.
 std::string write_png(const std::filesystem::path& path, const ImageView& image, int scale);
 
-// The library of its own that holds OpenImageIO. Loading it costs 200 ms and 128 MiB that most
-// commands have no use for, so it is opened when the first file is read or written.
+// OpenImageIO is in a separate library. Loading it takes 200 ms and 128 MiB, which most commands do
+// not need, so it is opened when the first file is read or written.
 
 // A function of the library beside the running program, or null with `error` set. The library stays
 // open.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The only user of OpenImageIO: files in and out, nothing else. Comparing is never left to it.
+// The only user of OpenImageIO, for reading and writing files. Its comparisons are not used.
 #include "image/image_io.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -35,7 +35,7 @@ int write_bytes(const char* path, const std::vector<unsigned char>& bytes, char*
   return out ? 0 : fail(std::strerror(errno), error, error_size);
 }
 
-// 0 where components are of no kind that a texture can hold exactly.
+// 0 if a texture cannot hold components of this type exactly.
 int bits_of(OIIO::TypeDesc type) {
   if (type == OIIO::TypeDesc::UINT8) return 8;
   if (type == OIIO::TypeDesc::UINT16) return 16;
@@ -43,7 +43,7 @@ int bits_of(OIIO::TypeDesc type) {
   return 0;
 }
 
-// Grey, grey and alpha, colour, or colour and alpha, to all four.
+// Expands grey, grey with alpha, colour, or colour with alpha to four components.
 void spread(const std::vector<float>& values, std::size_t channels, float opaque, float* rgba) {
   const bool grey = channels < 3;
   for (std::size_t at = 0; at < values.size(); at += channels, rgba += 4) {
@@ -52,7 +52,7 @@ void spread(const std::vector<float>& values, std::size_t channels, float opaque
   }
 }
 
-// The file's own numbers; OpenImageIO would map those of 8 and 16 bits to 0 to 1, with rounding.
+// Reads the file's own numbers; OpenImageIO would map those of 8 and 16 bits to 0..1 and round.
 template <class Component>
 bool read_as(OIIO::ImageInput& input, OIIO::TypeDesc type, int channels,
              std::vector<float>& values) {
@@ -77,7 +77,7 @@ extern "C" int edgecase_write_image(const char* path, int width, int height,
   OIIO::ImageSpec spec(width, height, 4, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("oiio:ColorSpace", "sRGB");
-  // The library takes a file that cannot be written for one that was: it fills memory.
+  // This goes through memory because the library does not notice files that cannot be written.
   OIIO::Filesystem::IOVecOutput bytes;
   if (!output->set_ioproxy(&bytes) || !output->open(path, spec) ||
       !output->write_image(OIIO::TypeDesc::UINT8, rgba) || !output->close())

@@ -22,10 +22,10 @@ struct ImageHeader {
   int bits = 0;    // of a component: 8 or 16, unsigned, or 32, floating point of 16 or 32 bits
 };
 
-// Reads a file: its header, and, where `rgba` is not null, 4 * width * height numbers into it, top
-// row first, alpha not multiplied in: 0 to 255, 0 to 65535, or floating point as the file has them.
-// Grey becomes red, green and blue; alpha is the largest value (1 of floating point) where the file
-// has none. `header` must then be what the same file gave before. Returns 0, or 1 with a sentence.
+// Reads a file's header and, if `rgba` is not null, 4 * width * height numbers, top row first, not
+// premultiplied: 0 to 255, 0 to 65535, or floating point as in the file. Grey becomes red, green
+// and blue; missing alpha becomes the largest value (1 for floating point). With `rgba`, `header`
+// must have been read from the same file. Returns 0, or 1 with a sentence.
 using ReadImageFunction = int(const char* path, ImageHeader* header, float* rgba, char* error,
                               std::size_t error_size);
 

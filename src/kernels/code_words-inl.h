@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Pixels that are computed in double, a lane for each: how their codes leave the vectors, and how
-// those are told whose code is left open.
+// Pixels computed in double precision, one per lane: storing their codes from vectors, and listing
+// the pixels whose code is left open.
 //
-// Compiled once for each of Highway's targets.
+// This file is compiled once for each of Highway's targets.
 #if defined(EDGECASE_KERNELS_CODE_WORDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef EDGECASE_KERNELS_CODE_WORDS_INL_H_
 #undef EDGECASE_KERNELS_CODE_WORDS_INL_H_
@@ -31,7 +31,7 @@ using DoubleVector = hn::Vec<Doubles>;
 using WordVector = hn::Vec<Words>;
 static_assert(std::endian::native == std::endian::little, "red is the lowest byte of a word");
 
-// The first `count` lanes, at least 1, or all there are.
+// Stores the first `count` lanes, at least 1, or all lanes if there are fewer.
 HWY_INLINE void StoreWords(WordVector word, PixelWord* at, int count) {
   const Words d;
   auto* const out = reinterpret_cast<std::int32_t*>(at);
@@ -41,8 +41,8 @@ HWY_INLINE void StoreWords(WordVector word, PixelWord* at, int count) {
     hn::BlendedStore(word, hn::FirstN(d, static_cast<std::size_t>(count)), d, out);
 }
 
-// Adds the pixels whose lanes are `open`, from `first` to column `last`.
-HWY_INLINE void TellDoubtful(hn::Mask<Doubles> open, PixelPosition first, int last,
+// Adds the pixels whose lanes are `open`, starting at `first` and ending at column `last`.
+HWY_INLINE void AddDoubtful(hn::Mask<Doubles> open, PixelPosition first, int last,
                              std::vector<PixelPosition>& doubtful) {
   const Doubles d;
   alignas(64) double flags[HWY_MAX_BYTES / sizeof(double)];

@@ -6,10 +6,10 @@
 namespace edgecase {
 namespace {
 
-constexpr double kShare = 0x1p-46;  // of M, in the margin
-constexpr double kLeast = 0x1p-44;  // of a code: the plain path's last product
+constexpr double kShare = 0x1p-46;  // of M, for the margin
+constexpr double kLeast = 0x1p-44;  // of a code: the last product of the plain path
 
-// The edge function opposite to a vertex: at a sample, and its growth.
+// The edge function opposite to a vertex: its value at a sample and its growth per pixel.
 struct Weight {
   double value;
   double right;
@@ -43,7 +43,7 @@ ValuePlanes value_planes(const std::array<RawPoint, 3>& corners,
   for (std::size_t c = 0; c < 4; ++c) {
     const auto value = [&](std::size_t i) { return static_cast<double>(values[i][c]); };
     if (value(0) == value(1) && value(0) == value(2)) {
-      // As the plain path has it, to the bit: nothing is left open.
+      // This equals the plain path to the bit, so nothing is left open.
       planes.corner[c] = scale * value(0);
       continue;
     }

@@ -26,7 +26,7 @@ bool walks_just(std::span<const PixelPosition> pixels, const Triangle& triangle,
                             weights_of(ties));
   const PixelBounds box = common_part(setup.box_at(kCentrePlace), bounds);
   if (!setup.has_area() || is_empty(box)) return pixels.empty();
-  // Sorted pixels of which the first and the last are a span's, and as many as it has, are its.
+  // Sorted pixels equal a span if its first pixel, last pixel and count agree.
   std::size_t at = 0;
   bool is_same = true;
   walk_spans(setup.edges_at(kCentrePlace), box, [&](int y, int first, int last) {

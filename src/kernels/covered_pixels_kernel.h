@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The pixels of a primitive, listed, by the kernels' walks.
+// Lists the pixels that the kernels' walks find in a primitive.
 #pragma once
 
 #include <span>
@@ -12,19 +12,19 @@
 
 namespace edgecase {
 
-// The pixels of triangle_covers within the bounds, which lie within the window, sorted by row,
-// column. Vertices: is_raw_point.
+// The pixels of triangle_covers within the bounds, which lie within the window, sorted by row, then
+// column. Vertices must satisfy is_raw_point.
 std::vector<PixelPosition> walked_triangle_pixels(const Triangle& triangle,
                                                   const PixelBounds& bounds, const TieRule& ties);
 
-// Are they just these pixels, which are sorted likewise, none twice?
+// Whether walked_triangle_pixels would give exactly these distinct pixels, in the same order.
 bool walks_just(std::span<const PixelPosition> pixels, const Triangle& triangle,
                 const PixelBounds& bounds, const TieRule& ties);
 
-// The pixels whose samples lie in the triangle, but not off its edges, likewise.
+// The pixels whose samples lie on the triangle's edges, in the same order.
 std::vector<PixelPosition> walked_tied_pixels(const Triangle& triangle, const PixelBounds& bounds);
 
-// Those of diamond_exit_covers, along the segment's major axis in ascending order. The tie rule is
+// The pixels of diamond_exit_covers, ascending along the segment's major axis. The tie rule must be
 // a perturbed one.
 std::vector<PixelPosition> walked_line_pixels(const Segment& segment, const PixelBounds& bounds,
                                               const TieRule& ties);

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
-// Edge functions of a triangle, made for walking: a sample is inside where all three are >= 0.
+// Edge functions of a triangle for incremental walks: a sample is inside if all three are >= 0.
 //
-// rules/coverage/triangle_fill.h asks of each edge a -> b of a counter-clockwise triangle whether
-// the cross product E at the sample is positive, or zero on an edge that owns its samples. From one
-// pixel to the next E grows by whole multiples of 2^16, since a sample's place within its pixel
-// stays the same and a pixel is 2^16 raw units wide. Two steps make that small and uniform:
+// For each edge a -> b of a counter-clockwise triangle, rules/coverage/triangle_fill.h tests
+// whether the cross product E at the sample is positive, or zero on an edge that owns its samples.
+// Between pixels E changes by multiples of 2^16, since a sample's place within its pixel is
+// constant and a pixel is 2^16 raw units wide. Two steps make this small and uniform:
 //
 //   owned or not   E > 0, or E = 0 and owned   <=>   E + owned - 1 >= 0         (integers)
 //   fraction bits  E' >= 0                     <=>   floor(E' / 2^16) >= 0
 //
-// and floor((E' + k 2^16) / 2^16) = floor(E' / 2^16) + k. So the tie rule is one bit in a constant,
+// and floor((E' + k 2^16) / 2^16) = floor(E' / 2^16) + k. So the tie rule is one bit of a constant,
 // and the function is exact with 16 bits less, whatever grid the vertices lie on:
 //
 //   e(x, y) = floor((E(0, 0) + owned - 1) / 2^16) + right x + up y
 //
-// Bounds, for vertices of at most 2^13 + 1 pixels (a sample of a pixel moved to its centre moves
-// them by less than one): right and up are at most 2^30 + 2^17, E at a pixel of the window at most
-// 2^61 + 2^50, and e, at any pixel of the window, less than 2^46.
+// Bounds, for vertices of at most 2^13 + 1 pixels (moving a sample to its pixel's centre moves the
+// vertices by less than one): right and up are at most 2^30 + 2^17, E at a pixel of the window at
+// most 2^61 + 2^50, and e at any pixel of the window less than 2^46.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@
 
 namespace edgecase {
 
-// A point of the window in raw units of Fixed, y up: half as large as a Point.
+// A point of the window in raw units of Fixed, y up; it takes half the memory of a Point.
 struct RawPoint {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -45,21 +45,21 @@ constexpr bool is_raw_point(Point p) {
   };
   return fits(p.x) && fits(p.y);
 }
-// Of a point for which is_raw_point holds.
+// The point must satisfy is_raw_point.
 constexpr RawPoint raw_point(Point p) {
   return {static_cast<std::int32_t>(p.x.raw()), static_cast<std::int32_t>(p.y.raw())};
 }
 
-// A tie rule as one weighted sum of a function's gradient: the direction that dominates weighs 2^32
-// times as much as the other, whose part is less than 2^31. `always` is all there is of `closed`,
-// and of `open` there is nothing.
+// A tie rule as a weighted sum of an edge function's gradient: the dominant direction weighs 2^32
+// times as much as the other, whose part is less than 2^31. A `closed` rule consists of `always`
+// alone, and an `open` rule is all zeros.
 struct TieWeights {
   std::int64_t right = 0;
   std::int64_t up = 0;
   std::int64_t always = 0;
 
-  // Is a sample inside that lies where the function is zero? The gradient's components are at most
-  // 2^30 + 2^17; one of the weights is 2^32 and the other 1: the sum is less than 2^63.
+  // Whether a sample at which the function is zero is inside. The gradient's components are at most
+  // 2^30 + 2^17 and the weights are 2^32 and 1, so the sum is less than 2^63.
   constexpr bool owns(std::int64_t gradient_right, std::int64_t gradient_up) const {
     return gradient_right * right + gradient_up * up + always > 0;
   }
@@ -73,7 +73,7 @@ constexpr TieWeights weights_of(const TieRule& ties) {
   return {ties.first_x * kDominant + ties.second_x, ties.first_y * kDominant + ties.second_y, 0};
 }
 
-// e(x, y) above: its value at pixel (0, 0), and its growth from one column, one row to the next.
+// The function e(x, y) above: its value at pixel (0, 0) and its growth per column and per row.
 struct EdgeFunction {
   std::int64_t value = 0;
   std::int64_t right = 0;
@@ -98,7 +98,7 @@ class TriangleSetup {
 
   constexpr bool has_area() const { return has_area_; }
 
-  // Of the samples at a place of their pixels, raw, 0 to below 1 pixel.
+  // The edge functions for samples at `place` in their pixels: raw, 0 to below 1 pixel.
   constexpr std::array<EdgeFunction, 3> edges_at(RawPoint place) const {
     std::array<EdgeFunction, 3> edges = edges_;
     for (EdgeFunction& edge : edges)
@@ -106,8 +106,8 @@ class TriangleSetup {
     return edges;
   }
 
-  // Columns and rows whose samples lie between the outermost vertices, those included: beside them
-  // some edge has every sample outside, no tie among them. Empty where there are none.
+  // The columns and rows whose samples lie between the outermost vertices, inclusive; may be empty.
+  // Outside of them every sample is strictly outside some edge, so there are no ties.
   constexpr PixelBounds box_at(RawPoint place) const {
     return {first_pixel(low_.x - place.x), first_pixel(low_.y - place.y),
             (high_.x - place.x) >> Fixed::kFractionBits,
@@ -115,7 +115,7 @@ class TriangleSetup {
   }
 
  private:
-  // With all bits, at the lower left corner of pixel (0, 0).
+  // The function with all bits, at the lower left corner of pixel (0, 0).
   static constexpr EdgeFunction corner_edge(RawPoint a, RawPoint b, const TieWeights& ties) {
     const std::int64_t right = std::int64_t{a.y} - b.y;
     const std::int64_t up = std::int64_t{b.x} - a.x;

@@ -11,10 +11,10 @@ namespace {
 
 constexpr const char* kNone = "none";
 
-// Highway keeps the target for the whole program, and so does this.
+// Highway keeps the target for the whole program, as this variable does.
 bool are_used = true;
 
-// Of the compiled ones, whatever was asked for before.
+// All compiled targets that this machine has, regardless of earlier choices.
 std::vector<std::int64_t> machine_targets() {
   hwy::SetSupportedTargetsForTest(0);
   return hwy::SupportedAndGeneratedTargets();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which kernels run: for who wants to see that it makes no difference, or what it costs.
+// Selects which kernels run, to compare results or to measure costs.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace edgecase {
 
-// What `use_kernels` takes: the SIMD targets that are compiled and that this machine has, by
-// Highway's names (AVX2, SSE4, ...), and at last "none".
+// The names that `use_kernels` accepts: the compiled SIMD targets that this machine has, as Highway
+// names them (AVX2, SSE4, ...), then "none".
 std::vector<std::string> kernel_names();
 
-// From now on kernels run on this target alone; with "none" the predicates and the plain stages
-// decide everything. False, and nothing is changed, where the name is none of kernel_names. To be
-// called before anything is drawn by other threads.
+// Restricts kernels to one target; with "none" the predicates and the plain stages decide
+// everything. Returns false and changes nothing if the name is not one of kernel_names. Call it
+// before other threads draw.
 bool use_kernels(std::string_view name);
 
-// Is what was asked for last anything but "none"?
+// Whether the latest choice is anything but "none".
 bool kernels_are_used();
 
 }  // namespace edgecase

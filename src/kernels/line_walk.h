@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// Lines by the diamond-exit rule, one pixel a column: exact, and hardly more than an addition each.
+// Lines by the diamond-exit rule, one pixel per column: exact, at about one addition each.
 //
-// Let the segment be x-major; the others are walked with their axes exchanged. Its slope is at most
-// 1, so that where its line meets the open diamond of a pixel it also passes less than half a pixel
-// above or below the centre, in the column's middle: nearing the middle by dx it moves by no more
-// than dx. The other way round, a point in the middle less than half a pixel off lies inside. So in
-// each column the line meets the diamond of one pixel, the one whose row holds its height at the
-// column's centre, and a height on the border of two rows belongs to one of them by the tie rule:
-// all it takes is a gradient.
+// Let the segment be x-major; others are walked with their axes exchanged. The slope is at most 1.
+// If the line meets a pixel's open diamond at a distance dx from the middle of the column, it moves
+// by at most dx on the way there, so it passes less than half a pixel above or below the centre.
+// Conversely, a point of the middle less than half a pixel from the centre lies in the diamond. So
+// in each column the line meets the diamond of exactly one pixel, that of the row in which the line
+// lies at the column's centre. The tie rule assigns a height on the border of two rows by its
+// gradient.
 //
-// Between the ends nothing else matters. A column that lies strictly between both has its diamond's
-// whole width on the segment, and the end outside. Columns at the ends, at most two for each, are
-// asked the rest of rules/coverage/diamond_exit.h: whether the segment reaches the diamond's sides
+// The ends matter only near themselves. In a column strictly between them the segment spans the
+// diamond's whole width, and the end lies outside. In columns at the ends, at most two each, the
+// rest of rules/coverage/diamond_exit.h is tested: whether the segment reaches the diamond's sides
 // and whether its end lies within all four.
 //
-// The height is a quotient, kept with its remainder as in span_walk.h; the tie rule is a bit in its
-// numerator, and the 16 bits that no step changes are dropped.
+// The height is a quotient, kept with its remainder as in span_walk.h. The tie rule is one bit of
+// its numerator, and the 16 bits that no step changes are dropped.
 //
-// Bounds: coordinates are at most 2^29 + 2^16 raw (edge_functions.h), their differences 2^30 +
-// 2^17; the numerator is then less than 2^61, and u and v less than 2^31.
+// Bounds: coordinates are at most 2^29 + 2^16 raw (edge_functions.h) and their differences 2^30 +
+// 2^17, so the numerator is less than 2^61, and u and v are less than 2^31.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@
 
 namespace edgecase {
 
-// A segment whose first axis is the major one.
+// A segment with its major axis first.
 struct WalkedSegment {
   std::int64_t major_a, minor_a, major_b, minor_b;
   bool x_major;
@@ -44,7 +44,7 @@ struct WalkedSegment {
   }
 };
 
-// The ends' part of the rule, in rotated coordinates u = major + minor and v = major - minor.
+// The test at the ends, in rotated coordinates u = major + minor and v = major - minor.
 class DiamondEnds {
  public:
   constexpr DiamondEnds(const WalkedSegment& s, const TieWeights& ties)
@@ -57,7 +57,7 @@ class DiamondEnds {
         owns_v_low_(ties.owns(-1, 1)),
         owns_v_high_(ties.owns(1, -1)) {}
 
-  // Of a pixel whose diamond the segment's line meets: does the segment exit it?
+  // Whether the segment exits the diamond of a pixel; its line must meet that diamond.
   constexpr bool exits(std::int64_t column, std::int64_t row) const {
     const std::int64_t u = (column + row + 1) * Fixed::kOne;
     const std::int64_t v = (column - row) * Fixed::kOne;
@@ -73,7 +73,7 @@ class DiamondEnds {
     std::int64_t v;
   };
 
-  // From the diamond's centre: is `high` beyond its lower sides and `low` before its upper ones?
+  // Relative to the centre: is `high` beyond its lower sides and `low` before its upper ones?
   constexpr bool is_inside(Rotated low, Rotated high) const {
     constexpr std::int64_t kRadius = Fixed::kOne / 2;
     return high.u + kRadius + owns_u_low_ > 0 && kRadius - low.u + owns_u_high_ > 0 &&
@@ -94,8 +94,8 @@ class LineHeight {
       run_ = -run_;
       rise = -rise;
     }
-    // Where the height is a whole number, the row below has its upper border there, and this is how
-    // the distance to it grows. What it owns is a height a little less.
+    // A whole height lies on the upper border of the row below, from which the distance grows along
+    // (-rise, run). If that row owns it, the height counts as slightly less.
     const std::int64_t tie = ties.owns(-rise, run_) ? 1 : 0;
     const std::int64_t along = column * Fixed::kOne + Fixed::kOne / 2 - s.major_a;
     const std::int64_t height = (s.minor_a * run_ + along * rise - tie) >> Fixed::kFractionBits;
@@ -128,8 +128,8 @@ class LineHeight {
 };
 
 // Calls sink(x, y) for each pixel within the bounds, which lie within the window, that a line of
-// width 1 covers, along its major axis in ascending order. Only a perturbed tie rule gives a height
-// between two rows to one of them; the two others are not for this walk.
+// width 1 covers, ascending along its major axis. The tie rule must be a perturbed one: the other
+// two do not assign a height between two rows.
 template <class Sink>
 inline void walk_line(RawPoint a, RawPoint b, const TieWeights& rule, const PixelBounds& bounds,
                       Sink&& sink) {

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// Small triangles as masks: some columns of a row at once, a lane for each.
+// Small triangles as masks: several columns of a row at once, one per lane.
 //
-// A box of at most 32 columns and 64 rows need not be aligned to anything: its lower left pixel is
-// where the lanes begin. The three functions are or-ed, and the sign of the result says whether any
-// of them is negative. Beyond the box's columns some function is negative anyway (box_at in
-// edge_functions.h), so no lane needs to be told that it lies outside.
+// A box of at most 32 columns and 64 rows needs no alignment: its lower left pixel is the first
+// lane. The three functions are or-ed, and the sign of the result shows whether any of them is
+// negative. Beyond the box's columns some function is negative anyway (box_at in edge_functions.h),
+// so no lane has to be masked off.
 //
-// All of it fits in 32 bits, whatever the grid of the vertices: with W columns and H rows in the
-// box, vertices are less than W + 1 and H + 1 pixels apart, so that right < (H + 1) 2^16 and up <
-// (W + 1) 2^16. A function is zero on a line through two vertices, which lie less than a pixel
-// beside the box. From there to a lane, at most 7 columns beyond the box, and to the row after its
-// last one it grows by less than right (W + 8) + up (H + 2).
+// 32 bits suffice whatever the vertices' grid: with W columns and H rows in the box, vertices are
+// less than W + 1 and H + 1 pixels apart, so right < (H + 1) 2^16 and up < (W + 1) 2^16. A function
+// is zero on a line through two vertices, which lie less than a pixel outside the box. From there
+// to a lane, at most 7 columns beyond the box, and to the row after its last one the function grows
+// by less than right (W + 8) + up (H + 2).
 //
-// Compiled once for each of Highway's targets.
+// This file is compiled once for each of Highway's targets.
 #if defined(EDGECASE_KERNELS_MASK_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef EDGECASE_KERNELS_MASK_WALK_INL_H_
 #undef EDGECASE_KERNELS_MASK_WALK_INL_H_
@@ -46,8 +46,8 @@ HWY_INLINE bool fits_masks(const PixelBounds& box) {
   return box.x_max - box.x_min < kMaskColumns && box.y_max - box.y_min < kMaskRows;
 }
 
-// Calls sink(y, x, mask) with a mask of Lanes32 for the pixels from x on, row by row from the
-// bottom, masks without a pixel included. The box is the triangle's own.
+// Calls sink(y, x, mask), with a mask of Lanes32 for the pixels from x on, row by row from the
+// bottom, including empty masks. `box` must be the triangle's own.
 template <class Sink>
 HWY_INLINE void WalkMasks(const std::array<EdgeFunction, 3>& edges, const PixelBounds& box,
                           Sink&& sink) {

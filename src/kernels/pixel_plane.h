@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What kernels write to: planes of RGBA8 pixels, and the primitives that fill them.
+// The output of kernels, planes of RGBA8 pixels, and the primitives that fill them.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace edgecase {
 
-// Four bytes, red first in memory, as one word.
+// Four bytes as one word, with red first in memory.
 using PixelWord = std::uint32_t;
 
-// Pixels row by row from the bottom. Behind the last row there is room for kSpare more, which
-// kernels may read and write back as they were.
+// Pixels row by row from the bottom. Room for kSpare more follows the last row; kernels may read
+// these and write them back unchanged.
 struct PixelPlane {
   static constexpr std::size_t kSpare = 16;
 
@@ -36,22 +36,22 @@ struct FlatLine {
   PixelWord color = 0;
 };
 
-// Where samples are drawn: sample s of each pixel lies at places[s] and is written to planes[s]. A
-// target that is not multisampled has one plane and kCentrePlace.
+// The samples to draw: sample s of each pixel lies at places[s] and is written to planes[s]. A
+// target without multisampling has one plane and kCentrePlace.
 struct FillTarget {
   std::span<const PixelPlane> planes;
   std::span<const RawPoint> places;
-  PixelBounds bounds;  // of what may be written, within the planes
+  PixelBounds bounds;  // the pixels that may be written, within the planes
 };
 
-// Each writes, in the order of the primitives, exactly what the predicates of triangle_fill.h and
-// diamond_exit.h have inside. Ties of lines must be perturbed ones.
+// Both draw primitives in order, and cover exactly the pixels of the predicates in triangle_fill.h
+// and diamond_exit.h. The tie rule of lines must be a perturbed one.
 void fill_triangles(const FillTarget& target, std::span<const FlatTriangle> triangles,
                     const TieWeights& ties);
 void fill_lines(const FillTarget& target, std::span<const FlatLine> lines, const TieWeights& ties);
 
-// The mean of four samples' planes, byte by byte, rounded to nearest, a tie to the even value. Up
-// to kSpare pixels behind the last one are written too.
+// The mean of four samples' planes, byte by byte, rounded to nearest, ties to even. Up to kSpare
+// pixels behind the last one are written too.
 void resolve_four(std::span<const PixelPlane, 4> samples, const PixelPlane& resolved,
                   std::size_t pixels);
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// resolve_four: the mean of four bytes, rounded to nearest, a tie to the even value.
+// resolve_four: the mean of four bytes, rounded to nearest, ties to even.
 //
-// With q and r the quotient and the rest of their sum by 4, (sum + 1 + (q & 1)) >> 2 is q for r = 0
-// and 1, q + 1 for 3, and q + (q & 1) for 2.
+// With quotient q and remainder r of the sum by 4, (sum + 1 + (q & 1)) >> 2 is q for r = 0 and 1, q
+// + 1 for r = 3, and q + (q & 1) for r = 2.
 #include "kernels/pixel_plane.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/resolve_kernel.cpp"
 #include <hwy/foreach_target.h>
-// Highway wants its own header after the list of targets.
+// Highway requires its header after the list of targets.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();

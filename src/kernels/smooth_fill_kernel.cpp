@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// fill_smooth_triangle: spans, and in each of them as many pixels at once as a vector has doubles.
+// fill_smooth_triangle: walks spans and computes as many pixels at once as a vector has doubles.
 #include "kernels/color_planes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/smooth_fill_kernel.cpp"
 #include <hwy/foreach_target.h>
-// Highway wants its own header after the list of targets.
+// Highway requires its header after the list of targets.
 #include <hwy/highway.h>
 
 #include "kernels/code_words-inl.h"
@@ -24,7 +24,7 @@ struct RowComponent {
   DoubleVector start, right, decided;
 };
 
-// kClamps: are there components beyond 0 to 255?
+// kClamps: whether components may lie outside 0 to 255.
 template <bool kClamps>
 class SmoothFill {
  public:
@@ -59,7 +59,7 @@ class SmoothFill {
             hn::Set(d, .5 - planes_.margin[c])};
   }
 
-  // The nearest code, a tie to the even one. Adds the lanes to `open` that are too near to a tie.
+  // The nearest code, ties to even. Adds the lanes that are too near to a tie to `open`.
   static HWY_INLINE WordVector CodeOf(const RowComponent& c, DoubleVector x,
                                       hn::Mask<Doubles>& open) {
     const Doubles d;
@@ -71,7 +71,7 @@ class SmoothFill {
   }
 
   HWY_NOINLINE void Tell(hn::Mask<Doubles> open, PixelPosition first, int last) const {
-    TellDoubtful(open, first, last, doubtful_);
+    AddDoubtful(open, first, last, doubtful_);
   }
 
   const PixelPlane plane_;
@@ -105,7 +105,7 @@ HWY_EXPORT(FillSmooth);
 
 namespace {
 
-// Are all means of the corners' colours 0 to 1, and all pixels within the corners?
+// Whether all means of the corners' colours are 0 to 1 and all pixels lie within the corners.
 bool stays_within(const SmoothTriangle& triangle) {
   for (std::size_t i = 0; i < 3; ++i) {
     const RawPoint vertex = triangle.vertices[i], corner = triangle.corners[i];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Large triangles as spans: of each row the first and the last pixel, without asking any pixel.
+// Large triangles as spans: the first and the last pixel of each row, without testing pixels.
 //
 // On row y an edge function e + right x that grows to the right is >= 0 from x = -floor(e / right)
-// on, and one that falls up to x = floor(e / -right). From one row to the next e grows by `up`, so
-// the quotient is kept with its remainder and both are added to: a digital differential analyser
-// that never rounds. A horizontal edge owns the samples of its row or does not: that shortens the
-// box by a row. Two divisions an edge, three additions an edge and row, whatever the width.
+// on; one that falls is >= 0 up to x = floor(e / -right). From row to row e grows by `up`, so the
+// quotient is kept with its remainder and both are incremented: a digital differential analyser
+// that never rounds. A horizontal edge either owns the samples of its row or shortens the box by a
+// row. The cost is two divisions per edge and three additions per edge and row, whatever the width.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@
 
 namespace edgecase {
 
-// floor(e / divisor) row by row. Quotients of functions less than 2^46 (edge_functions.h): they
-// fit, as does one step beyond the last row.
+// floor(e / divisor), row by row. Functions are less than 2^46 (edge_functions.h), so their
+// quotients fit, even one step beyond the last row.
 class Border {
  public:
-  // Beyond every pixel of the window.
+  // A column beyond every pixel of the window.
   static constexpr std::int64_t kFar = std::int64_t{1} << 20;
 
   constexpr Border() = default;
@@ -34,7 +34,7 @@ class Border {
   constexpr void go_up() {
     column_ += step_;
     rest_ += step_rest_;
-    // Without a branch: which rows carry is as good as random.
+    // This avoids a branch: which rows carry is practically random.
     const std::int64_t carry = rest_ >= divisor_ ? 1 : 0;
     rest_ -= divisor_ & -carry;
     column_ += carry;
@@ -57,11 +57,11 @@ class Border {
   std::int64_t step_rest_ = 0;
 };
 
-// Calls sink(y, first, last), both ends inclusive, for each row of the triangle that has pixels
-// within the box, from the bottom. The box lies within the triangle's own and within the window.
+// Calls sink(y, first, last), both ends inclusive, for each row of the triangle with pixels in the
+// box, from the bottom. The box lies within the triangle's own box and the window.
 template <class Sink>
 inline void walk_spans(const std::array<EdgeFunction, 3>& edges, PixelBounds box, Sink&& sink) {
-  // The third border is a second one of either side, or none.
+  // The third border, if there is one, shares a side with the left or the right border.
   Border left, right, third;
   bool has_left = false, has_right = false, third_is_left = false;
   for (const EdgeFunction& edge : edges) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// fill_textured_triangle: spans, and in each of them as many pixels at once as a vector has
-// doubles; texels by gathers of whole words.
+// fill_textured_triangle: walks spans, computes as many pixels at once as a vector has doubles, and
+// gathers texels as whole words.
 #include "kernels/color_planes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/textured_fill_kernel.cpp"
 #include <hwy/foreach_target.h>
-// Highway wants its own header after the list of targets.
+// Highway requires its header after the list of targets.
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The two texels between which a coordinate lies, and the weight of the second.
+// The two texels around a coordinate, and the weight of the second.
 struct TexelPair {
   WordVector first, second;
   DoubleVector weight;
@@ -133,7 +133,7 @@ class TexturedFill {
     if (HWY_UNLIKELY(!hn::AllFalse(d, open))) Tell(open, at, last);
   }
 
-  // The nearest code. `farthest` becomes the largest distance of a component from its code.
+  // The nearest code. `farthest` becomes the largest distance of any component from its code.
   static HWY_INLINE WordVector CodeOf(DoubleVector value, DoubleVector& farthest) {
     const auto code = hn::Round(value);
     farthest = hn::Max(farthest, hn::Abs(hn::Sub(value, code)));
@@ -141,7 +141,7 @@ class TexturedFill {
   }
 
   HWY_NOINLINE void Tell(hn::Mask<Doubles> open, PixelPosition first, int last) const {
-    TellDoubtful(open, first, last, doubtful_);
+    AddDoubtful(open, first, last, doubtful_);
   }
 
   const PixelPlane plane_;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Many large triangles: tile by tile, and of each tile only what is seen last.
+// Many large triangles: drawn tile by tile, skipping those of a tile that are hidden later.
 //
-// Each triangle is held against the tiles of its bounding box by the corners that lie most inside
-// and most outside each edge (rules/coverage/block_walk.h has the argument): a tile that an edge
-// has wholly outside is rejected, and one that all edges have inside is covered. Every triangle
-// replaces what was there, so that a tile that is covered forgets all that came before. Then the
-// tiles are drawn, one after the other, each while it lies in the cache nearest to the core.
+// Each triangle is tested against the tiles of its bounding box at the tile corners most inside and
+// most outside each edge (rules/coverage/block_walk.h has the argument). A tile wholly outside an
+// edge is rejected; a tile inside all edges is covered. Since every triangle replaces older
+// colours, a covered tile drops all earlier entries. Tiles are then drawn one after another, each
+// while it fits in the cache nearest to the core.
 #pragma once
 
 #include <algorithm>
@@ -21,13 +21,13 @@ class TileBins {
  public:
   static constexpr int kSide = 64;  // pixels
 
-  // Of what may be drawn, columns and rows not negative; not empty.
+  // `bounds`: the pixels that may be drawn, not empty, with columns and rows of 0 or more.
   explicit TileBins(const PixelBounds& bounds)
       : bounds_(bounds),
         columns_(bounds.x_max / kSide + 1),
         bins_(static_cast<std::size_t>(columns_ * (bounds.y_max / kSide + 1))) {}
 
-  // Number `index` in the order of drawing: ascending. `box`: the triangle's own.
+  // `index`: the triangle's number in drawing order, ascending. `box`: the triangle's own.
   void add(std::size_t index, const std::array<EdgeFunction, 3>& edges, const PixelBounds& box) {
     const PixelBounds some = common_part(box, bounds_);
     if (is_empty(some)) return;
@@ -41,8 +41,8 @@ class TileBins {
       }
   }
 
-  // Calls draw(index, part, is_covered) for what is left, each tile's in the order of drawing.
-  // `part`: of the bounds; is_covered: the triangle covers all of it.
+  // Calls draw(index, part, is_covered) for the remaining entries, tile by tile in drawing order.
+  // `part`: the tile within the bounds; is_covered: the triangle covers all of it.
   template <class Draw>
   void draw(Draw&& draw) const {
     for (std::size_t i = 0; i < bins_.size(); ++i) {
@@ -60,7 +60,7 @@ class TileBins {
     bool is_covered;
   };
 
-  // The tile whose lower left pixel this is. Of one that the bounds cut, all of it is asked.
+  // Classifies the tile with lower left pixel (x, y), tested whole even if the bounds cut it.
   static Held hold(const std::array<EdgeFunction, 3>& edges, std::int64_t x, std::int64_t y) {
     bool is_covered = true;
     for (const EdgeFunction& edge : edges) {
@@ -78,7 +78,7 @@ class TileBins {
   std::vector<std::vector<Entry>> bins_;
 };
 
-// Is it worth the while? Where triangles are some tiles large, and lie many times over one another.
+// Whether bins pay: triangles are several tiles large and overlap many times.
 // `vertices_of_triangle(i)`: the three vertices of each of `count` triangles.
 template <class Vertices>
 bool wants_bins(std::size_t count, const PixelBounds& bounds, Vertices&& vertices_of_triangle) {

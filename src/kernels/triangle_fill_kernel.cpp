@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// fill_triangles: small triangles by masks, all others by spans. A small one that the bounds cut is
-// walked by spans too: its box would no longer be its own. Many large ones go tile by tile.
+// fill_triangles: small triangles by masks, all others by spans. Small ones cut by the bounds also
+// go by spans, since their box is no longer their own. Many large ones go tile by tile.
 #include "kernels/pixel_plane.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/triangle_fill_kernel.cpp"
 #include <hwy/foreach_target.h>
-// Highway wants its own header after the list of targets.
+// Highway requires its header after the list of targets.
 #include <hwy/highway.h>
 
 #include "kernels/mask_walk-inl.h"
@@ -19,7 +19,7 @@ namespace edgecase {
 namespace HWY_NAMESPACE {
 namespace {
 
-// From `first` on, `count` pixels of one colour.
+// Fills `count` pixels, starting at `first`, with one colour.
 HWY_INLINE void FillSpan(PixelWord* first, std::ptrdiff_t count, PixelWord color) {
   const hn::ScalableTag<PixelWord> d;
   const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d));

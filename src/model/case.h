@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Case: one scene with the words around it, as a case file gives them.
+// Case: one scene with its title, reasons and expectations, as read from a case file.
 #pragma once
 
 #include <cstdint>
@@ -13,47 +13,46 @@
 
 namespace edgecase {
 
-// The author's hand-drawn truth for the exact side under one policy.
+// The author's hand-drawn coverage for exact under one policy.
 struct Expect {
   std::string policy = "opengl";
-  // Hits per pixel, row by row from the bottom, width * height of them; empty where
-  // `masks` is drawn.
+  // Hits per pixel, row by row from the bottom, width * height numbers; empty if `masks` is drawn.
   std::vector<int> coverage;
-  // Of one primitive on a multisampled target: which samples it covers, per pixel in the same
-  // order, bit s for sample s.
+  // For one primitive on a multisampled target: the samples that it covers, per pixel in the same
+  // order, with bit s for sample s.
   std::vector<std::uint32_t> masks;
   std::string where;  // FILE:LINE and JSON pointer of the drawing, for messages
 };
 
 struct Case {
-  // Path from the suite's root, without suffix, with '/'; then ":" and each of `parts`.
+  // Path below the suite's root, with '/' and without suffix; then ":" and each of `parts`.
   std::string id;
-  // What tells the case from the others of its file: "dx=-0.5" of each axis of a sweep, in the
-  // file's order, then "reverse", "winding", "octant=3" or "translate=3,2".
+  // What distinguishes the case within its file: "dx=-0.5" for each axis of a sweep, in the file's
+  // order, then "reverse", "winding", "octant=3" or "translate=3,2".
   std::vector<std::string> parts;
   std::string title;
   std::string why;
-  std::vector<std::string> rules;  // ids of the rules that the case is about
+  std::vector<std::string> rules;  // ids of the rules that the case tests
   std::string spec;
-  std::string origin;  // a link, where a bug led to the case
+  std::string origin;  // a link to the bug that led to the case, if there is one
   std::vector<std::string> tags;
   std::filesystem::path file;
-  SharedText source;  // the file's
+  SharedText source;  // the text of `file`
   Scene scene;
   std::vector<Expect> expect;
 };
 
-// Something wrong with a file that a person wrote.
+// A mistake in a file that a person wrote.
 struct Diagnostic {
   std::string file;
-  int line = 0;         // from 1; 0: the file as a whole
+  int line = 0;         // from 1; 0 for the file as a whole
   std::string pointer;  // RFC 6901, "" for the document
-  std::string message;  // what is wrong
-  std::string remedy;   // how to put it right
+  std::string message;  // the mistake
+  std::string remedy;   // how to correct it
 };
 
-// "FILE:LINE: POINTER: message; remedy", the parts that exist.
-// A pointer through names of great length is cut.
+// "FILE:LINE: POINTER: message; remedy", without the parts that are empty. A very long pointer is
+// cut.
 inline std::string to_string(const Diagnostic& diagnostic) {
   constexpr std::size_t kMostOfPointer = 200;  // bytes
   std::string text = diagnostic.file;

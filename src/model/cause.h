@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Causes: the alternatives of rules that would have drawn what a renderer drew. Their names stand
-// in the catalogue; rules/all_rules.h has the text of a cause.
+// Causes: the alternatives of rules that would have drawn what a renderer drew. The catalogue has
+// their names; rules/all_rules.h has the text of a cause.
 #pragma once
 
 #include <array>
@@ -18,12 +18,12 @@ namespace edgecase {
 
 struct AlternativeId {
   RuleId rule = RuleId::none;
-  // Index among the rule's alternatives; 0 where it has none: then the rule itself is the cause.
+  // Index among the rule's alternatives; 0 if it has none and the rule itself is the cause.
   std::uint8_t index = 0;
   friend auto operator<=>(const AlternativeId&, const AlternativeId&) = default;
 };
 
-// Alternatives of different rules, all of them at work at once. Of none: no cause is known.
+// Alternatives of different rules that apply together. Without any, no cause is known.
 struct Cause {
   std::vector<AlternativeId> parts;
 
@@ -33,12 +33,12 @@ struct Cause {
 
   bool empty() const { return parts.empty(); }
   std::size_t size() const { return parts.size(); }
-  // The rule of its first alternative; none of no cause.
+  // The rule of the first alternative, or none.
   RuleId rule() const { return parts.empty() ? RuleId::none : parts.front().rule; }
   friend auto operator<=>(const Cause&, const Cause&) = default;
 };
 
-// With one more alternative, the last.
+// Appends the alternatives of `more`.
 inline Cause operator+(Cause cause, const Cause& more) {
   cause.parts.insert(cause.parts.end(), more.parts.begin(), more.parts.end());
   return cause;
@@ -57,7 +57,7 @@ class AlternativeSet {
 
   void add(AlternativeId id) { words_[word_of(id)] |= bit_of(id); }
   bool contains(AlternativeId id) const { return (words_[word_of(id)] & bit_of(id)) != 0; }
-  // Calls `visit` with each of them, in order.
+  // Calls `visit` with each alternative, in order.
   template <class Visit>
   void for_each(const Visit& visit) const {
     for (const RuleId rule : values_of<RuleId>())

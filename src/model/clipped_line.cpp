@@ -6,7 +6,7 @@
 namespace edgecase {
 namespace {
 
-// Of the coordinate between -w and w that a window coordinate is mapped from, times w.
+// The coordinate, between -w and w, that the viewport maps to a window coordinate, times w.
 Rational unmapped(Fixed window, int low, int size, const Rational& w) {
   const Rational pixels = Rational(window.raw()) / Fixed::kOne - low;
   return (2 * pixels / size - 1) * w;
@@ -16,7 +16,7 @@ Rational mapped(const Rational& coordinate, const Rational& w, int low, int size
   return low + Rational(size) * (coordinate / w + 1) / 2;
 }
 
-// Keeps the part where what runs from `a` to `b` is not negative.
+// Keeps the part of the line in which the linear function from `a` to `b` is not negative.
 void keep_inside(const Rational& a, const Rational& b, VisiblePart& part) {
   if (a >= 0 && b >= 0) return;
   if (a < 0 && b < 0) {
@@ -61,7 +61,7 @@ std::optional<VisiblePart> visible_part(const RationalClip& from, const Rational
     keep_inside(from.w - from.*axis, to.w - to.*axis, part);
   }
   if (part.from >= part.to) return std::nullopt;
-  // The eye itself, where all four are 0, has no place in the window.
+  // The eye itself, where all four coordinates are 0, has no position in the window.
   if (between(from, to, part.from).w <= 0 || between(from, to, part.to).w <= 0) return std::nullopt;
   return part;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers with their nouns, for people.
+// Numbers with their nouns, as text for people.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace edgecase {
 
-// "30,718": in groups of three digits.
+// Digits in groups of three: "30,718".
 inline std::string grouped(std::size_t count) {
   std::string text = std::to_string(count);
   for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, 1, ',');

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A digest of texts, by which two of them can be told apart without keeping either: FNV-1a of 64
-// bits. It guards against mistakes, not against people.
+// A digest by which texts can be compared without keeping them: FNV-1a of 64 bits. It guards
+// against mistakes, not against attacks.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace edgecase {
 
 class Digest {
  public:
-  // Adds a text; where one ends and the next begins counts.
+  // Adds a text. The boundary between texts matters.
   Digest& add(std::string_view text) {
     for (const char c : text) step(static_cast<unsigned char>(c));
     for (std::size_t size = text.size(), i = 0; i < sizeof size; ++i, size >>= 8) step(size & 0xff);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Figure: the geometry that explains a pixel, as rules compute it and reports draw it. A report
-// knows no rule: it styles marks by their role and writes their labels.
+// Figure: the geometry that explains a pixel, computed by rules and drawn by reports. Reports know
+// no rules: they style marks by role and write their labels.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ enum class MarkRole {
   primitive,       // outline of the primitive as given, in window coordinates
   vertex,          // one of its vertices
   snapped_vertex,  // where a vertex lies after snapping
-  region,          // what a sample's rule looks at: a line's diamond, a point's square
+  region,          // the area that a sample's rule examines: a line's diamond, a point's square
   owned,           // edges or corners of a primitive or region that count as inside
-  sample,          // the sample that is decided
-  edge,            // the edge or segment on which the decision hangs
+  sample,          // the sample in question
+  edge,            // the edge or segment that decides
 };
 
 inline const char* name_of(MarkRole role) {
@@ -42,9 +42,9 @@ inline const char* name_of(MarkRole role) {
 
 struct Mark {
   MarkRole role = MarkRole::primitive;
-  bool closed = false;                            // join the last position to the first
+  bool closed = false;                            // joins the last position to the first
   std::vector<std::pair<double, double>> points;  // window coordinates, pixels, y up
-  std::string label;                              // short text beside the first position, or none
+  std::string label;                              // beside the first position; may be empty
 };
 
 struct Figure {

@@ -5,8 +5,8 @@
 //
 //   fragment -> stencil test -> depth test -> blending -> colour mask -> target
 //
-// A state that was only default-constructed does what a context does that nobody has told anything
-// else, with one exception: fragments are written to a depth buffer, without a test.
+// A default-constructed state equals that of a fresh context, with one exception: fragments write
+// the depth buffer, without a test.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@
 
 namespace edgecase {
 
-// Of the depth test: does a fragment's depth compare so with the stored one? Of the stencil test:
-// does the reference compare so with the stored value?
+// The depth test compares a fragment's depth with the stored one; the stencil test compares the
+// reference with the stored value.
 enum class CompareFunction { never, less, equal, lequal, greater, notequal, gequal, always };
 template <>
 inline constexpr auto kNames<CompareFunction> =
@@ -31,7 +31,7 @@ inline constexpr auto kNames<CompareFunction> =
                                            {CompareFunction::gequal, "gequal"},
                                            {CompareFunction::always, "always"}});
 
-// Depth values that a draw's fragments are held against, and write. GL_DEPTH_TEST disabled is
+// The comparison with stored depths, and whether they are written. GL_DEPTH_TEST disabled is
 // {always, false}: without the test nothing is written.
 struct DepthTest {
   CompareFunction function = CompareFunction::always;
@@ -39,8 +39,8 @@ struct DepthTest {
   friend bool operator==(const DepthTest&, const DepthTest&) = default;
 };
 
-// What becomes of a stored stencil value, before the write mask: `incr` and `decr` stop at 255 and
-// 0, the others wrap.
+// The new stencil value, before the write mask: `incr` and `decr` stop at 255 and 0, the `_wrap`
+// forms wrap.
 enum class StencilOperation { keep, zero, replace, incr, incr_wrap, decr, decr_wrap, invert };
 template <>
 inline constexpr auto kNames<StencilOperation> =
@@ -57,11 +57,12 @@ inline constexpr auto kNames<StencilOperation> =
 struct StencilFace {
   CompareFunction function = CompareFunction::always;
   std::uint8_t reference = 0;
-  std::uint8_t read_mask = 0xff;                         // of both sides of the comparison
-  std::uint8_t write_mask = 0xff;                        // glStencilMask
-  StencilOperation fail = StencilOperation::keep;        // the stencil test fails
-  StencilOperation depth_fail = StencilOperation::keep;  // it passes, and the depth test fails
-  StencilOperation pass = StencilOperation::keep;        // both pass
+  std::uint8_t read_mask = 0xff;                   // for both sides of the comparison
+  std::uint8_t write_mask = 0xff;                  // glStencilMask
+  StencilOperation fail = StencilOperation::keep;  // the stencil test fails
+  StencilOperation depth_fail =
+      StencilOperation::keep;                      // depth test fails after the stencil test passes
+  StencilOperation pass = StencilOperation::keep;  // both pass
   friend bool operator==(const StencilFace&, const StencilFace&) = default;
 };
 
@@ -71,7 +72,7 @@ struct StencilTest {
   friend bool operator==(const StencilTest&, const StencilTest&) = default;
 };
 
-// Factors of blending (GL 4.6 core, table 17.2); the second source colour is left out.
+// Factors of blending (GL 4.6 core, table 17.2), without those of a second source colour.
 enum class BlendFactor {
   zero,
   one,
@@ -107,7 +108,7 @@ inline constexpr auto kNames<BlendFactor> = std::to_array<Named<BlendFactor>>(
      {BlendFactor::one_minus_constant_alpha, "one_minus_constant_alpha"},
      {BlendFactor::src_alpha_saturate, "src_alpha_saturate"}});
 
-// How the two products are put together (table 17.1); `min` and `max` take no factors.
+// How the two products are combined (table 17.1); `min` and `max` ignore the factors.
 enum class BlendEquation { add, subtract, reverse_subtract, min, max };
 template <>
 inline constexpr auto kNames<BlendEquation> =
@@ -131,13 +132,13 @@ struct Blending {
   friend bool operator==(const Blending&, const Blending&) = default;
 };
 
-// Which way round the vertices of a front-facing polygon run in the window, y up.
+// In which direction the vertices of a front-facing polygon run in the window, y up.
 enum class FrontFace { ccw, cw };
 template <>
 inline constexpr auto kNames<FrontFace> = std::to_array<Named<FrontFace>>({{FrontFace::ccw, "ccw"},
                                                                            {FrontFace::cw, "cw"}});
 
-// Which polygons are dropped.
+// Which triangles are discarded.
 enum class CullMode { none, front, back, front_and_back };
 template <>
 inline constexpr auto kNames<CullMode> = std::to_array<Named<CullMode>>({{CullMode::none, "none"},
@@ -146,9 +147,9 @@ inline constexpr auto kNames<CullMode> = std::to_array<Named<CullMode>>({{CullMo
                                                                          {CullMode::front_and_back,
                                                                           "front_and_back"}});
 
-// Added to the depth of each fragment of a polygon: factor m + units r, with m the depth's slope
-// and r the smallest difference that the depth buffer resolves; where the clamp is not 0, no
-// farther than it (GL 4.6 core, 14.6.5).
+// Added to the depth of each fragment of a polygon: factor m + units r, where m is the depth's
+// slope and r the smallest difference that the depth buffer resolves; limited to the clamp, unless
+// that is 0 (GL 4.6 core, 14.6.5).
 struct PolygonOffset {
   float factor = 0;
   float units = 0;
@@ -164,7 +165,7 @@ struct FragmentOperations {
   friend bool operator==(const FragmentOperations&, const FragmentOperations&) = default;
 };
 
-// Does a comparison hold between a value and the stored one, given how they are ordered?
+// Whether a comparison succeeds, given how the value is ordered against the stored one.
 bool holds(CompareFunction function, bool less, bool equal);
 
 }  // namespace edgecase

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Lists of fragments: what two have in common, to the bit, and how many are sorted.
+// Lists of fragments: comparison to the bit, and sorting by small numbers.
 #pragma once
 
 #include <algorithm>
@@ -15,27 +15,23 @@
 
 namespace edgecase {
 
-// What two fragments have in common, to the bit.
-
-// NaN equals itself here, and 0 is not -0.
+// Comparison to the bit: NaN equals itself, and 0 differs from -0.
 inline std::uint64_t bit_pattern(double value) {
   return std::bit_cast<std::uint64_t>(value);
 }
 
-// Do they cover the same samples of one pixel, for one primitive?
+// Whether they cover the same samples of one pixel, for one primitive.
 inline bool cover_alike(const Fragment& a, const Fragment& b) {
   return a.x == b.x && a.y == b.y && a.primitive == b.primitive && a.coverage == b.coverage;
 }
 
-// Have they one depth and one colour?
+// Whether they have the same depth and colour.
 inline bool have_equal_values(const Fragment& a, const Fragment& b) {
   return bit_pattern(a.depth) == bit_pattern(b.depth) &&
          std::ranges::equal(a.color, b.color, {}, bit_pattern, bit_pattern);
 }
 
-// Sorting by a number that is small: in time linear in the items and in the numbers.
-
-// Sorts the items by index_of(item), which is below `count`; those of one index stay in order.
+// Sorts the items by index_of(item), which is below `count`, in linear time and stably.
 template <class Item, class IndexOf>
 void distribute(std::vector<Item>& items, std::size_t count, IndexOf index_of) {
   std::vector<std::size_t> first(count + 1);

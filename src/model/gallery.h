@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Gallery: the cases by which a policy is shown, with the words beside their pictures.
+// Gallery: the cases that present a policy, with the text beside their pictures.
 #pragma once
 
 #include <map>
@@ -12,20 +12,20 @@
 namespace edgecase {
 
 struct GalleryPicture {
-  std::string case_id;  // of a case, or of a case file: then the base case of its sweep
+  std::string case_id;  // of a case, or of a case file, which stands for the base case of its sweep
   std::string heading;
   std::string text;  // what to look at; may be empty
-  Choices rules;     // what this picture has otherwise than the policy; usually nothing
+  Choices rules;     // deviations from the policy in this picture; usually none
 };
 
 struct Gallery {
   std::string title;
   std::string about;
   std::string policy;                // its name
-  std::vector<std::string> sources;  // where the system is described
-  // rule id -> why the system has it so. Only rules that the policy chooses.
+  std::vector<std::string> sources;  // where the system is documented
+  // rule id -> the reason for the choice; only rules that the policy chooses.
   std::map<std::string, std::string> choices;
-  // rule id -> why none of the pictures shows it.
+  // rule id -> why no picture shows the choice.
   std::map<std::string, std::string> not_shown;
   std::vector<GalleryPicture> pictures;
 };

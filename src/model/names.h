@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Names: the words that case files, JSON and reports use for the values of an enumeration. They
-// stand in one table beside the enumeration, in the order in which people read them:
+// Names: how case files, JSON and reports write the values of an enumeration. They are in one table
+// beside the enumeration, in the order in which people read them:
 //
 //   enum class Filter { nearest, linear };
 //   template <>
 //   inline constexpr auto kNames<Filter> =
 //       std::to_array<Named<Filter>>({{Filter::nearest, "nearest"}, {Filter::linear, "linear"}});
 //
-// A row may hold more than value and name, as a rule's alternatives do.
+// A row may have further members, as a rule's alternatives do.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct Named {
   const char* name;
 };
 
-// Of an enumeration without names, no table.
+// The primary template, for enumerations without names.
 template <class Enum>
 inline constexpr int kNames = 0;
 
@@ -36,7 +36,7 @@ concept HasNames = std::is_enum_v<Enum> && requires {
   kNames<Enum>.begin()->name;
 };
 
-// "?" for a value that the table does not have.
+// "?" if the table lacks the value.
 template <HasNames Enum>
 constexpr const char* name_of(Enum value) {
   for (const auto& row : kNames<Enum>)
@@ -44,7 +44,7 @@ constexpr const char* name_of(Enum value) {
   return "?";
 }
 
-// The inverse: false when `name` names none, `value` then untouched.
+// The inverse of name_of: returns false, and leaves `value` unchanged, if there is no such name.
 template <HasNames Enum>
 constexpr bool parse_name(std::string_view name, Enum& value) {
   for (const auto& row : kNames<Enum>) {

@@ -11,12 +11,12 @@
 namespace edgecase {
 
 enum class Latitude {
-  opengl,  // a difference is judged by what OpenGL permits
+  opengl,  // OpenGL's latitude decides which differences are permitted
   none,    // any difference is a violation of this policy
 };
 
-// rule id -> name of the alternative. A rule that is absent takes the default of its catalogue
-// entry; triangle.snap, line.snap and point.snap default to subpixel.snap.
+// rule id -> name of the alternative. An absent rule takes the default of its catalogue entry;
+// triangle.snap, line.snap and point.snap default to subpixel.snap.
 using Choices = std::map<std::string, std::string>;
 
 struct Policy {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Renderer: anything that turns scenes into renderings, and the two ways in which it may not.
+// Renderer: anything that turns scenes into renderings, and the kinds of failure to do so.
 #pragma once
 
 #include <cstddef>
@@ -16,38 +16,38 @@
 
 namespace edgecase {
 
-// Who a renderer is and what it claims of itself. Claims are not facts: `edgecase backends` renders
-// probes to find out.
+// What a renderer claims about itself. Claims may be false: `edgecase backends` renders probes to
+// check them.
 struct RendererInfo {
-  std::string name;     // as the command line names it: "osmesa:llvmpipe"
-  std::string vendor;   // GL_VENDOR, or what the program says
-  std::string version;  // GL_VERSION, or what the program says
-  std::string device;   // GL_RENDERER, or what the program says
+  std::string name;     // on the command line: "osmesa:llvmpipe"
+  std::string vendor;   // GL_VENDOR, or what the program reports
+  std::string version;  // GL_VERSION, or what the program reports
+  std::string device;   // GL_RENDERER, or what the program reports
   int subpixel_bits =
       4;  // GL_SUBPIXEL_BITS; 4, the least that OpenGL allows, where nothing is said
   std::map<std::string, std::string> traits;  // further claims, by name
 };
 
-// A scene to render, with the id of its case: renderers use the id in messages only.
+// A scene to render, with the id of its case, which renderers use only in messages.
 struct Task {
   std::string id;
   const Scene* scene = nullptr;
-  // The caller looks at coverage alone: a renderer may leave pixels, depths and colours out. Then
-  // `pixels` is empty, and fragments have neither depth nor colour. It may also tell everything.
+  // Only coverage is needed: the renderer may omit pixels, depths and colours. `pixels` is then
+  // empty, and fragments have neither depth nor colour. It may also report everything.
   bool coverage_only = false;
 };
 
 enum class FailureKind {
-  unsupported,  // the renderer says that it does not do this
+  unsupported,  // the renderer reports that it lacks a feature
   crashed,      // its process ended
   timed_out,    // no answer in time
   garbage,      // the answer is no rendering of this scene
-  unavailable,  // it could not be started at all
+  unavailable,  // it could not be started
 };
 
 const char* name_of(FailureKind);
 
-// Why a scene has no rendering: one sentence, for people.
+// Why a scene has no rendering: one sentence for people.
 struct Failure {
   FailureKind kind = FailureKind::unsupported;
   std::string reason;
@@ -62,24 +62,24 @@ using OutcomeSink = std::function<void(std::size_t index, Outcome)>;
 class Renderer {
  public:
   virtual ~Renderer() = default;
-  // Known in full only after the first rendering, since a process tells who it is as it answers.
+  // Complete only after the first rendering, since a process identifies itself in its answer.
   virtual const RendererInfo& info() const = 0;
-  // Renders every task. Never throws for what a renderer does: that is a Failure. Returns early,
-  // leaving tasks without an outcome, only when `sink` asked for it by throwing.
+  // Renders every task. A renderer's misbehaviour is a Failure, never an exception. It returns
+  // early, with tasks left over, only if `sink` throws.
   virtual void render(std::span<const Task> tasks, const OutcomeSink& sink) = 0;
 };
 
-// Renderers that replay a recording, and who they stand for: their results are their own, but what
-// is known of the renderer that was recorded holds for them.
+// Renderers that replay a recording. Their results are their own, but known faults of the recorded
+// renderer apply to them.
 
-// What names of such renderers begin with; the path of a file follows.
+// Names of such renderers begin with this prefix, followed by the path of a file.
 constexpr std::string_view kRecordingPrefix = "recording:";
 
-// The trait by which they tell the name of the renderer that was recorded.
+// Their trait with the name of the recorded renderer.
 constexpr const char* kRecordedTrait = "recorded";
 
-// The name under which known faults and profiles know a renderer: its own, or that of the renderer
-// which was recorded. Of others than recordings, the trait means nothing.
+// The name by which known faults and profiles identify a renderer: its own or, for a recording,
+// that of the recorded renderer. Other renderers' trait is ignored.
 const std::string& known_as(const RendererInfo& info);
 
 }  // namespace edgecase

@@ -11,7 +11,7 @@ namespace edgecase {
 
 namespace {
 
-// Are there enough fragments for counting them at each pixel, and all of them at pixels?
+// Whether there are enough fragments to count them by pixel, and all lie within the target.
 bool can_distribute(const Rendering& rendering) {
   const std::size_t pixels = rendering.pixel_index(0, rendering.height);
   return pixels <= 16 * rendering.fragments.size() &&
@@ -23,7 +23,7 @@ bool can_distribute(const Rendering& rendering) {
 
 using Places = std::vector<std::vector<Fragment>::iterator>;
 
-// Where the sorted runs of a list begin, and its end; fewer than all of them where they are many.
+// The starts of a list's sorted runs, and its end; cut short after more than `most` runs.
 Places runs_of(std::vector<Fragment>& fragments, std::size_t most) {
   Places places{fragments.begin()};
   while (places.size() <= most && places.back() != fragments.end())
@@ -31,7 +31,7 @@ Places runs_of(std::vector<Fragment>& fragments, std::size_t most) {
   return places;
 }
 
-// The last ones first: a large primitive that lesser ones follow is gone through once.
+// Merges from the end: a large primitive followed by smaller ones is passed over only once.
 void merge_runs(const Places& places) {
   for (std::size_t i = places.size() - 2; i > 0; --i)
     std::inplace_merge(places[i - 1], places[i], places.back(), precedes);
@@ -51,7 +51,7 @@ void sort_fragments(Rendering& rendering) {
   const auto are_sorted = [&] {
     return std::is_sorted(fragments.begin(), fragments.end(), precedes);
   };
-  // Most come sorted, or primitive by primitive, and looking is much cheaper than sorting.
+  // Most lists are sorted already, or by primitive, and a check is much cheaper than a sort.
   if (are_sorted()) return;
   const Places places = runs_of(fragments, kFewRuns);
   if (places.back() == fragments.end()) return merge_runs(places);
@@ -64,7 +64,7 @@ void sort_fragments(Rendering& rendering) {
 std::uint8_t to_unorm8(double component) {
   if (!(component > 0)) return 0;
   if (component >= 1) return 255;
-  // Where the last bit of a double is worth 1, adding rounds to the nearest even integer.
+  // At this size the last bit of a double is worth 1, so adding rounds to the nearest even integer.
   constexpr double kIntegers = 0x1p52;
   return static_cast<std::uint8_t>(component * 255 + kIntegers - kIntegers);
 }

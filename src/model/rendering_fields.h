@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a fragment may be asked for beside colour and depth, each said once: its key in answers,
-// where it is kept, and what asks for it. Answers as bytes and as JSON and what is checked of them
-// walk over this list, in its order.
+// The further values of a fragment: for each its key in answers, its member, and the flag that
+// requests it. Answers in binary and JSON, and their checks, walk over this list in its order.
 #pragma once
 
 #include <algorithm>
@@ -20,11 +19,11 @@ template <class Value>
 struct DetailField {
   const char* key;
   Value FragmentDetail::*member;
-  bool Details::*asked;         // the part of Scene::details that asks for it
+  bool Details::*asked;         // the flag of Scene::details that requests it
   bool is_of_textures = false;  // only fragments of textured draws have it
 
   constexpr DetailField of_textures() const { return {key, member, asked, true}; }
-  // May a fragment tell it?
+  // Whether a fragment may report it.
   constexpr bool is_asked(Details details, bool is_textured) const {
     return details.*asked && (is_textured || !is_of_textures);
   }
@@ -45,7 +44,7 @@ inline constexpr auto kFields<FragmentDetail> = std::tuple{
     detail_field("level_of_detail", &FragmentDetail::level_of_detail, &Details::texture)
         .of_textures()};
 
-// Does the fragment tell it? Of derivatives: any of them.
+// Whether the fragment reports it; for derivatives, any of them.
 template <class Numbers>
 bool is_reported(const std::optional<Numbers>& numbers) {
   return numbers.has_value();

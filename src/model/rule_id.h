@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The ids of all rules. What each of them says stands in src/rules; everything else names a rule by
-// its enumerator. Where several rules have a say, alternatives are tried in this order.
+// The ids of all rules, whose content is in src/rules. Everything else refers to a rule by its
+// enumerator. Alternatives of several rules are tried in this order.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 namespace edgecase {
 
 enum class RuleId : std::uint8_t {
-  none,  // of what is about no rule, or about several
+  none,  // for what concerns no rule, or several
   window_origin,
   fragment_once,
   point_ownership,

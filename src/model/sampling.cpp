@@ -19,7 +19,7 @@ Point place_in(PixelPosition pixel, Point within) {
 int least_invocations(const Multisampling& multisampling, int samples) {
   if (!multisampling.enabled) return 1;
   if (multisampling.location == AttributeLocation::sample) return samples;
-  // A float32 times a small integer is exact in a double.
+  // The product of a float32 and a small integer is exact in double precision.
   const double share = static_cast<double>(multisampling.min_sample_shading.value_or(0));
   return std::clamp(static_cast<int>(std::ceil(share * samples)), 1, samples);
 }
@@ -27,10 +27,10 @@ int least_invocations(const Multisampling& multisampling, int samples) {
 namespace {
 
 constexpr int kFloat32Bits = 24;  // significant ones
-constexpr int kGridBits = 30;     // of clip x and y below the leading bit of w
+constexpr int kGridBits = 30;     // grid of clip x and y below the leading bit of w
 
-// The nearest integer to a quotient that has 24 significant bits at most, a tie to the even one.
-// 0 < denominator <= 2^30; of the quotient, at most 2^32.
+// The integer nearest to a quotient among those of at most 24 significant bits, ties to even. 0 <
+// denominator <= 2^30; the quotient is at most 2^32.
 std::int64_t nearest_float32(std::int64_t numerator, std::int64_t denominator) {
   const auto magnitude = static_cast<std::uint64_t>(std::abs(numerator));
   const auto below = static_cast<std::uint64_t>(denominator);
@@ -43,14 +43,14 @@ std::int64_t nearest_float32(std::int64_t numerator, std::int64_t denominator) {
   return numerator < 0 ? -nearest : nearest;
 }
 
-// With 2^e the power of two at or below w, in units of 2^(e-30): |value| <= w < 2^31, all whole.
-// The sum's numerator is at most 2^31 2^15 2^15 + 2^17 2^31.
+// With 2^e the power of two at or below w, units are 2^(e-30): |value| <= w < 2^31, all whole. The
+// sum's numerator is at most 2^31 2^15 2^15 + 2^17 2^31.
 float moved_clip(float value, float w, Fixed shift, int size) {
   const int exponent = std::ilogb(w) - kGridBits;
   const auto units = [&](float number) {
     return static_cast<std::int64_t>(std::ldexp(static_cast<double>(number), -exponent));
   };
-  // 2 shift w / size, of a shift in units of 2^-16.
+  // The addend is 2 shift w / size, with the shift in units of 2^-16.
   const std::int64_t denominator = std::int64_t{size} * (Fixed::kOne / 2);
   const std::int64_t sum = units(value) * denominator + shift.raw() * units(w);
   return static_cast<float>(
@@ -103,7 +103,7 @@ Scene pass_of(const Scene& scene, std::size_t k) {
   return pass;
 }
 
-std::string words_of_pass(const Supersampling& passes, std::size_t k) {
+std::string text_of_pass(const Supersampling& passes, std::size_t k) {
   const ShadingPass& pass = passes.at(k);
   return "pass " + std::to_string(k + 1) + " of " + std::to_string(passes.size()) + " (at " +
          to_decimal(pass.at.x) + ", " + to_decimal(pass.at.y) + "; weight " +

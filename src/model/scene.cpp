@@ -31,14 +31,14 @@ bool is_in_clip_volume(const ClipPosition& clip) {
 double unit_of(const ClipPosition& clip) {
   const float largest =
       std::max({std::fabs(clip.x), std::fabs(clip.y), std::fabs(clip.z), std::fabs(clip.w)});
-  int exponent = 0;  // largest = m 2^exponent, m from 1/2 on
+  int exponent = 0;  // largest = m 2^exponent, 1/2 <= m < 1
   std::frexp(largest, &exponent);
   return std::ldexp(1.0, exponent - 31);
 }
 
 namespace {
 
-// Of at most 31 bits.
+// The result has at most 31 bits.
 std::int64_t in_units(float value, double unit) {
   return static_cast<std::int64_t>(static_cast<double>(value) / unit);
 }
@@ -78,7 +78,7 @@ bool is_vertex_count(Primitive primitive, std::size_t count) {
 
 namespace {
 
-// The vertices of a draw's primitive, by their places in the draw, and which of them provoke.
+// The vertices of a draw's primitive, by their indices in the draw, and which of them provoke.
 struct Assembled {
   std::array<std::size_t, 3> vertices{};
   int provoking_first = 0;
@@ -116,7 +116,7 @@ Assembled assemble(Primitive primitive, std::size_t i, std::size_t vertices) {
       return {{i, (i + 1) % vertices, 0}, 0, 1};
     case Primitive::triangles:
       return {{3 * i, 3 * i + 1, 3 * i + 2}, 0, 2};
-    // Every second triangle of a strip is turned round, so that all wind one way.
+    // Every second triangle of a strip is reversed, so that all have the same winding.
     case Primitive::triangle_strip:
       if (i % 2 == 1) return {{i + 1, i, i + 2}, 1, 2};
       return {{i, i + 1, i + 2}, 0, 2};
@@ -139,7 +139,7 @@ void place_vertex(ScenePrimitive& primitive, std::size_t at, const Vertex& verte
   primitive.is_clipped = primitive.is_clipped || !is_in_clip_volume(*vertex.clip);
 }
 
-// Of a line with a vertex outside the clip volume: what lies in it.
+// Cuts a line with a vertex outside the clip volume to the part inside.
 void cut(ScenePrimitive& line) {
   const RationalClip from = rational_clip(*line.vertices[0], line.viewport);
   const RationalClip to = rational_clip(*line.vertices[1], line.viewport);

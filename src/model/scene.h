@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Scene: what a case draws. Passive, complete and free of results: every default of the case file
-// has been filled in, so that two renderers given the same Scene have the same task.
+// Scene: what a case draws. Passive, complete and free of results: all defaults of the case file
+// are filled in, so that renderers given equal scenes have equal tasks.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ inline constexpr auto kNames<Primitive> =
                                      {Primitive::triangle_strip, "triangle_strip"},
                                      {Primitive::triangle_fan, "triangle_fan"}});
 
-// What a primitive is, once assembled.
+// The kind of an assembled primitive.
 enum class PrimitiveKind { point, line, triangle };
 template <>
 inline constexpr auto kNames<PrimitiveKind> =
@@ -73,7 +73,7 @@ template <>
 inline constexpr auto kNames<ColorFormat> = std::to_array<Named<ColorFormat>>({{ColorFormat::rgba8,
                                                                                 "rgba8"}});
 
-// Of the depth buffer; the unsigned formats hold multiples of 1/(2^bits - 1).
+// The depth buffer's format; the unsigned formats hold multiples of 1/(2^bits - 1).
 enum class DepthFormat { none, depth16, depth24, depth32f };
 template <>
 inline constexpr auto kNames<DepthFormat> =
@@ -82,7 +82,7 @@ inline constexpr auto kNames<DepthFormat> =
                                        {DepthFormat::depth24, "depth24"},
                                        {DepthFormat::depth32f, "depth32f"}});
 
-// Does the depth buffer hold float32 numbers?
+// Whether the depth buffer stores float32 numbers.
 constexpr bool holds_floats(DepthFormat format) {
   switch (format) {
     case DepthFormat::none:
@@ -95,42 +95,41 @@ constexpr bool holds_floats(DepthFormat format) {
   return false;
 }
 
-// Of the stencil buffer: unsigned integers of 8 bits.
+// The stencil buffer's format: unsigned integers of 8 bits.
 enum class StencilFormat { none, stencil8 };
 template <>
 inline constexpr auto kNames<StencilFormat> = std::to_array<Named<StencilFormat>>(
     {{StencilFormat::none, "none"}, {StencilFormat::stencil8, "stencil8"}});
 
 // Red, green, blue, alpha; linear; every component a float32 value. A target's clear colour lies in
-// 0 to 1. A vertex's may be any finite number: it is what is interpolated, and only the conversion
-// to the target's format clamps.
+// 0 to 1. A vertex's may be any finite number: only the conversion of the interpolated colour to
+// the target's format clamps.
 using Color = std::array<float, 4>;
 
-// What a vertex shader hands on. With 2^e the power of two at or below the largest magnitude of the
-// four, all are multiples of 2^(e-30): exact coverage then fits in 128 bits (exact/homogeneous.h).
+// The output of a vertex shader. With 2^e the power of two at or below the largest magnitude, all
+// are multiples of 2^(e-30): exact coverage then fits in 128 bits (exact/homogeneous.h).
 struct ClipPosition {
   float x = 0, y = 0, z = 0, w = 1;
   friend bool operator==(const ClipPosition&, const ClipPosition&) = default;
 };
 
-// A vertex is given where it lands in the window, or as clip coordinates.
+// A vertex is given in window coordinates or in clip coordinates.
 struct Vertex {
-  // Window coordinates, pixels, y up; of `clip`, the nearest multiple of 2^-16, and where it lies
-  // outside the clip volume, nothing: 0.
+  // Window coordinates, pixels, y up. With `clip`, the nearest multiple of 2^-16, or 0 if the
+  // vertex lies outside the clip volume.
   Point position;
-  Fixed z;  // depth after the division by w, -1 (near) to 1 (far); of `clip` in the same way
+  Fixed z;  // depth after the division by w, -1 (near) to 1 (far); with `clip` likewise derived
   Color color{1, 1, 1, 1};
-  float w = 1;                                     // clip-space w; more than 0 but for `clip`
-  std::array<float, 2> texture_coordinates{0, 0};  // s and t, finite; of a textured draw
-  // Where set, this is what both sides are given, and the exact position is its quotient. Where
-  // not, the exact position is `position`, and its clip coordinates are float32 numbers.
+  float w = 1;                                     // clip-space w; above 0 unless `clip` is set
+  std::array<float, 2> texture_coordinates{0, 0};  // s and t, finite; for a textured draw
+  // If set, both sides are given this, and the exact position is its quotient. If not, the exact
+  // position is `position`, and its clip coordinates are float32 numbers.
   std::optional<ClipPosition> clip = std::nullopt;
 
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
-// Window depths of the near and of the far plane, both 0 to 1, in either order (GL 4.6
-// core, 13.8.1).
+// Window depths of the near and the far plane, both 0 to 1, in either order (GL 4.6 core, 13.8.1).
 struct DepthRange {
   float near = 0;
   float far = 1;
@@ -156,9 +155,8 @@ constexpr int kMaxTargetSize = 4096;  // pixels along a side
 struct Target {
   int width = 0;    // 1 to kMaxTargetSize pixels
   int height = 0;   // 1 to kMaxTargetSize pixels
-  int samples = 1;  // 1: not multisampled; to kMaxSamples
-  // Where the case puts a pixel's samples, `samples` of them; empty: wherever the renderer has
-  // them.
+  int samples = 1;  // 1 to kMaxSamples; 1: not multisampled
+  // The case's sample positions, `samples` of them; empty if the renderer chooses them.
   SamplePositions sample_positions;
   ColorFormat color = ColorFormat::rgba8;
   DepthFormat depth = DepthFormat::none;
@@ -177,34 +175,34 @@ struct Draw {
   ProvokingVertex provoking_vertex = ProvokingVertex::last;
   Fixed line_width = Fixed::from_integer(1);  // pixels, more than 0, at most 64
   Fixed point_size = Fixed::from_integer(1);  // pixels, more than 0, at most 64
-  std::optional<Viewport> scissor;            // fragments outside are dropped; a size may be 0
-  Multisampling multisampling;                // of multisampled targets
-  std::optional<TextureUse> texture;          // what fragments show instead of vertices' colours
+  std::optional<Viewport> scissor;            // fragments outside are discarded; a size may be 0
+  Multisampling multisampling;                // for multisampled targets
+  std::optional<TextureUse> texture;          // replaces the vertices' colours
   FrontFace front_face = FrontFace::ccw;
-  CullMode cull = CullMode::none;               // of triangles
-  std::optional<PolygonOffset> polygon_offset;  // of triangles
-  // Without a depth or a stencil buffer the tests on it pass.
+  CullMode cull = CullMode::none;               // for triangles
+  std::optional<PolygonOffset> polygon_offset;  // for triangles
+  // Tests on an absent depth or stencil buffer pass.
   FragmentOperations operations;
-  std::vector<Vertex> vertices;  // as many as is_vertex_count allows
+  std::vector<Vertex> vertices;  // a number that is_vertex_count allows
 
   friend bool operator==(const Draw&, const Draw&) = default;
 };
 
-// What a draw's fragments interpolate of a vertex: its colour, or for a texture s, t, 0 and 1.
+// The vertex attribute that fragments interpolate: the colour or, in a textured draw, (s, t, 0, 1).
 Color interpolated_attribute(const Draw& draw, const Vertex& vertex);
 
-// Is the draw rasterized sample by sample? Else the pixel's centre decides for all its samples.
+// Whether samples are rasterized individually; otherwise the pixel's centre decides for all.
 inline bool is_multisampled(const Draw& draw, const Target& target) {
   return target.samples > 1 && draw.multisampling.enabled;
 }
 
-// What is told of each fragment beside its colour and its depth.
+// Which further values of each fragment are requested, beside colour and depth.
 struct Details {
   bool coordinates = false;  // gl_FragCoord
   // Of the colour, or of a textured draw's texture coordinates: dFdx and dFdy, and their fine and
   // coarse forms.
   bool derivatives = false;
-  // Of textured draws: texture coordinates and the level of detail. Set where there is one.
+  // For textured draws: texture coordinates and level of detail. Set if there is such a draw.
   bool texture = false;
   bool any() const { return coordinates || derivatives || texture; }
   friend bool operator==(Details, Details) = default;
@@ -215,36 +213,36 @@ struct Scene {
   Viewport viewport;
   DepthRange depth_range;
   Details details;
-  // Shared by the cases that a file expands to; none is null.
+  // Shared by the cases that a file expands to; never null.
   std::vector<std::shared_ptr<const Texture>> textures;
   std::vector<Draw> draws;
-  // Where pixels are shaded, each time to a target of one sample; empty: once, at their centres.
+  // The shaded points, each with a pass to a target of one sample; empty: once, at pixels' centres.
   Supersampling supersampling;
 };
 
-// Do fragments meet more than being written one over the other, onto a depth buffer that was
-// cleared to 1? Such a scene has no supersampling.
+// Whether there are fragment operations beyond overwriting colours and a depth buffer cleared to 1.
+// Such a scene cannot be supersampled.
 bool has_fragment_operations(const Scene& scene);
 
-// Does a vertex lie in the clip volume, its border included (GL 4.6 core, 13.7)?
+// Whether a vertex lies in the clip volume, including its border (GL 4.6 core, 13.7).
 bool is_in_clip_volume(const ClipPosition& clip);
 
-// The unit in which window_position counts w twice over: 2^(e-30), as ClipPosition has it.
+// The unit 2^(e-30) of ClipPosition; window_position has twice the clip w in this unit.
 double unit_of(const ClipPosition& clip);
 
 // The exact window position of clip coordinates: the quotients by w, mapped onto the viewport (GL
-// 4.6 core, 13.8.1). Outside the clip volume w may be 0 or less: then it is no point of the window,
-// but its determinants with other points hold.
+// 4.6 core, 13.8.1). Outside the clip volume w may be 0 or less: the result is then no point of the
+// window, but its determinants with other points are valid.
 HomogeneousPoint window_position(const ClipPosition& clip, const Viewport& viewport);
 
 PrimitiveKind kind_of(Primitive primitive);
 
-// How many vertices a primitive of a kind has: 1, 2 or 3.
+// The number of vertices of a primitive: 1, 2 or 3.
 constexpr int vertices_of(PrimitiveKind kind) {
   return static_cast<int>(kind) + 1;
 }
 
-// Does this number of vertices make whole primitives, and at least one?
+// Whether this number of vertices makes whole primitives, at least one.
 bool is_vertex_count(Primitive primitive, std::size_t count);
 
 // One assembled primitive of a scene, with the index that fragments carry: primitives are numbered
@@ -255,25 +253,24 @@ struct ScenePrimitive {
   PrimitiveKind kind = PrimitiveKind::triangle;
   const Draw* state = nullptr;
   std::array<const Vertex*, 3> vertices{};  // vertices_of(kind) of them, in the order of assembly
-  std::array<HomogeneousPoint, 3> positions{};  // theirs in the window, exactly
+  std::array<HomogeneousPoint, 3> positions{};  // their exact window positions
   std::array<std::int64_t, 3> z{};              // z/w, over the same w
-  std::array<double, 3> units{};                // of clip coordinates: unit_of
-  // A triangle some vertices of which lie outside the clip volume, or a point or line of which
-  // nothing lies in it.
+  std::array<double, 3> units{};                // for clip coordinates: unit_of
+  // A triangle with vertices outside the clip volume, or a point or line entirely outside it.
   bool is_clipped = false;
-  // A line that leaves the clip volume: its positions are the ends of what lies in it.
+  // A line that leaves the clip volume: its positions are the ends of the part inside.
   bool is_cut = false;
-  DepthRange depth_range;  // of their depths in the window
-  Viewport viewport;       // that they are seen through
-  // Which of them provokes under either convention (GL 4.6 core, table 13.2).
+  DepthRange depth_range;  // of the scene
+  Viewport viewport;       // of the scene
+  // Which vertex provokes under either convention (GL 4.6 core, table 13.2).
   int provoking_first = 0;
   int provoking_last = 0;
 };
 
-// Are its vertices given as clip coordinates, some of them or all?
+// Whether any vertex is given in clip coordinates.
 bool has_clip_positions(const ScenePrimitive& primitive);
 
-// Do its vertices differ in w? Then smooth and noperspective attributes differ.
+// Whether the vertices differ in w, so that smooth and noperspective attributes differ.
 bool has_perspective(const ScenePrimitive& primitive);
 
 // All primitives of a scene in drawing order. The pointers live as long as `scene` does.

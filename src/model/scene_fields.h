@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The fields of a scene, each said once: its key in request lines and in case files, where it is
-// kept, and which numbers it takes. Bytes and JSON on the wire, the reader and the writer of case
-// files walk over these lists, so that a new field is a member, a row here and what draws it.
+// The fields of a scene, each defined once: its key in request lines and case files, its member,
+// and its range. The wire formats, and the reader and writer of case files, walk over these lists,
+// so a new field is a member, a row here, and the code that draws it.
 //
-// A list's order is that of the keys in a request line, which a scene's digest is made of: rows are
-// added where a line without them stays what it is.
+// A list's order is that of the keys in a request line, from which a scene's digest is made. Add
+// new rows so that lines without them stay unchanged.
 #pragma once
 
 #include <limits>
@@ -17,7 +17,7 @@
 
 namespace edgecase {
 
-// The numbers that a field takes, both ends inclusive; of a width or size the lower one is not.
+// The range of a field, both ends inclusive, except the lower limit of a width or size.
 struct Limits {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -25,22 +25,22 @@ struct Limits {
 
 template <class Noun, class Value>
 struct Field {
-  const char* key;  // null: the value's own fields stand in its place
+  const char* key;  // null: the value's own fields replace it
   Value Noun::*member;
   Limits limits;
-  // A request line says it only where it is not the standard of a default-constructed noun. Values
-  // that may be absent, and lists that may be empty, are never said then.
+  // A request line omits the field if it equals that of a default-constructed noun. Absent values
+  // and empty lists are always omitted then.
   bool is_left_out = false;
-  // Case files have a form of their own for it.
+  // Case files have a special form for it.
   bool is_by_hand = false;
-  // Its key and its name for people in case files, where these are others than `key`.
+  // Key and readable name in case files, if they differ from `key`.
   const char* case_key = key;
   const char* title = case_key;
-  // Its title and its description in the schema of case files; null where code beside the noun has
-  // them. "{low}" and "{high}" in the description stand for the limits.
+  // Title and description in the schema of case files; null if code beside the noun has them.
+  // "{low}" and "{high}" in the description stand for the limits.
   const char* label = nullptr;
   const char* description = nullptr;
-  bool is_required = false;  // by case files
+  bool is_required = false;  // in case files
 
   constexpr Field left_out() const {
     Field other = *this;
@@ -84,24 +84,24 @@ constexpr Field<Noun, Value> fields_in(Value Noun::*member) {
   return {nullptr, member, {}};
 }
 
-// Of a type that has none, no list.
+// The primary template, for types without fields.
 template <class Noun>
 inline constexpr int kFields = 0;
 
 template <class Noun>
 concept HasFields = !std::is_same_v<std::remove_cv_t<decltype(kFields<Noun>)>, int>;
 
-// Calls `visit` with each field of a noun, in their order.
+// Calls `visit` with each field of a noun, in order.
 template <HasFields Noun, class Visit>
 constexpr void for_each_field(Visit&& visit) {
   std::apply([&](const auto&... fields) { (visit(fields), ...); }, kFields<Noun>);
 }
 
-constexpr int kMaxViewportOnWire = 32768;  // pixels along a side, and of a corner from the origin
+constexpr int kMaxViewportOnWire = 32768;  // pixels: a side; a corner from the origin
 constexpr double kMaxThickness = 64;       // pixels: a line's width, a point's size
 constexpr float kMaxLod = 1000;            // largest magnitude of a level of detail
 constexpr int kMostLevel = 1000;           // largest base_level and max_level
-// 2^24 units are the whole depth of 24 bits.
+// 2^24 units span the whole range of a 24-bit depth buffer.
 constexpr double kMaxOffset = 16777216;
 constexpr Limits kUnitInterval{0, 1};
 constexpr Limits kByte{0, 255};
@@ -244,7 +244,7 @@ inline constexpr auto kFields<TextureUse> =
     std::tuple{field("texture", &TextureUse::texture), fields_in(&TextureUse::sampler),
                field("lookup", &TextureUse::lookup)};
 
-// An offset of more than 1 leaves the depth buffer wherever it starts.
+// A clamp of more than 1 would leave the depth buffer from any start.
 template <>
 inline constexpr auto kFields<PolygonOffset> = std::tuple{
     field("factor", &PolygonOffset::factor, {-kMaxOffset, kMaxOffset})

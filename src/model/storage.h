@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How what many hold, or much, is kept in little memory: texts, pictures and what samples hold.
+// Compact storage of shared or large data: texts, pictures and images of samples.
 #pragma once
 
 #include <concepts>
@@ -16,8 +16,8 @@
 
 namespace edgecase {
 
-// Shared: a value that many hold and none changes. Of a sweep's thousands of cases each has its
-// file's text, and of a case's renderers nearly each draws what exact draws.
+// Shared: an immutable value with many owners. Each of a sweep's thousands of cases has its file's
+// text, and nearly every renderer draws exactly what exact draws.
 template <class Value>
 class Shared {
  public:
@@ -32,12 +32,12 @@ class Shared {
   }
   const Value* operator->() const { return &**this; }
 
-  // Both are one in memory from here on, if they are equal.
+  // If both are equal, they share one object in memory from here on.
   void share_with(const Shared& other) {
     if (*this == other) value_ = other.value_;
   }
 
-  // Are they one in memory? Quickly told, and false says nothing.
+  // Whether they share one object in memory. A cheap test: true means equal, false means unknown.
   friend bool is_same_object(const Shared& a, const Shared& b) { return a.value_ == b.value_; }
   friend bool operator==(const Shared& a, const Shared& b) {
     return is_same_object(a, b) || *a == *b;
@@ -49,23 +49,23 @@ class Shared {
 
 using SharedText = Shared<std::string>;
 
-// PackedWords: many words of 32 bits, such as the pixels of a picture. Runs of equal neighbours are
-// kept as their length and one word, where that is less than all words.
+// PackedWords: a list of 32-bit words, such as the pixels of a picture. Runs of equal neighbours
+// are stored as length and word if that is shorter than all words.
 class PackedWords {
  public:
   PackedWords() = default;
   PackedWords(const std::vector<std::uint32_t>& words);  // NOLINT: words are such
-  // Four bytes for each word: RGBA8 pixels. A multiple of four, or std::invalid_argument.
+  // Four bytes for each word, as RGBA8. Throws std::invalid_argument if a word is incomplete.
   PackedWords(const std::vector<std::uint8_t>& bytes);  // NOLINT: as above
 
   std::vector<std::uint32_t> words() const;
   std::vector<std::uint8_t> bytes() const;
   std::size_t size() const { return size_; }  // in words
   bool empty() const { return size_ == 0; }
-  // What it takes in memory, in words.
+  // The size in memory, in words.
   std::size_t kept() const { return kept_.size(); }
 
-  // One list of words is packed in one way.
+  // Equal lists are packed in the same way.
   friend bool operator==(const PackedWords&, const PackedWords&) = default;
 
  private:
@@ -73,24 +73,24 @@ class PackedWords {
   void unpack(std::uint32_t* words) const;
 
   std::size_t size_ = 0;
-  // As many as `size_`: the words. Fewer: the length of a run and its word, by turns.
+  // `size_` entries: the words. Fewer: alternately the length of a run and its word.
   std::vector<std::uint32_t> kept_;
 };
 
-// SampleImage: what the samples of a multisampled image hold, for those who show it.
+// SampleImage: the samples of a multisampled image, for display.
 
-// Whatever was not told is empty.
+// Whatever was not reported is empty.
 struct SampleImage {
-  int samples = 1;            // of a pixel; 1: not multisampled, and all else is empty
-  SamplePositions positions;  // `samples` of them
-  // RGBA8 before it is resolved: a plane for each sample, row by row from the bottom.
+  int samples = 1;            // per pixel; 1: not multisampled, and all else is empty
+  SamplePositions positions;  // one per sample
+  // RGBA8 before it is resolved: one plane per sample, row by row from the bottom.
   Shared<PackedWords> pixels;
-  // Fragments that were written to each sample: planes as above.
+  // The number of fragments written to each sample: planes as above.
   Shared<PackedWords> hits;
-  // Per pixel: bit s set where some fragment covers sample s (Fragment::coverage).
+  // Per pixel: bit s is set if some fragment covers sample s (Fragment::coverage).
   Shared<PackedWords> coverage;
 
-  // What both tell alike is one in memory from here on.
+  // Equal parts share one object in memory from here on.
   void share_with(const SampleImage& other) {
     pixels.share_with(other.pixels);
     hits.share_with(other.hits);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Texture: images that a scene looks up, and how. Passive, like the scene that holds it.
+// Texture: images that a scene looks up, and how. Passive, like the scene that owns it.
 //
 // Texel (0, 0) lies at texture coordinates (0, 0): rows run from the bottom, t upwards, as in GL.
 #pragma once
@@ -14,8 +14,7 @@
 
 namespace edgecase {
 
-// What a level of a texture holds per texel. srgb8: red, green and blue are coded by the sRGB
-// curve, alpha is linear.
+// The format of texels. srgb8: red, green and blue are coded by the sRGB curve, alpha is linear.
 enum class TextureFormat { rgba8, srgb8, rgba32f };
 template <>
 inline constexpr auto kNames<TextureFormat> =
@@ -23,7 +22,7 @@ inline constexpr auto kNames<TextureFormat> =
                                          {TextureFormat::srgb8, "srgb8"},
                                          {TextureFormat::rgba32f, "rgba32f"}});
 
-// Are the format's texels any float32 numbers? Otherwise they are codes of 8 bits.
+// Whether texels are arbitrary float32 numbers; otherwise they are 8-bit codes.
 constexpr bool holds_floats(TextureFormat format) {
   switch (format) {
     case TextureFormat::rgba8:
@@ -35,7 +34,7 @@ constexpr bool holds_floats(TextureFormat format) {
   return false;
 }
 
-// What stands where coordinates leave the image (GL 4.6 core, 8.14.2).
+// The image beyond 0 to 1 (GL 4.6 core, 8.14.2).
 enum class Wrap { repeat, mirrored_repeat, clamp_to_edge, clamp_to_border };
 template <>
 inline constexpr auto kNames<Wrap> =
@@ -44,7 +43,7 @@ inline constexpr auto kNames<Wrap> =
                                 {Wrap::clamp_to_edge, "clamp-to-edge"},
                                 {Wrap::clamp_to_border, "clamp-to-border"}});
 
-// Does the image come again beyond 0 to 1, as it is or mirrored? Its period is 1, or 2.
+// Whether the image repeats beyond 0 to 1, as it is or mirrored: its period is 1 or 2.
 constexpr bool is_periodic(Wrap wrap) {
   switch (wrap) {
     case Wrap::repeat:
@@ -57,13 +56,13 @@ constexpr bool is_periodic(Wrap wrap) {
   return false;
 }
 
-// How texels make a colour within a level.
+// How the texels of a level are combined.
 enum class Filter { nearest, linear };
 template <>
 inline constexpr auto kNames<Filter> = std::to_array<Named<Filter>>({{Filter::nearest, "nearest"},
                                                                      {Filter::linear, "linear"}});
 
-// How levels make one: the base level alone, the nearest, or a mean of the two nearest.
+// How levels are combined: only the base level, the nearest, or a mean of the two nearest.
 enum class MipFilter { none, nearest, linear };
 template <>
 inline constexpr auto kNames<MipFilter> = std::to_array<Named<MipFilter>>(
@@ -74,7 +73,7 @@ struct TextureLevel {
   int width = 1;   // texels, 1 to kMaxTextureSize
   int height = 1;  // 1 for a one-dimensional texture
   // Red, green, blue, alpha of each texel, row by row from the bottom, 4 * width * height numbers
-  // as the format stores them: whole numbers of 0 to 255, or any float32 number of rgba32f.
+  // as stored by the format: whole numbers from 0 to 255, or any float32 numbers for rgba32f.
   std::vector<float> texels;
 
   std::size_t index(int i, int j) const {
@@ -89,19 +88,19 @@ constexpr int kMaxTextureSize = 1024;
 struct Texture {
   int dimensions = 2;  // 1 or 2
   TextureFormat format = TextureFormat::rgba8;
-  // Level 0 first, as many as the scene gives: one, or a whole chain down to 1x1 whose sizes are
-  // those of level_size.
+  // Level 0 first, as many as the scene gives: one, or a whole chain down to 1x1 with the sizes of
+  // level_size.
   std::vector<TextureLevel> levels;
-  // Are the levels beyond 0 made by the renderer (glGenerateMipmap)? Then `levels` has one.
+  // Whether the renderer makes the levels beyond 0 (glGenerateMipmap); `levels` then has one.
   bool generated = false;
 
   friend bool operator==(const Texture&, const Texture&) = default;
 };
 
-// The largest bias of a sampler, of a lookup and of both together, either way. OpenGL asks for 2 at
-// least and lets a renderer say more (GL_MAX_TEXTURE_LOD_BIAS).
+// The largest magnitude of a sampler's bias, of a lookup's, and of their sum. OpenGL requires at
+// least 2 and lets a renderer report more (GL_MAX_TEXTURE_LOD_BIAS).
 constexpr double kMaxLodBias = 16;
-// The largest number of samples along a footprint, which is at least 1.
+// The largest number of samples along a footprint; the least is 1.
 constexpr double kMaxAnisotropy = 16;
 
 // The parameters of a texture and its sampler (GL 4.6 core, 8.10, table 23.18).
@@ -121,7 +120,7 @@ struct Sampler {
   friend bool operator==(const Sampler&, const Sampler&) = default;
 };
 
-// How the shader asks: texture(), texture() with a bias, textureLod(), textureGrad().
+// The shader's function: texture(), texture() with a bias, textureLod(), textureGrad().
 enum class LookupKind { implicit, bias, lod, gradients };
 template <>
 inline constexpr auto kNames<LookupKind> =
@@ -132,16 +131,16 @@ inline constexpr auto kNames<LookupKind> =
 
 struct Lookup {
   LookupKind kind = LookupKind::implicit;
-  float value = 0;            // of bias and lod, in levels
-  std::array<float, 2> dx{};  // of gradients: of (s, t) per pixel along x
+  float value = 0;            // for bias and lod, in levels
+  std::array<float, 2> dx{};  // for gradients: of (s, t) per pixel along x
   std::array<float, 2> dy{};  // and along y
   friend bool operator==(const Lookup&, const Lookup&) = default;
 };
 
-// A draw's texture: its fragments' colour is looked up at their vertices' texture coordinates,
+// A draw's texture: fragments take their colour from it at the vertices' texture coordinates,
 // interpolated as the draw says.
 struct TextureUse {
-  std::size_t texture = 0;  // of the scene
+  std::size_t texture = 0;  // index in the scene
   Sampler sampler;
   Lookup lookup;
   friend bool operator==(const TextureUse&, const TextureUse&) = default;
@@ -150,7 +149,7 @@ struct TextureUse {
 // The size of a level of a chain whose level 0 has `size` texels along an axis: halved `level`
 // times, rounded down, at least 1 (GL 4.6 core, 8.14.3).
 int level_size(int size, int level);
-// How many levels a whole chain has: floor(log2(larger side)) + 1.
+// The number of levels of a whole chain: floor(log2(larger side)) + 1.
 int level_count(int width, int height);
 
 }  // namespace edgecase

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a comparison finds: disagreements, aggregated values, and the verdict over a case.
+// The result of a comparison: disagreements, aggregated values, and a case's verdict.
 #pragma once
 
 #include <array>
@@ -24,10 +24,10 @@ enum class DisagreementKind {
 
 const char* name_of(DisagreementKind);
 
-// Does the specification allow a difference? By the ruling that decides.
+// Whether the specification allows a difference, by the ruling that decides.
 enum class Legality {
   legal,      // whatever explains it
-  contested,  // the letter of the text forbids it, and there is good reason to read it otherwise
+  contested,  // the wording forbids it, and there is good reason to read it otherwise
   illegal,
 };
 
@@ -36,8 +36,8 @@ bool parse_name(const std::string& name, Legality& value);
 // For people: "allowed", "contested", "not allowed".
 const char* describe(Legality);
 
-// What the letter of the text makes of a difference; whether that is contested is the ruling's to
-// say (rules/all_rules.h).
+// Legality by the wording of the specification; the ruling decides whether that is contested
+// (rules/all_rules.h).
 constexpr Legality by_letter(bool is_allowed) {
   return is_allowed ? Legality::legal : Legality::illegal;
 }
@@ -46,20 +46,19 @@ constexpr Legality by_letter(bool is_allowed) {
 struct Disagreement {
   int x = 0;  // pixel column
   int y = 0;  // pixel row, y up
-  // Of a multisampled target, the sample's index, or -1: an invocation, or the pixel as a whole. Of
-  // a supersampled scene, the pass's index, or -1: the image of all passes. Of others 0.
+  // In a multisampled target, the sample's index, or -1 for an invocation or the whole pixel. In a
+  // supersampled scene, the pass's index, or -1 for the image of all passes. Otherwise 0.
   int sample = 0;
   int primitive = -1;  // index in drawing order; -1: the pixel as a whole
   DisagreementKind kind = DisagreementKind::missing;
   RuleId rule = RuleId::none;
-  // compare() decides by the letter of the text; judge() tells what is contested from what is
-  // illegal.
+  // compare() decides by the wording; judge() separates contested from illegal.
   Legality legality = Legality::illegal;
-  Cause cause;                 // none: no alternatives are found that draw so
-  std::string situation;       // where it lies on the primitive, in words (situation_of)
-  int ruling = 0;              // number of the ruling by which `legality` was decided
-  bool policy_agrees = false;  // the policy draws it too: held against the specification alone
-  // Set where the whole answer is told to be upside down (rule window.origin): what is told of this
+  Cause cause;                 // empty: no alternatives are found that draw this
+  std::string situation;       // where it lies on the primitive, as text (situation_of)
+  int ruling = 0;              // number of the ruling that decided `legality`
+  bool policy_agrees = false;  // the policy draws it too: judged against the specification alone
+  // Set if the whole answer is reported as upside down (rule window.origin): the report on this
   // sample without that.
   struct Upright {
     RuleId rule = RuleId::none;
@@ -71,12 +70,12 @@ struct Disagreement {
   std::vector<double> exact;  // hits (missing, extra, duplicate) or components (value)
   std::vector<double> rendered;
   std::string explanation;  // a sentence with numbers
-  Figure figure;            // what to draw over this pixel, beside the case's figure
+  Figure figure;            // drawn over this pixel, in addition to the case's figure
 };
 
-// All values of one attribute of one case: how many differ inside what the specification permits.
-// An error in units of the last place says little near zero, one relative to the attribute's range
-// little of tiny numbers: both are told.
+// All values of one attribute of one case, and how many differ within the specification's limits.
+// Near zero an error in units of the last place means little, as does one relative to the
+// attribute's range for tiny numbers, so both are reported.
 struct ValueAggregate {
   struct Place {
     int x = 0;
@@ -86,19 +85,19 @@ struct ValueAggregate {
   std::string attribute;  // "color", "depth", "dFdxFine", "gl_FragCoord.w", "pixel", "depth buffer"
   RuleId rule = RuleId::none;
   int ruling = 0;
-  Cause cause;  // the open alternatives that yield all of `differing`; none: none are known to
+  Cause cause;  // the open alternatives that yield all of `differing`; empty if none are known
   std::uint64_t compared = 0;    // fragments compared
   std::uint64_t components = 0;  // numbers compared
-  std::vector<Place> differing;  // inside the permitted interval, not the correctly rounded value
+  std::vector<Place> differing;  // permitted, but not correctly rounded
   Place worst;                   // the place with the largest error in ULP of all that differ
   int worst_component = 0;
   double worst_exact = 0;
   double worst_rendered = 0;
-  // Error in units of the last place of the value's format, of the larger of the two.
+  // Error in units of the last place of the value's format, for the larger of the two.
   double worst_ulp = 0;
-  double mean_ulp = 0;  // over all components compared, those without error included
-  // Largest error as a share of the attribute's range over the vertices of its primitive; 0 where
-  // the attribute has no range.
+  double mean_ulp = 0;  // over all components compared, including those without error
+  // Largest error relative to the attribute's range over the vertices of its primitive; 0 if it has
+  // no range.
   double worst_relative = 0;
   std::map<int, std::uint64_t> ulp_histogram;  // floor(log2(error in ULP)) -> components
 };

@@ -49,7 +49,7 @@ bool CounterExamples::add(const Observation& observation) {
   const auto coverage = coverage_under(choices_, scene, primitives, observation);
   const bool follows = std::all_of(coverage.begin(), coverage.end(), agrees);
   if (follows) {
-    // What the specification's own choice draws, too, is beyond doubt.
+    // Pixels that the specification's own choice draws, too, are beyond doubt.
     const auto own = coverage_under(standard_, scene, primitives, observation);
     if (std::all_of(own.begin(), own.end(), agrees)) return true;
   }

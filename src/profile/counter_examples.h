@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Counter-examples: scenes in which a renderer does not follow its own profile, or follows it out
-// of the specification, sorted into clusters.
+// Counter-examples: scenes in which a renderer does not follow its own profile, or follows it
+// beyond the specification, sorted into clusters.
 #pragma once
 
 #include <cstddef>
@@ -19,17 +19,17 @@ namespace edgecase {
 
 class CounterExamples {
  public:
-  // `policy` is the profile; the renderer's claim of sub-pixel bits is for ruling 4.
+  // `policy` is the profile; the reported sub-pixel bits are for ruling 4.
   CounterExamples(Policy policy, Surface surface, int reported_subpixel_bits);
 
-  // Holds an observation against the profile and the specification, and keeps it if it fails.
-  // Returns true when the profile draws every primitive as it was drawn.
+  // Compares an observation with the profile and the specification, and keeps it if it fails.
+  // Returns true if the profile draws every primitive as it was drawn.
   bool add(const Observation& observation);
 
-  // Scenes with something that the specification does not allow, whatever the profile; known after
+  // Scenes with something that the specification does not allow, whatever the profile; valid after
   // clusters().
   std::size_t illegal_scenes() const { return illegal_scenes_; }
-  // Judges what was kept. Call once.
+  // Judges the kept observations. Call once.
   std::vector<ProfileCluster> clusters();
 
  private:

@@ -19,7 +19,7 @@
 namespace edgecase {
 namespace {
 
-// Each depends on what those before it have found.
+// Each subject depends on the findings of those before it.
 constexpr std::array kSubjects{&kCoverageSubject, &kClippingSubject, &kValueSubject,
                                &kTextureSubject,  &kSampleSubject,   &kOutputSubject};
 
@@ -105,7 +105,7 @@ void run_all(const Measurements& measurements, const MakeRenderer& make_renderer
   if (error) std::rethrow_exception(error);
 }
 
-// What holds on the first surface holds for all; others say where they differ.
+// The findings of the first surface apply to all; others list their deviations.
 Policy policy_of(const Profile& profile) {
   Policy policy;
   policy.name = profile.renderer.name;

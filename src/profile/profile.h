@@ -5,9 +5,9 @@
 //   coverage -> clipping -> values -> textures -> multisampled targets -> fragment operations
 //     -> counter-examples, clusters
 //
-// Traits are measured, whatever a renderer claims: one that reports 4 sub-pixel bits and rounds to
-// 8 has 8 in its profile. What no combination of catalogued alternatives draws stays a
-// counter-example, sorted into clusters, each with its smallest scene; nothing is forced to fit.
+// Traits are measured, regardless of a renderer's claims: one that reports 4 sub-pixel bits and
+// rounds to 8 has 8 in its profile. Results that no combination of catalogued alternatives draws
+// stay counter-examples, sorted into clusters with their smallest scenes; nothing is forced to fit.
 #pragma once
 
 #include <atomic>
@@ -33,10 +33,10 @@ struct ProfileCluster {
 
 struct SurfaceProfile {
   Surface surface = Surface::fbo;
-  std::string unavailable;  // why nothing could be measured; empty: it could
+  std::string unavailable;  // why nothing could be measured; otherwise empty
   SurfaceFindings findings;
-  std::size_t illegal_scenes = 0;        // in which something is outside the specification
-  std::vector<ProfileCluster> clusters;  // of what differs from the profile, or is illegal
+  std::size_t illegal_scenes = 0;        // with something outside the specification
+  std::vector<ProfileCluster> clusters;  // of deviations from the profile, and of what is illegal
 };
 
 struct Profile {
@@ -44,7 +44,7 @@ struct Profile {
   std::uint64_t seed = 1;
   std::size_t scenes_per_kind = 0;
   std::vector<SurfaceProfile> surfaces;
-  Policy policy;  // what `--policy` takes
+  Policy policy;  // the argument of `--policy`
 };
 
 struct MeasureOptions {
@@ -57,9 +57,9 @@ struct MeasureOptions {
   const std::atomic<bool>* stop = nullptr;
 };
 
-// Measures all surfaces side by side, each with a renderer of its own. The same renderer, seed and
-// number of scenes give the same profile, whatever the number of threads. Throws MeasurementStopped
-// when `stop` became true.
+// Measures all surfaces in parallel, each with its own renderer. Equal renderers, seeds and numbers
+// of scenes give equal profiles, whatever the number of threads. Throws MeasurementStopped once
+// `stop` is true.
 Profile measure(const MakeRenderer& make_renderer, const MeasureOptions& options);
 
 }  // namespace edgecase

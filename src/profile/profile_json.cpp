@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "casefile/case_writer.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "profile/profile_reports.h"
 
 namespace edgecase {
@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Adds the text of a case file of the scene, where a case file can say it.
+// Adds the text of a case file of the scene, if a case file can express it.
 void add_case(Json& json, const Scene& scene, const std::string& title,
               const std::vector<std::string>& rules) {
   const CaseText text =
@@ -38,7 +38,7 @@ const char* rule_of(ValueKind kind) {
 
 Json to_json(const ValueExample& example, const ValueErrors& row) {
   Json json = {{"id", example.id},
-               {"scene", scene_words(example.scene)},
+               {"scene", scene_text(example.scene)},
                {"primitive", example.primitive},
                {"pixel", {example.pixel.x, example.pixel.y}},
                {"component", component_name(row.kind, example.component)},
@@ -71,7 +71,7 @@ Json to_json(const ValueErrors& row) {
 
 Json to_json(const ResidualExample& example) {
   Json json = {{"id", example.id},
-               {"scene", scene_words(example.scene)},
+               {"scene", scene_text(example.scene)},
                {"primitive", example.primitive},
                {"pixel", {example.pixel.x, example.pixel.y}},
                {"told", example.told},
@@ -202,7 +202,7 @@ Json to_json(const OwnershipTable& table) {
           {"drawn_of", std::move(cells)}};
 }
 
-// The rules that a cluster is about, for the case file of its smallest scene.
+// The rules of a cluster, for the case file of its smallest scene.
 std::vector<std::string> rules_of(const Cluster& cluster) {
   if (!cluster.rule.empty()) return {cluster.rule};
   return {cluster.cause.substr(0, cluster.cause.find('='))};
@@ -218,7 +218,7 @@ Json to_json(const ProfileCluster& found) {
                {"situation", cluster.situation},
                {"disagreements", cluster.disagreements},
                {"scenes", cluster.cases},
-               {"smallest", scene_words(found.smallest)},
+               {"smallest", scene_text(found.smallest)},
                {"pixel", {cluster.x, cluster.y}}};
   add_case(json, found.smallest, title_of(cluster), rules_of(cluster));
   return json;
@@ -297,8 +297,8 @@ Json to_json(const SurfaceProfile& surface) {
   return json;
 }
 
-// A policy has one alternative of a rule. Where the rule is asked in another way, a renderer may
-// follow another: " Of texture.nearest-level:lod it follows even-at-ties."; empty: none does.
+// If a rule is probed in another way, a renderer may follow another alternative than the policy's:
+// " Of texture.nearest-level:lod it follows even-at-ties."; empty if it does not.
 std::string other_ways_of(const std::vector<Trait>& traits) {
   std::string text;
   for (const Trait& trait : traits) {
@@ -310,7 +310,7 @@ std::string other_ways_of(const std::vector<Trait>& traits) {
   return text;
 }
 
-// "line" of line.snap, "line.width"; empty: its rate is left out.
+// "line" of line.snap, "line.width"; empty: its rate is omitted.
 std::string rate_name_of(const TraitId& id) {
   switch (id.is_rule() ? id.rule : RuleId::none) {
     case RuleId::point_snap:
@@ -351,7 +351,7 @@ Json to_json(const Policy& policy, const std::string& why) {
   return json;
 }
 
-// Names and messages may hold bytes that are no UTF-8; they are replaced, never fatal.
+// Bytes of names and messages that are not UTF-8 are replaced, never fatal.
 std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

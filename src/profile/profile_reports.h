@@ -12,25 +12,25 @@
 
 namespace edgecase {
 
-// The renderer, then per surface: traits, tables of evidence, ownership tables, clusters of
-// counter-examples (at most `most_clusters` of each surface, then how many more there are).
+// The renderer, then per surface: traits, tables of evidence, ownership tables, and clusters of
+// counter-examples (at most `most_clusters` per surface, then the number of others).
 std::string profile_text(const Profile& profile, std::size_t most_clusters);
 
-// At most ten lines: the renderer, the question, of each surface how many traits are followed
-// throughout, the three that are followed least, and what is outside the specification; then the
-// rules that decide over coverage.
+// At most ten lines: the renderer and the measurement; for each surface how many traits hold in
+// every scene, the three that are followed least, and what is outside the specification; then the
+// rules that decide coverage.
 std::string profile_summary(const Profile& profile);
 
 // {"tool", "renderer", "seed", "scenes_per_kind", "policy", "surfaces": [{"surface", "traits",
-// "tables", "clusters", …}]}, indented, the same bytes for the same profile. The smallest scene of
-// a cluster is the text of a case file where a case file can say it. NaN and infinity are null.
+// "tables", "clusters", …}]}, indented; equal profiles give equal bytes. The smallest scene of a
+// cluster is the text of a case file if one can express it. NaN and infinity are null.
 std::string profile_json(const Profile& profile, const std::string& tool);
 
-// The file that casefile/policy_reader.h reads: the profile as a policy that OpenGL judges, with
-// the measured rates as its why.
+// A file for casefile/policy_reader.h: the profile as a policy with OpenGL's latitude, and the
+// measured rates as its "why".
 std::string policy_text(const Profile& profile);
 
-// Parts of the text: tables, each line with its worst scenes. Empty where nothing was measured.
+// Parts of the text: tables, each line with its worst scenes. Empty if nothing was measured.
 std::string value_errors_text(std::span<const ValueErrors> rows);
 std::string level_residuals_text(std::span<const LevelResiduals> rows);
 std::string sample_profile_text(const SampleProfile& samples);

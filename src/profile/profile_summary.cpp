@@ -64,7 +64,7 @@ void summarize_surface(Buffer& out, const SurfaceProfile& surface) {
   print(out, "\n");
 }
 
-// What the first surface that was measured follows of the rules that decide over coverage.
+// The alternatives of the rules that decide coverage, on the first surface that was measured.
 void summarize_coverage(Buffer& out, const Profile& profile) {
   const auto measured = std::ranges::find_if(
       profile.surfaces, [](const SurfaceProfile& surface) { return surface.unavailable.empty(); });

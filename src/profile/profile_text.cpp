@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/counted.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "profile/profile_reports.h"
 
 namespace edgecase {
@@ -51,10 +51,10 @@ void print_example(Buffer& out, const char* what, ValueKind kind,
         found->rendered);
   if (found->permitted)
     print(out, ", permitted {:.9g} to {:.9g}", found->permitted->low, found->permitted->high);
-  print(out, "; {} {}\n", found->id, scene_words(found->scene));
+  print(out, "; {} {}\n", found->id, scene_text(found->scene));
 }
 
-// "2^6": so many ULP are more than the errors of 99 % of the components.
+// "2^6": the power of two in ULP above the errors of 99 % of the components.
 std::string most_of(const ValueErrors& row) {
   const std::optional<int> bound = row.log2_bound(0.99);
   return bound ? fmt::format("2^{}", *bound) : "0";
@@ -89,9 +89,8 @@ void print_found(Buffer& out, const LevelResiduals& row) {
         found.largest, found.largest <= kMostResidual ? "" : "BEYOND");
   if (!found.worst) return;
   const ResidualExample& worst = *found.worst;
-  print(out, "    largest: pixel ({}, {}) is told {:.9g}, by formula {:.9g}; {} {}\n",
-        worst.pixel.x, worst.pixel.y, worst.told, worst.formula, worst.id,
-        scene_words(worst.scene));
+  print(out, "    largest: pixel ({}, {}) reports {:.9g}, formula {:.9g}; {} {}\n", worst.pixel.x,
+        worst.pixel.y, worst.told, worst.formula, worst.id, scene_text(worst.scene));
 }
 
 // The mean and the largest residual of one formula over all rows of a source.
@@ -151,7 +150,7 @@ void print_positions(Buffer& out, const MeasuredPositions& found) {
   }
 }
 
-// "1", "4", "1 to 4"; "-" where there are no such pixels.
+// "1", "4", "1 to 4"; "-" if there are no such pixels.
 std::string invocations_text(const InvocationRow& row, int covered) {
   const auto found = row.invocations.find(covered);
   if (found == row.invocations.end()) return "-";
@@ -245,7 +244,7 @@ void print_traits(Buffer& out, const std::vector<Trait>& traits) {
   }
 }
 
-// '#' always drawn, '.' never, '?' now and then, ' ' not asked.
+// '#' always drawn, '.' never, '?' sometimes, ' ' not tested.
 char sign_of(const OwnershipTable::Cell& cell) {
   if (cell.of == 0) return ' ';
   if (cell.drawn == 0) return '.';
@@ -278,7 +277,7 @@ void print_clusters(Buffer& out, const SurfaceProfile& surface, std::size_t most
     print(out, "    {} {} in {}, {}\n      smallest: {}, pixel ({}, {})\n", cluster.disagreements,
           title_of(cluster), counted(cluster.cases, "scene", "scenes"),
           cluster.legality == Legality::illegal ? "NOT allowed" : describe(cluster.legality),
-          scene_words(scene), cluster.x, cluster.y);
+          scene_text(scene), cluster.x, cluster.y);
   }
   if (shown < surface.clusters.size())
     print(out, "    and {}; --json has all\n",
@@ -325,9 +324,7 @@ std::string level_residuals_text(std::span<const LevelResiduals> rows) {
   Buffer out;
   if (rows.empty()) return "";
   const FormulaResidual& found = rows[0].found();
-  print(out,
-        "  levels of detail against {} + {}, derivatives {}: at most {:.4g} levels off is asked "
-        "for\n",
+  print(out, "  levels of detail against {} + {}, derivatives {}: at most {:.4g} levels of error\n",
         name_of(found.scale_factor), name_of(found.log2), rows[0].derivatives, kMostResidual);
   print(out, "  {:<34}{:>10}{:>13}{:>13}\n", "ramp, where the level is told", "fragments", "mean",
         "largest");

@@ -17,13 +17,13 @@ namespace edgecase {
 
 namespace {
 
-// A component of what is interpolated: the vertices' colour, or where it is looked up: s, t, 0, 1.
+// Component c of a vertex's attribute: its colour, or texture coordinates as (s, t, 0, 1).
 double component_of(const Vertex& vertex, std::size_t c, bool textured) {
   if (!textured) return static_cast<double>(vertex.color[c]);
   return c < 2 ? static_cast<double>(vertex.texture_coordinates[c]) : c == 2 ? 0 : 1;
 }
 
-// That component at each vertex: of a flat one the provoking vertex's.
+// Component c at all three vertices; a flat colour has the provoking vertex's value at each.
 std::array<double, 3> component_values(const ScenePrimitive& primitive, const ValueChoice& choice,
                                        std::size_t c) {
   const Draw& draw = *primitive.state;
@@ -41,7 +41,7 @@ bool has_polygon_offset(const ScenePrimitive& primitive) {
   return primitive.kind == PrimitiveKind::triangle && primitive.state->polygon_offset.has_value();
 }
 
-// The weights of a mean add up to 1: what is added to the values is added to every mean.
+// The weights of a mean add up to 1, so an offset of every value is an offset of every mean.
 Interpolant plus(Interpolant depth, Interval offset) {
   for (Interval& value : depth.values) value = value + offset;
   return depth;
@@ -129,8 +129,8 @@ double middle(Interval value) {
   const bool about_zero =
       value.contains(0) && std::isfinite(value.low) && std::isfinite(value.high);
   if (about_zero) return 0;
-  // Of two neighbours the odd one: halfway between two float32 numbers lies an even one, and what
-  // lies beside it is rounded to the nearer of them, to which the number itself is.
+  // Of two neighbours, take the odd one: a double halfway between two float32 numbers is even, and
+  // the odd double beside it rounds to the same float32 number as the value itself.
   if (next_above(value.low) == value.high)
     return (std::bit_cast<std::uint64_t>(value.low) & 1) != 0 ? value.low : value.high;
   return value.low / 2 + value.high / 2;
@@ -183,7 +183,7 @@ FragmentDetail shade_details(const PrimitiveAttributes& attributes, CentreColors
   for (std::size_t d = 0; d < kDerivatives; ++d) {
     const auto derivative = static_cast<Derivative>(d);
     const DerivativeMethod method = choice.derivatives[form_of(derivative)];
-    // Along x, then along y, form by form.
+    // The order is: along x, then along y, for each method in turn.
     if (d >= 2 && method == choice.derivatives[0]) {
       detail.derivatives[d] = detail.derivatives[d % 2];
       continue;
@@ -201,7 +201,7 @@ bool are_details_constant(const PrimitiveAttributes& attributes, const Details& 
 
 namespace {
 
-constexpr std::size_t kRows = 4;  // a quad's, and those beside it
+constexpr std::size_t kRows = 4;  // the two rows of a quad and those beside it
 constexpr std::size_t kMostColumns = 4096;
 
 void take_middles(CentreColors::Derivatives& derivatives) {
@@ -225,7 +225,7 @@ void CentreColors::take(const std::array<Interpolant, 4>& components) {
   ++primitive_;
 }
 
-// Neighbours of pixels at the target's edges lie outside it.
+// The neighbours of pixels at the target's edges lie outside it.
 std::size_t CentreColors::place_of(PixelPosition pixel) const {
   const std::size_t column = static_cast<std::size_t>(pixel.x) % columns_;
   const std::size_t row = static_cast<std::size_t>(pixel.y) % kRows;
@@ -246,7 +246,7 @@ const CentreColors::Components& CentreColors::at(PixelPosition pixel) {
 }
 
 CentreColors::Components CentreColors::difference(const Neighbours& of, Axis axis) {
-  // Copied: a narrow target's neighbours may be kept in one place.
+  // This is a copy because in a narrow target both neighbours may be kept in one entry.
   const Components first = at(of.first);
   const Components& second = at(of.second);
   Components result = slopes_[static_cast<std::size_t>(axis)].exact;

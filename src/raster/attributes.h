@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The exact rasterizer's shading stage: what a primitive's fragments carry, under a policy.
+// The exact rasterizer's shading stage: the colour, depth and details of a primitive's fragments.
 #pragma once
 
 #include <array>
@@ -21,29 +21,29 @@ struct ExactLookup;
 
 // The attributes that are interpolated over one primitive.
 struct PrimitiveAttributes {
-  // A flat colour is the same at all vertices, that of the provoking one. A textured draw has s, t,
-  // 0 and 1 in the colour's place.
+  // A flat colour has the provoking vertex's value at all vertices. A textured draw has s, t, 0 and
+  // 1 here instead of a colour.
   std::array<Interpolant, 4> color;
-  // Window depth, 0 to 1; with the polygon offset, where there is one, and then of any size.
+  // Window depth: 0 to 1, or of any size once a polygon offset is added.
   Interpolant depth;
-  Interpolant inverse_w;      // 1/w, as gl_FragCoord.w has it
-  bool w_of_centre = false;   // the colour is multiplied by w at the centre of the pixel
-  bool clamps_depth = false;  // to 0 to 1, once it is interpolated: there is a polygon offset
+  Interpolant inverse_w;      // 1/w, the value of gl_FragCoord.w
+  bool w_of_centre = false;   // whether the colour is multiplied by w at the pixel's centre
+  bool clamps_depth = false;  // with a polygon offset: clamp the interpolated depth to 0..1
 };
 
-// A component of the colour at a place of a pixel, as interpolate_exact has it.
+// A colour component at a point of a pixel, by interpolate_exact or its inexact counterpart.
 Interval color_exact(const PrimitiveAttributes& attributes, std::size_t component, Point place,
                      PixelPosition pixel);
 Interval color_inexact(const PrimitiveAttributes& attributes, std::size_t component, Point place,
                        PixelPosition pixel);
 
-// A fragment's depth at a place of the window: clamped where the attributes say so (GL 4.6
-// core, 14.6.5).
+// A fragment's depth at a point of the window, clamped if `clamps_depth` says so (GL 4.6 core,
+// 14.6.5).
 Interval depth_exact(const PrimitiveAttributes& attributes, Point place);
-// Of a depth that was interpolated from `attributes.depth`, or from what takes its place.
+// Clamps a depth interpolated from `attributes.depth` or its substitute if `clamps_depth` is set.
 Interval clamped_depth(const PrimitiveAttributes& attributes, Interval interpolated);
 
-// Do colour and depth stay the same to the bit, wherever the sample lies?
+// Returns true if colour and depth are the same, to the bit, at every sample.
 bool are_constant(const PrimitiveAttributes& attributes);
 
 PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleChoices& choices,
@@ -53,33 +53,33 @@ PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleCho
 Interpolant depth_without_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
                                  const Target& target);
 
-// PrimitiveAttributes::depth with all that the vertices' depths may be off by
-// (VertexAttributes::permitted_depth), and every polygon offset that is permitted in place of the
-// one that the choices say: as wide as offset_permitted is. `reach`, `fixed_unit`: as there.
+// PrimitiveAttributes::depth, widened by the permitted error of the vertices' depths
+// (VertexAttributes::permitted_depth) and by every polygon offset that is permitted besides the
+// chosen one. `reach` and `fixed_unit` are those of offset_permitted.
 Interpolant permitted_depth(const ScenePrimitive& primitive, const RuleChoices& choices,
                             const Target& target, double reach, Interval fixed_unit);
-// The same of PrimitiveAttributes::inverse_w.
+// The same for PrimitiveAttributes::inverse_w.
 Interpolant permitted_inverse_w(const ScenePrimitive& primitive, const RuleChoices& choices,
                                 const Target& target);
 
-// The pixel within its quad.
+// The pixel and its place in its 2x2 quad.
 QuadPixel quad_of(PixelPosition pixel, const ValueChoice& choice, const Target& target);
 
-// The double nearest to the middle: the interval is narrower than what any format can hold. One
-// that holds zero is zero: beside it, any other number would look exact to many places.
+// The double nearest to the middle of an interval that is narrower than any format resolves. An
+// interval that holds zero gives zero: any other number would wrongly look exact to many digits.
 double middle(Interval value);
 
-// The fragment that a primitive has at a pixel's centre: colour and depth are the doubles nearest
-// to the exact values, to within 2^-48 of the largest vertex value. `lookup`: that of a textured
-// draw, whose colour is what was looked up.
+// The fragment of a primitive at a pixel's centre. Colour and depth are the doubles nearest to the
+// exact values, to within 2^-48 of the largest vertex value. In a textured draw `lookup` gives the
+// colour; otherwise it is null.
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
                PixelPosition pixel, const ExactLookup* lookup = nullptr);
 
-// The same, its colour taken from `colors`, which are of these attributes.
+// The same, with the colour from `colors`, which must have taken these attributes.
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
                PixelPosition pixel, CentreColors& colors);
 
-// Where in the window a fragment of a multisampled target takes its values.
+// The points of the window at which a fragment of a multisampled target takes its values.
 struct ShadingPlaces {
   Point color;
   Point depth;        // gl_FragCoord.z
@@ -87,39 +87,39 @@ struct ShadingPlaces {
 };
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
                PixelPosition pixel, const ShadingPlaces& places);
-// gl_FragCoord.
+// The value of gl_FragCoord.
 std::array<double, 4> coordinates_at(const PrimitiveAttributes& attributes,
                                      const ShadingPlaces& places);
 
-// What a scene asks to be told of the fragment beside; of textures, where there is a lookup.
-// `colors`: of these attributes.
+// The further values of a fragment that a scene requests; those of textures need a lookup. `colors`
+// must have taken these attributes.
 FragmentDetail shade_details(const PrimitiveAttributes& attributes, CentreColors& colors,
                              const QuadPixel& at, const ValueChoice& choice, const Details& asked,
                              const ExactLookup* lookup = nullptr);
 
-// Is what shade_details tells the same for all fragments of the primitive?
+// Returns true if shade_details gives the same result for all fragments of the primitive.
 bool are_details_constant(const PrimitiveAttributes& attributes, const Details& asked,
                           bool has_lookup);
 
-// CentreColors: what the colours of primitives, one after another, are at pixels' centres, for
-// derivatives, which are differences of neighbours.
+// CentreColors: the colours of one primitive after another at pixels' centres. Derivatives are
+// differences between neighbouring ones.
 class CentreColors {
  public:
-  // `width`: of the target, pixels.
+  // `width` of the target, in pixels.
   explicit CentreColors(int width);
 
-  // From now on the primitive with these components. They have the same vertices and line
-  // parameter, and those that have perspective the same w; they must stay where they are.
+  // Selects the primitive with these components. All share vertices and line parameter; those with
+  // perspective share w. They are not copied and must stay valid.
   void take(const std::array<Interpolant, 4>& components);
 
   using Components = std::array<Interval, 4>;
   struct Derivatives {
     Components exact;
-    std::array<double, 4> middles{};  // see raster/attributes.h
+    std::array<double, 4> middles{};  // see `middle`
   };
-  // As interpolate_exact and derivative_exact have them. What is linear has the same derivatives at
-  // all pixels. Of the rest, asked row by row: of the latest rows, colours and their differences,
-  // which the pixels of a quad share, are kept. Valid until the next question.
+  // The values of interpolate_exact and derivative_exact. A linear component has one derivative for
+  // all pixels. For the others, recent rows of colours and of differences, which a quad's pixels
+  // share, are kept, so query row by row. A result is valid until the next query.
   const Components& at(PixelPosition pixel);
   const Derivatives& derivatives(const QuadPixel& at, Axis axis, DerivativeMethod method);
 
@@ -140,13 +140,13 @@ class CentreColors {
 
   const std::array<Interpolant, 4>* components_ = nullptr;
   std::array<bool, 4> are_linear_{};
-  std::array<Derivatives, 2> slopes_;  // of those, by axis
-  std::size_t primitive_ = 0;          // taken so far
+  std::array<Derivatives, 2> slopes_;  // of linear components, by axis
+  std::size_t primitive_ = 0;          // the number of primitives taken so far
   std::size_t columns_;                // a power of two
-  // By row and column, the lowest bits of each; differences by axis and by their first pixel.
+  // Indexed by the lowest bits of row and column; differences by axis and by their first pixel.
   std::vector<AtPixel> known_;
   std::array<std::vector<AtNeighbours>, 2> differences_;
-  Derivatives analytic_;  // the latest
+  Derivatives analytic_;  // the latest result of the analytic method
 };
 
 }  // namespace edgecase

@@ -18,15 +18,15 @@ namespace {
 
 using Pixels = std::vector<PixelPosition>;
 
-// How the pixels of a primitive are asked for.
+// A part of the target, and how coverage is decided there.
 struct View {
   PixelBounds bounds;
-  Point within = centre_of_pixel();  // which point of each pixel decides
-  // Do samples decide? Then lines are areas.
+  Point within = centre_of_pixel();  // the point of each pixel that decides
+  // Whether samples decide; lines are then areas.
   bool is_multisampled = false;
 };
 
-// What a primitive is made of, by where its vertices are: at multiples of 2^-16, or at quotients.
+// How a primitive's vertices are represented: as multiples of 2^-16, or as quotients.
 struct Dyadic {
   using Vertex = Point;
   using Sized = SizedPoint;
@@ -45,7 +45,7 @@ Point nearest(const HomogeneousPoint& vertex) {
   return nearest_point(vertex);
 }
 
-// Moved so that a point of each pixel becomes its centre.
+// Moves the geometry so that the point `within` each pixel falls on the pixel's centre.
 Point centred(Point vertex, Point within) {
   const Point centre = centre_of_pixel();
   return {vertex.x + centre.x - within.x, vertex.y + centre.y - within.y};
@@ -54,7 +54,7 @@ Segment centred(const Segment& line, Point within) {
   return {centred(line.a, within), centred(line.b, within)};
 }
 
-// All pixels that may have a point in a point primitive's square, and some around them.
+// All pixels that may have a point inside a point primitive's square, and some around them.
 PixelBounds bounds_near(Point vertex, Fixed size, const PixelBounds& all) {
   const std::int64_t margin = size.ceil() / 2 + 1;
   const auto low = [&](int bound, Fixed at) {
@@ -82,7 +82,7 @@ Pixels area_pixels(const Segment& line, Fixed width, LineArea area, const View& 
   return line_area_pixels(centred(line, view.within), width, area, view.bounds, ties);
 }
 
-// Of a multisampled line that is an area.
+// The pixels of a multisampled line, which is an area.
 Pixels multisampled_pixels(const Segment& line, Fixed width, const View& view,
                            const CoverageChoice& choice) {
   const auto rounded = [&](RectangleRounding rounding) {
@@ -106,7 +106,7 @@ Pixels multisampled_pixels(const Segment& line, Fixed width, const View& view,
   }
   return area_pixels(line, width, LineArea::parallelogram, view, choice.ties);
 }
-// All but the rectangle get the nearest segment.
+// Algorithms other than the rectangle take the segment rounded to the grid.
 Pixels multisampled_pixels(const HomogeneousSegment& line, Fixed width, const View& view,
                            const CoverageChoice& choice) {
   if (choice.multisampled_line == MultisampledLine::rectangle)
@@ -133,7 +133,7 @@ Pixels line_pixels_of(const HomogeneousSegment& line, Fixed width, const PixelBo
   return line_pixels(line, width, bounds, choice.line, choice.ties);
 }
 
-// The pixels of a primitive whose vertices are where the choice has them, in no particular order.
+// The pixels, in no particular order, of a primitive whose vertices are already snapped.
 template <class Kind>
 Pixels pixels_of(const ScenePrimitive& primitive, const std::array<typename Kind::Vertex, 3>& p,
                  const View& view, const CoverageChoice& choice) {
@@ -153,7 +153,7 @@ Pixels pixels_of(const ScenePrimitive& primitive, const std::array<typename Kind
   return {};
 }
 
-// How vertices are snapped. Rectangles of lines that are rounded have a grid of their own.
+// How vertices are snapped. Rounded rectangles of lines have a grid of their own.
 Snap snap_of(const ScenePrimitive& primitive, const View& view, const CoverageChoice& choice) {
   const MultisampledLine line = choice.multisampled_line;
   const bool rounded = line == MultisampledLine::snapped_offset ||
@@ -163,8 +163,8 @@ Snap snap_of(const ScenePrimitive& primitive, const View& view, const CoverageCh
   return choice.snap;
 }
 
-// The pixels of a primitive whose vertices are given; the choice snaps them. Quotients that it does
-// not snap stay such.
+// The pixels of a primitive whose vertices the choice has yet to snap. Quotients that are not
+// snapped stay quotients.
 Pixels snapped_pixels(const ScenePrimitive& primitive, const std::array<HomogeneousPoint, 3>& given,
                       const View& view, const CoverageChoice& choice) {
   const Snap snap = snap_of(primitive, view, choice);
@@ -174,7 +174,7 @@ Pixels snapped_pixels(const ScenePrimitive& primitive, const std::array<Homogene
                            choice);
 }
 
-// The pixels of a primitive that has vertices outside the clip volume. A point has one vertex.
+// The pixels of a primitive with vertices outside the clip volume. A point has just one vertex.
 Pixels clipped_pixels_of(const ScenePrimitive& primitive,
                          const std::array<HomogeneousPoint, 3>& positions, const Viewport& viewport,
                          const View& view, const CoverageChoice& choice) {
@@ -182,7 +182,7 @@ Pixels clipped_pixels_of(const ScenePrimitive& primitive,
   return clipped_pixels({{positions, primitive.z}, viewport}, view.bounds, view.within, choice);
 }
 
-// The same, sorted, of a target that is seen as the choice sees it.
+// The same, sorted, with the target turned as the choice's row order says.
 Pixels viewed_pixels(const ScenePrimitive& primitive, const Target& target, CoverageChoice choice,
                      View view) {
   const bool turned = choice.rows == RowOrder::top_down;
@@ -204,7 +204,7 @@ Pixels viewed_pixels(const ScenePrimitive& primitive, const Target& target, Cove
   return pixels;
 }
 
-// Does the choice make a wide line of copies of its fragments?
+// Whether the choice builds a wide line from copies of its fragments.
 bool has_columns(const ScenePrimitive& primitive, const Target& target,
                  const CoverageChoice& choice) {
   const Draw& draw = *primitive.state;
@@ -213,7 +213,7 @@ bool has_columns(const ScenePrimitive& primitive, const Target& target,
          choice.line.wide == WideLine::replicate;
 }
 
-// Of a line, as the choice draws it.
+// Whether the line is x-major once the choice has turned the target.
 bool is_x_major(const ScenePrimitive& line, const Target& target, const CoverageChoice& choice) {
   HomogeneousSegment ends{line.positions[0], line.positions[1]};
   if (choice.rows == RowOrder::top_down)
@@ -254,7 +254,7 @@ Point attribute_place(const ScenePrimitive& primitive, const Target& target,
     return x_major ? PixelPosition{pixel.x, pixel.y + pixels}
                    : PixelPosition{pixel.x + pixels, pixel.y};
   };
-  // The column goes on beyond the border of the target or of its scissor rectangle.
+  // The column continues beyond the border of the target or of the scissor rectangle.
   const int others = rounded_width(primitive.state->line_width) - 1;
   const PixelPosition low = above(-others), high = above(others);
   const Pixels near = viewed_pixels(primitive, target, choice, {{low.x, low.y, high.x, high.y}});

@@ -79,7 +79,7 @@ namespace {
 
 using Pixels = std::vector<PixelPosition>;
 
-// How far a guard band reaches, in pixels: all that exact coordinates hold.
+// The extent of a guard band in pixels: the whole range of exact coordinates.
 constexpr int kGuardBand = static_cast<int>(Fixed::kMaxCoordinate);
 
 ClipPlanes planes_of(const Viewport& viewport, ClipMethod method) {
@@ -93,7 +93,7 @@ Point centred(Point vertex, Point within) {
   return {vertex.x + centre.x - within.x, vertex.y + centre.y - within.y};
 }
 
-// The polygon as a fan round its first vertex.
+// The pixels of the polygon, split into a fan round its first vertex.
 Pixels fan_pixels(const std::vector<ClipPolygonVertex>& polygon, const PixelBounds& bounds,
                   Point within, const CoverageChoice& choice) {
   std::vector<Point> v;
@@ -105,7 +105,7 @@ Pixels fan_pixels(const std::vector<ClipPolygonVertex>& polygon, const PixelBoun
         triangle_pixels({v[0], v[i], v[i + 1]}, bounds, choice.triangle_algorithm, choice.ties);
     pixels.insert(pixels.end(), part.begin(), part.end());
   }
-  // Snapped, a fan may overlap itself.
+  // A snapped fan may overlap itself.
   std::sort(pixels.begin(), pixels.end());
   pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
   return pixels;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The exact rasterizer behind the Renderer interface, under one policy. It is what `--against
-// exact` and `render --with exact` use; comparisons call rasterize themselves.
+// The exact rasterizer behind the Renderer interface, under one policy, for `--against exact` and
+// `render --with exact`. Comparisons call rasterize directly.
 #pragma once
 
 #include <cstdint>
@@ -26,25 +26,26 @@ class ExactRenderer final : public Renderer {
   RendererInfo info_;
 };
 
-// ExactDrawing: the pixels of scenes by the exact rasterizer, over and over. Here it is decided who
-// draws them: the framebuffer where it can, the plain rasterizer else.
+// ExactDrawing: draws scenes repeatedly with the exact rasterizer. It uses the framebuffer where
+// that can draw them, and the plain rasterizer otherwise.
 class ExactDrawing {
  public:
-  // Scenes of one target that are drawn one above the other, at least one; all but the first cover
-  // it. They must outlive the drawing. Vertices are made ready here, as OpenGL's are in buffers.
+  // `layers`: at least one scene, all of one target, drawn on top of each other; all but the first
+  // cover the target. They must outlive the drawing. Vertices are prepared here, as OpenGL's are in
+  // buffers.
   ExactDrawing(std::span<const Scene> layers, const ResolvedPolicy& policy);
 
   // Clears and draws all layers.
   void draw();
 
-  // What was drawn; of one layer this is Rendering::pixels of `rasterize`.
+  // The result. For a single layer it equals Rendering::pixels of `rasterize`.
   std::vector<std::uint8_t> pixels() const;
 
  private:
   std::span<const Scene> layers_;
   const ResolvedPolicy policy_;
   Framebuffer framebuffer_;
-  std::vector<FastScene> prepared_;  // of all layers, or none
+  std::vector<FastScene> prepared_;  // of all layers, or empty
   std::vector<std::uint8_t> plain_pixels_;
 };
 

@@ -23,7 +23,7 @@ bool is_power_of_two(int size) {
   return std::has_single_bit(static_cast<unsigned>(size));
 }
 
-// Are coordinates and weights numbers without a grid, and wrap modes known?
+// Whether coordinates and weights are continuous, and the wrap modes supported.
 bool is_known(const TextureUse& use, const TextureChoice& choice) {
   const auto is_wrap_known = [](Wrap wrap) {
     return wrap == Wrap::repeat || wrap == Wrap::clamp_to_edge;
@@ -39,7 +39,7 @@ bool are_near(const ScenePrimitive& triangle) {
   });
 }
 
-// One word a texel; nothing where some are no codes of 8 bits.
+// One word for each texel; nothing if a texel is not made of 8-bit codes.
 std::optional<std::vector<PixelWord>> words_of(const TextureLevel& level) {
   std::vector<PixelWord> words;
   for (std::size_t i = 0; i < level.texels.size(); i += 4) {
@@ -82,7 +82,7 @@ std::optional<TexturedTriangle> FastTextures::looked_up(const ScenePrimitive& tr
   if (!is_known(use, choice) || !are_near(triangle)) return std::nullopt;
   if (texture.format != TextureFormat::rgba8 || texture.dimensions != 2) return std::nullopt;
 
-  // Any pixel: all have one level.
+  // All pixels have the same level, so any will do.
   const PrimitiveAttributes attributes = attributes_of(triangle, choices_, scene_.target);
   const Interval lambda = stage_.look_up(triangle, attributes, {0, 0}).lambda;
   const LevelRules rules{choice.crossover, choice.nearest_level, choice.level_weight, false, 0};
@@ -169,7 +169,7 @@ class FastSceneMaker {
     return divides && !has_equal_w(primitive) ? Kind::plain : Kind::smooth_triangles;
   }
 
-  // The code of a flat colour: that of the provoking vertex, wherever the fragment lies.
+  // The code of a flat colour, which is the provoking vertex's for every fragment.
   PixelWord color_of(const ScenePrimitive& primitive) const {
     const Vertex& vertex =
         *primitive.vertices[provoking_index(primitive, choices_.values.provoking)];
@@ -179,7 +179,7 @@ class FastSceneMaker {
     return std::bit_cast<PixelWord>(codes);
   }
 
-  // Tells as what it was added.
+  // Returns the kind as which the primitive was added.
   Kind add(const ScenePrimitive& primitive) {
     const auto& v = primitive.vertices;
     const Snap& snap = choices_.of(primitive.kind).snap;
@@ -219,7 +219,7 @@ class FastSceneMaker {
     return Kind::plain;
   }
 
-  // Where coverage has the vertices, and where attributes have them.
+  // Sets the vertices' positions for coverage and for attributes.
   template <class Interpolated>
   void place(const ScenePrimitive& primitive, Interpolated& triangle) const {
     const Snap& snap = choices_.of(primitive.kind).snap;
@@ -230,7 +230,7 @@ class FastSceneMaker {
     }
   }
 
-  // The batch that the primitive just added belongs to.
+  // The batch of the primitive that was just added.
   FastBatch& batch_for(const ScenePrimitive& primitive, Kind kind) {
     if (primitive.state != state_ || made_.batches.back().kind != kind) {
       state_ = primitive.state;
@@ -247,7 +247,7 @@ class FastSceneMaker {
 
   const Scene& scene_;
   const RuleChoices& choices_;
-  const Draw* state_ = nullptr;  // of the last batch
+  const Draw* state_ = nullptr;  // of the latest batch
   FastScene made_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the kernels draw: textures and a scene, made ready for them.
+// The input of the kernels: prepared textures and a prepared scene.
 #pragma once
 
 #include <deque>
@@ -17,22 +17,21 @@
 
 namespace edgecase {
 
-// FastTextures: a scene's textures as kernels look them up, and where they can.
+// FastTextures: a scene's textures, prepared for lookups by kernels where that is possible.
 //
-// They can where no vertex's w differs, so that one level of detail holds for all pixels of a
-// triangle: the plain stages say which, once. Linear filters of RGBA8 texels whose images have
-// sides of powers of two, repeated or clamped to the edge; everything else is left to the plain
-// stages.
+// It is possible if a triangle's vertices have equal w, so that one level of detail, computed once
+// by the plain stages, holds for all its pixels. Filters must be linear, texels RGBA8, sides powers
+// of two, and wrap modes repeat or clamp to edge. The plain stages do everything else.
 class FastTextures {
  public:
-  // Both must outlive it.
+  // Both arguments must outlive this object.
   FastTextures(const Scene& scene, const RuleChoices& choices);
 
   const TextureStage& stage() const { return stage_; }
 
-  // What a triangle of a textured draw looks up, all of it but its positions. No vertex's w
-  // differs, or none is divided by. Nothing where the plain stages have to look up. The planes live
-  // as long as this does.
+  // The lookups of a textured triangle, without its positions, or nothing if the plain stages have
+  // to do them. The vertices must have equal w or need no division by it. The planes live as long as
+  // this object.
   std::optional<TexturedTriangle> looked_up(const ScenePrimitive& triangle);
 
  private:
@@ -45,24 +44,23 @@ class FastTextures {
   std::map<std::pair<std::size_t, int>, std::optional<TexelPlane>> planes_;
 };
 
-// FastScene: a scene made ready for the kernels, once for as often as it is drawn; what a vertex
-// buffer is to OpenGL.
+// FastScene: a scene prepared once for drawing with kernels, like a vertex buffer in OpenGL.
 //
 //   flat triangles and lines     integers alone: coverage and a code
 //   smooth and textured ones     planes in double precision; where these leave a code open, the
 //                                plain stages decide the pixel
 //   all other primitives         the plain stages, primitive by primitive
 //
-// Of multisampled targets it takes flat triangles alone. Fragment operations and supersampling it
-// leaves to raster/rasterizer.h.
+// Of multisampled targets it supports flat triangles only. Fragment operations and supersampling
+// are left to raster/rasterizer.h.
 
-// Primitives in a row that are drawn in the same way: `count` of those of their kind from `first`.
+// Consecutive primitives drawn in the same way: `count` of their kind, starting at `first`.
 struct FastBatch {
   enum class Kind { flat_triangles, flat_lines, smooth_triangles, textured_triangles, plain };
   Kind kind = Kind::plain;
   std::size_t first = 0;
   std::size_t count = 0;
-  PixelBounds bounds;           // of what may be drawn; maybe empty
+  PixelBounds bounds;           // the pixels that may be written; possibly empty
   std::uint32_t samples = ~0U;  // bit s: sample s may be written
 };
 
@@ -71,14 +69,14 @@ struct FastScene {
   std::vector<FlatTriangle> flat_triangles;
   std::vector<FlatLine> flat_lines;
   std::vector<SmoothTriangle> smooth_triangles;
-  std::vector<ScenePrimitive> smooth_primitives;  // of smooth_triangles, one for one
+  std::vector<ScenePrimitive> smooth_primitives;  // those of smooth_triangles, in the same order
   std::vector<TexturedTriangle> textured_triangles;
-  std::vector<ScenePrimitive> textured_primitives;  // of these
+  std::vector<ScenePrimitive> textured_primitives;  // those of textured_triangles
   std::vector<ScenePrimitive> plain_primitives;
   std::unique_ptr<FastTextures> textures;  // null where the scene has none
 };
 
-// Nothing where the plain path has to draw. Refers to the scene and to the choices.
+// Nothing if the plain path has to draw. The result refers to the scene and to the choices.
 std::optional<FastScene> fast_scene(const Scene& scene, const RuleChoices& choices);
 
 }  // namespace edgecase

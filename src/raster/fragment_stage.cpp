@@ -11,7 +11,7 @@
 namespace edgecase {
 namespace {
 
-// Is a fragment's colour stored whatever is there before? Then written_color does not look at it.
+// Whether a fragment's colour is stored regardless of the old one: written_color then ignores it.
 bool replaces_color(const FragmentOperations& operations, const BlendChoice& choice) {
   return !operations.blending && choice.mask == ColorMaskMethod::as_set &&
          std::ranges::all_of(operations.color_mask, std::identity());

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// FragmentStage: what becomes of fragments, one sample at a time, by the rules in rules/output (GL
+// FragmentStage: applies the per-fragment operations of rules/output to one sample at a time (GL
 // 4.6 core, 17.3 and 17.4.2).
 //
 //   stencil test -> depth test -> blending -> colour mask -> planes of the rendering
 //
-// Which samples a fragment stands for, and the depth of each, it leaves to those who make it. It
-// tells no fragments.
+// Callers decide which samples a fragment stands for, and the depth of each. This stage reports no
+// fragments.
 #pragma once
 
 #include <array>
@@ -19,23 +19,23 @@
 
 namespace edgecase {
 
-// A fragment as one of its samples has it.
+// A fragment's values at one of its samples.
 struct SampleFragment {
-  std::array<double, 4> color{};  // as the shader writes it
-  double depth = 0;               // 0 to 1, of the sample
+  std::array<double, 4> color{};  // the shader's output
+  double depth = 0;               // 0 to 1, at the sample
   bool front_facing = true;
-  bool writes_depth = true;  // where the draw does
+  bool writes_depth = true;  // if the draw writes depth at all
 };
 
 class FragmentStage {
  public:
-  // Refers to all of them; the rendering's planes have been cleared.
+  // Refers to all arguments; the rendering's planes must have been cleared.
   FragmentStage(Rendering& rendering, const Target& target, const OutputChoice& choice);
 
-  // `sample`: as Rendering::sample_index has it. Counts a hit where all tests pass.
+  // `sample` as in Rendering::sample_index. Counts a hit if all tests pass.
   void draw(const SampleFragment& fragment, const FragmentOperations& operations,
             std::size_t sample) const;
-  // The same fragment at each of these pixels of a target with one sample each.
+  // Draws the same fragment at each of these pixels; the target has one sample per pixel.
   void draw_at_all(const SampleFragment& fragment, const FragmentOperations& operations,
                    std::span<const PixelPosition> pixels) const;
 
@@ -49,8 +49,7 @@ class FragmentStage {
   Rendering& rendering_;
   const Target& target_;
   const OutputChoice& choice_;
-  // The latest colour that was written over whatever was there, and as what: the next one is mostly
-  // the same.
+  // The latest colour that replaced a pixel, and its code. The next colour is usually the same.
   mutable std::array<double, 4> replacing_{};
   mutable Rgba8 replacement_{};
 };

@@ -23,7 +23,7 @@ bool is_four_nearest_even(std::size_t samples, ResolveMethod method) {
   return samples == 4 && method == ResolveMethod::nearest_even;
 }
 
-// The least odd number of lines that holds so many pixels, in pixels.
+// The least odd number of cache lines that holds this many pixels, in pixels.
 std::size_t padded_width(std::size_t width, std::size_t line) {
   return ((width + line - 1) / line | 1) * line;
 }
@@ -60,7 +60,7 @@ void Framebuffer::clear(const Color& color) {
     std::fill_n(planes_[s].pixels, plane_size(), word_of(components));
 }
 
-// What the plain stages write into a primitive's pixels.
+// Writes the plain stages' results into a primitive's pixels.
 class Framebuffer::PlainWords {
  public:
   PlainWords(const ScenePrimitive& primitive, const FastScene& scene, const RuleChoices& choices,

@@ -27,7 +27,7 @@ Corners snapped_corners(const ScenePrimitive& triangle, const Target& target,
   return corners;
 }
 
-// In square pixels, for people only. Behind the eye there is none.
+// The area in square pixels, as text for people. A triangle behind the eye has none.
 std::string area_of(const ScenePrimitive& triangle, const Corners& p) {
   if (triangle.is_clipped) return "seen from the eye";
   const double scale =
@@ -92,7 +92,7 @@ std::optional<Explanation> explain_culling(const ScenePrimitive& primitive, cons
 
 namespace {
 
-// Why a primitive has no edges to walk by; empty where it has.
+// Why there is no block walk of the primitive; empty if there is one.
 std::string absence_of(const ScenePrimitive& primitive, const Target& target,
                        const CoverageChoice& choice) {
   if (primitive.kind != PrimitiveKind::triangle)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Questions about single primitives that come before their pixels: which way they face, whether
-// they are culled, and by which blocks they would be found.
+// Properties of single primitives that precede their pixels: facing, culling, and the blocks of a
+// block walk.
 #pragma once
 
 #include <optional>
@@ -15,31 +15,31 @@
 
 namespace edgecase {
 
-// Which way a scene's triangles face under a choice of rules, their vertices snapped as for their
-// coverage, and what that makes of them.
+// Which way a scene's triangles face under a choice of rules, with vertices snapped as for
+// coverage, and whether they are culled.
 
-// Points and lines do.
+// Points and lines are always front-facing.
 bool is_front_facing(const ScenePrimitive& primitive, const Target& target,
                      const CoverageChoice& choice);
 
-// Does the primitive make no fragments, since it is culled?
+// Whether the primitive is culled and so makes no fragments.
 bool is_culled(const ScenePrimitive& primitive, const Target& target, const CoverageChoice& choice);
 
-// Why it is culled, with its outline; nothing where it is not.
+// Why the primitive is culled, with its outline; nothing if it is not.
 std::optional<Explanation> explain_culling(const ScenePrimitive& primitive, const Target& target,
                                            const CoverageChoice& choice);
 
-// How a scene's triangles would be found by blocks, under a choice of rules. The rasterizer itself
-// finds them otherwise; a block walk finds the same ones and shows how little of it need be asked.
+// How a block walk would find a scene's triangles under a choice of rules. The rasterizer does not
+// walk blocks; a walk covers the same pixels and shows how few need a test.
 struct PrimitiveBlocks {
-  HomogeneousTriangle triangle{};  // where its vertices lie for its coverage
-  SamplePositions places;          // of the samples of a pixel that are asked
+  HomogeneousTriangle triangle{};  // with the vertices used for coverage
+  SamplePositions places;          // of the samples tested in each pixel
   BlockWalk walk;
-  std::string absence;  // why there is no walk, a sentence without its end; empty: there is one
+  std::string absence;  // why there is no walk, without a full stop; empty if there is one
 };
 
-// The walk of a primitive within what its draw may write, the sample mask apart. `sizes`: of
-// blocks, as BlockGrid has them.
+// The block walk of a primitive within the pixels that its draw may write, ignoring the sample
+// mask. `sizes` of blocks, as for BlockGrid.
 PrimitiveBlocks blocks_of(const ScenePrimitive& primitive, const Target& target,
                           const CoverageChoice& choice, std::span<const int> sizes);
 

@@ -17,7 +17,7 @@
 namespace edgecase {
 namespace {
 
-// All samples hold the clear colour.
+// Sets all samples to the clear colour.
 void clear_colors(const Target& target, std::vector<std::uint8_t>& planes) {
   std::array<std::uint8_t, 4> code{};
   for (std::size_t i = 0; i < code.size(); ++i)
@@ -26,7 +26,7 @@ void clear_colors(const Target& target, std::vector<std::uint8_t>& planes) {
     std::copy(code.begin(), code.end(), at);
 }
 
-// Nothing drawn yet.
+// A rendering in which nothing is drawn yet.
 Rendering cleared(const Target& target) {
   Rendering rendering;
   rendering.width = target.width;
@@ -47,14 +47,14 @@ Rendering cleared(const Target& target) {
   return rendering;
 }
 
-// For so many more, and for as many again as there are.
+// Reserves room for `count` more items, at least doubling the capacity when it grows.
 template <class Item>
 void make_room(std::size_t count, std::vector<Item>& items) {
   const std::size_t needed = items.size() + count;
   if (needed > items.capacity()) items.reserve(std::max(needed, 2 * items.size()));
 }
 
-// All fragments of a primitive that differ in nothing but where they are.
+// Adds fragments of a primitive that differ only in their positions.
 void draw_alike(Rendering& rendering, const FragmentStage& stage, const ScenePrimitive& primitive,
                 const Fragment& fragment, bool front_facing,
                 std::span<const PixelPosition> pixels) {
@@ -86,7 +86,7 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
     if (pixels.empty()) continue;
     const bool one_detail = are_details_constant(attributes, details, textured.has_value());
     if (!one_detail) make_room(pixels.size(), rendering.details);
-    // Where all fragments have one colour and one depth, the first is shaded for them.
+    // If all fragments have one colour and one depth, only the first is shaded.
     if (!textured && !details.any() && are_constant(attributes)) {
       draw_alike(rendering, stage, primitive, shade(primitive, attributes, pixels.front()),
                  front_facing, pixels);

@@ -21,7 +21,7 @@ struct PixelMask {
   std::uint32_t mask;
 };
 
-// Which samples of each pixel are covered, by row, then column.
+// The mask of covered samples of each pixel, sorted by row, then column.
 std::vector<PixelMask> masks_of(const SampleCoverage& coverage) {
   std::vector<PixelMask> bits;
   for (std::size_t s = 0; s < coverage.size(); ++s)
@@ -37,7 +37,7 @@ std::vector<PixelMask> masks_of(const SampleCoverage& coverage) {
   return masks;
 }
 
-// The fragments of one primitive.
+// Draws the fragments of one primitive.
 class MultisampledPrimitive {
  public:
   MultisampledPrimitive(Rendering& rendering, const Target& target, const ScenePrimitive& primitive,
@@ -78,7 +78,7 @@ class MultisampledPrimitive {
     return alphas_of_samples(primitive_, attributes_, pixel, rendering_.sample_positions,
                              locations());
   }
-  // For which samples of a pixel the shader runs, if it does so for each that is covered.
+  // The samples of a pixel for which the shader runs, provided it runs for each covered one.
   std::uint32_t running(PixelPosition pixel) const {
     return heeds_others() ? runs_by_others(alphas_at(pixel)) : ~std::uint32_t{0};
   }
@@ -113,7 +113,7 @@ class MultisampledPrimitive {
     }
   }
 
-  // Tells the fragment.
+  // Adds the fragment, and its details, to the rendering.
   const Fragment& shaded(PixelPosition pixel, std::uint32_t coverage, const ShadingPlaces& places) {
     Fragment fragment = shade(primitive_, shaded_, pixel, places);
     fragment.coverage = coverage;
@@ -124,7 +124,7 @@ class MultisampledPrimitive {
     return rendering_.fragments.emplace_back(fragment);
   }
 
-  // `location`: within the pixel, of the sample's depth.
+  // `location` of the sample's depth, within the pixel.
   void write(const Fragment& fragment, int sample, Point location, bool writes_depth = true) {
     SampleFragment written{fragment.color, fragment.depth, front_facing_, writes_depth};
     if (target_.depth != DepthFormat::none)
@@ -142,7 +142,7 @@ class MultisampledPrimitive {
   Multisampling use_;
   Unsampled sampling_;
   PrimitiveAttributes attributes_;
-  PrimitiveAttributes shaded_;  // to the shader
+  PrimitiveAttributes shaded_;  // the shader's inputs
   FragmentStage stage_;
   bool front_facing_;
 };
@@ -190,7 +190,7 @@ namespace {
 
 using Components = std::array<double, 4>;
 
-// What each pass shows, pixel after pixel.
+// The colours that each pass shows, pixel by pixel.
 class ShownColors {
  public:
   ShownColors(const Target& target, std::span<const Rendering> passes)
@@ -198,7 +198,7 @@ class ShownColors {
     std::copy(target.clear.begin(), target.clear.end(), clear_.begin());
   }
 
-  // Of pass k; pixels must be asked for in their order.
+  // The colour in pass k; pixels must be queried in order.
   const Components& at(std::size_t k, int x, int y) {
     const auto& fragments = passes_[k].fragments;
     const Components* shown = &clear_;
@@ -210,7 +210,7 @@ class ShownColors {
 
  private:
   std::span<const Rendering> passes_;
-  std::vector<std::size_t> next_;  // by pass: the first fragment that has not been shown
+  std::vector<std::size_t> next_;  // for each pass, the first fragment not yet consumed
   Components clear_{};
 };
 

@@ -13,7 +13,7 @@ namespace edgecase {
 
 namespace {
 
-// From here on the next double may lie in another texel.
+// From here on neighbouring doubles may lie in different texels.
 constexpr int kFar = 1 << 20;
 constexpr double kNarrow = 0x1p-40;
 
@@ -22,21 +22,21 @@ bool touches(Interval value, int size, TexelBorders borders) {
   return borders.parts > 0 && std::ceil(scaled.low) <= scaled.high;
 }
 
-// An interval that is wider than rounding makes it is open as well.
+// An interval wider than rounding accounts for is open as well.
 bool is_open(Interval value, TexelBorders borders, std::span<const int> sizes) {
   if (!(value.high - value.low < kNarrow)) return true;
   return std::ranges::any_of(sizes, [&](int size) { return touches(value, size, borders); });
 }
 
-// Is a number on the lower side of the border that it is next to or on? `scaled`: times the borders
-// there are from 0 to 1. None where it is an even multiple and no border.
+// Whether a number belongs below the border that it is next to or on; nothing if it is an even
+// multiple and thus no border. `scaled`: times the number of borders from 0 to 1.
 std::optional<bool> is_below_border(const Rational& scaled, TexelBorders borders) {
   if (!borders.ties_to_even || !is_whole(scaled)) return (scaled - floor_of(scaled)) * 2 >= 1;
   if (is_whole(scaled / 2)) return std::nullopt;
   return is_whole((scaled - 1) / 4);
 }
 
-// Without a grid: nearest chooses between texels, and linear has a value between any two.
+// Without a grid, nearest switches between texels, while linear changes continuously.
 TexelBorders borders_of(Filter filter) {
   switch (filter) {
     case Filter::nearest:
@@ -69,14 +69,14 @@ const std::optional<RationalInterpolation>& TextureAxis::rational() {
   return *rational_;
 }
 
-// Repetition has the period 1 or, mirrored, 2; what is clamped is so from the first texel beyond.
+// Repetition has period 1 or, mirrored, 2; clamping is constant from one texel beyond the edge.
 Rational TextureAxis::brought_near(const Rational& value) const {
   if (is_periodic(wrap_)) return value - 2 * floor_of(value / 2);
   return value < 0 ? Rational(-1) : Rational(2);
 }
 
-// A double is its own place. Beside any other number lie two, and borders between them: the number
-// is taken to be the one on its side.
+// A double is returned unchanged. Any other number lies between two doubles, possibly with a border
+// between them; the double on its side of the border is returned.
 Interval TextureAxis::decided(const Rational& value, TexelBorders borders,
                               std::span<const int> sizes) const {
   const Interval narrow = interval_of(value);
@@ -115,20 +115,20 @@ Rational square(const Rational& value) {
   return value * value;
 }
 
-// By their squares.
+// The longer vector, by its squared length.
 const Rational& longer(const Rational& a, const Rational& b) {
   return a < b ? b : a;
 }
 
-// How many borders lie from one level to the next: those of the nearest level and of the crossover
-// at halves, and those of weights that are rounded to 8 bits or fewer.
+// The number of borders from one level to the next: at halves for the nearest level and the
+// crossover, and at finer steps for weights rounded to 8 bits or fewer.
 double borders_per_level(LevelWeight weight) {
   const bool is_continuous = weight == LevelWeight::exact || weight == LevelWeight::narrow ||
                              weight == LevelWeight::one_at_ties;
   return is_continuous ? 2 : 512;
 }
 
-// The first border of the interval; none in it where it is not finite.
+// The first border in the interval; nothing if there is none or the interval is not finite.
 std::optional<double> border_in(Interval value, LevelWeight weight) {
   if (!std::isfinite(value.low) || !std::isfinite(value.high)) return std::nullopt;
   const double per_level = borders_per_level(weight);
@@ -137,7 +137,7 @@ std::optional<double> border_in(Interval value, LevelWeight weight) {
   return border;
 }
 
-// The square of the scale factor whose logarithm is `base`; none where it is irrational.
+// The square of the scale factor whose logarithm is `base`; nothing if it is irrational.
 std::optional<Rational> squared_power(const Rational& base, Log2Method method) {
   const Rational doubled = base * 2;
   switch (method) {
@@ -224,8 +224,8 @@ ProbeRow exact_probes(const RationalFootprint& f, const Sampler& sampler,
   };
   const ProbeRow row = row_of(sampler.max_anisotropy);
   if (choice.anisotropy != Anisotropy::extension || row.probes.size() < 2) return row;
-  // Of rounded lengths the quotient may come out above a whole number that it is, and a probe be
-  // added for nothing: one fewer is the most that is needed.
+  // With rounded lengths the quotient may exceed the whole number that it should be and add a
+  // needless probe. At most one probe has to go.
   const auto fewer = static_cast<int>(row.probes.size()) - 1;
   const Rational x = squared_length(f.dx), y = squared_length(f.dy);
   if (std::max(x, y) != std::min(x, y) * fewer * fewer) return row;
@@ -264,11 +264,11 @@ bool is_level_open(Interval lambda_prime, LevelWeight weight) {
 
 Interval decided_level(Interval prime, const Rational& squared, Interval bias, Log2Method log2,
                        LevelWeight weight) {
-  // A step of a table may end on a border exactly.
+  // A step of a table may end exactly on a border.
   if (prime.low == prime.high) return prime;
   const std::optional<double> border = border_in(prime, weight);
   if (!border) return prime;
-  // A bias that is no double is no multiple of any border's distance either.
+  // If the bias is not a double, its distance from every border is not one either.
   const std::optional<Rational> there =
       bias.low == bias.high ? squared_power(rational_of(*border) - rational_of(bias.low), log2)
                             : std::nullopt;

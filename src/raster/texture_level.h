@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// At which place, and in which level, a textured primitive is looked up at its pixels.
+// The point and the level at which a textured primitive is looked up at its pixels.
 #pragma once
 
 #include <array>
@@ -20,19 +20,19 @@ namespace edgecase {
 
 // TextureAxis: one of a textured primitive's two coordinates, s or t, at its pixels.
 //
-// A nearest filter asks on which side of a texel's border a coordinate lies, and a grid of texel
-// coordinates asks the like. An interval that leaves that open is asked again as a quotient of
-// integers, and the answer is an interval, or a point, that leaves nothing open. A linear filter
-// without a grid asks nothing: its colours run into one another at the texels' centres.
+// A nearest filter, like a grid of texel coordinates, has to know on which side of a texel's border
+// a coordinate lies. If an interval leaves that open, the coordinate is computed again as a
+// quotient of integers, and the answer is an interval, or a point, that leaves nothing open. A
+// linear filter without a grid has no such question: its colours are continuous.
 //
-// Borders are asked for in the levels that a lookup takes, and in no others: a number on a tie of a
-// grid may be rounded up in one level and down in another.
+// Borders are considered only in the levels that a lookup uses: a number on a tie of a grid may be
+// rounded up in one level and down in another.
 
-// Where a lookup changes, in every texel: at multiples of 1/parts; nowhere, where parts is 0.
+// The lookup's discontinuities within each texel: multiples of 1/parts, or none if parts is 0.
 struct TexelBorders {
   int parts = 0;
-  // At odd multiples it is rounded to the even multiple of 2/parts; elsewhere a coordinate on a
-  // border belongs to what lies above.
+  // Whether odd multiples are borders, rounded to the even multiple of 2/parts. Otherwise a
+  // coordinate on a border belongs to the part above it.
   bool ties_to_even = false;
 };
 
@@ -45,15 +45,15 @@ class TextureAxis {
   const Interpolant& coordinate() const { return coordinate_; }
   Interval value(Point sample) const { return interpolate_exact(coordinate_, sample); }
 
-  // Where to look up the value, or what lies so much further along the axis: on one side of every
-  // border of levels that are so many texels long. It holds the number unless that lies beside a
-  // border by less than doubles know. A number that is no double is replaced from 2^20 on, either
-  // way, by one near 0 that the wrap mode makes the same of. An interval that is narrower than
-  // 2^-40 and touches no border is handed on as it is.
+  // The coordinate to look up at a sample, plus `further`: an interval on one side of every border
+  // of levels with these `sizes` in texels. It holds the number unless that lies closer to a border
+  // than doubles resolve. A number that is no double and lies at least 2^20 from 0 is replaced by
+  // an equivalent one, under the wrap mode, near 0. An interval narrower than 2^-40 that touches no
+  // border is returned unchanged.
   Interval place(Point sample, TexelBorders borders, std::span<const int> sizes,
                  const Rational& further);
 
-  // None as rational_interpolation.h says.
+  // Nothing in the cases named in rational_interpolation.h.
   std::optional<Rational> derivative(const QuadPixel& at, Axis axis, DerivativeMethod method);
 
  private:
@@ -63,17 +63,17 @@ class TextureAxis {
 
   Interpolant coordinate_;
   Wrap wrap_;
-  std::optional<std::optional<RationalInterpolation>> rational_;  // once it is asked for
+  std::optional<std::optional<RationalInterpolation>> rational_;  // computed on first use
 };
 
-// Level of detail without doubt: on which side of a border between two levels it lies.
+// Decides exactly on which side of a border between two levels a level of detail lies.
 //
-// A scale factor's square is a rational number r. Levels change where log2(r)/2 + bias is a
-// multiple T of 1/2, that is where r = 2^(2 (T - bias)). Where 2 (T - bias) is whole, both are
-// rational and are compared. Where it is not, the right side is a root of a power of two, which is
-// irrational: r never equals it, and no tie exists; a double tells which side it is on.
+// The square of a scale factor is a rational number r. Levels change where log2(r)/2 + bias is a
+// multiple T of 1/2, that is where r = 2^(2 (T - bias)). If 2 (T - bias) is whole, both sides are
+// rational and are compared. Otherwise the right side is irrational, a root of a power of two: r
+// never equals it, no tie exists, and a double suffices to find the side.
 
-// Per pixel: of (s, t), or in texels of the base level. The second number is 0 in one dimension.
+// In s and t, or texels of the base level, per pixel. The second number is 0 in one dimension.
 struct RationalFootprint {
   std::array<Rational, 2> dx;
   std::array<Rational, 2> dy;
@@ -81,35 +81,35 @@ struct RationalFootprint {
 };
 
 RationalFootprint in_texels(const RationalFootprint& derivatives, int width, int height);
-// The narrowest intervals.
+// The narrowest intervals that hold the numbers.
 Footprint intervals_of(const RationalFootprint& footprint);
 
-// Are there several probes under a choice?
+// Whether a choice uses several probes.
 bool is_anisotropic(const Sampler& sampler, const TextureChoice& choice);
-// As probes(), of a footprint in texels: lengths whose quotient is whole are seen as such.
+// As probes(), for a footprint in texels; recognizes lengths whose quotient is exactly whole.
 ProbeRow exact_probes(const RationalFootprint& footprint, const Sampler& sampler,
                       const TextureChoice& choice);
-// How far each probe lies from the centre, in what the footprint is in.
+// The offset of each probe from the centre, in the footprint's units.
 std::vector<std::array<Rational, 2>> ways_to(const ProbeRow& row,
                                              const RationalFootprint& footprint, Anisotropy choice);
 
-// The square of the row's scale factor, of a footprint in texels.
+// The square of the row's scale factor, for a footprint in texels.
 Rational squared_scale_factor(const RationalFootprint& footprint, const ProbeRow& row,
                               const Sampler& sampler, const TextureChoice& choice);
-// The same of a method, as scale_factor().
+// The same for a method, as scale_factor().
 Rational squared_scale_factor(const RationalFootprint& footprint, ScaleFactor method);
 
-// Is the scale factor of a pixel's own derivatives of s and t 0, to the last digit?
+// Whether the scale factor of a pixel's own derivatives of s and t is exactly 0.
 bool has_no_extent(const std::array<Interpolant, 2>& coordinates, const QuadPixel& at,
                    int dimensions, const TextureChoice& choice);
 
-// Does the interval touch a number where another level, or another weight of it, begins?
+// Whether the interval touches a number at which another level, or another weight of it, begins.
 bool is_level_open(Interval lambda_prime, LevelWeight weight);
 
-// The part of lambda_prime that lies on the exact number's side of the border that it touches; the
-// border itself where the exact number does. `squared` is the scale factor's square, `bias` what
-// with_bias adds. No rational number lies on a border whose square is irrational: there the
-// interval's middle tells the side, the border itself being the upper one.
+// The part of lambda_prime on the exact number's side of the border that it touches, or the border
+// itself if the number lies on it. `squared` is the scale factor's square, `bias` the addend of
+// with_bias. A rational number cannot lie on a border whose square is irrational: there the middle
+// of the interval decides, and the border belongs above.
 Interval decided_level(Interval lambda_prime, const Rational& squared, Interval bias,
                        Log2Method log2, LevelWeight weight);
 

@@ -18,7 +18,7 @@ void add(std::vector<Texel>& boxes, const Texel& box) {
   boxes.push_back(box);
 }
 
-// (1 - weight) a + weight b, rounded one way: down or up, as its arithmetic is.
+// (1 - weight) a + weight b, rounded in the direction of `Rounding`: down or up.
 template <class Rounding>
 double mean(double a, double b, double weight) {
   const auto with = [&](double rest) {
@@ -28,11 +28,11 @@ double mean(double a, double b, double weight) {
   return std::is_same_v<Rounding, Down> ? std::min(low, high) : std::max(low, high);
 }
 
-// The mean grows with a and with b, and is linear in the weight: what bounds it are its values at
-// the ends. It never leaves what lies between a and b.
+// The mean grows with a and with b and is linear in the weight, so its values at the ends bound it.
+// It always lies between a and b.
 Interval mixed(Interval a, Interval b, Interval weight) {
   const Interval between = hull(a, b);
-  // Infinite numbers of opposite signs have no mean: it may be anything between them.
+  // The mean of infinities with opposite signs is undefined: it may be anything between them.
   const auto at = [&](double w) {
     return known({mean<Down>(a.low, b.low, w), mean<Up>(a.high, b.high, w)});
   };
@@ -40,7 +40,7 @@ Interval mixed(Interval a, Interval b, Interval weight) {
   return {std::max(means.low, between.low), std::min(means.high, between.high)};
 }
 
-// What one pick of levels yields.
+// The colours of one choice of levels.
 class PickedColors {
  public:
   PickedColors(const DecodedTexture& decoded, const TexelLookup& lookup, const TexturePoint& point,
@@ -146,8 +146,7 @@ TextureStage::TextureStage(const Scene& scene, const RuleChoices& choices)
 
 void TextureStage::take_chains(const std::map<std::size_t, std::vector<TextureLevel>>& chains) {
   for (const auto& [number, levels] : chains) {
-    // Levels of other sizes than the chain's are a fault of their own: nothing is looked up in
-    // them.
+    // Levels whose sizes differ from the chain's are a fault of their own; they are not looked up.
     const auto own = chains_.find(number);
     if (own == chains_.end() || !have_same_sizes(own->second, levels)) continue;
     chains_[number] = levels;

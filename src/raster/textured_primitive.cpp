@@ -10,7 +10,7 @@
 namespace edgecase {
 namespace {
 
-// Are intervals as narrow as double precision makes them? Endless ones are not.
+// Whether the interval is as narrow as double precision makes it. An infinite one is not.
 bool is_narrow(Interval scale_factor) {
   return scale_factor.high - scale_factor.low < scale_factor.high * 0x1p-30;
 }
@@ -21,11 +21,11 @@ RationalPair rational_of(const std::array<float, 2>& vector) {
   return {edgecase::rational_of(vector[0]), edgecase::rational_of(vector[1])};
 }
 
-// The arguments of a lookup, apart from the point.
+// The inputs of a lookup apart from the point.
 struct Level {
   Footprint footprint;
-  ProbeRow row;  // without probes where the shader gives the level itself
-  // From the centre to each probe, in s and t; empty where none or one is all there is.
+  ProbeRow row;  // without probes if the shader gives the level itself
+  // Offsets of the probes from the centre, in s and t; empty without derivatives or with one probe
   std::vector<std::array<Rational, 2>> ways;
   Interval lambda_prime;
   Interval lambda;
@@ -90,7 +90,7 @@ class TexturedPrimitive::Lookups {
   const DecodedTexture& decoded_;
   int last_;
   std::array<TextureAxis, 2> axes_;
-  std::optional<Level> given_;  // by the shader
+  std::optional<Level> given_;  // from the shader
   std::optional<Level> level_;
   std::optional<Level> queried_;
 };
@@ -135,7 +135,7 @@ std::optional<RationalFootprint> TexturedPrimitive::Lookups::derivatives_at(cons
   return result;
 }
 
-// Intervals first; quotients where these leave a question open.
+// Uses intervals first, and quotients if these leave a question open.
 Level TexturedPrimitive::Lookups::computed_level(PixelPosition pixel, const Lookup& lookup) {
   const QuadPixel at = quad_of(pixel, values_, target_);
   const Footprint narrow = footprint_at(at);
@@ -156,14 +156,14 @@ Level TexturedPrimitive::Lookups::level_of(const Footprint& footprint, const Loo
   return finished(level);
 }
 
-// Does an interval touch a border between two answers, before the bias is added or after it?
+// Whether an interval touches a border between two answers, before or after the bias is added.
 bool TexturedPrimitive::Lookups::is_open(const Level& level) const {
   return is_level_open(log2_of(level.row.scale_factor, choice_.log2), LevelWeight::exact) ||
          is_level_open(level.lambda_prime, choice_.level_weight);
 }
 
-// The logarithm is decided before and after the bias is added: multiples of 1/2 become what they
-// are, and the sum's rounding moves no number onto a border.
+// The logarithm is decided both before and after the bias is added: multiples of 1/2 become exact,
+// and rounding of the sum moves no number onto a border.
 Level TexturedPrimitive::Lookups::level_of(const RationalFootprint& derivatives,
                                            const Lookup& lookup) const {
   const RationalFootprint in_base = texels(derivatives);
@@ -223,8 +223,8 @@ const Level& TexturedPrimitive::Lookups::level_at(PixelPosition pixel) {
   return given_ ? *given_ : implicit_level(pixel, use_.lookup, level_);
 }
 
-// Without perspective all pixels have one level, that of the first of the target: the last digits
-// of an interval must not tell which pixel was asked first. Both coordinates have the same w.
+// Without perspective all pixels have the level of the target's first pixel: the last digits of an
+// interval must not depend on which pixel was queried first. Both coordinates share w.
 const Level& TexturedPrimitive::Lookups::implicit_level(PixelPosition pixel, const Lookup& lookup,
                                                         std::optional<Level>& kept) {
   const bool differs = has_perspective(axes_.front().coordinate());
@@ -242,7 +242,7 @@ Interval TexturedPrimitive::Lookups::place(std::size_t axis, Point sample, const
   return axes_[axis].place(sample, level.borders, level.sizes[axis], further);
 }
 
-// Without a way to a probe nothing is known of where it lies.
+// A probe whose offset is unknown may lie anywhere.
 TexturePoint TexturedPrimitive::Lookups::probe_point(Point sample, const Level& level,
                                                      std::size_t probe) {
   if (level.ways.empty()) return {Interval::everything(), Interval::everything()};
@@ -253,7 +253,7 @@ TexturePoint TexturedPrimitive::Lookups::probe_point(Point sample, const Level& 
   return point;
 }
 
-// Is the lookup itself the one that textureQueryLod tells of?
+// Whether the lookup itself is the one that textureQueryLod describes.
 bool TexturedPrimitive::Lookups::is_queried() const {
   return use_.lookup.kind == LookupKind::implicit;
 }

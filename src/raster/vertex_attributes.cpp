@@ -12,7 +12,7 @@
 namespace edgecase {
 namespace {
 
-// The quotient, and nothing around it where it is a double itself.
+// The quotient: a single point if it is a double, otherwise the interval around it.
 Interval quotient(float numerator, float denominator) {
   const auto above = static_cast<double>(numerator);
   const auto below = static_cast<double>(denominator);
@@ -27,7 +27,7 @@ Rational divided_z(const Vertex& vertex) {
   return rational_of(vertex.clip->z) / rational_of(vertex.clip->w);
 }
 
-// A vertex's depth in the window, 0 to 1: where the range is that, without a rational number.
+// A vertex's window depth, 0 to 1. The default range needs no rational numbers.
 Interval depth_of(const Vertex& vertex, const DepthRange& range) {
   if (range != DepthRange()) {
     const Rational near = rational_of(range.near);
@@ -40,7 +40,7 @@ Interval depth_of(const Vertex& vertex, const DepthRange& range) {
   return (z + 1) * 0.5;
 }
 
-// The same of z/w, known to an interval.
+// The same for z/w known as an interval.
 Interval depth_in(const DepthRange& range, Interval z) {
   const Interval part = (z + 1) * 0.5;
   if (range == DepthRange()) return part;
@@ -66,7 +66,7 @@ Interval inexact_sum(Interval a, Interval b) {
   return is_number(a, 0) ? b : is_number(b, 0) ? a : kInexact.add(a, b);
 }
 
-// z/w mapped onto the range: (far - near)/2 times it, and (near + far)/2 added (13.8.1).
+// Maps z/w onto the range: z/w times (far - near)/2, plus (near + far)/2 (13.8.1).
 Interval inexact_depth_in(const DepthRange& range, Interval z) {
   const Interval near = static_cast<double>(range.near);
   const Interval far = static_cast<double>(range.far);
@@ -76,7 +76,7 @@ Interval inexact_depth_in(const DepthRange& range, Interval z) {
                      range == DepthRange() ? Interval(0.5) : centre);
 }
 
-// z and w as a renderer is given them: of a vertex in the window, z times w.
+// z and w as given to a renderer; for a vertex in window coordinates, z times w.
 Interval clip_z(const Vertex& vertex) {
   if (vertex.clip) return static_cast<double>(vertex.clip->z);
   return vertex.z.to_double() * static_cast<double>(vertex.w);
@@ -85,8 +85,8 @@ Interval clip_w(const Vertex& vertex) {
   return static_cast<double>(vertex.clip ? vertex.clip->w : vertex.w);
 }
 
-// A number of a vertex that clipping made is a mean of two, each product and the sum of which may
-// err by a part of the larger one.
+// A vertex made by clipping has means of two numbers. Each product and the sum may err by a part of
+// the larger number.
 Interval made_of(Interval mean, double largest) {
   const double error = 3 * kInexact.relative * largest;
   return mean + Interval(-error, error);
@@ -99,7 +99,7 @@ double largest_of(const ScenePrimitive& primitive, Interval (*number)(const Vert
   return largest;
 }
 
-// Where the vertices are, and their w.
+// Sets the vertices' positions and their w.
 void place_vertices(const ScenePrimitive& primitive, const RuleChoices& choices,
                     const Target& target, Interpolant& geometry) {
   const bool snapped = choices.values.positions == AttributePositions::snapped;
@@ -111,12 +111,12 @@ void place_vertices(const ScenePrimitive& primitive, const RuleChoices& choices,
   }
 }
 
-// The ends of what is seen of a line are snapped as vertices are.
+// The visible ends of a clipped line are snapped as vertices are.
 void place_ends(const CutLine& line, Interpolant& geometry) {
   for (std::size_t i = 0; i < 2; ++i) geometry.w[i] = line.w()[i];
 }
 
-// Without extent: all in one point.
+// An interpolant without extent, all in one point.
 void place_nowhere(Interpolant& geometry) {
   geometry.positions.fill(HomogeneousPoint{});
   geometry.w.fill(1);
@@ -167,7 +167,7 @@ Interpolant VertexAttributes::with_values(const std::array<double, 3>& values,
   return f;
 }
 
-// Depth and 1/w are no attributes: nothing divides them by w, and multiplies them again.
+// Depth and 1/w are not attributes: they are not interpolated with perspective.
 Interpolant VertexAttributes::coordinate() const {
   Interpolant f = geometry_;
   if (f.kind == PrimitiveKind::point) f.w.fill(1);
@@ -196,8 +196,8 @@ Interval VertexAttributes::permitted_w(std::size_t vertex) const {
   return made_of(geometry_.w[vertex], largest_of(*primitive_, clip_w));
 }
 
-// As for places in the window (ruling 15), nothing errs where a vertex is given there and w is 1:
-// half of such a z and 1/2 are added exactly in single precision, if the range is 0 to 1.
+// As for positions in the window (ruling 15), a vertex given in the window with w = 1 has no error:
+// with the range 0 to 1, half of such a z and 1/2 add exactly in single precision.
 Interpolant VertexAttributes::permitted_depth() const {
   Interpolant f = depth();
   for (std::size_t i = 0; i < count_of(*primitive_); ++i) {

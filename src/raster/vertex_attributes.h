@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What attributes are interpolated from: a primitive's own vertices, or where some of them lie
-// outside the clip volume, three places of what is seen of a triangle
-// (rules/values/clipped_interpolation), and the two ends of what is seen of a line.
+// The vertices from which attributes are interpolated: a primitive's own or, if some lie outside
+// the clip volume, three points of the visible part of a triangle
+// (rules/values/clipped_interpolation) or the two ends of the visible part of a line.
 #pragma once
 
 #include <array>
@@ -17,28 +17,27 @@
 
 namespace edgecase {
 
-// Where a vertex is when its primitive's coverage is decided: snapped, as the choice says, and
-// unsnapped ones exactly. Vertices of a clipped primitive are not snapped: those that clipping
-// makes are, and they are not the vertices.
+// A vertex's position for its primitive's coverage: snapped as the choice says, or exact. Vertices
+// of a clipped primitive are not snapped, since clipping makes new vertices, which are.
 HomogeneousPoint snapped_position(const ScenePrimitive& primitive, std::size_t vertex,
                                   const CoverageChoice& choice, const Target& target);
 
 class VertexAttributes {
  public:
-  // Snapped positions are those of vertices alone: a clipped primitive's places stay.
+  // Only vertices take snapped positions; the points of a clipped primitive stay.
   VertexAttributes(const ScenePrimitive& primitive, const RuleChoices& choices,
                    const Target& target);
 
-  // Of one number at each vertex. Of a clipped primitive of which nothing is seen, an interpolant
-  // without extent: its values may be any.
+  // One number at each vertex. If nothing of a clipped primitive is visible, the result is an
+  // interpolant without extent and of arbitrary value.
   Interpolant with_values(const std::array<double, 3>& values, bool perspective) const;
   // Window depth, 0 to 1, without a polygon offset.
   Interpolant depth() const;
   Interpolant inverse_w() const;  // 1/w
 
-  // The same with all that the operations may err by which make them of clip coordinates (GL 4.6
-  // core, 2.3.4.1): the division by w, the scaling and the addition of 13.8.1, and before these the
-  // means of 13.7.1 where a vertex is one that clipping made.
+  // The same, widened by the permitted errors of the operations that make them from clip
+  // coordinates (GL 4.6 core, 2.3.4.1): the division by w, the scaling and addition of 13.8.1 and,
+  // before these, the means of 13.7.1 at vertices made by clipping.
   Interpolant permitted_depth() const;
   Interpolant permitted_inverse_w() const;
 
@@ -49,7 +48,7 @@ class VertexAttributes {
   const ScenePrimitive* primitive_;
   std::optional<ClippedPlane> plane_;
   std::optional<CutLine> cut_;
-  Interpolant geometry_;  // everything but the values
+  Interpolant geometry_;  // without values
 };
 
 }  // namespace edgecase

@@ -21,11 +21,11 @@ namespace {
 constexpr char kMark = '#';
 constexpr std::size_t kPhases = 4;
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-// Up to here doubles are written as integers are.
+// Doubles up to here are written as integers.
 constexpr double kLargestInteger = 9007199254740992.0;
 
-// Where in a text of lines a scan stands, and which column a number at this place belongs to.
-// Columns are numbered as they are first asked for, so both directions number alike.
+// The state of a scan through a text of lines, and the column of a number at this place. Columns
+// are numbered by first use, so both directions number them alike.
 class Place {
  public:
   Place() { end_line(); }
@@ -69,7 +69,7 @@ class Place {
   std::size_t count_ = 0;
 };
 
-// The end of the string that begins at `begin`, behind its closing quote.
+// The position behind the closing quote of the string that starts at `begin`.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
   for (std::size_t i = begin + 1; i < text.size(); ++i) {
     if (text[i] == '\\')
@@ -103,12 +103,12 @@ void write_number(std::string& out, double value) {
   }
 }
 
-// The number that is written so; nothing where it would be written otherwise.
+// The number, if this program would write it exactly as `token`; otherwise nothing.
 std::optional<double> number_of(std::string_view token) {
   double value = 0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
   if (error != std::errc() || end != token.data() + token.size()) return std::nullopt;
-  // The usual number, small and whole, needs no proof.
+  // Small whole numbers, the usual case, need no proof.
   constexpr std::size_t kSurelyWhole = 15;
   const bool is_plain = token.size() <= kSurelyWhole && token[0] != '-' &&
                         (token[0] != '0' || token.size() == 1) &&
@@ -119,8 +119,8 @@ std::optional<double> number_of(std::string_view token) {
   return written == token ? std::optional(value) : std::nullopt;
 }
 
-// Goes through a text: copies it to `out`, but calls `number(place, begin)` for what `is_number`
-// says of its first character, which returns where the text goes on.
+// Scans a text and copies it to `out`. If `is_number` accepts a character, `number(place, begin)`
+// is called instead of copying and returns where the text continues.
 template <class IsNumber, class Number>
 void scan(std::string_view text, Place& place, std::string& out, IsNumber is_number,
           Number number) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A block: the lines of some neighbouring cases, packed together, since neighbours are alike. What
-// one case costs to read is its block.
+// A block: the lines of several neighbouring cases, packed together because neighbours are alike.
+// Reading one case means reading its block.
 #pragma once
 
 #include <string>
@@ -10,32 +10,31 @@
 
 namespace edgecase::recording {
 
-// Lines are JSON values without line breaks. The same lines are the same bytes.
+// Lines are JSON values without line breaks. Equal lines give equal bytes.
 std::string pack_block(const std::vector<std::string>& lines);
 
-// The inverse. Throws std::runtime_error for what pack_block does not make.
+// The inverse. Throws std::runtime_error if pack_block cannot have made the bytes.
 std::vector<std::string> unpack_block(std::string_view bytes);
 
-// Lines of JSON, taken apart so that they deflate well, and put together again.
+// Lines of JSON, split so that they deflate well, and joined again.
 //
-// A rendering on a line is mostly numbers, and numbers deflate badly among the text that repeats
-// round them: neighbours of one kind stand far apart, and a float32 takes seventeen digits. So the
-// text is kept with a mark for each number, and the numbers go to columns of their kind: by the key
-// that they stand under and their index in the innermost list, modulo four, which separates the
-// components of colours. Nothing here knows what a rendering is: keys that answers gain later are
-// kept as well.
+// A rendering on a line is mostly numbers, and numbers deflate badly amid repeating text: similar
+// ones are far apart, and a float32 takes seventeen digits. So the text keeps a mark for each
+// number, and the numbers go to columns by their key and their index in the innermost list modulo
+// four, which separates the components of colours. This code knows nothing of renderings, so keys
+// that answers gain later work as well.
 //
-// What comes back is the same, byte for byte. A number that this program would write otherwise
-// ("1.50", "-0", one beyond 2^53) stays in the text.
+// The result of joining is identical, byte for byte. A number that this program would write
+// differently ("1.50", "-0", one beyond 2^53) stays in the text.
 struct LineColumns {
-  std::string text;  // of all lines, each ended by a line break, '#' for each number in a column
-  std::vector<std::vector<double>> columns;  // in the order in which the text first needs them
+  std::string text;  // all lines, each ended by a line break, with '#' for each number in a column
+  std::vector<std::vector<double>> columns;  // in order of first use by the text
 };
 
 // Lines are JSON values without line breaks.
 LineColumns take_apart(const std::vector<std::string>& lines);
 
-// The inverse. Throws std::runtime_error where text and columns do not belong together.
+// The inverse. Throws std::runtime_error if text and columns do not match.
 std::vector<std::string> put_together(const LineColumns& parts);
 
 }  // namespace edgecase::recording

@@ -19,7 +19,7 @@ namespace edgecase::recording {
 namespace {
 
 constexpr unsigned kBits = 7;
-// Deflate makes at most 1032 bytes of one: a stretch of some megabytes could ask for all memory.
+// Deflate makes at most 1032 bytes of one, so a few megabytes could demand all memory.
 constexpr std::uint64_t kLargestRatio = 1040;
 
 const Bytef* data_of(std::string_view bytes) {
@@ -86,8 +86,8 @@ std::uint32_t checksum(std::string_view bytes, std::uint32_t before) {
 
 namespace {
 
-// How a column is kept, and written as its first byte. Steps are from the number before, that
-// before the first being 0.
+// How a column is stored, which is its first byte. Steps are differences from the previous number;
+// the one before the first is 0.
 enum class Coding : unsigned char {
   bytes,
   byte_steps,
@@ -102,7 +102,7 @@ constexpr int kCodings = 8;
 
 constexpr double kLargestInteger = 9007199254740992.0;  // 2^53
 
-// Small for small numbers of either sign.
+// Maps small numbers of either sign to small numbers.
 template <std::unsigned_integral Bits>
 Bits folded(Bits step) {
   const auto sign = static_cast<Bits>(step >> (8 * sizeof(Bits) - 1));
@@ -136,7 +136,7 @@ std::vector<Bits> sums_of(std::vector<Bits> steps) {
   return steps;
 }
 
-// All first bytes, the highest ones, then all second ones.
+// All first bytes, the highest ones, then all second bytes, and so on.
 template <std::unsigned_integral Bits>
 std::string planes_of(const std::vector<Bits>& values) {
   std::string bytes;
@@ -189,7 +189,7 @@ std::int64_t to_whole(double value) {
   return static_cast<std::int64_t>(value);
 }
 
-// The bits of each number, as a type has them.
+// The bits of each number in the given type.
 template <class Bits, class To>
 std::vector<Bits> bits_of(const std::vector<double>& column, To to_bits) {
   std::vector<Bits> values(column.size());
@@ -217,7 +217,7 @@ double from_binary64(std::uint64_t bits) {
   return std::bit_cast<double>(bits);
 }
 
-// Keeps the smaller one.
+// Keeps the smaller of the offered codings.
 class Choice {
  public:
   void offer(Coding coding, const std::string& bytes) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Sizes and deflated stretches of bytes, and their checksums. Readers take what they read away from
-// the front, and throw std::runtime_error where that is not what the writers write.
+// Sizes, deflated stretches of bytes, columns of numbers, and checksums. Readers remove what they
+// read from the front, and throw std::runtime_error if the writers cannot have written it.
 #pragma once
 
 #include <cstdint>
@@ -11,36 +11,36 @@
 
 namespace edgecase::recording {
 
-// Seven bits to a byte, the lowest first; the last byte has its highest bit clear.
+// Seven bits per byte, the lowest first; the last byte has its highest bit clear.
 void write_size(std::uint64_t size, std::string& out);
 std::uint64_t read_size(std::string_view& bytes);
 
-// RFC 1950, by the smallest that zlib finds.
+// RFC 1950, at zlib's best compression.
 std::string deflated(std::string_view bytes);
 
-// What a stretch may be deflated from: several times a column of the largest target's fragments.
+// The largest size of inflated data: several times a column of the largest target's fragments.
 constexpr std::uint64_t kLongestStretch = std::uint64_t{1} << 30;
 
-// Deflated bytes with their sizes before them, and what they were deflated from.
+// Deflated bytes, preceded by their size and by that of the inflated data.
 void write_deflated(std::string_view bytes, std::string& out);
 void write_stretch(std::size_t size, std::string_view deflated, std::string& out);
 std::string read_deflated(std::string_view& bytes);
 
-// CRC-32, as zlib has it; goes on from that of the bytes before.
+// CRC-32 as in zlib, continued from the checksum of the bytes before.
 std::uint32_t checksum(std::string_view bytes, std::uint32_t before = 0);
 
-// A column of numbers as bytes, small and exact.
+// A column of numbers as few bytes, without loss.
 //
-// Whole numbers become few bytes each, others their four or eight bytes as float32 or double, all
-// first bytes before all second ones: signs and exponents vary less than the end of a mantissa.
-// Each kind is tried as it is and as steps from one number to the next, with bits taken for
-// integers; what deflates best is kept.
+// Whole numbers take few bytes each; others take their four or eight bytes as float32 or double,
+// all first bytes before all second ones, since signs and exponents vary less than the end of a
+// mantissa. Each form is tried directly and as steps from one number to the next, with bits read as
+// integers; the one that deflates best is kept.
 
-// Appends the column to `out`. Numbers are finite, and zero is not negative.
+// Appends the column to `out`. Numbers must be finite and not -0.
 void write_column(const std::vector<double>& column, std::string& out);
 
-// Reads a column from the beginning of `bytes`, and takes it away. Throws std::runtime_error for
-// what write_column does not write.
+// Reads a column from the front of `bytes` and removes it. Throws std::runtime_error if
+// write_column cannot have written it.
 std::vector<double> read_column(std::string_view& bytes);
 
 }  // namespace edgecase::recording

@@ -29,7 +29,7 @@ using nlohmann::json;
 using recording::checksum;
 
 constexpr std::string_view kMagic = "edgecase-recording ";
-// A size of 16 digits, a space, a checksum of 8, a line break.
+// A size of 16 digits, a space, a checksum of 8 digits, a line break.
 constexpr std::size_t kEndSize = 26;
 
 std::string text_of(const json& value) {
@@ -83,7 +83,7 @@ std::string index_text(std::string_view head, const std::vector<RecordedBlock>& 
   return text_of({{"head", stretch_json(head)}, {"blocks", std::move(list)}});
 }
 
-// The stretch of a file that an entry of its index describes, beginning at `begin`.
+// The part of a file that an entry of its index describes, starting at `begin`.
 std::string_view checked(std::string_view bytes, std::size_t begin, const json& entry) {
   const auto whole = [&](const char* key, std::int64_t high) {
     return wire::read_integer(entry.at(key), wire::Path({}, key), 0, high);
@@ -109,7 +109,7 @@ Number read_hex(std::string_view digits) {
   return value;
 }
 
-// The index as it stands before the file's end.
+// The index before the file's end.
 std::string_view index_of(std::string_view bytes) {
   if (bytes.size() < kEndSize) throw std::runtime_error("its end is missing");
   const std::string_view end = bytes.substr(bytes.size() - kEndSize);
@@ -122,7 +122,7 @@ std::string_view index_of(std::string_view bytes) {
   return index;
 }
 
-// Refuses what is no recording, and versions other than ours.
+// Refuses files that are not recordings, and other versions.
 void check_version(std::string_view first_line) {
   if (!first_line.starts_with(kMagic)) throw std::runtime_error("it is no recording");
   const std::string_view version = first_line.substr(kMagic.size());
@@ -141,7 +141,7 @@ std::string refusal(const std::filesystem::path& path, const std::string& why) {
 std::string unreadable(const std::filesystem::path& path) {
   const int code = errno;
   std::error_code error;
-  // It is read twice, and a device could go on for ever.
+  // A recording is read twice, and a device could be endless.
   if (std::filesystem::is_other(path, error))
     return fmt::format("cannot read the recording {}: it is a pipe or a device; name a file",
                        path.string());
@@ -149,7 +149,7 @@ std::string unreadable(const std::filesystem::path& path) {
                      std::strerror(code != 0 ? code : EISDIR));
 }
 
-// A file that can be read from its beginning.
+// A file that can be read from its start.
 std::optional<std::ifstream> open_file(const std::filesystem::path& path) {
   std::error_code other;
   if (std::filesystem::is_other(path, other)) return std::nullopt;
@@ -157,7 +157,7 @@ std::optional<std::ifstream> open_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in || in.peek() == std::ifstream::traits_type::eof()) {
     std::error_code error;
-    // An empty file can be read, and is refused for what it is.
+    // An empty file can be opened, and is refused later with a better message.
     if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
     in.clear();
   }
@@ -247,7 +247,7 @@ namespace edgecase::recording {
 
 namespace {
 
-// What failures begin with, and answers do not.
+// The start of a failure; no answer starts like this.
 constexpr const char* kFailureStart = "{\"failure\":";
 
 FailureKind kind_of_name(const std::string& name) {
@@ -257,7 +257,7 @@ FailureKind kind_of_name(const std::string& name) {
 }
 
 Failure unreadable(const std::string& why) {
-  return {FailureKind::garbage, "what was recorded is refused: " + why};
+  return {FailureKind::garbage, "the recorded answer is refused: " + why};
 }
 
 Failure read_failure(const std::string& line) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A recording: what one renderer answered to many scenes, in a file that can be asked instead of
-// it.
+// A recording: one renderer's answers to many scenes, in a file that can stand in for the renderer.
 //
 //   edgecase-recording 1        the version, and a line break
 //   {"renderer": ...}           who answered, a line of JSON
@@ -10,9 +9,9 @@
 //                               the ids of its cases and their scenes' digests
 //   0000000000012345 89abcdef   the index's size and checksum, of fixed length, and a line break
 //
-// Answers are whole, and need nothing beside the file. The same answers make the same bytes. Every
-// byte of the file is under a checksum that is looked at as it is opened: one that is cut off or
-// was altered is refused as a whole.
+// Answers are whole and need no other file. Equal answers give equal files. Checksums cover every
+// byte of the file and are checked when it is opened: a truncated or altered file is refused as a
+// whole.
 #pragma once
 
 #include <cstddef>
@@ -27,17 +26,17 @@
 
 namespace edgecase {
 
-// Version of the format; no other is read.
+// Version of the format; no other version is read.
 constexpr int kRecordingVersion = 1;
 
-// Who answered, and what to.
+// Who answered, and by which program it was recorded.
 struct RecordingHead {
   std::string tool;         // the program that recorded: "edgecase 0.1.0"
-  RendererInfo renderer;    // as it was when it answered; its name is the renderer's own
+  RendererInfo renderer;    // as it was when it answered, with the renderer's own name
   bool is_complete = true;  // false: recording was interrupted, and cases are missing
 };
 
-// Some neighbouring cases with their outcomes, packed.
+// Several neighbouring cases with their outcomes, packed.
 struct RecordedBlock {
   struct Scene {
     std::string id;
@@ -47,34 +46,34 @@ struct RecordedBlock {
   std::string bytes;
 };
 
-// Packs stored lines (below), as many as there are scenes.
+// Packs stored lines (see stored_line), one for each scene.
 RecordedBlock make_block(std::vector<RecordedBlock::Scene> scenes,
                          const std::vector<std::string>& lines);
 
-// The whole file.
+// The bytes of the whole file.
 std::string recording_bytes(const RecordingHead& head, const std::vector<RecordedBlock>& blocks);
 
-// A recording that was opened. It stays readable while the file is replaced by another.
+// An open recording. It stays readable if the file is replaced meanwhile.
 class Recording {
  public:
-  // Where a case is.
+  // Where the answer to a case is stored.
   struct Place {
     std::string digest;
     std::size_t block = 0;
     std::size_t line = 0;  // within the block
   };
 
-  // Reads and checks the whole file. One sentence that names the file, what is wrong and the
-  // remedy, otherwise.
+  // Reads and checks the whole file. On failure, one sentence with the file, the fault and the
+  // remedy.
   static std::variant<Recording, std::string> open(const std::filesystem::path& path);
-  // Who answered: the head alone, whose checksum is not looked at.
+  // Reads only the head; its checksum is not checked.
   static std::variant<RecordingHead, std::string> open_head(const std::filesystem::path& path);
 
   const RecordingHead& head() const { return head_; }
   std::size_t size() const { return places_.size(); }
   // The place of a case, or null.
   const Place* find(const std::string& id) const;
-  // The lines of a block. Throws std::runtime_error where it is none.
+  // The lines of a block. Throws std::runtime_error if it cannot be unpacked.
   std::vector<std::string> lines(std::size_t block) const;
 
  private:
@@ -95,14 +94,14 @@ class Recording {
 
 namespace edgecase::recording {
 
-// What a recording keeps of a case: a line as it comes from a renderer (reference/PROTOCOL.md), or
-// the reason why there is none. The scene's digest stands in the recording's index.
+// The stored form of an outcome: a line as it comes from a renderer (reference/PROTOCOL.md), or the
+// reason why there is none. The scene's digest is in the recording's index.
 
 // A line of JSON without a line break.
 std::string stored_line(const Outcome& outcome);
 
-// The inverse, as strict as answers are read; what is not an outcome of this scene is a Failure
-// that says so.
+// The inverse, as strict as the reading of answers. If the line is not an outcome of this scene,
+// the result is a Failure with the reason.
 Outcome outcome_of(const std::string& line, const Scene& scene);
 
 }  // namespace edgecase::recording

@@ -28,7 +28,7 @@ int bits_of(Point point) {
   return std::max(fraction_bits_of(point.x), fraction_bits_of(point.y));
 }
 
-// The points of the present scene, moved by `place_of` each.
+// The scene with each point moved to `place_of(point)`.
 template <class PlaceOf>
 Scene with_each(const Scene& scene, const PlaceOf& place_of) {
   const std::vector<Point> points = points_of(scene);
@@ -41,14 +41,14 @@ Scene with_one(const Scene& scene, Point point, Point place) {
   return with_points(scene, {point}, {place});
 }
 
-// Different values along an axis, ascending.
+// The distinct values along an axis, ascending.
 std::vector<Fixed> values_of(const Scene& scene, Fixed Point::*axis) {
   std::set<Fixed> values;
   for (const Point point : points_of(scene)) values.insert(point.*axis);
   return {values.begin(), values.end()};
 }
 
-// Every point whose coordinate along the axis is `from` gets `to` there.
+// Moves all points whose coordinate along the axis is `from` to `to`.
 Scene with_value(const Scene& scene, Fixed Point::*axis, Fixed from, Fixed to) {
   return with_each(scene, [&](Point point) {
     if (point.*axis == from) point.*axis = to;
@@ -87,7 +87,7 @@ bool round_coordinate(Shrinking& shrinking, Fixed Point::*axis, Point point) {
   return false;
 }
 
-// By whole pixels, powers of two, towards 0; `moved(distance)` makes the candidate.
+// Moves by whole pixels, powers of two, towards 0; `moved(distance)` makes the candidate.
 template <class Moved>
 bool move_by_pixels(Shrinking& shrinking, Fixed value, const Moved& moved) {
   const Fixed size = value < Fixed() ? -value : value;
@@ -105,7 +105,7 @@ bool move_value(Shrinking& shrinking, Fixed Point::*axis, Fixed value) {
   });
 }
 
-// All from this value on: what lies between is drawn together.
+// Moves everything from this value on, away from the origin, so that the gap before it closes.
 bool close_gap(Shrinking& shrinking, Fixed Point::*axis, Fixed value) {
   return move_by_pixels(shrinking, value, [&](Fixed distance) {
     return with_each(shrinking.scene(), [&](Point point) {
@@ -124,7 +124,7 @@ bool move_point(Shrinking& shrinking, Fixed Point::*axis, Point point) {
   });
 }
 
-// Does it for what the scene has now, again and again until nothing changes any more.
+// Repeats the step on the current scene until nothing changes any more.
 template <class Step>
 bool until_nothing_helps(const Step& step) {
   bool any = false;
@@ -248,11 +248,11 @@ bool round_depths(Shrinking& shrinking) {
 
 namespace {
 
-// Combinations of one grid that are asked at most: all of six coordinates with four choices.
+// The limit of combinations per grid: all of six coordinates with four choices each.
 constexpr std::size_t kMostCombinations = 4096;
 constexpr std::size_t kChunk = 256;
 
-// For each coordinate of each point, x before y, where it may go: nearest first.
+// For each coordinate of each point, x before y, the candidate positions, nearest first.
 using PlacesOf = std::vector<std::vector<Fixed>>;
 
 PlacesOf places_on_grid(const std::vector<Point>& points, int bits) {
@@ -264,12 +264,12 @@ PlacesOf places_on_grid(const std::vector<Point>& points, int bits) {
   return choices;
 }
 
-// The same with one more place on either side.
+// The same with one more position on either side.
 PlacesOf widened(PlacesOf choices, int bits) {
   const Fixed step = Fixed::from_raw(Fixed::kOne >> bits);
   for (std::vector<Fixed>& places : choices) {
     const auto [least, most] = std::ranges::minmax(places);
-    // Nearer places come first.
+    // Nearer positions come first.
     if (places.front() == least) {
       places.push_back(least - step);
       places.push_back(most + step);
@@ -281,7 +281,7 @@ PlacesOf widened(PlacesOf choices, int bits) {
   return choices;
 }
 
-// Places by their indices within the choices, those with the smallest sum of indices first.
+// Combinations as indices into the choices, those with the smallest sum of indices first.
 std::vector<std::vector<std::size_t>> combinations(const PlacesOf& choices) {
   std::size_t largest_sum = 0;
   for (const auto& places : choices) largest_sum += places.size() - 1;
@@ -318,7 +318,7 @@ bool search_choices(Shrinking& shrinking, const std::vector<Point>& points,
   return false;
 }
 
-// A number of [0, count); the standard's distributions differ between libraries.
+// A number in [0, count); the standard's distributions differ between libraries.
 std::int64_t below(std::mt19937_64& engine, std::int64_t count) {
   return static_cast<std::int64_t>(engine() % static_cast<std::uint64_t>(count));
 }
@@ -327,14 +327,14 @@ Fixed on_readable_grid(std::int64_t steps) {
   return Fixed::from_raw(steps * (Fixed::kOne >> kReadableBits));
 }
 
-// Within a pixel of where it is, on the grid.
+// A position on the grid within a pixel of the value.
 Fixed near(std::mt19937_64& engine, Fixed value) {
   const std::int64_t reach = std::int64_t{1} << kReadableBits;
   const Fixed rounded = neighbours_on_grid(value, kReadableBits).front();
   return rounded + on_readable_grid(below(engine, 2 * reach + 1) - reach);
 }
 
-// Anywhere on a target of so many pixels.
+// Any position on a target of `size` pixels.
 Fixed anywhere(std::mt19937_64& engine, int size) {
   return on_readable_grid(below(engine, (std::int64_t{size} << kReadableBits) + 1));
 }

@@ -27,7 +27,7 @@ std::string shape_of(const ScenePrimitive& primitive) {
   return "triangle";
 }
 
-// Of each primitive of a scene, and of a whole pixel.
+// The geometry of each primitive of a scene, and of a whole pixel.
 class Geometry {
  public:
   explicit Geometry(const Scene& scene) {
@@ -73,7 +73,7 @@ std::vector<Shown> shown_by(const Scene& scene, const Result& result, Latitude l
 }
 
 std::string describe(const Result& result) {
-  constexpr std::size_t kMost = 4;  // pixels that are named
+  constexpr std::size_t kMost = 4;  // pixels that are listed
   std::string words = name_of(result.verdict);
   if (result.failure) return fmt::format("{}, {}", words, result.failure->reason);
   const std::size_t count = result.disagreements.size();

@@ -18,7 +18,7 @@ namespace edgecase {
 
 namespace {
 
-constexpr std::size_t kMostWords = 500;  // bytes that a renderer says of one answer
+constexpr std::size_t kMostWords = 500;  // bytes of a renderer's text in one answer
 
 // FNV-1a, 32 bits.
 std::uint32_t hash_of(std::string_view text) {
@@ -36,12 +36,12 @@ std::string sentence_of_end(const Find& find) {
     case MinimizeEnd::stopped:
       return "The search for a smaller scene was interrupted.";
     case MinimizeEnd::not_reproduced:
-      return "Asked again, the renderer did not show it.";
+      return "The renderer did not show it again.";
   }
   return "";
 }
 
-// Why its coordinates are as fine as they are, where that is known.
+// Why its coordinates are as fine as they are, if that is known.
 std::string sentence_of_bits(const Find& find) {
   if (find.least_bits <= kReadableBits) return "";
   return fmt::format(
@@ -52,7 +52,7 @@ std::string sentence_of_bits(const Find& find) {
 
 std::string explanation_of(const Find& find) {
   if (find.result.failure)
-    return fmt::format("The renderer fails: {}.", words_for_file(find.result.failure->reason));
+    return fmt::format("The renderer fails: {}.", text_for_file(find.result.failure->reason));
   const Disagreement* d = first_disagreement(find);
   if (d == nullptr)
     return fmt::format("Its {} differs inside what is permitted.", find.key.signature.attribute);
@@ -64,7 +64,7 @@ std::string judgement_of(const Find& find) {
   std::string text = find.result.failure                     ? ""
                      : signature.legality == Legality::legal ? "The specification allows it"
                      : signature.legality == Legality::contested
-                         ? "The letter of the specification forbids it, which is contested"
+                         ? "The wording of the specification forbids it, which is contested"
                          : "The specification does not allow it";
   if (!signature.cause.empty()) text += "; cause: " + signature.cause;
   if (!signature.situation.empty()) text += "; situation: " + signature.situation;
@@ -74,22 +74,22 @@ std::string judgement_of(const Find& find) {
 std::string why_of(const Find& find, std::uint64_t seed) {
   std::string why = explanation_of(find) + " " + judgement_of(find);
   for (const FindAnswer& answer : find.answers)
-    why += fmt::format("{}: {}. ", words_for_file(answer.renderer), words_for_file(answer.words));
+    why += fmt::format("{}: {}. ", text_for_file(answer.renderer), text_for_file(answer.words));
   return why + fmt::format("Found by edgecase fuzz: {}. {}{}", describe(find.origin, seed),
                            sentence_of_end(find), sentence_of_bits(find));
 }
 
 }  // namespace
 
-std::string words_for_file(const std::string& words) {
+std::string text_for_file(const std::string& words) {
   return std::string(beginning_of(clean_line(words), kMostWords));
 }
 
 FindFile find_file(const Find& find, std::uint64_t seed, const std::string& schema) {
   const std::string rule = rule_of(find);
   CaseWords words;
-  words.title = beginning_of(fmt::format("{}: {}", words_for_file(find.renderer), title_of(find)),
-                             kMostTitle);
+  words.title =
+      beginning_of(fmt::format("{}: {}", text_for_file(find.renderer), title_of(find)), kMostTitle);
   words.rules = {rule};
   const CaseText plain = case_text(find.scene, words);
   FindFile file;
@@ -124,7 +124,7 @@ const char* name_of(MinimizeEnd end) {
   return "";
 }
 
-// The words of a signature, with the names that JSON gives them.
+// The texts of a signature, with their names in JSON.
 constexpr std::pair<const char*, std::string Signature::*> kWords[] = {
     {"cause", &Signature::cause},         {"rule", &Signature::rule},
     {"kind", &Signature::kind},           {"surface", &Signature::surface},
@@ -202,7 +202,7 @@ std::string fuzz_json(const FuzzReport& report, const FuzzWords& words) {
                      {"families", std::move(families)},
                      {"renderers", std::move(renderers)},
                      {"finds", std::move(finds)}};
-  // Renderers are named on the command line: bytes that are no UTF-8 are replaced, never fatal.
+  // Renderer names come from the command line: bytes that are not UTF-8 are replaced, never fatal.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

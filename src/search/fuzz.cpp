@@ -16,14 +16,14 @@ namespace edgecase {
 namespace {
 
 constexpr std::size_t kPiece = 32;      // scenes that a thread takes at once
-constexpr std::size_t kWarmUp = 4;      // rounds before anything is minimised: what is read of them
-constexpr std::size_t kChunk = 8;       // candidates that are minimised side by side
-constexpr std::size_t kLeastAsks = 30;  // to minimise a find, however late it is
-// Of a time that is given, the part in which scenes are asked that are not yet smaller ones.
+constexpr std::size_t kWarmUp = 4;      // rounds without minimizing, to read their results
+constexpr std::size_t kChunk = 8;       // candidates that are minimized in parallel
+constexpr std::size_t kLeastAsks = 30;  // to minimize a find, however late it is
+// The share of a time limit for scenes of the search itself, rather than for minimizing.
 constexpr double kSearchShare = 0.6;
 constexpr std::size_t kUnlimited = ~std::size_t{0};
 
-// Some scenes of a batch, and what came of them.
+// Some scenes of a batch, and their results.
 struct Piece {
   const Batch* batch = nullptr;
   std::size_t first = 0;
@@ -68,7 +68,7 @@ class Search {
         const auto batches = source_.next_round(left());
         if (batches.empty()) break;
         if (!ask(batches)) break;
-        // As long as the search goes on, it has half of all scenes asked at least.
+        // While the search continues, it takes at least half of all scenes.
         if (round >= kWarmUp) minimize_candidates([&] { return minimize_asks_ < report_.scenes; });
       }
       minimize_candidates([] { return true; });
@@ -96,8 +96,8 @@ class Search {
            (options_.finds && finds() >= *options_.finds);
   }
 
-  // Runs work(item, worker) for items 0 to count - 1 on all threads; false where some were left
-  // out, as `is_over` said so.
+  // Runs work(item, worker) for items 0 to count - 1 on all threads; false if some were left out
+  // because `over` said so.
   template <class Work, class IsOver>
   bool in_parallel(std::size_t count, const Work& work, const IsOver& over) {
     std::atomic<std::size_t> next{0};
@@ -133,7 +133,7 @@ class Search {
 
   // ------------------------------------------------------------------------------------- one round
 
-  // False when nothing more should be asked.
+  // False if no more scenes should be rendered.
   bool ask(const std::vector<Batch>& batches) {
     std::vector<Piece> pieces = pieces_of(batches);
     const bool all = in_parallel(
@@ -188,7 +188,7 @@ class Search {
     });
   }
 
-  // A renderer that cannot be started draws nothing ever.
+  // A renderer that cannot be started never draws anything.
   bool is_unavailable() const {
     return std::ranges::any_of(report_.renderers, [](const FuzzedRenderer& renderer) {
       return renderer.drawn == 0 && renderer.failure &&
@@ -222,7 +222,7 @@ class Search {
     }
   }
 
-  // Those that wait, in the order in which they were found, for as long as `goes_on` says so.
+  // Minimizes waiting candidates, in the order in which they were found, while `goes_on` holds.
   template <class GoesOn>
   void minimize_candidates(const GoesOn& goes_on) {
     for (std::size_t r = 0; r < renderers_.size(); ++r) {
@@ -237,8 +237,8 @@ class Search {
     }
   }
 
-  // What is left of a time that is given is for finds that could be easier to read: others of the
-  // scenes that show them may lead there.
+  // The rest of a time limit is used for finds that could be easier to read: other scenes that show
+  // them may lead to simpler ones.
   void minimize_others() {
     for (bool any = options_.time.has_value(); any;) {
       any = false;
@@ -251,7 +251,7 @@ class Search {
     }
   }
 
-  // The first that wait, side by side.
+  // Minimizes the first waiting candidates in parallel.
   void minimize_first(std::size_t r, std::size_t count) {
     std::deque<Candidate>& waiting = waiting_[r];
     const MinimizeOptions options = affordable();
@@ -267,8 +267,8 @@ class Search {
     waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count));
   }
 
-  // Where the time is given: as many asks for each that waits as there is time for, if all go as
-  // fast as those before.
+  // With a time limit: the number of scenes per waiting candidate for which there is time at the
+  // speed so far.
   MinimizeOptions affordable() const {
     MinimizeOptions options = options_.minimize;
     if (!options_.time) return options;
@@ -296,7 +296,7 @@ class Search {
     find.origin = candidate.sourced.origin;
     Trial trial = trial_of(r, worker);
     Minimized least = edgecase::minimize(find.scene, find.key.signature, trial, options);
-    // One that was stopped at once, or did not show it again, stays as it was found.
+    // A find that was stopped at once, or did not show again, keeps its original scene.
     if (is_shown(least.end)) {
       find.result = std::move(least.result);
       find.scene = std::move(least.scene);
@@ -319,7 +319,7 @@ class Search {
     ++progress_.finds[verdict];
   }
 
-  // What every renderer draws of every find.
+  // Collects every renderer's answer to every find.
   void answer_all(std::vector<Find>& finds) {
     std::vector<Scene> scenes;
     for (const Find& find : finds) scenes.push_back(find.scene);
@@ -355,8 +355,8 @@ class Search {
   std::vector<Ledger> ledgers_;                                  // by renderer
   std::vector<std::deque<Candidate>> waiting_;                   // by renderer
   std::vector<std::vector<std::unique_ptr<Renderer>>> workers_;  // by thread, by renderer
-  std::size_t asked_ = 0;  // scenes that were to be asked, mutations that were not found among them
-  std::size_t minimize_asks_ = 0;  // scenes asked to make others small
+  std::size_t asked_ = 0;          // scenes to be rendered, including mutations that were not found
+  std::size_t minimize_asks_ = 0;  // scenes rendered to make others small
   FuzzReport report_;
   std::mutex progress_mutex_;
   FuzzProgress progress_;

@@ -13,9 +13,9 @@
 namespace edgecase {
 namespace {
 
-constexpr std::size_t kMostRead = 4096;  // results of a surface: then the reading stands
+constexpr std::size_t kMostRead = 4096;  // results per surface, after which the reading is final
 constexpr std::size_t kReadablePrimitives = 2;
-constexpr std::size_t kMostOthers = 16;  // further scenes of a find that are kept
+constexpr std::size_t kMostOthers = 16;  // further scenes kept for a find
 
 void judge_one(Result& result, Latitude latitude, const RunReading* reading) {
   const std::array<Result* const, 1> one{&result};
@@ -25,7 +25,7 @@ void judge_one(Result& result, Latitude latitude, const RunReading* reading) {
     judge(one, latitude, *reading);
 }
 
-// What read_run looks at.
+// The parts that read_run uses.
 Result stripped(const Result& result) {
   Result kept;
   kept.failure = result.failure;
@@ -39,7 +39,7 @@ bool is_readable(const Scene& scene) {
   return fraction_bits_of(scene) <= kReadableBits;
 }
 
-// What of a scene is beyond what people read at once: primitives, then fraction bits.
+// How far a scene exceeds what people read easily: primitives, then fraction bits.
 std::pair<std::size_t, int> beyond_readable(const Scene& scene, int least_bits) {
   const std::size_t primitives = primitives_of(scene).size();
   return {std::max(primitives, kReadablePrimitives) - kReadablePrimitives,
@@ -49,7 +49,7 @@ bool is_easier(const Find& a, const Find& b) {
   return beyond_readable(a.scene, 0) < beyond_readable(b.scene, 0);
 }
 
-// Is one the better to start from? Coordinates that people read do not get finer again.
+// Whether `a` is a better start than `b`. Readable coordinates do not become finer again.
 bool is_smaller(const Scene& a, const Scene& b) {
   const auto size = [](const Scene& scene) {
     return std::tuple(!is_readable(scene), primitives_of(scene).size(),
@@ -179,13 +179,13 @@ bool Ledger::add_find(Find find) {
     if (is_easier(find, *same)) *same = std::move(find);
     return false;
   }
-  // What a minimised scene shows need not be looked for again.
+  // A minimized scene's finds need not be found again.
   ++seen_[find.key];
   finds_.push_back(std::move(find));
   return true;
 }
 
-// Under another reading a find may have another cause: then that is what it is about.
+// Under another reading a find may have another cause, which then defines it.
 void Ledger::judge_again(Find& find) const {
   judge_under_reading(find.scene, find.result);
   const std::vector<Shown> shown = shown_by(find.scene, find.result, latitude_);

@@ -11,7 +11,7 @@
 namespace edgecase {
 namespace {
 
-// Scenes farther off that are asked once all else is stuck.
+// The number of distant scenes to try once all else is stuck.
 constexpr std::size_t kMostAfar = 4000;
 
 bool simplify_settings(Shrinking& shrinking) {
@@ -20,7 +20,7 @@ bool simplify_settings(Shrinking& shrinking) {
   return any;
 }
 
-// One round of all steps but the searches, those that take most away first.
+// One round of all steps except the searches, those that remove most first.
 bool take_steps(Shrinking& shrinking) {
   bool any = false;
   for (const auto step : {keep_only_finds, leave_out_draws, separate_primitives,
@@ -30,7 +30,7 @@ bool take_steps(Shrinking& shrinking) {
   return any;
 }
 
-// As coarse as people like it, or as can be.
+// Whether coordinates are as coarse as people like, or as coarse as possible.
 bool is_readable(const Shrinking& shrinking) {
   return fraction_bits_of(shrinking.scene()) <= std::max(kReadableBits, shrinking.least_bits());
 }

@@ -11,7 +11,7 @@
 #include "casefile/case_writer.h"
 #include "casefile/scene/viewport.h"
 #include "model/rule_id.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 
 namespace edgecase {
 namespace {
@@ -20,7 +20,7 @@ constexpr std::int64_t kOne = Fixed::kOne;
 constexpr int kTries = 8;
 constexpr int kMostTarget = 256;  // pixels: larger ones only cost time
 
-// Each change returns false where the scene has nothing that it could change.
+// Each change returns false if it does not apply to the scene.
 using Change = bool (*)(Scene&, RandomSource&);
 
 bool is_movable(const Scene& scene) {
@@ -36,7 +36,7 @@ std::size_t any_place(const Draw& draw, RandomSource& random) {
   return static_cast<std::size_t>(random.below(static_cast<std::int64_t>(draw.vertices.size())));
 }
 
-// Shared vertices mostly stay shared: joints and shared edges need equal bits.
+// Shared vertices usually stay shared: joints and shared edges need equal bits.
 void move(Draw& draw, std::size_t place, Point to, RandomSource& random) {
   const Point from = draw.vertices[place].position;
   if (random.one_in(4)) {
@@ -68,7 +68,7 @@ Fixed nearest_multiple(Fixed value, std::int64_t step, std::int64_t offset) {
   return Fixed::from_raw(down * step + offset);
 }
 
-// The centre of a pixel, or a corner of a diamond.
+// Moves a vertex to the centre of a pixel or a corner of a diamond.
 bool move_to_tie(Scene& scene, RandomSource& random) {
   if (!is_movable(scene)) return false;
   Draw& draw = any_draw(scene, random);
@@ -81,7 +81,7 @@ bool move_to_tie(Scene& scene, RandomSource& random) {
   return true;
 }
 
-// So that the middle between it and its neighbour is the centre of a pixel.
+// Moves a vertex so that the middle between it and its neighbour is a pixel's centre.
 bool move_edge_to_centre(Scene& scene, RandomSource& random) {
   if (!is_movable(scene)) return false;
   Draw& draw = any_draw(scene, random);
@@ -99,7 +99,7 @@ bool move_edge_to_centre(Scene& scene, RandomSource& random) {
 
 // -------------------------------------------------------------------------------------- primitives
 
-// How many vertices in a row can be taken out or doubled.
+// The number of consecutive vertices that can be removed or doubled.
 std::size_t group_of(const Draw& draw) {
   switch (draw.primitive) {
     case Primitive::lines:
@@ -183,7 +183,7 @@ bool change_provoking_vertex(Scene& scene, RandomSource& random) {
   return true;
 }
 
-// Of lines the width, of points the size: a pixel mostly, or any quarters up to eight.
+// The width of lines or the size of points: usually a pixel, or any quarters up to eight.
 bool change_width(Scene& scene, RandomSource& random) {
   if (scene.draws.empty()) return false;
   Draw& draw = any_draw(scene, random);
@@ -217,7 +217,7 @@ bool transpose(Scene& scene, RandomSource&) {
   return true;
 }
 
-// About the target's middle; rows, columns or both.
+// Reflects rows, columns or both about the target's middle.
 bool mirror(Scene& scene, RandomSource& random) {
   if (!is_movable(scene)) return false;
   const std::int64_t ways = random.below(3);
@@ -229,7 +229,7 @@ bool mirror(Scene& scene, RandomSource& random) {
   return true;
 }
 
-// Up to the target's size away, so that some of what is drawn may lie beyond it.
+// Moves by up to the target's size, so that parts may lie beyond it.
 bool translate(Scene& scene, RandomSource& random) {
   if (!is_movable(scene)) return false;
   const std::int64_t most = random.one_in(2) ? 2 : scene.target.width;
@@ -253,7 +253,7 @@ bool change_target(Scene& scene, RandomSource& random) {
   return true;
 }
 
-// Changes of coordinates come most often.
+// Changes of coordinates are the most frequent.
 constexpr std::array<Change, 20> kChanges{nudge_vertex,
                                           nudge_vertex,
                                           nudge_vertex,
@@ -275,7 +275,7 @@ constexpr std::array<Change, 20> kChanges{nudge_vertex,
                                           translate,
                                           change_target};
 
-// The viewport goes with the target and the vertices, as a case file that names none has it.
+// Chooses the viewport from target and vertices, as for a case file without one.
 bool settle(Scene& scene) {
   if (!is_movable(scene)) return true;
   const auto viewport = choose_viewport(scene.target, scene.draws, scene.supersampling);

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "casefile/scene/viewport.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 
 namespace edgecase {
 
@@ -26,8 +26,8 @@ bool is_joined(Primitive primitive) {
          primitive != Primitive::triangles;
 }
 
-// How much there is of settings that are numbers. A setting that is given counts by itself, so
-// these need only tell less of it from more.
+// The total of numeric settings. A setting that is given counts by itself, so this only has to
+// distinguish less of it from more.
 std::int64_t extent_of(const Scene& scene) {
   std::int64_t extent =
       scene.target.samples + static_cast<std::int64_t>(scene.supersampling.size());
@@ -97,7 +97,7 @@ SceneSize size_of(const Scene& scene) {
 
 namespace {
 
-// Sets a value; was it another?
+// Sets a value; returns whether it differed.
 template <class T>
 bool put(T& value, const T& standard) {
   if (value == standard) return false;
@@ -105,7 +105,7 @@ bool put(T& value, const T& standard) {
   return true;
 }
 
-// Keeps the textures that are looked up, numbered anew; and asks of them only where there are any.
+// Keeps only textures in use, renumbered, and requests their details only if any remain.
 void drop_unused_textures(Scene& scene) {
   std::vector<std::shared_ptr<const Texture>> kept;
   std::vector<std::size_t> places(scene.textures.size(), scene.textures.size());
@@ -159,7 +159,7 @@ bool reset_w(Scene& scene, std::size_t d) {
   return changed;
 }
 
-// Vertices are given by where they land in the window, as nearly as that can be said.
+// Replaces clip coordinates by the nearest expressible window coordinates.
 bool reset_clip(Scene& scene, std::size_t d) {
   bool changed = false;
   for (Vertex& vertex : scene.draws[d].vertices) {
@@ -186,7 +186,7 @@ bool reset_samples(Scene& scene, std::size_t) {
   return true;
 }
 
-// A test needs its buffer, and so does the value that it is cleared to.
+// A test needs its buffer, and so does the buffer's clear value.
 bool reset_depth_buffer(Scene& scene, std::size_t) {
   if (scene.target.depth == DepthFormat::none) return false;
   scene.target.depth = DepthFormat::none;
@@ -231,7 +231,7 @@ bool reset_supersampling(Scene& scene, std::size_t) {
   return changed;
 }
 
-// A member of the scene's draws that is put back by itself.
+// Resets one member of the scene's draws.
 template <auto Member>
 bool reset_member(Scene& scene, std::size_t d) {
   return put(scene.draws[d].*Member, Draw().*Member);
@@ -249,7 +249,7 @@ bool reset_target(Scene& scene, std::size_t) {
   return put(scene.target.*Member, Target().*Member);
 }
 
-// What takes most away comes first.
+// Settings that remove most come first.
 constexpr std::array kSettings{
     Setting{"supersampling", reset_supersampling, false},
     Setting{"samples", reset_samples, false},
@@ -287,7 +287,7 @@ constexpr std::array kSettings{
     Setting{"colours", reset_colors, true},
 };
 
-// Puts a setting back wherever it is no default; how often was it not?
+// Resets a setting everywhere; returns how often it was not at its default.
 std::int64_t reset_everywhere(const Setting& setting, Scene& scene) {
   if (!setting.of_draws) return setting.reset(scene, 0) ? 1 : 0;
   std::int64_t count = 0;
@@ -295,7 +295,7 @@ std::int64_t reset_everywhere(const Setting& setting, Scene& scene) {
   return count;
 }
 
-// Widths and sizes that are smaller and rounder, smallest first.
+// Smaller and rounder widths and sizes, smallest first.
 void add_smaller_sizes(const Scene& scene, std::size_t d, Fixed Draw::*size,
                        std::vector<Scene>& simpler) {
   const Fixed own = scene.draws[d].*size;
@@ -314,7 +314,7 @@ void add_smaller_sizes(const Scene& scene, std::size_t d, Fixed Draw::*size,
   }
 }
 
-// Colours of one draw that are all alike.
+// One colour for all vertices of one draw.
 void add_one_color(const Scene& scene, std::size_t d, std::vector<Scene>& simpler) {
   Scene one = scene;
   for (Vertex& vertex : one.draws[d].vertices) vertex.color = one.draws[d].vertices[0].color;
@@ -336,7 +336,7 @@ std::span<const Setting> all_settings() {
 }
 
 std::int64_t count_settings(const Scene& scene) {
-  // From the last on: what a buffer takes away with it is counted before the buffer.
+  // In reverse, so that settings that depend on a buffer are counted before the buffer.
   Scene copy = scene;
   std::int64_t count = 0;
   for (auto setting = kSettings.rbegin(); setting != kSettings.rend(); ++setting)

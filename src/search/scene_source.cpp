@@ -24,7 +24,7 @@ namespace edgecase {
 
 namespace {
 
-// One of `count` kinds of scenes, taken in turn, and the scene's index among its kind.
+// A scene's index among `count` alternating kinds: its kind, and its index within that kind.
 struct Turn {
   std::size_t kind;
   std::uint64_t index;
@@ -69,7 +69,7 @@ Scene level_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
   return ramp_scene({seed, surface, ramps[turn.kind - kQuestions.size()]}, turn.index);
 }
 
-// Every second scene of a mode has its first vertex provoke.
+// In every second scene of a mode the first vertex provokes.
 Scene attribute_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
   const std::span<const ValueMode> modes = all_value_modes();
   const Turn turn = turn_of(index, modes.size());
@@ -79,7 +79,7 @@ Scene attribute_scene(std::uint64_t seed, Surface surface, std::uint64_t index) 
   return scene;
 }
 
-// Minimum and maximum take no factors, and a case file can name none.
+// Minimum and maximum ignore factors, and a case file cannot give any.
 void drop_unused_factors(BlendTerm& term) {
   if (!takes_factors(term.equation))
     term = {term.equation, BlendTerm().source, BlendTerm().destination};
@@ -88,7 +88,7 @@ void drop_unused_factors(BlendTerm& term) {
 Scene output_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
   constexpr std::array kDepths{DepthFormat::depth24, DepthFormat::depth16, DepthFormat::depth32f};
   const Turn kind = turn_of(index, kOutputKinds);
-  // Windows have the depth buffers that their configurations have.
+  // The depth buffer of a window depends on its configuration.
   const DepthFormat depth = kDepths[surface == Surface::window ? 0 : kind.index % kDepths.size()];
   Scene scene =
       random_output_scene({seed, static_cast<OutputKind>(kind.kind), surface, depth}, kind.index);
@@ -120,8 +120,8 @@ std::string unknown_pattern(const std::string& pattern) {
   all.insert(all.end(), rules.begin(), rules.end());
   const std::string nearest = nearest_name(pattern, all);
   return fmt::format(
-      "\"{}\" is no family of scenes and no rule that one is about; {}families are {}; rules that "
-      "they are about are {}",
+      "\"{}\" is neither a family of scenes nor the rule of one; {}families are {}; their rules "
+      "are {}",
       pattern, nearest.empty() ? "" : fmt::format("did you mean {}? ", quote(nearest)),
       fmt::join(names, ", "), fmt::join(rules, ", "));
 }
@@ -302,7 +302,7 @@ std::vector<Batch> SceneSource::next_round(std::size_t most) {
   const std::size_t s = round_++ % surfaces_.size();
   const auto count = [&] { return std::min(kBatch, most); };
   for (Progress& progress : families_) {
-    // A family without windows has its scenes in every round all the same.
+    // A family without windows has scenes in every round nevertheless.
     const std::size_t place = progress.family->has_windows ? s : 0;
     const Surface surface = progress.family->has_windows ? surfaces_[s] : Surface::fbo;
     const std::uint64_t first = progress.asked[place];

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// SceneSource: which scenes a search asks next.
+// SceneSource: the scenes that a search renders next.
 //
-// Families take turns, a batch each; then comes a batch of scenes that are mutated from the corpus:
-// from scenes that were given, and from finds of the search itself, as they join it. Surfaces
-// alternate from round to round. Which scenes come depends on the seed and on what joined the
-// corpus before the round, and on nothing else. Families that have an end come no more after it.
+// Families take turns with a batch each; then comes a batch of scenes mutated from the corpus,
+// which consists of given scenes and of the search's own finds. Surfaces alternate from round to
+// round. The scenes depend only on the seed and on the corpus before the round. Finite families are
+// dropped after their end.
 #pragma once
 
 #include <cstddef>
@@ -26,64 +26,64 @@ namespace edgecase {
 
 // A kind of random scenes among which a search looks for disagreements.
 //
-// A family is about some rules. Each of its scenes is a function of seed, surface and index alone,
-// on every machine, built round ties and boundaries where it can be; so a find is named by these
-// three. Most generators are those by which renderers are measured (src/generate, src/profile).
+// A family concerns some rules. Each of its scenes depends only on seed, surface and index, on
+// every machine, and is built round ties and boundaries where possible; so these three identify a
+// find. Most generators are those used for measuring renderers (src/generate, src/profile).
 struct Family {
   const char* name;   // "shared-edges"
   const char* about;  // a phrase
   std::vector<RuleId> rules;
-  // What its scenes are about is coverage: nothing else is asked of the renderer.
+  // Its scenes concern only coverage, so nothing else is requested of the renderer.
   bool coverage_only;
-  bool has_windows;  // else its scenes are of framebuffer objects, whatever surface is given
+  bool has_windows;  // if not, its scenes are of framebuffer objects for either surface
   Scene (*scene)(std::uint64_t seed, Surface surface, std::uint64_t index);
-  std::uint64_t scenes = 0;  // how many there are, on each surface; 0: there is no end of them
+  std::uint64_t scenes = 0;  // the number per surface; 0: unlimited
 };
 
 std::span<const Family> all_families();
 
-// Null when there is none of that name.
+// Null if there is none of that name.
 const Family* find_family(const std::string& name);
 
-// The families that names or rule ids mean, shell globs allowed, in the order of all_families and
-// each once; none given: all. A sentence with all that is known where one means nothing.
+// The families selected by names or rule ids (shell globs), in the order of all_families; all
+// without patterns. If a pattern selects nothing, a sentence that lists all names.
 std::variant<std::vector<const Family*>, std::string> select_families(
     std::span<const std::string> patterns);
 
 // ---------------------------------------------------------------------------------------- mutation
 
-// Mutation: a scene that is another one but for a small change.
+// Mutation: a copy of a scene with a small change.
 //
-// Scenes near to one that shows something often show more: a vertex a sub-pixel step
-// further on, or upon the next tie; a primitive less, or twice; another order, width, number of
-// samples; the whole transposed, mirrored or moved by whole pixels.
+// Scenes near to one that shows something often show more: with a vertex moved by a sub-pixel step
+// or onto the next tie, a primitive removed or doubled, another order, width or number of samples,
+// or everything transposed, mirrored or moved by whole pixels.
 
-// One to three changes. The scene is what a case file can say, so that all of its coordinates reach
-// OpenGL unrounded; none where no such scene was found in a few tries. A function of the scene and
-// the numbers alone. Vertices given as clip coordinates stay where they are.
+// Applies one to three changes. A case file can express the result, so its coordinates reach OpenGL
+// unrounded; nothing if no such scene was found in a few tries. The result depends only on the
+// scene and the random numbers. Vertices given as clip coordinates are not moved.
 std::optional<Scene> mutated(const Scene& scene, RandomSource& random);
 
 // ------------------------------------------------------------------------------------------ source
 
-// Where a scene came from, so that it can be made again.
+// The origin of a scene, from which it can be made again.
 struct SceneOrigin {
   std::string family;  // "mutated": of no family
   Surface surface = Surface::fbo;
   std::uint64_t index = 0;
-  std::string parent;  // of a mutated scene: what it was mutated from
+  std::string parent;  // what a mutated scene was mutated from
 };
 
 // "lines, seed 1, index 123, window"; "mutated from lines/short/between-diamonds, seed 1, index 7".
 std::string describe(const SceneOrigin& origin, std::uint64_t seed);
 
 struct CorpusScene {
-  std::string name;  // id of a case, or words of a find
+  std::string name;  // id of a case, or title of a find
   Scene scene;
 };
 
 inline constexpr const char* kMutated = "mutated";
 
-// Scenes of one family and surface that follow each other.
+// Consecutive scenes of one family and surface.
 struct Batch {
   const Family* family = nullptr;  // null: mutated ones
   Surface surface = Surface::fbo;  // of a family
@@ -98,26 +98,26 @@ struct SourcedScene {
 
 class SceneSource {
  public:
-  static constexpr std::size_t kBatch = 256;  // scenes of a batch at most
+  static constexpr std::size_t kBatch = 256;  // scenes per batch at most
 
-  // Surfaces: at least one. Without families all scenes are mutated.
+  // There must be at least one surface. Without families all scenes are mutated.
   SceneSource(std::uint64_t seed, std::vector<const Family*> families,
               std::vector<Surface> surfaces, std::vector<CorpusScene> corpus);
-  // The scenes of families and no others: nothing is mutated, whatever joins the corpus.
+  // Only scenes of families: nothing is mutated, whatever is added to the corpus.
   SceneSource(std::uint64_t seed, std::vector<const Family*> families,
               std::vector<Surface> surfaces);
 
-  // The next batch of each family, and one of mutated scenes where there is a corpus: `most` scenes
-  // together at most. Empty when nothing is left to ask.
+  // The next batch of each family, and one of mutated scenes if there is a corpus: at most `most`
+  // scenes in total. Empty if nothing is left.
   std::vector<Batch> next_round(std::size_t most);
 
-  // The scene at `place` of a batch of the latest round; none where no mutation was found. May be
-  // called from any thread.
+  // The scene at `place` of a batch of the latest round; nothing if no mutation was found. Callable
+  // from any thread.
   std::optional<SourcedScene> scene(const Batch& batch, std::size_t place) const;
 
-  // From the next round on.
+  // Takes effect in the next round.
   void add_to_corpus(CorpusScene scene);
-  // The family comes no more: no renderer draws its scenes.
+  // Drops a family whose scenes no renderer draws.
   void retire(const Family& family);
 
  private:

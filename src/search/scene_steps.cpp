@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "casefile/scene/viewport.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "search/steps.h"
 
 namespace edgecase {
@@ -42,7 +42,7 @@ Scene all_separated(const Scene& scene) {
   return result;
 }
 
-// The scene with some primitives alone, by their index in drawing order; all of its draws must be
+// The scene reduced to some primitives, by index in drawing order; all of its draws must be
 // separate.
 Scene only(const Scene& scene, const std::set<int>& kept) {
   Scene result = scene;
@@ -57,17 +57,17 @@ Scene only(const Scene& scene, const std::set<int>& kept) {
   return result;
 }
 
-// Makes a scene without the items [begin, end); none where that is no scene.
+// Makes a scene without the items [begin, end); nothing if that is not a scene.
 using LeaveOut =
     std::function<std::optional<Scene>(const Scene&, std::size_t begin, std::size_t end)>;
 
-// Leaves out as many of the items as can be, in runs of a half, a quarter, ... of them, down to
-// single ones. `count` is how many the present scene has.
+// Removes as many items as possible, in runs of a half, a quarter, ... of them, down to single
+// ones. `count` gives the number in a scene.
 bool leave_out_runs(Shrinking& shrinking, const std::function<std::size_t(const Scene&)>& count,
                     const LeaveOut& leave_out) {
   bool any = false;
   for (std::size_t run = count(shrinking.scene()) / 2; run >= 1; run /= 2) {
-    // From the last on, so that what was not yet tried keeps its place.
+    // From the end, so that items not yet tried keep their position.
     for (std::size_t end = count(shrinking.scene()); end > 0;) {
       const std::size_t begin = end > run ? end - run : 0;
       auto candidate = leave_out(shrinking.scene(), begin, end);
@@ -82,13 +82,13 @@ bool leave_out_runs(Shrinking& shrinking, const std::function<std::size_t(const 
   return any;
 }
 
-// What is left out of a draw at once, at least: a primitive, or a vertex of primitives that share
-// theirs.
+// The vertices of the smallest removable part of a draw: a primitive, or one vertex if primitives
+// share theirs.
 std::size_t vertices_of_item(const Draw& draw) {
   return is_separate(draw) ? static_cast<std::size_t>(vertices_of(kind_of(draw.primitive))) : 1;
 }
 
-// Is all but the vertices the same?
+// Whether everything but the vertices is equal.
 bool are_alike(const Draw& a, const Draw& b) {
   Scene one;
   Scene other;
@@ -193,7 +193,7 @@ bool join_draws(Shrinking& shrinking) {
 
 namespace {
 
-// Along one axis: which side of the target, and which part of a move and of a find's place.
+// One axis: the target's side, and the components of a move and of a disagreement's pixel.
 struct TargetAxis {
   int Target::*size;
   int Move::*move;
@@ -202,7 +202,7 @@ struct TargetAxis {
 constexpr std::array kAxes{TargetAxis{&Target::width, &Move::x, &Disagreement::x},
                            TargetAxis{&Target::height, &Move::y, &Disagreement::y}};
 
-// Columns (rows) that finds lie in: [first, last]. Where none is told, any may be the one.
+// The columns (rows) of the finds: [first, last]. Empty if none is known.
 struct Span {
   int first = INT_MAX;
   int last = 0;
@@ -218,7 +218,7 @@ Span span_of(const Shrinking& shrinking, const TargetAxis& axis) {
   return span;
 }
 
-// The largest power of two that is not above n; n > 0.
+// The largest power of two that is at most n; n > 0.
 int power_below(int n) {
   return static_cast<int>(std::bit_floor(static_cast<unsigned>(n)));
 }

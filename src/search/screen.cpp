@@ -18,7 +18,7 @@
 namespace edgecase {
 namespace {
 
-constexpr std::size_t kMostAlike = 4;  // disagreements that only their pixels tell apart
+constexpr std::size_t kMostAlike = 4;  // disagreements that differ only in their pixels
 
 using Drawn = std::vector<std::vector<PixelPosition>>;  // by primitive
 
@@ -29,7 +29,7 @@ Drawn drawn_of(std::size_t primitives, const Rendering& rendering) {
   return drawn;
 }
 
-// What the choices cover, by primitive.
+// The coverage under the choices, by primitive.
 Drawn covered_under(const RuleChoices& choices, const Target& target,
                     std::span<const ScenePrimitive> primitives) {
   Drawn covered;
@@ -38,7 +38,7 @@ Drawn covered_under(const RuleChoices& choices, const Target& target,
   return covered;
 }
 
-// Leaves what judging a result and telling of it need: values may differ at every pixel, and some
+// Keeps only what judging and reporting a result need: values may differ at every pixel, and some
 // thousand results wait to be judged.
 void lighten(Result& result) {
   result.pixel_counts = {};
@@ -52,7 +52,7 @@ void lighten(Result& result) {
   result.disagreements.shrink_to_fit();
 }
 
-// Scenes of one size together: some window systems pay for every change of size.
+// Groups scenes by size, since changes of size are slow in some window systems.
 std::vector<std::size_t> by_size(std::span<const Scene> scenes) {
   std::vector<std::size_t> order(scenes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -81,7 +81,7 @@ Screening Screen::ask(Renderer& renderer, std::span<const Scene> scenes, bool co
         {fmt::format("fuzz/{}", i), &scenes[i], coverage_only && scenes[i].target.samples == 1});
   Screening screening;
   renderer.render(tasks, [&](std::size_t k, Outcome outcome) {
-    // A failure may come from being stopped itself.
+    // Being stopped may itself cause a failure.
     if (stop != nullptr && stop->load()) throw SearchStopped{};
     if (const auto* failure = std::get_if<Failure>(&outcome)) {
       if (!screening.failure) screening.failure = *failure;
@@ -121,7 +121,7 @@ std::optional<Result> Screen::coverage_of(const Scene& scene, const Rendering& r
   const auto primitives = primitives_of(scene);
   Drawn drawn = drawn_of(primitives.size(), rendering);
   Drawn covered = covered_under(policy, scene.target, primitives);
-  // What the specification's own choice draws, too, is beyond doubt.
+  // Pixels that the specification's own choice draws, too, are beyond doubt.
   if (drawn == covered && drawn == covered_under(standard_choices(), scene.target, primitives))
     return std::nullopt;
   std::vector<PrimitiveCoverage> coverage;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Screen: which of many scenes a renderer draws otherwise than exact, found quickly.
+// Screen: finds quickly which of many scenes a renderer draws differently from exact.
 //
-// Most scenes show nothing. So of scenes that are about coverage only that is asked for, and only
-// primitives that differ are looked at closely; nothing is explained of those that agree. What
-// remains has results as compare() makes them, but for what is alike, and not judged yet: a run's
-// reading belongs to the caller, who knows the run (search/ledger.h).
+// Most scenes show nothing. So scenes about coverage only request coverage, only primitives that
+// differ are examined, and nothing is explained for those that agree. The remaining results are as
+// from compare(), with similar disagreements reduced, and not yet judged: the reading of a run
+// belongs to the caller (search/ledger.h).
 #pragma once
 
 #include <atomic>
@@ -26,8 +26,8 @@ namespace edgecase {
 struct Screening {
   struct Suspect {
     std::size_t scene = 0;  // index
-    // Something differs, or the renderer failed; not judged. Without pictures, and of disagreements
-    // that only their pixels tell apart a few.
+    // Something differs, or the renderer failed; not judged. Without pictures, and with only a few
+    // of the disagreements that differ just in their pixels.
     Result result;
   };
   std::vector<Suspect> suspects;   // in the order of scenes
@@ -37,11 +37,11 @@ struct Screening {
 
 class Screen {
  public:
-  // `profile`: what the renderer is measured to follow, where that is known.
+  // `profile`: what the renderer is measured to follow, if that is known.
   Screen(Policy policy, std::optional<Policy> profile);
 
-  // `coverage_only`: nothing but coverage is looked at, of targets of one sample. Throws
-  // SearchStopped (search/trial.h) when `stop` became true.
+  // `coverage_only`: only coverage is compared, on targets with one sample. Throws SearchStopped
+  // (search/trial.h) once `stop` is true.
   Screening ask(Renderer& renderer, std::span<const Scene> scenes, bool coverage_only,
                 const std::atomic<bool>* stop) const;
 

@@ -19,13 +19,13 @@ namespace edgecase {
 
 namespace {
 
-// The grid that a snap rule of the cause names; null where it names none.
+// The grid named by a snap rule in the cause; null if there is none.
 const Snap* named_in(const Cause& cause, RuleId rule) {
   const auto part = std::ranges::find(cause.parts, rule, &AlternativeId::rule);
   return part != cause.parts.end() ? find_snap(alternative_of(*part)->name) : nullptr;
 }
 
-// Are vertices snapped where the scene has them?
+// Whether vertices are snapped at their given positions.
 bool snaps_given_vertices(const Scene& scene) {
   return scene.supersampling.empty() && !has_clip_vertices(scene.draws);
 }
@@ -41,7 +41,7 @@ int least_fraction_bits(const Signature& signature, const Policy& policy, const 
        {PrimitiveKind::point, PrimitiveKind::line, PrimitiveKind::triangle}) {
     const Snap* other = named_in(cause, snap_rule_of(kind));
     if (other == nullptr) continue;
-    // Where nothing is snapped by either, all bits count; a scene has no more of them.
+    // If neither snaps, all bits count; a scene cannot have more.
     const int coarser = std::min(other->bits, choices.of(kind).snap.bits);
     least = std::max(least, std::min(coarser + 1, Fixed::kFractionBits));
   }
@@ -52,10 +52,10 @@ int least_fraction_bits(const Signature& signature, const Policy& policy, const 
 
 namespace {
 
-// Scenes that the renderer gets at once, where any of them would do.
+// Scenes rendered at once, any of which would do.
 constexpr std::size_t kBatch = 8;
 
-// A case file of the scene; empty where there can be none.
+// A case file of the scene; empty if there can be none.
 std::string written(const Scene& scene) {
   CaseWords words;
   words.title = "A candidate";
@@ -80,7 +80,7 @@ bool is_in_range(const Scene& scene) {
   });
 }
 
-// Sees the scene through another viewport; clip coordinates land elsewhere then.
+// Changes the viewport; window positions of clip coordinates then change.
 void see_through(const Viewport& viewport, Scene& scene) {
   if (same_viewport(viewport, scene.viewport)) return;
   scene.viewport = viewport;
@@ -89,7 +89,7 @@ void see_through(const Viewport& viewport, Scene& scene) {
       if (vertex.clip) place_clip_vertex(viewport, vertex);
 }
 
-// Does every vertex reach OpenGL as given? For scenes that no case file can say.
+// Whether every vertex reaches OpenGL as given, for scenes that no case file can express.
 bool is_exact(const Scene& scene) {
   const Viewport& viewport = scene.viewport;
   const Shifts shifts = shifts_of(scene.supersampling);
@@ -129,7 +129,7 @@ std::vector<const Disagreement*> Shrinking::finds() const {
   return disagreements_of(result_, signature_);
 }
 
-// Completes a candidate; false where it is not to be asked.
+// Completes a candidate; false if it should not be rendered.
 bool Shrinking::prepare(Scene& candidate) {
   if (candidate.draws.empty() || !is_in_range(candidate)) return false;
   if (has_chosen_viewport(scene_)) {
@@ -173,7 +173,7 @@ bool Shrinking::offer_first_of(std::vector<Scene> candidates) {
       batch.erase(batch.begin() + static_cast<std::ptrdiff_t>(asks_left_), batch.end());
     asks_left_ -= batch.size();
     std::vector<TrialAnswer> answers = trial_.ask(batch);
-    // The simplest, so that none that is passed over here would be kept later.
+    // Take the simplest: none that is passed over here would be accepted later.
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < batch.size(); ++i)
       if (shows_find(answers[i]) && (!best || size_of(batch[i]) < size_of(batch[*best]))) best = i;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Shrinking: the state of one minimisation: the simplest scene so far that shows the find, and the
-// one way to replace it.
+// Shrinking: the state of one minimization: the simplest scene so far that shows the find, and the
+// only way to replace it.
 //
-// Steps (search/steps.h) only propose. What is not simpler, cannot be written as a case file, is
-// too coarse to show the find (least_fraction_bits), or was proposed before, is never asked.
+// Steps (search/steps.h) only propose. Candidates that are not simpler, not expressible as a case
+// file, too coarse (least_fraction_bits), or proposed before are not rendered.
 #pragma once
 
 #include <cstddef>
@@ -24,42 +24,41 @@ namespace edgecase {
 
 // ----------------------------------------------------------------------------- least fraction bits
 
-// How fine the coordinates of a scene must be at least for a find to show at all.
+// The least fineness of a scene's coordinates for a find to show at all.
 //
-// A grid of b bits leaves a coordinate of at most b fraction bits where it is. So where the cause
-// of a find is another snapping than the policy's, the two treat coarser scenes alike: nothing is
-// explained there by that cause, and no such scene can show the find. No search is needed to know.
-// Vertices are all that snap rules snap: the corners of wide lines, of points and of multisampled
-// lines are made of snapped vertices, and those that implementations round have rules of their own.
+// A grid of b bits does not move a coordinate of at most b fraction bits. So if the cause of a find
+// is a different snap than the policy's, both treat coarser scenes alike: that cause explains
+// nothing there, and no such scene can show the find. This is known without a search. Snap rules
+// snap only vertices: the corners of wide lines, of points and of multisampled lines are computed
+// from snapped vertices, and rounding of these has rules of its own.
 //
-// Fraction bits, 0 to 16; 0 where nothing is known: the cause does not speak of snapping, or what
-// is snapped is other than the vertices that are given: clip coordinates, and passes that are
-// shifted.
+// Fraction bits, 0 to 16. 0 if unknown: the cause does not involve snapping, or the snapped
+// vertices are not the given ones, as with clip coordinates and shifted passes.
 int least_fraction_bits(const Signature& signature, const Policy& policy, const Scene& scene);
 
 // --------------------------------------------------------------------------------------- shrinking
 
-// Thrown when another scene would be one more than may be asked.
+// Thrown if another scene would exceed the limit.
 struct AsksExhausted {};
 
 class Shrinking {
  public:
-  // `result` is what `scene` shows, `signature` among it. The trial must outlive this.
+  // `result` is that of `scene` and shows `signature`. The trial must outlive this object.
   Shrinking(Scene scene, Result result, Signature signature, Trial& trial, std::size_t asks_left);
 
   const Scene& scene() const { return scene_; }
   const Result& result() const { return result_; }
-  // Fraction bits that a scene like this one needs to show the find.
+  // Fraction bits that such a scene needs to show the find.
   int least_bits() const;
-  // What of the scene's result has the signature; empty of failures and aggregated values.
+  // The disagreements with the signature; empty for failures and aggregated values.
   std::vector<const Disagreement*> finds() const;
 
-  // Is the candidate simpler, and does it show the find? Then it is the scene from now on. Its
-  // viewport follows its target and vertices where the scene's own does. Throws AsksExhausted and
+  // If the candidate is simpler and shows the find, it becomes the scene, and the result is true.
+  // Its viewport follows target and vertices if that of the scene does. Throws AsksExhausted and
   // SearchStopped.
   bool offer(Scene candidate);
-  // Offers them in order, several at once, up to the first that show the find; of those that were
-  // offered together the simplest is kept.
+  // Offers them in order, several at once, until some show the find; of those rendered together,
+  // the simplest is kept.
   bool offer_first_of(std::vector<Scene> candidates);
 
  private:

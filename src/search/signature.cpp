@@ -23,7 +23,7 @@ Signature signature_of(const Cluster& cluster) {
   return signature;
 }
 
-// What a cause breaks: each rule and kind once, in the order of the disagreements.
+// The rules and kinds that a cause breaks, without duplicates, in the order of the disagreements.
 void add_broken(const Result& result, const std::string& cause, Legality legality, Surface surface,
                 std::vector<Signature>& signatures) {
   for (const Disagreement& d : result.disagreements) {
@@ -50,7 +50,7 @@ std::vector<Signature> signatures_of(const Result& result, Surface surface) {
     return {signature};
   }
   if (result.disagreements.empty() && result.values.empty()) return {};
-  // Clusters of a run that is this one result.
+  // Clusters of a run with only this result.
   Results run;
   run.cases.resize(1);
   CaseResults& one = run.cases.front();
@@ -79,8 +79,8 @@ Signature signature_of(const Disagreement& disagreement, Surface surface) {
   signature.cause = text_of(disagreement.cause);
   signature.surface = name_of(surface);
   signature.legality = disagreement.legality;
-  // A cause that is allowed joins rules and kinds: that a scene shows one of them alone is no part
-  // of it.
+  // An allowed cause covers several rules and kinds, and it does not matter which of them a scene
+  // shows.
   if (!disagreement.cause.empty() && is_legal(disagreement)) return signature;
   signature.rule = name_of(disagreement.rule);
   signature.kind = name_of(disagreement.kind);

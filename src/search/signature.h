@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Signature: what a find is about, so that two scenes can be said to show the same.
+// Signature: what defines a find, so that two scenes can be said to show the same.
 //
-// It is what clusters are told apart by (results/clusters.h), for one scene: the cause where there
-// is one, and otherwise rule, kind and situation; surface and legality always. Where a cause breaks
-// a rule, rule and kind count beside it: lines that leave a gap where they meet and lines that draw
-// a pixel twice there are two finds, though one algorithm does both. A renderer that fails where it
-// should answer is a find too, identified by how it fails.
+// For one scene it is what distinguishes clusters (results/clusters.h): the cause if there is one,
+// and otherwise rule, kind and situation; always surface and legality. If a cause breaks a rule,
+// rule and kind count as well: lines that leave a gap where they meet and lines that draw a pixel
+// twice there are two finds, though one algorithm does both. A renderer that fails to answer is a
+// find too, identified by its kind of failure.
 #pragma once
 
 #include <compare>
@@ -21,30 +21,30 @@ namespace edgecase {
 
 struct Signature {
   std::string cause;    // "rule=alternative", several joined by " + "; empty: none found
-  std::string rule;     // id; empty where there is a cause that the specification allows
-  std::string kind;     // "missing"; empty where there is a cause that the specification allows
+  std::string rule;     // id; empty if the specification allows the cause
+  std::string kind;     // "missing"; empty if the specification allows the cause
   std::string surface;  // "fbo", "window"
   Legality legality = Legality::illegal;
-  std::string situation;  // in words; empty where there is a cause, and for values
-  std::string attribute;  // of values inside what is permitted: "color"; empty otherwise
-  std::string failure;    // "crashed", "timed-out", "garbage"; then all but the surface is empty
+  std::string situation;  // as text; empty with a cause, and for values
+  std::string attribute;  // of values within the permitted range: "color"; otherwise empty
+  std::string failure;    // "crashed", "timed-out", "garbage"; then only the surface is set, too
   friend auto operator<=>(const Signature&, const Signature&) = default;
 };
 
-// All that one renderer's judged result shows, each once: first what is not allowed and has no
-// cause, then in the order of clusters_of. None where nothing differs, and where the renderer says
-// that it does not do this, or could not be started.
+// All signatures of one renderer's judged result, without duplicates: first those that are not
+// allowed and have no cause, then in the order of clusters_of. None if nothing differs, if the
+// renderer does not support the scene, or if it could not be started.
 std::vector<Signature> signatures_of(const Result& result, Surface surface);
 
-// The same of the renderer at `renderer`.
+// The same for the renderer at index `renderer`.
 std::vector<Signature> signatures_of(const CaseResults& results, std::size_t renderer);
 
-// The same of one disagreement, or of one attribute's values inside what is permitted.
+// The same for one disagreement, or for one attribute's values within the permitted range.
 Signature signature_of(const Disagreement& disagreement, Surface surface);
 Signature signature_of(const ValueAggregate& values, Surface surface);
 
-// The disagreements of a result that have a signature, in their order; none of aggregated values
-// and of failures.
+// The disagreements of a result with a signature, in order; none for aggregated values and
+// failures.
 std::vector<const Disagreement*> disagreements_of(const Result& result, const Signature& signature);
 
 // On one line: "line.diamond-exit extra, first pixel, not allowed, window"; "the renderer fails:

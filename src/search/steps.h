@@ -13,25 +13,25 @@ namespace edgecase {
 
 // -------------------------------------------------------------------------------------- primitives
 
-// Towards fewer primitives: draws, primitives of a draw and vertices of a strip are left out, first
-// many at once; strips, loops and fans become separate primitives; draws alike become one.
+// Steps towards fewer primitives: removing draws, primitives and vertices of a strip, many at once
+// first; splitting strips, loops and fans; joining similar draws.
 
 // The same primitives without shared vertices, each with its vertices in the order of assembly. A
-// draw that has none already stays as it is.
+// draw without shared vertices is returned unchanged.
 Draw separated(const Scene& scene, std::size_t draw);
 
-// The primitives that the find is on alone, then together with one other primitive each.
+// Keeps only the find's primitives, or these together with one other primitive each.
 bool keep_only_finds(Shrinking& shrinking);
 bool leave_out_draws(Shrinking& shrinking);
 bool separate_primitives(Shrinking& shrinking);
-// Primitives of a draw; of strips, loops and fans that stay, vertices.
+// Removes primitives of a draw, or vertices of remaining strips, loops and fans.
 bool leave_out_primitives(Shrinking& shrinking);
 bool join_draws(Shrinking& shrinking);
 
 // ------------------------------------------------------------------------------------------ target
 
-// Steps towards a smaller target and a place near its origin. Scenes move by whole pixels only:
-// what lies on a pixel's centre, or between two numbers of a sub-pixel grid, stays so.
+// Steps towards a smaller target and a position near its origin. Scenes move by whole pixels only:
+// anything on a pixel's centre, or between two points of a sub-pixel grid, stays so.
 
 // A distance in whole pixels, y up.
 struct Move {
@@ -39,63 +39,62 @@ struct Move {
   int y = 0;
 };
 
-// All that is drawn, moved: vertices, scissors and, where the scene has one of its own, the
-// viewport. None where vertices are given as clip coordinates.
+// Moves everything that is drawn: vertices, scissors and, if the scene has its own, the viewport.
+// Nothing if vertices are given as clip coordinates.
 std::optional<Scene> moved_scene(const Scene& scene, Move move);
 
-// Columns and rows are cut away: right and top, then left and bottom, with what is drawn moved
-// there. The pixels that the find is on stay.
+// Removes columns and rows: right and top, then left and bottom, with the drawing moved there. The
+// find's pixels stay.
 bool crop_target(Shrinking& shrinking);
-// Everything is moved towards the origin, the target staying as it is; powers of two first.
+// Moves everything towards the origin without changing the target; powers of two first.
 bool move_to_origin(Shrinking& shrinking);
 
 // ------------------------------------------------------------------------------------- coordinates
 
 // Steps towards coordinates that are round, aligned and near to the origin. Vertices at one point
-// move together, so that edges and ends that are shared stay shared.
+// move together, so that shared edges and ends stay shared.
 
-// The points at which vertices lie, each once, in drawing order; those of clip coordinates left
-// out.
+// The distinct points of vertices in drawing order, without those of clip coordinates.
 std::vector<Point> points_of(const Scene& scene);
 
-// Moves every vertex at points[i] to places[i]; both as points_of.
+// Moves every vertex at points[i] to places[i]; `points` is the result of points_of.
 Scene with_points(const Scene& scene, const std::vector<Point>& points,
                   const std::vector<Point>& places);
 
-// The multiples of 2^-bits next to a coordinate, the nearest first; the number itself alone, where
-// it is one. `bits` from 0 to 16.
+// The multiples of 2^-bits next to a coordinate, the nearest first; only the number itself if it is
+// one. `bits` from 0 to 16.
 std::vector<Fixed> neighbours_on_grid(Fixed value, int bits);
 
-// All points at once go to grids of 1, 1/2, ... pixel: to the nearest place, down, up.
+// Moves all points at once to grids of 1, 1/2, ... pixel: to the nearest position, down, up.
 bool round_all(Shrinking& shrinking);
-// Then each point, and each x or y, with all the points that share it or without.
+// Then each point, and each x or y, with all the points that share it or without them.
 bool round_each(Shrinking& shrinking);
-// A point takes another's x or y.
+// Sets a point's x or y to that of another.
 bool align(Shrinking& shrinking);
-// Values of x and of y move by whole pixels towards 0, by themselves or with all beyond them.
+// Moves values of x and y by whole pixels towards 0, alone or with all values beyond them.
 bool draw_in(Shrinking& shrinking);
-// Depths between the planes.
+// Rounds depths between the planes.
 bool round_depths(Shrinking& shrinking);
 
 // ------------------------------------------------------------------------------------- grid search
 
 // Grid search: for scenes of a few points whose coordinates stay fine.
 //
-// Rounding one coordinate at a time gets stuck where several must move together: a tie is only
-// there when all of its numbers fit. So whole scenes on a coarse grid are asked: first those all of
-// whose points are next to where they are now, then those farther off, then any that are as large,
-// drawn from a generator that is the same on every machine.
+// Rounding one coordinate at a time gets stuck if several must move together: a tie needs all of
+// its numbers. So whole scenes on a coarse grid are tried: first those with all points next to
+// their present positions, then those farther away, then any of the same size, from a generator
+// that is the same on every machine.
 
-// Coordinates of at most so many fraction bits are what people read at a glance.
+// The largest number of fraction bits in easily readable coordinates.
 constexpr int kReadableBits = 4;
-// Scenes of more points are not searched for: there are too many of them.
+// Scenes of more points are not searched: there are too many of them.
 constexpr std::size_t kMostGridPoints = 6;
 
-// All ways to move every point to a neighbour on grids of 1, 1/2, ... pixel, up to one that is
-// coarser than the present one. Returns whether anything was kept.
+// Tries all ways to move every point to a neighbour on grids of 1, 1/2, ... pixel that are coarser
+// than the present one. Returns whether anything was kept.
 bool search_neighbours(Shrinking& shrinking);
 
-// Scenes of kReadableBits whose points lie farther off, at most `most` of them. Returns whether
+// Tries at most `most` scenes of kReadableBits whose points lie farther away. Returns whether
 // anything was kept.
 bool search_afar(Shrinking& shrinking, std::size_t most);
 

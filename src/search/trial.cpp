@@ -15,7 +15,7 @@
 namespace edgecase {
 namespace {
 
-// Scenes of one size together: some window systems pay for every change of size.
+// Groups scenes by size, since changes of size are slow in some window systems.
 std::vector<std::size_t> by_size(std::span<const Scene> scenes) {
   std::vector<std::size_t> order(scenes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -53,7 +53,7 @@ std::vector<TrialAnswer> Trial::ask(std::span<const Scene> scenes) {
   std::vector<TrialAnswer> answers(scenes.size());
   if (stopped()) throw SearchStopped{};
   renderer_.render(tasks, [&](std::size_t k, Outcome outcome) {
-    // A failure may come from being stopped itself.
+    // Being stopped may itself cause a failure.
     if (stopped()) throw SearchStopped{};
     const Scene& scene = scenes[order[k]];
     answers[order[k]] = judged(scene, compare_outcome(scene, std::move(outcome)));
@@ -66,7 +66,7 @@ Result Trial::compare_outcome(const Scene& scene, Outcome outcome) const {
   if (auto* failure = std::get_if<Failure>(&outcome)) return not_run(std::move(*failure));
   const auto& rendering = std::get<Rendering>(outcome);
   const RendererFacts facts = facts_of(renderer_.info(), profile_ ? &*profile_ : nullptr);
-  // A renderer that has its samples elsewhere is held against exact with samples there.
+  // The renderer may have other sample positions; exact then uses these, too.
   const Rendering exact = rasterize_without_details(scene, policy_, rendering.sample_positions);
   return compare(scene, policy_, exact, rendering, facts);
 }

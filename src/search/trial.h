@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Trial: holds one renderer against exact, scene by scene, for those who search among scenes.
+// Trial: compares one renderer with exact, scene by scene, for searches among scenes.
 //
 //   scenes -> {renderer, exact} -> compare -> judge, each scene alone or as a run reads it ->
 //   TrialAnswer
 //
-// It keeps no scene and knows no case: its caller decides what to ask next.
+// It keeps no scenes and knows no cases: its caller decides what to try next.
 #pragma once
 
 #include <atomic>
@@ -27,21 +27,21 @@ namespace edgecase {
 
 // What one scene shows.
 struct TrialAnswer {
-  Result result;  // judged; not-run with its reason where there is no rendering
+  Result result;  // judged; not-run with its reason if there is no rendering
   std::vector<Signature> signatures;
 };
 
 struct TrialOptions {
   Policy policy;                  // of the exact side
-  std::optional<Policy> profile;  // what the renderer is measured to follow; none: not known
-  // How scenes on a surface are read. Of a surface that is not there, each scene by itself.
+  std::optional<Policy> profile;  // what the renderer is measured to follow, if known
+  // How scenes on a surface are read. On other surfaces each scene is read by itself.
   std::map<Surface, RunReading> readings;
-  // Becomes true when the search should end; or null. Give it to the renderer as well, or one that
-  // hangs is waited for.
+  // Becomes true if the search should end; or null. Give it to the renderer as well, or the trial
+  // waits for one that hangs.
   const std::atomic<bool>* stop = nullptr;
 };
 
-// Thrown by Trial::ask when `stop` became true. What was asked and not answered is lost.
+// Thrown by Trial::ask once `stop` is true. Unanswered scenes are lost.
 struct SearchStopped {};
 
 class Trial {
@@ -49,14 +49,13 @@ class Trial {
   // The renderer must outlive the trial.
   Trial(Renderer& renderer, TrialOptions options);
 
-  // One answer for each scene, in their order; the renderer gets them all at once. Throws
-  // SearchStopped.
+  // One answer for each scene, in order; the renderer gets them all at once. Throws SearchStopped.
   std::vector<TrialAnswer> ask(std::span<const Scene> scenes);
   TrialAnswer ask(const Scene& scene);
 
-  // Scenes that were answered so far, failures included.
+  // Scenes answered so far, including failures.
   std::size_t asked() const { return asked_; }
-  // From now on, scenes on this surface are read so.
+  // From now on, uses this reading for scenes on this surface.
   void read(Surface surface, RunReading reading);
   const TrialOptions& options() const { return options_; }
   // As Renderer::info.

@@ -23,12 +23,12 @@ void require_size(std::string_view what, std::size_t size, std::size_t wanted) {
     throw Refusal(fmt::format("{} must have {} elements, but has {}", what, wanted, size));
 }
 
-// A plane that may be left out.
+// The same for an optional plane.
 void require_size_if_any(std::string_view what, std::size_t size, std::size_t wanted) {
   if (size > 0) require_size(what, size, wanted);
 }
 
-// A float32 buffer may hold a depth that rounding took beyond 0 or 1; an unsigned one cannot.
+// A float32 buffer may store a depth that rounding took beyond 0 or 1; an unsigned one cannot.
 void check_depths(const std::vector<double>& depths, DepthFormat format) {
   const bool is_float = holds_floats(format);
   for (const double depth : depths)
@@ -54,7 +54,7 @@ std::size_t area_of(const Rendering& rendering) {
   return rendering.pixel_index(0, rendering.height);
 }
 
-// What was drawn at one go: a scene that is not supersampled, or a pass.
+// Checks a single drawing: a scene that is not supersampled, or a pass.
 void check_drawing(const Rendering& rendering, const Scene& scene) {
   const std::size_t area = area_of(rendering);
   const std::size_t planes = area * static_cast<std::size_t>(rendering.samples);
@@ -79,13 +79,13 @@ void check_drawing(const Rendering& rendering, const Scene& scene) {
   check_mip_chains(rendering, scene);
 }
 
-// Fragments and what belongs to them are told of each pass.
+// In a supersampled scene only passes have fragments and what belongs to them.
 void check_supersampled(const Rendering& rendering, const Scene& scene) {
   const std::size_t area = area_of(rendering);
   require_size("the pixels", rendering.pixels.size(), 4 * area);
   require_size("the accumulated image", rendering.accumulated.size(), 4 * area);
   require_size("the passes", rendering.passes.size(), scene.supersampling.size());
-  require_size("what is told beside the passes",
+  require_size("the planes and fragments beside the passes",
                rendering.fragments.size() + rendering.hits.size() + rendering.depths.size() +
                    rendering.stencils.size() + rendering.mip_chains.size() +
                    rendering.sample_positions.size() + rendering.sample_pixels.size(),
@@ -95,7 +95,7 @@ void check_supersampled(const Rendering& rendering, const Scene& scene) {
 
 }  // namespace
 
-bool tells_something(const FragmentDetail& detail) {
+bool has_values(const FragmentDetail& detail) {
   bool something = false;
   for_each_field<FragmentDetail>(
       [&](const auto& field) { something = something || is_reported(detail.*field.member); });
@@ -105,7 +105,7 @@ bool tells_something(const FragmentDetail& detail) {
 void check_detail(const FragmentDetail& detail, Details asked, bool is_textured) {
   for_each_field<FragmentDetail>([&](const auto& field) {
     if (is_reported(detail.*field.member) && !field.is_asked(asked, is_textured))
-      throw Refusal("a fragment tells a detail that the request does not ask for");
+      throw Refusal("a fragment has a detail that was not requested");
   });
 }
 

@@ -64,7 +64,7 @@ std::string mip_chains_member(const Rendering& rendering) {
   return rendering.mip_chains.empty() ? "" : ",\"mip_chains\":" + mip_chains_json(rendering);
 }
 
-// By pixel.
+// The number of fragments at each pixel.
 std::vector<std::uint32_t> captured_fragments(const Rendering& rendering) {
   std::vector<std::uint32_t> captured(rendering.pixel_index(0, rendering.height));
   for (const Fragment& fragment : rendering.fragments)
@@ -105,7 +105,7 @@ std::vector<Integer> read_integers(const json& value, const Path& path, std::siz
   return result;
 }
 
-// A float32 buffer may hold a depth that rounding took beyond 0 or 1; an unsigned one cannot.
+// A float32 buffer may store a depth that rounding took beyond 0 or 1; an unsigned one cannot.
 std::vector<double> read_depths(const json& value, const Path& path, std::size_t size,
                                 DepthFormat format) {
   wire::require_array(value, path, size);
@@ -121,7 +121,7 @@ std::vector<double> read_depths(const json& value, const Path& path, std::size_t
   return depths;
 }
 
-// Either the key "coverage", or "pixels" and "fragments".
+// Reads either the key "coverage", or "pixels" and "fragments".
 void read_drawn(const json& document, const Path& root, const Scene& scene, Rendering& rendering) {
   const std::vector<bool> textured = wire::textured_primitives(scene);
   const json* coverage = wire::optional_member(document, "coverage");
@@ -137,11 +137,11 @@ void read_drawn(const json& document, const Path& root, const Scene& scene, Rend
     wire::read_fragments(list, at, scene, textured, rendering);
 }
 
-// What is told of samples, where there are several.
+// Reads what an answer reports about samples, if there are several.
 void read_samples(const json& document, const Path& root, std::size_t size, Rendering& rendering) {
   if (const json* positions = wire::optional_member(document, "sample_positions"))
     rendering.sample_positions =
-        wire::read_told_positions(*positions, {root, "sample_positions"}, rendering.samples);
+        wire::read_reported_positions(*positions, {root, "sample_positions"}, rendering.samples);
   const json* pixels = wire::optional_member(document, "sample_pixels");
   if (pixels == nullptr) return;
   if (rendering.samples == 1)
@@ -168,11 +168,11 @@ std::size_t area_of(const Target& target) {
   return static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height);
 }
 
-// What was drawn at one go: a scene that is not supersampled, or a pass.
+// Reads a single drawing: a scene that is not supersampled, or a pass.
 Rendering read_drawing(const json& document, const Path& root, const Scene& scene) {
   Rendering rendering = blank_rendering(scene.target);
   const std::size_t area = area_of(scene.target);
-  // Hits, depths and stencils are told of every sample, a plane for each.
+  // Hits, depths and stencils have one plane for each sample.
   const std::size_t planes = area * static_cast<std::size_t>(rendering.samples);
   if (!document.contains("coverage")) {
     rendering.pixels = read_integers<std::uint8_t>(wire::member(document, root, "pixels"),
@@ -194,7 +194,7 @@ Rendering read_drawing(const json& document, const Path& root, const Scene& scen
   return rendering;
 }
 
-// A pass has no samples to tell of, and answers in whole.
+// A pass has one sample and is always a whole answer.
 Rendering read_pass(const json& value, const Path& path, const Scene& scene) {
   wire::require_object(value, path, {"pixels", "fragments", "depths", "mip_chains", "hits"});
   check_buffers(value, path, scene);
@@ -204,7 +204,7 @@ Rendering read_pass(const json& value, const Path& path, const Scene& scene) {
   return rendering;
 }
 
-// Passes differ from the scene in places alone, which play no part in reading.
+// Passes differ from the scene only in positions, which do not matter for reading.
 Rendering read_supersampled(const json& document, const Path& root, const Scene& scene) {
   Rendering rendering = blank_rendering(scene.target);
   const std::size_t size = 4 * area_of(scene.target);
@@ -232,7 +232,7 @@ Rendering read_rendering(const json& document, const Path& root, const Scene& sc
   return rendering;
 }
 
-// Fragments and what belongs to them are told of each pass.
+// In a supersampled scene only passes have fragments and what belongs to them.
 void check_supersampled_form(const json& document, bool is_supersampled) {
   for (const char* key : {"passes", "accumulated"})
     if (!is_supersampled && document.contains(key))
@@ -244,7 +244,7 @@ void check_supersampled_form(const json& document, bool is_supersampled) {
           fmt::format("the line has \"{}\" beside the passes of a supersampled scene", key));
 }
 
-// Keys that exclude each other, and an answer in a form that was not asked for.
+// Refuses keys that exclude each other, and a form of answer that was not requested.
 void check_form(const json& document, const Scene& scene, bool coverage_only) {
   const auto refuse_beside = [&](const char* first, std::initializer_list<const char*> others) {
     if (!document.contains(first)) return;

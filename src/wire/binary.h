@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Values as bytes, for a reader that was built together with the writer and runs on the same
-// machine: numbers as they lie in memory, and sizes before what has one. Nothing in the bytes says
-// what they are.
+// machine: numbers as in memory, preceded by their count where it varies. The bytes carry no types.
 //
-// Each type is told once, by a function `carry(io, value)` that names its members in order: a
-// Writer takes them from the value, and a Reader puts them there. A Reader
-// throws a Refusal where bytes are missing; whether values make sense is for its caller.
+// Each type is described once, by a function `carry(io, value)` that names its members in order: a
+// Writer reads them from the value, and a Reader stores into them. A Reader throws a Refusal if
+// bytes are missing; its caller checks whether values make sense.
 #pragma once
 
 #include <array>
@@ -29,11 +28,11 @@
 
 namespace edgecase::wire {
 
-// What lies in memory as it is sent.
+// Types that are sent as they lie in memory.
 template <class T>
 concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
-// U, or const U.
+// T is U or const U.
 template <class T, class U>
 concept Of = std::same_as<std::remove_const_t<T>, U>;
 
@@ -45,7 +44,7 @@ class Writer {
   void bytes(const void* from, std::size_t count) {
     out_.append(static_cast<const char*>(from), count);
   }
-  // The number of elements that follow.
+  // Writes the number of elements that follow.
   std::size_t size(std::size_t count) {
     const std::uint64_t number = count;
     bytes(&number, sizeof(number));
@@ -66,7 +65,7 @@ class Reader {
     if (count > 0) std::memcpy(to, left_.data(), count);
     left_.remove_prefix(count);
   }
-  // The number of elements that follow, of `least` bytes each at least.
+  // Reads the number of elements that follow, of at least `least` bytes each.
   std::size_t size(std::size_t least) {
     std::uint64_t number = 0;
     bytes(&number, sizeof(number));
@@ -102,7 +101,7 @@ void carry(Io& io, const std::array<T, N>& values) {
   carry_elements(io, values.data(), N);
 }
 
-// Of a vector or a string.
+// Carries a vector or a string.
 template <class Io, class Sequence>
 void carry_sequence(Io& io, Sequence& values) {
   using T = typename Sequence::value_type;
@@ -156,13 +155,13 @@ void carry(Reader& io, std::map<Key, T>& values) {
   }
 }
 
-// One after the other.
+// Carries one member after the other.
 template <class Io, class... Members>
 void carry_all(Io& io, Members&... members) {
   (carry(io, members), ...);
 }
 
-// Scenes and renderings: a scene field by field (model/scene_fields.h).
+// Scenes and renderings; a scene goes field by field (model/scene_fields.h).
 inline void carry(Writer& io, const Fixed& value) {
   const std::int64_t raw = value.raw();
   carry(io, raw);

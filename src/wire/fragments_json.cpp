@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The hot path of whoever measures a driver over hundreds of thousands of scenes.
+// This is a hot path when a driver is measured over hundreds of thousands of scenes.
 #include "wire/fragments_json.h"
 
 #include <fmt/format.h>
@@ -43,8 +43,8 @@ std::vector<Place> places_by_primitive(const Rendering& rendering) {
   return places;
 }
 
-// The fragments of runs of which `read(index, low, high)` reads a number within limits. `what`: how
-// to call the array.
+// The fragments of an array of runs; `read(index, low, high)` reads a number within limits. `what`:
+// the array's name in messages.
 template <class Read>
 std::vector<Fragment> fragments_of(std::size_t numbers, const std::string& what,
                                    const RunBounds& bounds, Read read) {
@@ -108,13 +108,13 @@ std::vector<Fragment> fragments_of_runs(const std::vector<int>& numbers, const R
 
 namespace {
 
-// What the fragments of one scene must keep to.
+// The limits for the fragments of one scene.
 struct Bounds {
   int width;
   int height;
   int samples;
-  const std::vector<bool>& textured;  // by primitive: is its draw?
-  Details details;                    // what was asked for
+  const std::vector<bool>& textured;  // by primitive: whether its draw has a texture
+  Details details;                    // the requested ones
 };
 
 template <std::size_t N>
@@ -124,14 +124,15 @@ void read_numbers(const json& value, const Path& path, std::array<double, N>& nu
 }
 
 template <std::size_t N>
-void read_told(const json& value, const Path& path, std::optional<std::array<double, N>>& numbers) {
+void read_reported(const json& value, const Path& path,
+                   std::optional<std::array<double, N>>& numbers) {
   read_numbers(value, path, numbers.emplace());
 }
 
-// An object of those derivatives that are told.
+// An object with the derivatives that are reported.
 template <std::size_t N>
-void read_told(const json& value, const Path& path,
-               std::array<std::optional<std::array<double, 4>>, N>& derivatives) {
+void read_reported(const json& value, const Path& path,
+                   std::array<std::optional<std::array<double, 4>>, N>& derivatives) {
   static const std::vector<const char*> kKeys = [] {
     std::vector<const char*> keys;
     for (const auto& row : kNames<Derivative>) keys.push_back(row.name);
@@ -140,10 +141,10 @@ void read_told(const json& value, const Path& path,
   require_object(value, path, kKeys);
   for (std::size_t i = 0; i < N; ++i)
     if (const json* four = optional_member(value, kKeys[i]))
-      read_told(*four, {path, kKeys[i]}, derivatives[i]);
+      read_reported(*four, {path, kKeys[i]}, derivatives[i]);
 }
 
-// What a fragment tells beside colour and depth; none where it tells nothing of the kind.
+// The further values of a fragment; nothing if it has none.
 std::optional<FragmentDetail> read_detail(const json& value, const Path& path, Details asked,
                                           bool is_textured) {
   std::optional<FragmentDetail> detail;
@@ -157,7 +158,7 @@ std::optional<FragmentDetail> read_detail(const json& value, const Path& path, D
       throw Refusal(
           fmt::format("{} has \"{}\", but its draw has no texture", path.text(), field.key));
     if (!detail) detail.emplace();
-    read_told(*found, {path, field.key}, *detail.*field.member);
+    read_reported(*found, {path, field.key}, *detail.*field.member);
   });
   return detail;
 }

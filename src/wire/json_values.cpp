@@ -35,7 +35,7 @@ SamplePositions read_pairs(const json& value, const Path& path, int samples,
   return positions;
 }
 
-Fixed read_told_number(const json& value, const Path& path) {
+Fixed read_reported_number(const json& value, const Path& path) {
   const double number = read_finite(value, path);
   if (!(number >= 0 && number < 1))
     throw Refusal(fmt::format("{} is {}, but it must be 0 to below 1", path.text(), value.dump()));
@@ -44,7 +44,7 @@ Fixed read_told_number(const json& value, const Path& path) {
 }
 
 Fixed read_exact_number(const json& value, const Path& path) {
-  const Fixed number = read_told_number(value, path);
+  const Fixed number = read_reported_number(value, path);
   if (number.to_double() != value.get<double>())
     throw Refusal(
         fmt::format("{} is {}, but it must be a multiple of 2^-16", path.text(), value.dump()));
@@ -119,8 +119,8 @@ SamplePositions read_positions(const json& value, const Path& path, int samples)
   return read_pairs(value, path, samples, read_exact_number);
 }
 
-SamplePositions read_told_positions(const json& value, const Path& path, int samples) {
-  return read_pairs(value, path, samples, read_told_number);
+SamplePositions read_reported_positions(const json& value, const Path& path, int samples) {
+  return read_pairs(value, path, samples, read_reported_number);
 }
 
 namespace {
@@ -138,7 +138,7 @@ void write_texel(Output out, float value) {
   }
 }
 
-// How a number of a texel is read: what the format holds, and what may stand there.
+// Reads a number of a texel: one that the format can store and that may occur here.
 using ReadTexel = float (*)(const json& value, const Path& path);
 
 float read_code(const json& value, const Path& path) {
@@ -152,7 +152,7 @@ float read_generated_float32(const json& value, const Path& path) {
 
 constexpr std::size_t kComponents = 4;
 
-// A level of one colour is told by one texel.
+// A level of a single colour is given by one texel.
 std::vector<float> repeated(const json& texel, const Path& path, const TextureLevel& level,
                             ReadTexel read_texel) {
   require_array(texel, path, kComponents);
@@ -196,7 +196,7 @@ float read_any_float32(const json& value, const Path& path) {
   return read_float32(value, path);
 }
 
-// Has it more than one texel, all of them the same to the bit?
+// Whether there are several texels, all equal to the bit.
 bool is_uniform(const TextureLevel& level) {
   if (level.texels.size() <= kComponents) return false;
   for (std::size_t i = kComponents; i < level.texels.size(); ++i)

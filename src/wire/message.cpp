@@ -23,7 +23,7 @@ namespace {
 
 enum class AnswerKind : std::uint8_t { rendering, coverage, refusal };
 
-// FNV-1a, eight bytes at a time.
+// FNV-1a over words of eight bytes.
 std::uint64_t digest_of_bytes(std::string_view bytes) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (; !bytes.empty(); bytes.remove_prefix(std::min<std::size_t>(8, bytes.size()))) {
@@ -35,7 +35,7 @@ std::uint64_t digest_of_bytes(std::string_view bytes) {
   return hash;
 }
 
-// All but fragments, hits and passes.
+// Everything except fragments, hits and passes.
 template <class Io, wire::Of<Rendering> T>
 void carry_planes(Io& io, T& rendering) {
   wire::carry_all(io, rendering.sample_positions, rendering.pixels, rendering.sample_pixels,
@@ -51,7 +51,7 @@ void write_rendering(Writer& io, const Rendering& rendering) {
   for (const Rendering& pass : rendering.passes) write_rendering(io, pass);
 }
 
-// Of a scene or, where there may be no passes, of one of its passes.
+// Reads the rendering of a scene or, if there may be no passes, of one of its passes.
 Rendering read_rendering(Reader& io, const Scene& scene, bool may_have_passes) {
   Rendering rendering;
   rendering.width = scene.target.width;
@@ -68,7 +68,7 @@ Rendering read_rendering(Reader& io, const Scene& scene, bool may_have_passes) {
     throw Refusal("there are more passes than were asked for");
   for (std::size_t k = 0; k < passes; ++k)
     rendering.passes.push_back(read_rendering(io, scene, false));
-  // What was counted here contradicts nothing, and beside passes there may be none.
+  // Hits counted here cannot contradict the fragments, and beside passes there may be none.
   if (!hits_are_counted && passes == 0) check_hits(rendering, scene);
   sort_fragments(rendering);
   return rendering;

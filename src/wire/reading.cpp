@@ -34,7 +34,7 @@ json parse_text(std::string_view line) {
   try {
     return json::parse(line);
   } catch (const json::exception& error) {
-    // The library's sentence follows its tag in brackets.
+    // The library's message follows its tag in brackets.
     const std::string_view text = error.what();
     const std::size_t tag = text.find("] ");
     throw Refusal("this is no line of JSON: " +
@@ -77,7 +77,7 @@ const json* optional_member(const json& object, const char* key) {
 std::int64_t read_integer(const json& value, const Path& path, std::int64_t low,
                           std::int64_t high) {
   if (!value.is_number_integer()) refuse_type(value, path, "an integer");
-  // The library keeps what is not negative as unsigned: beyond int64 it is beyond `high`.
+  // The library stores nonnegative numbers as unsigned: one beyond int64 is beyond `high`.
   const bool huge = value.is_number_unsigned() &&
                     value.get<std::uint64_t>() >
                         static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Strict reading of JSON values that another program wrote. For src/wire alone: its readers throw a
-// Refusal, and the public functions of this folder turn it into a WireError.
+// Strict reading of JSON values from another program, for use in src/wire only: its readers throw a
+// Refusal, which the public functions of this folder turn into a WireError.
 //
-// A Path names the value at hand as an RFC 6901 pointer. It is a chain of links on the stack, so
-// that an array of a million numbers costs no text until one of them is wrong.
+// A Path names the current value as an RFC 6901 pointer. It is a chain of links on the stack, so an
+// array of a million numbers needs no text until one of them is wrong.
 #pragma once
 
 #include <cstddef>
@@ -40,27 +40,27 @@ class Path {
   std::size_t index_ = 0;
 };
 
-// Parses a whole line; anything behind the first value is refused.
+// Parses a whole line; refuses anything after the first value.
 nlohmann::json parse_text(std::string_view line);
 
-// Refuses what is no object, and keys other than `known`.
+// Refuses values that are not objects, and keys other than `known`.
 void require_object(const nlohmann::json& value, const Path& path,
                     std::span<const char* const> known);
 void require_object(const nlohmann::json& value, const Path& path,
                     std::initializer_list<const char*> known);
 
-// Refuses what is no array, or one of another length than `size`.
+// Refuses values that are not arrays of length `size`.
 void require_array(const nlohmann::json& value, const Path& path, std::size_t size);
 
-// The member `key`, which must be there; and the one that may be absent (nullptr).
+// The member `key`, which is required; and the optional form (nullptr if absent).
 const nlohmann::json& member(const nlohmann::json& object, const Path& path, const char* key);
 const nlohmann::json* optional_member(const nlohmann::json& object, const char* key);
 
-// An integer, written as one (3, not 3.0), of low to high, both inclusive.
+// An integer, written as one (3, not 3.0), from low to high, both inclusive.
 std::int64_t read_integer(const nlohmann::json& value, const Path& path, std::int64_t low,
                           std::int64_t high);
 
-// The same, for limits of an int.
+// The same, with limits of type int.
 int read_int(const nlohmann::json& value, const Path& path, int low, int high);
 
 bool read_bool(const nlohmann::json& value, const Path& path);
@@ -75,7 +75,7 @@ const std::string& read_string(const nlohmann::json& value, const Path& path);
 
 [[noreturn]] void refuse_name(const std::string& name, const Path& path);
 
-// A name of an enumeration for which there is a parse_name.
+// A value of an enumeration that has a parse_name.
 template <class Enum>
 Enum read_name(const nlohmann::json& value, const Path& path) {
   const std::string& name = read_string(value, path);
@@ -84,7 +84,7 @@ Enum read_name(const nlohmann::json& value, const Path& path) {
   return result;
 }
 
-// The first characters of `text`, printable, at most `limit`, with "..." where something was cut.
+// The start of `text`, made printable, at most `limit` characters, with "..." if it was cut.
 std::string excerpt(std::string_view text, std::size_t limit);
 
 }  // namespace edgecase::wire

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Pixels and fragments are the bulk of everything that travels, and have nothing to escape: they
-// are formatted straight into the text, several times faster than through a tree of JSON values.
+// Pixels and fragments are the bulk of all messages and need no escaping: formatting them straight
+// into the text is several times faster than building a tree of JSON values.
 #include "wire/rendering_json.h"
 
 #include <fmt/format.h>
@@ -44,16 +44,17 @@ void write_numbers(Output out, const std::array<double, N>& numbers) {
 }
 
 template <std::size_t N>
-void write_told(Output out, const char* key, const std::optional<std::array<double, N>>& numbers) {
+void write_reported(Output out, const char* key,
+                    const std::optional<std::array<double, N>>& numbers) {
   if (!numbers) return;
   fmt::format_to(out, ",\"{}\":", key);
   write_numbers(out, *numbers);
 }
 
-// Of several, an object of those that are told.
+// Writes several as an object of those that are reported.
 template <std::size_t N>
-void write_told(Output out, const char* key,
-                const std::array<std::optional<std::array<double, 4>>, N>& derivatives) {
+void write_reported(Output out, const char* key,
+                    const std::array<std::optional<std::array<double, 4>>, N>& derivatives) {
   if (!is_reported(derivatives)) return;
   fmt::format_to(out, ",\"{}\":", key);
   char before = '{';
@@ -68,7 +69,7 @@ void write_told(Output out, const char* key,
 
 void write_detail(Output out, const FragmentDetail& detail) {
   for_each_field<FragmentDetail>(
-      [&](const auto& field) { write_told(out, field.key, detail.*field.member); });
+      [&](const auto& field) { write_reported(out, field.key, detail.*field.member); });
 }
 
 void write_fragment(Output out, const Rendering& rendering, const Fragment& fragment) {

@@ -18,7 +18,7 @@ using wire::Refusal;
 
 namespace {
 
-// The value of "answer" in a request for coverage alone.
+// The value of "answer" in a request for coverage only.
 constexpr std::string_view kCoverageAnswer = "coverage";
 
 Request read_request(const json& document) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The line that asks another process for a rendering: a scene as JSON, reference/PROTOCOL.md.
+// The line that requests a rendering from another process: a scene as JSON, reference/PROTOCOL.md.
 //
 // Our own OpenGL workers and any program behind `exec:` get the same line. Coordinates are
-// multiples of 2^-16 and colours float32 values; both are exact as doubles, and JSON numbers are
-// printed with as many digits as bring the same double back, so nothing is lost on the way.
+// multiples of 2^-16 and colours float32 values; both are exact as doubles, and numbers are printed
+// with enough digits to read back as the same double, so nothing is lost on the way.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace edgecase {
 
-// Why a line is refused: one sentence that says what is wrong and where, no full stop at its end.
+// Why a line is refused: one sentence with the fault and its place, without a full stop.
 struct WireError {
   std::string message;
 };
@@ -29,24 +29,24 @@ constexpr std::size_t kMaxLineLength = std::size_t{1} << 30;
 
 struct Request {
   std::string id;      // of the case, for messages
-  std::string digest;  // of the scene, to be repeated in the answer
+  std::string digest;  // of the scene; repeated in the answer
   Scene scene;
-  bool coverage_only = false;  // pixels, depths and colours may be left out of the answer
+  bool coverage_only = false;  // the answer may omit pixels, depths and colours
 };
 
 // A scene as one JSON object without line breaks: the value of "scene" in a request.
 std::string scene_json(const Scene& scene);
 
 // 16 hexadecimal digits: 64-bit FNV-1a over the bytes of scene_json. An answer repeats it, which
-// tells an answer to this scene from one to another.
+// shows to which scene it belongs.
 std::string digest_of(std::string_view scene_json);
 
-// The whole request, without the line break at its end.
+// The whole request, without a line break at its end.
 std::string request_line(const std::string& id, std::string_view scene_json,
                          bool coverage_only = false);
 
-// The inverse. Refuses what is no request of this version, what lies outside the limits that
-// model/scene.h states, and a scene that does not have the digest that the line gives it.
+// The inverse. Refuses anything but a request of this version, scenes beyond the limits in
+// model/scene.h, and a scene that does not match the line's digest.
 std::variant<Request, WireError> parse_request(std::string_view line);
 
 }  // namespace edgecase

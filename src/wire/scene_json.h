@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A scene as JSON, field by field (model/scene_fields.h), for src/wire alone: request_line.h makes
-// lines of it. What the lists do not say stands here: forms that are no objects, and what one part
-// of a scene asks of another.
+// A scene as JSON, field by field (model/scene_fields.h), for use in src/wire only: request_line.h
+// makes lines of it. Code here covers what the lists cannot express: forms that are not objects,
+// and conditions between parts of a scene.
 #pragma once
 
 #include <string_view>
@@ -14,13 +14,13 @@ namespace edgecase::wire {
 
 void write_scene(fmt::memory_buffer& text, const Scene& scene);
 
-// Throws a Refusal for a scene that model/scene.h does not allow.
+// Throws a Refusal for a scene that violates model/scene.h.
 Scene read_scene(const nlohmann::json& value, const Path& path);
 
-// The key of the passes of a supersampled scene, which stand in its target.
+// The key of the passes of a supersampled scene, inside its target.
 inline constexpr const char* kSupersampling = "supersampling";
 
-// Does a lookup of this kind have the field? All have "kind".
+// Whether a lookup of this kind has the field; all have "kind".
 constexpr bool takes(LookupKind kind, std::string_view key) {
   if (key == "kind") return true;
   switch (kind) {
@@ -35,15 +35,14 @@ constexpr bool takes(LookupKind kind, std::string_view key) {
   return false;
 }
 
-// A vertex as JSON: where it lands in the window, the clip coordinates that take it there, and its
-// attribute. For src/wire alone.
+// A vertex as JSON: its window position, the clip coordinates that give it, and its attribute.
 
-// Only a textured draw's vertices have texture coordinates.
+// Only vertices of textured draws have texture coordinates.
 void write_vertex(Output out, const Vertex& vertex, bool is_textured);
 
-// A vertex, with clip coordinates that are exact in float32 where its w is not 1, and a position
-// that belongs to the clip coordinates where it has some. Texture coordinates are required of a
-// textured draw, and refused elsewhere.
+// Reads a vertex. Clip coordinates derived from a w other than 1 must be exact in float32, and a
+// position beside clip coordinates must match them. Texture coordinates are required in a textured
+// draw and refused elsewhere.
 Vertex read_vertex(const nlohmann::json& value, const Path& path, const Viewport& viewport,
                    bool is_textured);
 

@@ -38,7 +38,7 @@ std::int64_t whole(double limit) {
   return static_cast<std::int64_t>(limit);
 }
 
-// One level, or a whole chain of the right sizes.
+// Checks for one level, or a whole chain of the right sizes.
 void check_levels(const Texture& texture, const Path& path) {
   const TextureLevel& base = texture.levels[0];
   if (texture.dimensions == 1 && base.height != 1)
@@ -78,7 +78,7 @@ void check_sampler(const Sampler& sampler, const Texture& texture, const Path& p
                               path.text(), sampler.base_level, count - 1));
 }
 
-// Refuses a scene whose passes are too much work or move a vertex out of its range.
+// Refuses a scene whose passes are too much work or move a vertex out of range.
 void check_passes(const Scene& scene, const Path& path) {
   if (pass_work(scene) > kMaxPassWork)
     throw Refusal(
@@ -94,7 +94,7 @@ void check_passes(const Scene& scene, const Path& path) {
     throw Refusal(path.text() + " is there, but the scene has fragment operations");
 }
 
-// Reads the fields of a scene in their order: what one of them asks of another has been read then.
+// Reads the fields of a scene in an order in which each only depends on earlier ones.
 class SceneReader {
  public:
   Scene read(const json& value, const Path& path) {
@@ -151,7 +151,7 @@ class SceneReader {
   void read(const json& value, const Path& path, Limits limits, float& number) {
     number = read_float32(value, path, limits);
   }
-  // Of a width or a size, which is more than its lower limit.
+  // A width or a size, which must exceed its lower limit.
   void read(const json& value, const Path& path, Limits limits, Fixed& thickness) {
     thickness = read_fixed(value, path);
     if (thickness.to_double() <= limits.low || thickness.to_double() > limits.high)
@@ -186,7 +186,7 @@ class SceneReader {
     read_object(value, path, noun);
   }
 
-  // [x, y, width, height]; the limits are those of the sizes.
+  // [x, y, width, height]; the limits apply to the size.
   void read(const json& value, const Path& path, Limits limits, Viewport& box) {
     require_array(value, path, 4);
     const Limits corner{-limits.high, limits.high};
@@ -209,7 +209,7 @@ class SceneReader {
       read_passes(*passes, {path, kSupersampling});
   }
 
-  // [[x, y, weight], ...], 1 to kMaxPasses of them.
+  // [[x, y, weight], ...], 1 to kMaxPasses entries.
   void read_passes(const json& value, const Path& path) {
     if (scene_.target.samples != 1)
       throw Refusal(path.text() + " is there, but the target has several samples");
@@ -232,9 +232,9 @@ class SceneReader {
       throw Refusal(fmt::format("{} is {}, but it must be -1 to 2", path.text(), value.dump()));
     return place;
   }
-  void read(const json&, const Path&, Limits, Supersampling&) {}  // stands in the target
+  void read(const json&, const Path&, Limits, Supersampling&) {}  // its key is in the target
 
-  // Names, none of them twice; one at least, since a scene without is told by leaving out the key.
+  // Distinct names, at least one: a scene without details omits the key.
   void read(const json& value, const Path& path, Limits, Details& details) {
     require_array(value, path, value.size());
     if (value.empty()) throw Refusal(path.text() + " must have an element");
@@ -273,7 +273,7 @@ class SceneReader {
       throw Refusal(path.text() + " has \"multisampling\", but the target has one sample");
     read_object(value, path, draw);
   }
-  // A mask of all samples is that of Multisampling: nothing is masked.
+  // A mask of all samples becomes the default mask of Multisampling.
   void read(const json& value, const Path& path, Limits, Multisampling& multisampling) {
     read_object(value, path, multisampling);
     if (multisampling.mask == all_samples()) multisampling.mask = Multisampling().mask;
@@ -317,8 +317,8 @@ class SceneReader {
   }
 
   Scene scene_;
-  const Texture* texture_ = nullptr;  // whose levels are read
-  const Draw* draw_ = nullptr;        // whose vertices are read
+  const Texture* texture_ = nullptr;  // the texture whose levels are being read
+  const Draw* draw_ = nullptr;        // the draw whose vertices are being read
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A scene is written twice on its way, by who asks and by who checks the digest, and hundreds of
-// thousands of times by whoever measures a driver: it is formatted straight into the text.
+// A scene is written twice per request, by the sender and by the receiver, who checks the digest,
+// and hundreds of thousands of times to measure a driver: it is formatted straight into the text.
 #include <string_view>
 
 #include "wire/json_values.h"
@@ -37,7 +37,7 @@ class SceneWriter {
       if constexpr (HasFields<Value>) {
         if (field.key == nullptr) return write_members(value);
       }
-      // The passes of a supersampled scene stand in its target.
+      // The passes of a supersampled scene are written in its target.
       if constexpr (!std::is_same_v<Value, Supersampling>) {
         write_key(field.key);
         write(value);
@@ -64,7 +64,7 @@ class SceneWriter {
     text_.push_back(']');
   }
 
-  // What a line never says.
+  // Whether a value is never written; the general case.
   template <class Value>
   bool is_absent(const Value&) const {
     return false;
@@ -141,7 +141,7 @@ class SceneWriter {
     text_.push_back('}');
   }
 
-  // The names of those that are asked for.
+  // The names of the requested details.
   void write(const Details& details) {
     text_.push_back('[');
     for_each_field<Details>([&](const auto& field) {
@@ -154,14 +154,14 @@ class SceneWriter {
     text_.push_back(']');
   }
 
-  // Bits of the mask beyond the samples are left out.
+  // Bits of the mask beyond the target's samples are left out.
   void write(const Multisampling& multisampling) {
     Multisampling sent = multisampling;
     sent.mask &= (1U << scene_.target.samples) - 1;
     write_object(sent);
   }
 
-  // The numbers that its kind takes.
+  // Only the numbers that its kind takes.
   void write(const Lookup& lookup) {
     text_.push_back('{');
     for_each_field<Lookup>([&](const auto& field) {
@@ -185,7 +185,7 @@ class SceneWriter {
   fmt::memory_buffer& text_;
   Output out_;
   const Scene& scene_;
-  const Draw* draw_ = nullptr;  // whose vertices are written
+  const Draw* draw_ = nullptr;  // the draw whose vertices are being written
 };
 
 }  // namespace

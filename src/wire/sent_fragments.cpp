@@ -22,21 +22,21 @@ namespace edgecase::wire {
 
 namespace {
 
-// What is told of a fragment, beside where it is.
-enum Told : std::uint32_t { kDepth = 1, kColor = 2, kDetail = 4 };
+// Flags for the values that a fragment has, beside its position.
+enum Flag : std::uint32_t { kDepth = 1, kColor = 2, kDetail = 4 };
 
-// A run as it is sent: fragments of one primitive at neighbouring pixels of a row, of which the
-// same is told; one with a detail is a run of its own. As many bytes as any other, so that many go
-// at once.
+// A run as sent: fragments of one primitive at neighbouring pixels of a row that have the same
+// values; a fragment with a detail is a run of its own. All have the same size, so that many are
+// copied at once.
 template <class Number>
 struct SentRun {
   Number depth = 0;
   std::array<Number, 4> color{};
-  std::int32_t x = 0;  // of the first one
+  std::int32_t x = 0;  // of the first pixel
   std::int32_t y = 0;
   std::int32_t primitive = 0;
   std::uint32_t coverage = 0;
-  std::uint32_t told = 0;
+  std::uint32_t flags = 0;
   std::uint32_t length = 1;
 };
 static_assert(sizeof(SentRun<float>) == 44 && sizeof(SentRun<double>) == 64);
@@ -51,10 +51,9 @@ bool fit_floats(const Fragment& fragment) {
   return fits_float(fragment.depth) && std::ranges::all_of(fragment.color, fits_float);
 }
 
-std::uint32_t told_of(const Rendering& rendering, const Fragment& fragment) {
-  const bool has_detail =
-      fragment.detail >= 0 &&
-      tells_something(rendering.details[static_cast<std::size_t>(fragment.detail)]);
+std::uint32_t flags_of(const Rendering& rendering, const Fragment& fragment) {
+  const bool has_detail = fragment.detail >= 0 &&
+                          has_values(rendering.details[static_cast<std::size_t>(fragment.detail)]);
   return (fragment.has_depth ? kDepth : 0u) | (fragment.has_color ? kColor : 0u) |
          (has_detail ? kDetail : 0u);
 }
@@ -65,10 +64,10 @@ bool is_next_of_run(const Fragment& before, const Fragment& fragment) {
          have_equal_values(before, fragment);
 }
 
-// Fragments from `first` on, and what is told of them.
+// A run that starts at fragment `first`, and the flags of its values.
 struct Run {
   std::size_t first = 0;
-  std::uint32_t told = 0;
+  std::uint32_t flags = 0;
   std::uint32_t length = 1;
 };
 
@@ -76,12 +75,12 @@ std::vector<Run> runs_of(const Rendering& rendering) {
   const std::vector<Fragment>& fragments = rendering.fragments;
   std::vector<Run> runs;
   for (std::size_t i = 0; i < fragments.size(); ++i) {
-    const std::uint32_t told = told_of(rendering, fragments[i]);
-    if (i > 0 && told == runs.back().told && (told & kDetail) == 0 &&
+    const std::uint32_t flags = flags_of(rendering, fragments[i]);
+    if (i > 0 && flags == runs.back().flags && (flags & kDetail) == 0 &&
         is_next_of_run(fragments[i - 1], fragments[i]))
       ++runs.back().length;
     else
-      runs.push_back({i, told, 1});
+      runs.push_back({i, flags, 1});
   }
   return runs;
 }
@@ -96,17 +95,17 @@ SentRun<Number> sent(const Run& run, const Fragment& fragment) {
   result.y = fragment.y;
   result.primitive = fragment.primitive;
   result.coverage = fragment.coverage;
-  result.told = run.told;
+  result.flags = run.flags;
   result.length = run.length;
   return result;
 }
 
-// Each member is written where it stays: to copy a fragment that was just put together is several
-// times as slow, since the processor cannot load at once what it has yet to store in pieces.
+// Each member is written in its final place. Copying a freshly assembled fragment is several times
+// slower: the processor cannot load at once what it has yet to store in pieces.
 template <class Number>
 void receive(const SentRun<Number>& sent, std::span<Fragment> fragments) {
-  const bool has_depth = (sent.told & kDepth) != 0;
-  const bool has_color = (sent.told & kColor) != 0;
+  const bool has_depth = (sent.flags & kDepth) != 0;
+  const bool has_color = (sent.flags & kColor) != 0;
   const double depth = has_depth ? static_cast<double>(sent.depth) + 0.0 : 0;
   std::array<double, 4> color{};
   for (std::size_t i = 0; i < color.size() && has_color; ++i)
@@ -134,10 +133,10 @@ void write_as(Writer& io, const Rendering& rendering, const std::vector<Run>& ru
   io.bytes(sent_runs.data(), sent_runs.size() * sizeof(SentRun<Number>));
 }
 
-// All that a fragment must keep to but for its detail, of a whole run.
+// Checks a whole run for all conditions on fragments, except for details.
 template <class Number>
 void check_run(const SentRun<Number>& run, const Rendering& rendering, std::size_t primitives) {
-  if (run.length == 0 || ((run.told & kDetail) != 0 && run.length > 1))
+  if (run.length == 0 || ((run.flags & kDetail) != 0 && run.length > 1))
     throw Refusal(fmt::format("a run has {} fragments", run.length));
   const bool is_inside = run.x >= 0 && run.x < rendering.width && run.y >= 0 &&
                          run.y < rendering.height &&
@@ -153,8 +152,8 @@ void check_run(const SentRun<Number>& run, const Rendering& rendering, std::size
                               run.coverage, rendering.samples));
 }
 
-// How many fragments the next runs have: many times as many, it may be, as their bytes, so that
-// there is no room made for one before all are looked at.
+// The number of fragments in the next runs. It may be many times the number of their bytes, so all
+// runs are checked before any memory is reserved.
 template <class Number>
 std::size_t count_fragments(Reader io, std::size_t runs, const Rendering& rendering,
                             std::size_t primitives) {
@@ -170,7 +169,7 @@ std::size_t count_fragments(Reader io, std::size_t runs, const Rendering& render
   return count;
 }
 
-// How many of them have a detail, which is yet to be read.
+// Returns how many of them have a detail, which is yet to be read.
 template <class Number>
 int read_as(Reader& io, std::size_t primitives, Rendering& rendering) {
   std::vector<Fragment>& fragments = rendering.fragments;
@@ -182,18 +181,18 @@ int read_as(Reader& io, std::size_t primitives, Rendering& rendering) {
     io.bytes(&run, sizeof(run));
     fragments.resize(fragments.size() + run.length);
     receive(run, std::span(fragments).last(run.length));
-    if ((run.told & kDetail) != 0) fragments.back().detail = details++;
+    if ((run.flags & kDetail) != 0) fragments.back().detail = details++;
   }
   return details;
 }
 
 template <class Numbers>
-void drop_told_signs(std::optional<Numbers>& numbers) {
+void drop_signs(std::optional<Numbers>& numbers) {
   if (numbers) drop_signs_of_zero(*numbers);
 }
 template <class Numbers, std::size_t N>
-void drop_told_signs(std::array<std::optional<Numbers>, N>& parts) {
-  for (auto& numbers : parts) drop_told_signs(numbers);
+void drop_signs(std::array<std::optional<Numbers>, N>& parts) {
+  for (auto& numbers : parts) drop_signs(numbers);
 }
 
 }  // namespace
@@ -208,7 +207,7 @@ void write_fragments(Writer& io, const Rendering& rendering) {
   else
     write_as<double>(io, rendering, runs);
   for (const Run& run : runs)
-    if ((run.told & kDetail) != 0)
+    if ((run.flags & kDetail) != 0)
       carry(io, rendering.details[static_cast<std::size_t>(rendering.fragments[run.first].detail)]);
 }
 
@@ -225,14 +224,13 @@ void read_fragments(Reader& io, const Scene& scene, Rendering& rendering) {
     FragmentDetail& detail = rendering.details.emplace_back();
     carry(io, detail);
     check_detail(detail, scene.details, textured[static_cast<std::size_t>(fragment.primitive)]);
-    for_each_field<FragmentDetail>(
-        [&](const auto& field) { drop_told_signs(detail.*field.member); });
+    for_each_field<FragmentDetail>([&](const auto& field) { drop_signs(detail.*field.member); });
   }
 }
 
 namespace {
 
-// How many fragments each sample has; nothing where one lies outside.
+// The number of fragments at each sample; nothing if a fragment lies outside the target.
 std::optional<std::vector<std::uint32_t>> counted(const Rendering& rendering) {
   const std::size_t plane = rendering.pixel_index(0, rendering.height);
   std::vector<std::uint32_t> counts(plane * static_cast<std::size_t>(rendering.samples));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Fragments as bytes (wire/binary.h): the bulk of a rendering, in as few as it takes. For src/wire
-// alone.
+// Fragments and hits as few bytes (wire/binary.h), the bulk of a rendering, for use in src/wire
+// only.
 //
-// Neighbouring pixels of which the same is told, as of a primitive of one colour, go as a run. A
-// GL's values are float32 and are sent so; where one is not, all are sent as doubles.
+// Neighbouring pixels with equal values, as of a primitive of one colour, are sent as a run. A GL's
+// values are float32 and are sent as such; if one of them is not, all are sent as doubles.
 #pragma once
 
 #include "model/rendering.h"
@@ -13,47 +13,47 @@
 
 namespace edgecase::wire {
 
-// All fragments, then their details: one that tells nothing is none.
+// Writes all fragments, then their details. A detail without any value is not sent.
 void write_fragments(Writer& io, const Rendering& rendering);
 
-// The inverse, into a rendering of known size and samples. The lines of recordings tell no sign of
-// zero, and what is recorded is to be what was seen: -0 becomes 0. Throws a Refusal for fragments
-// that lie outside of the target, are of no primitive of the scene, cover none of its samples or
-// tell a detail that it does not ask for, and for more than kMostFragments.
+// The inverse, into a rendering of known size and samples. -0 becomes 0, because the lines of
+// recordings have no sign of zero and recorded values must equal the observed ones. Throws a
+// Refusal for fragments that lie outside the target, belong to no primitive of the scene, cover
+// none of its samples or have a detail that was not requested, and for more than kMostFragments.
 void read_fragments(Reader& io, const Scene& scene, Rendering& rendering);
 
-// -0 becomes 0.
+// Replaces -0 by 0.
 template <class Numbers>
 void drop_signs_of_zero(Numbers& numbers) {
   for (double& number : numbers) number += 0.0;
 }
 
-// Hits: those that count the fragments, as they do where no test discards
-// any, are not sent but counted again. For src/wire alone.
+// Hits that equal the number of fragments, as they do unless a test discards some, are not sent but
+// counted again.
 void write_hits(Writer& io, const Rendering& rendering);
 
-// Into a rendering that has its fragments; throws a Refusal where they lie outside of it. Are the
-// hits a count of the fragments? Otherwise they are whatever came.
+// Reads into a rendering that has its fragments; throws a Refusal if those lie outside the target.
+// Returns true if the hits were counted from the fragments, and false if they were sent.
 bool read_hits(Reader& io, Rendering& rendering);
 
 }  // namespace edgecase::wire
 
 namespace edgecase {
 
-// What must hold of a rendering that came as bytes before anybody looks at it: the limits within
-// which answer_line.h reads a line. For src/wire alone; throws a Refusal.
+// Checks of a rendering that came as bytes, with the same limits as answer_line.h applies to a
+// line. They throw a Refusal.
 
-// Does a fragment's detail have any of what details tell?
-bool tells_something(const FragmentDetail& detail);
+// Whether a fragment's detail has any value.
+bool has_values(const FragmentDetail& detail);
 
-// Does a detail tell what the request does not ask for, or what there is of textured draws alone?
+// Refuses a detail that was not requested, or that only textured draws have.
 void check_detail(const FragmentDetail& detail, Details asked, bool is_textured);
 
-// Sizes of planes and ranges of numbers; of a supersampled scene, of each pass. Fragments are
-// checked where they are read.
+// Checks sizes of planes and ranges of numbers, for each pass of a supersampled scene. Fragments
+// are checked when they are read.
 void check_rendering(const Rendering& rendering, const Scene& scene);
 
-// Hit counts that agree with fragments, which lie within the rendering.
+// Checks that hit counts agree with the fragments, which lie within the rendering.
 void check_hits(const Rendering& rendering, const Scene& scene);
 
 }  // namespace edgecase

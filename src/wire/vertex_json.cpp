@@ -20,8 +20,8 @@ float read_w(const json& value, const Path& path) {
   return read_float32(value, path, kPositive, "a float32 value of more than 0");
 }
 
-// Is `numerator * w / divisor` a float32 number? Rounding errors of both products are seen: a fused
-// multiply-add rounds once, and only an exact zero becomes one.
+// Whether `numerator * w / divisor` is exactly a float32 number. A fused multiply-add rounds only
+// once, and only an exact zero gives zero, so it detects rounding errors of both products.
 bool is_float32_quotient(double numerator, float w, double divisor) {
   const auto quotient = static_cast<float>(numerator * static_cast<double>(w) / divisor);
   return std::fma(numerator, static_cast<double>(w), -(static_cast<double>(quotient) * divisor)) ==
@@ -29,7 +29,7 @@ bool is_float32_quotient(double numerator, float w, double divisor) {
 }
 
 void check_products(const Vertex& vertex, const Path& path, const Viewport& viewport) {
-  // Twice the distance from the viewport's centre, over its size.
+  // Twice the distance from the viewport's centre.
   const double x = 2 * (vertex.position.x.to_double() - viewport.x) - viewport.width;
   const double y = 2 * (vertex.position.y.to_double() - viewport.y) - viewport.height;
   if (!is_float32_quotient(x, vertex.w, viewport.width) ||
@@ -39,7 +39,7 @@ void check_products(const Vertex& vertex, const Path& path, const Viewport& view
         fmt::format("{} has a position whose clip coordinates are no float32 values", path.text()));
 }
 
-// Multiples of 2^(e-30), 2^e the power of two at or below the largest magnitude, which is not 0.
+// Multiples of 2^(e-30), with 2^e the power of two at or below the largest magnitude, not 0.
 ClipPosition read_clip(const json& value, const Path& path) {
   require_array(value, path, 4);
   ClipPosition clip;
@@ -57,7 +57,7 @@ ClipPosition read_clip(const json& value, const Path& path) {
   return clip;
 }
 
-// The nearest multiple of 2^-16 to z/w, a tie up.
+// The multiple of 2^-16 nearest to z/w; ties go up.
 Fixed nearest_depth(const ClipPosition& clip) {
   const double unit = unit_of(clip);
   const auto steps = [&](float value) {
@@ -66,7 +66,7 @@ Fixed nearest_depth(const ClipPosition& clip) {
   return nearest_point({steps(clip.z), 0, steps(clip.w)}).x;
 }
 
-// Outside the clip volume there is no position: it is 0.
+// A vertex outside the clip volume has the position 0.
 void check_position(const Vertex& vertex, const Path& path, const Viewport& viewport) {
   const bool inside = is_in_clip_volume(*vertex.clip);
   const Point nearest = inside ? nearest_point(window_position(*vertex.clip, viewport)) : Point();

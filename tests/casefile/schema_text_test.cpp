@@ -73,11 +73,11 @@ TEST(SchemaNumber, HasAllDigits) {
 }
 
 TEST(SchemaNumber, IsAPowerInASentenceWhereItIsLargeOrSmall) {
-  EXPECT_EQ(number_words(-0x1p24), "-2^24");
-  EXPECT_EQ(number_words(0x1p-20), "2^-20");
-  EXPECT_EQ(number_words(0x1p19), "524288");
-  EXPECT_EQ(number_words(0x1p24 + 1), "16777217");
-  EXPECT_EQ(number_words(0), "0");
+  EXPECT_EQ(number_text(-0x1p24), "-2^24");
+  EXPECT_EQ(number_text(0x1p-20), "2^-20");
+  EXPECT_EQ(number_text(0x1p19), "524288");
+  EXPECT_EQ(number_text(0x1p24 + 1), "16777217");
+  EXPECT_EQ(number_text(0), "0");
   EXPECT_EQ(laid_out(R"({"a": "to @b", "b": "@b"})", {named("b", schema_number(0x1p64))}),
             "{\"a\": \"to 2^64\", \"b\": 18446744073709551616}\n");
 }

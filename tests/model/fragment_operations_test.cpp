@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "model/scene.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 
 namespace edgecase {
 namespace {
@@ -142,13 +142,13 @@ TEST(FragmentOperations, AreDescribed) {
   draw.primitive = Primitive::points;
   draw.vertices.resize(1);
   scene.draws = {draw};
-  EXPECT_EQ(scene_words(scene), "point (0, 0), 4x4, stencil8");
+  EXPECT_EQ(scene_text(scene), "point (0, 0), 4x4, stencil8");
   Draw& own = scene.draws[0];
   own.front_face = FrontFace::cw;
   own.cull = CullMode::front_and_back;
   own.polygon_offset = PolygonOffset();
   own.operations = {StencilTest(), {CompareFunction::less, false}, Blending(), {true, false, true}};
-  EXPECT_EQ(scene_words(scene),
+  EXPECT_EQ(scene_text(scene),
             "point (0, 0), front faces cw, culled front and back, offset, stencil test, depth "
             "less, depth not written, blended, mask r-b-, 4x4, stencil8");
 }

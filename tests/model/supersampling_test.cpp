@@ -9,7 +9,7 @@
 #include "exact/homogeneous.h"
 #include "exact/rational.h"
 #include "model/scene.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 
 namespace edgecase {
 namespace {
@@ -63,8 +63,8 @@ TEST(Passes, OfAGridOfOneAreTheSceneItself) {
 
 TEST(Passes, AreNamedFromOne) {
   const Supersampling passes = {{at(Fixed::kOne / 4, -Fixed::kOne), 1}, {at(1, 0), 65536}};
-  EXPECT_EQ(words_of_pass(passes, 0), "pass 1 of 2 (at 0.25, -1; weight 1)");
-  EXPECT_EQ(words_of_pass(passes, 1), "pass 2 of 2 (at 0.0000152587890625, 0; weight 65536)");
+  EXPECT_EQ(text_of_pass(passes, 0), "pass 1 of 2 (at 0.25, -1; weight 1)");
+  EXPECT_EQ(text_of_pass(passes, 1), "pass 2 of 2 (at 0.0000152587890625, 0; weight 65536)");
 }
 
 TEST(Passes, OfASceneThatIsNotSupersampledAreNone) {
@@ -210,7 +210,7 @@ TEST(Passes, WorkCountsPixelsGeneratedTexelsAndVertices) {
 TEST(Passes, TellScenesApartAndAreInTheirWords) {
   Scene scene = scene_of_both();
   scene.supersampling = {{kCentre, 1}};
-  EXPECT_THAT(scene_words(scene), testing::EndsWith(", 20x10, 1 pass"));
+  EXPECT_THAT(scene_text(scene), testing::EndsWith(", 20x10, 1 pass"));
   Scene other = scene;
   EXPECT_TRUE(same_scene(scene, other));
   other.supersampling[0].weight = 2;
@@ -219,7 +219,7 @@ TEST(Passes, TellScenesApartAndAreInTheirWords) {
   other.supersampling[0].at.y = Fixed();
   EXPECT_FALSE(same_scene(scene, other));
   other.supersampling.push_back({kCentre, 1});
-  EXPECT_THAT(scene_words(other), testing::EndsWith(", 20x10, 2 passes"));
+  EXPECT_THAT(scene_text(other), testing::EndsWith(", 20x10, 2 passes"));
 }
 
 }  // namespace

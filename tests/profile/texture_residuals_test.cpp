@@ -194,7 +194,7 @@ TEST(Tally, PrefersTheStandardWhereOthersDoAsWell) {
   Tally tally({"a", "b", "c"}, 1);
   EXPECT_EQ(tally.trait(TraitId("question")).alternative, "b");
   EXPECT_EQ(tally.trait(TraitId("question")).remark,
-            "nothing that is told tells the alternatives apart");
+            "no reported value distinguishes the alternatives");
   tally.add({true, true, false});
   EXPECT_EQ(tally.trait(TraitId("question")).alternative, "b");
   EXPECT_EQ(tally.trait(TraitId("question")).runner_up, "a");

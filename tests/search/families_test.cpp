@@ -16,7 +16,7 @@
 #include "casefile/scene/viewport.h"
 #include "generate/random_scenes.h"
 #include "generate/scene_parts.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "rules/all_rules.h"
 #include "rules/samples/sample_placement.h"
 #include "search/scene_source.h"

@@ -7,7 +7,7 @@
 
 #include "casefile/case_writer.h"
 #include "casefile/loader.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "search/scene_size.h"
 #include "search/steps.h"
 #include "tests/search/faulty_renderer.h"
@@ -45,7 +45,7 @@ TEST(Minimize, AFindThatAnySceneShowsComesDownToNothing) {
   FaultyRenderer renderer(crash_where([](const Scene&) { return true; }));
   const Minimized result = minimized(rich_scene(), renderer);
   EXPECT_EQ(result.end, MinimizeEnd::finished);
-  SCOPED_TRACE(scene_words(result.scene));
+  SCOPED_TRACE(scene_text(result.scene));
   const SceneSize size = size_of(result.scene);
   EXPECT_EQ(size.primitives, 1);
   EXPECT_EQ(size.draws, 1);

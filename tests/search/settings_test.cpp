@@ -7,7 +7,7 @@
 #include <string>
 
 #include "casefile/scene/viewport.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "search/scene_size.h"
 #include "tests/search/faulty_renderer.h"
 

@@ -3,7 +3,7 @@
 // Each step by itself: what it proposes where a renderer's fault leaves it one way only.
 #include <gtest/gtest.h>
 
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "search/steps.h"
 #include "tests/search/faulty_renderer.h"
 
@@ -135,7 +135,7 @@ TEST_F(Steps, CropsOnAllSides) {
     return at.x >= Fixed() && at.x < Fixed::from_integer(drawn.target.width) && at.y >= Fixed() &&
            at.y < Fixed::from_integer(drawn.target.height);
   });
-  SCOPED_TRACE(scene_words(result));
+  SCOPED_TRACE(scene_text(result));
   EXPECT_EQ(result.target.width, 1);
   EXPECT_EQ(result.target.height, 1);
   EXPECT_LT(result.draws[0].vertices[0].position.y, Fixed::from_integer(1));
@@ -150,8 +150,8 @@ TEST_F(Steps, CropsToThePixelsOfTheFind) {
     return std::optional<Failure>();
   });
   const Scene result = shrunk(crop_target, scene, renderer, true);
-  EXPECT_LE(result.target.width, 4) << scene_words(result);
-  EXPECT_LE(result.target.height, 3) << scene_words(result);
+  EXPECT_LE(result.target.width, 4) << scene_text(result);
+  EXPECT_LE(result.target.height, 3) << scene_text(result);
 }
 
 TEST_F(Steps, CropsToWhatIsNeeded) {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "tests/wire/scenes.h"
 #include "wire/message.h"
 #include "wire/rendering_json.h"

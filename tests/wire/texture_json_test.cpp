@@ -9,7 +9,7 @@
 #include <limits>
 #include <set>
 
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "tests/wire/scenes.h"
 #include "wire/request_line.h"
 

@@ -75,7 +75,7 @@ void Findings::add_key(const Place& place, std::string message, std::string reme
 }
 
 void Findings::note(const Place& place, std::string message) {
-  // Of a mesh's vertices, one note is enough.
+  // For the vertices of a mesh, one note suffices.
   const bool told =
       !notes_.empty() && notes_.back().pointer == place.pointer && notes_.back().message == message;
   if (told) return;

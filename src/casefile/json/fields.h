@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Reading typed values out of a JSON tree, with every fault collected and none thrown.
+// Reads typed values from a JSON tree; all faults are collected and none is thrown.
 //
-// A Place is a value together with its JSON pointer. Each reader returns the value, or nothing
-// after it has added a finding; the caller carries on with the next one, so that a person sees all
-// that is wrong with a file at once.
+// A Place is a value with its JSON pointer. Each reader returns the value, or adds a finding and
+// returns nothing; the caller then continues with the next value, so that a person sees all faults
+// of a file at once.
 #pragma once
 
 #include <cstddef>
@@ -24,11 +24,11 @@ struct Place {
   const JsonNode* node = nullptr;
   std::string pointer;
 
-  // The place of a child: a member of an object by its key, an item of an array by its index.
+  // The place of a child: a member of an object, or an item of an array, by its index.
   Place child(std::size_t index) const;
 };
 
-// What is found wrong with one file, and what was taken to be something else than written.
+// The faults of one file, and notes on values that were read differently from how they are written.
 class Findings {
  public:
   explicit Findings(std::string file) : file_(std::move(file)) {}
@@ -37,14 +37,14 @@ class Findings {
   // The same for the key of a member.
   void add_key(const Place& place, std::string message, std::string remedy);
   void add(Diagnostic diagnostic) { diagnostics_.push_back(std::move(diagnostic)); }
-  // Tells something that is no fault; once, when the same is told again at once.
+  // Reports something that is not a fault; an immediate repetition is ignored.
   void note(const Place& place, std::string message);
   void note(Diagnostic note) { notes_.push_back(std::move(note)); }
 
   bool empty() const { return diagnostics_.empty(); }
   std::size_t size() const { return diagnostics_.size(); }
   const std::string& file() const { return file_; }
-  // All findings, in the order of their lines.
+  // All findings, in order of lines.
   std::vector<Diagnostic> take();
   std::vector<Diagnostic> take_notes() { return std::move(notes_); }
 
@@ -54,23 +54,23 @@ class Findings {
   std::vector<Diagnostic> notes_;
 };
 
-// Which keys an object may have. `later` ones belong to the format but not to this version: they
-// are refused by name, since something that is ignored would pass for tested.
+// The keys of an object. `later` ones belong to the format but not to this version: they are
+// refused by name, since an ignored key would seem to be tested.
 struct Keys {
   std::vector<std::string> required;
   std::vector<std::string> optional;
   std::vector<std::string> later;
 };
 
-// An object whose keys have been checked. Invalid (and then without members) when the value is no
-// object.
+// An object whose keys have been checked. If the value is not an object, it is invalid and has no
+// members.
 class ObjectReader {
  public:
   // `what` names the object in messages: "a draw".
   ObjectReader(const Place& place, std::string_view what, const Keys& keys, Findings& findings);
 
   bool valid() const { return valid_; }
-  // The place of a member, or none when it is absent.
+  // The place of a member, or nothing if it is absent.
   std::optional<Place> find(std::string_view name) const;
 
  private:
@@ -80,7 +80,7 @@ class ObjectReader {
   bool valid_ = false;
 };
 
-// Whether the value is of this kind; adds a finding "WHAT must be ..., not ..." otherwise.
+// Returns true if the value has this JSON type; otherwise adds "WHAT must be ..., not ...".
 bool expect_kind(const Place& place, JsonKind kind, std::string_view what, Findings& findings);
 
 // A string of `least` to `most` characters without control characters; `lines` permits line breaks
@@ -96,7 +96,7 @@ constexpr TextLimits kPathLimits{1, 1000};  // of a file beside a case
 std::optional<std::string> read_text(const Place& place, std::string_view what, TextLimits limits,
                                      Findings& findings);
 
-// One of some names; those of the format that are not supported yet are refused as such.
+// One of some names; names of the format that are not supported yet are refused as such.
 struct Names {
   std::vector<std::string> allowed;
   std::vector<std::string> later;
@@ -104,7 +104,7 @@ struct Names {
 std::optional<std::string> read_choice(const Place& place, std::string_view what,
                                        const Names& names, Findings& findings);
 
-// The same into an enumeration that has a parse_name; leaves `value` alone when refused.
+// The same for an enumeration that has a parse_name; `value` is unchanged if the name is refused.
 template <class Enum>
 bool read_enum(const Place& place, std::string_view what, const Names& names, Findings& findings,
                Enum& value) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A decimal and a float32 number are equal when their significant digits and their orders of
-// magnitude are. Every float32 number is a finite decimal with 149 fraction digits at most, which
-// std::to_chars writes out.
+// A decimal equals a float32 number if both have the same significant digits and order of
+// magnitude. Every float32 number is a finite decimal with at most 149 fraction digits, which
+// std::to_chars writes in full.
 #include "casefile/json/float32.h"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ bool is_json_number(std::string_view text) {
   return at == text.size();
 }
 
-// 0.DIGITS times a power of ten, without zeros at either end of the digits; zero has none.
+// 0.DIGITS times a power of ten, without zeros at either end; zero has no digits.
 struct Magnitude {
   std::string digits;
   std::int64_t order = 0;
@@ -70,7 +70,7 @@ std::int64_t exponent_of(std::string_view text) {
   return negative ? -value : value;
 }
 
-// Of a decimal in JSON's grammar.
+// The magnitude of a decimal in JSON's grammar.
 Magnitude magnitude_of(std::string_view text) {
   if (text.starts_with('-')) text.remove_prefix(1);
   const std::size_t end = std::min(text.find_first_of("eE"), text.size());
@@ -95,7 +95,7 @@ std::string written(float value, std::chars_format format, int precision) {
   return {text.data(), end};
 }
 
-// Does the decimal stand for a multiple of 2^-16 that is this number, as exact/numeral.h takes it?
+// Whether exact/numeral.h reads the decimal as a multiple of 2^-16 equal to this number.
 bool is_multiple(std::string_view text, double value) {
   const auto numeral = parse_numeral(text);
   const Fixed* fixed = std::get_if<Fixed>(&numeral);
@@ -106,7 +106,7 @@ std::optional<Float32Numeral> parse_decimal(std::string_view text) {
   float value = 0;
   const char* end = text.data() + text.size();
   if (std::from_chars(text.data(), end, value).ec != std::errc()) {
-    // Too large, or so small that nothing but zero is near.
+    // Either too large, or so small that zero is nearest.
     const Magnitude magnitude = magnitude_of(text);
     if (magnitude.order > 0) return std::nullopt;
     value = 0;
@@ -127,7 +127,7 @@ std::optional<Float32Numeral> parse_float32(std::string_view text) {
   const auto fraction = parse_numeral(text);
   const Fixed* fixed = std::get_if<Fixed>(&fraction);
   if (fixed == nullptr) return std::nullopt;
-  // The magnitude is 2^40 at most, with 16 fraction bits.
+  // The magnitude is at most 2^40, with 16 fraction bits.
   const auto value = static_cast<float>(fixed->raw());
   const bool exact = static_cast<std::int64_t>(value) == fixed->raw();
   return Float32Numeral{std::ldexp(value, -Fixed::kFractionBits), exact, fixed->to_double()};
@@ -153,17 +153,17 @@ std::string short_decimal(float value) {
   return {text.data(), end};
 }
 
-// The exact sum is kept as doubles that do not overlap (J. R. Shewchuk, Adaptive Precision
-// Floating-Point Arithmetic, 1997): adding two doubles leaves an error that is a double itself, and
-// so is what a division leaves over. A quotient that is not exact is then taken towards zero and
-// its last bit set ("round to odd"), so that the second rounding, to float32, errs no more than one
-// rounding of the true quotient would: a double has more than two bits to spare.
+// The exact sum is a list of doubles that do not overlap (J. R. Shewchuk, Adaptive Precision
+// Floating-Point Arithmetic, 1997): the error of adding two doubles is itself a double, and so is
+// the remainder of a division. An inexact quotient is rounded towards zero and its last bit set
+// ("round to odd"), so that the second rounding, to float32, gives the same result as one rounding
+// of the true quotient: a double has more than two spare bits.
 
 namespace {
 
-// Doubles that do not overlap, from the least to the largest magnitude; zeros are left out.
+// Doubles that do not overlap, in increasing magnitude, without zeros.
 struct Expansion {
-  std::array<double, 10> parts{};  // as many as terms: 8, and the two of a product
+  std::array<double, 10> parts{};  // one for each of 8 terms, and the two of a product
   std::size_t size = 0;
 };
 
@@ -187,7 +187,7 @@ double nearest(const Expansion& sum) {
   return value;
 }
 
-// sum - quotient * divisor.
+// sum - quotient * divisor, exactly.
 Expansion left_over(Expansion sum, double quotient, double divisor) {
   const double product = quotient * divisor;
   add(-product, sum);
@@ -195,7 +195,7 @@ Expansion left_over(Expansion sum, double quotient, double divisor) {
   return sum;
 }
 
-// Of a quotient next to the true one: `lacks` has the sign of what it lacks.
+// Rounds a double next to the true quotient; `lacks` has the sign of true minus given quotient.
 double round_to_odd(double quotient, double lacks) {
   if (lacks == 0) return quotient;
   if ((lacks < 0) != (quotient < 0)) quotient = std::nextafter(quotient, 0.0);
@@ -207,7 +207,7 @@ double round_to_odd(double quotient, double lacks) {
 float nearest_quotient(std::span<const double> terms, double divisor) {
   Expansion sum;
   for (const double term : terms) add(term, sum);
-  // The first quotient may be two doubles away, the corrected one is next to the true one.
+  // The first quotient may be two doubles off; the corrected one is next to the true one.
   double quotient = nearest(sum) / divisor;
   quotient += nearest(left_over(sum, quotient, divisor)) / divisor;
   const double lacks = nearest(left_over(sum, quotient, divisor));

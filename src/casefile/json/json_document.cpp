@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Lines and digits come from the parser's own reading position: the text is fed through an iterator
-// that counts. When a value is reported, its last character has just been read; only a number has
-// been read one character too far, since nothing else tells where it ends.
+// Lines and digits come from the parser's read position: the text is fed through a counting
+// iterator. When a value is reported, its last character was just read; only after a number one
+// more character was read, since nothing else shows where it ends.
 #include "casefile/json/json_document.h"
 
 #include <fmt/format.h>
@@ -19,11 +19,11 @@ namespace edgecase {
 
 namespace {
 
-// Values of any kind in a file: 16 for each vertex that a case may have. In memory one is as large
-// as 100 characters.
+// The number of values of any kind in a file: 16 for each vertex that a case may have. In memory
+// each takes as much as 100 characters.
 constexpr std::size_t kMaxValues = std::size_t{1} << 20;
 
-// Reads characters and counts them in a place that outlives the parser's copies of it.
+// Reads characters and counts them in a variable that outlives the parser's copies of the iterator.
 class CountingIterator {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -101,7 +101,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   std::size_t last_read() const { return std::max<std::size_t>(consumed_, 1) - 1; }
 
   JsonNode* add(JsonKind kind);
-  bool room();  // for the value that was added last; else it is refused
+  bool room();  // for the value added last, which is refused otherwise
   bool number();
   bool open(JsonKind kind);
   bool close() {
@@ -121,11 +121,11 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   std::size_t consumed_ = 0;         // characters read by the parser
   std::size_t values_ = 0;           // in the tree
   std::vector<Open> open_;
-  JsonNode pending_;  // name, line and duplicate flag of the member that comes next
+  JsonNode pending_;  // name, line and duplicate flag of the next member
 };
 
-// Appends a value to what is open. Pointers to open nodes stay valid: a list of children grows only
-// while none of those children is open.
+// Appends a value to the innermost open node. Pointers to open nodes stay valid: a list of children
+// grows only while none of those children is open.
 JsonNode* TreeBuilder::add(JsonKind kind) {
   JsonNode node = std::exchange(pending_, {});
   node.kind = kind;
@@ -179,7 +179,7 @@ bool TreeBuilder::key(string_t& name) {
   return true;
 }
 
-// The pointer of the value that is about to be added.
+// The pointer of the value that is added next.
 std::string TreeBuilder::pointer_of_next() const {
   std::string result;
   for (std::size_t i = 0; i < open_.size(); ++i) {
@@ -212,7 +212,7 @@ bool TreeBuilder::parse_error(std::size_t position, const std::string& token,
   return false;
 }
 
-// What is checked before any parsing; none when all is well.
+// Checks before any parsing; nothing if there is no fault.
 std::optional<Diagnostic> check_bytes(std::string_view text, const std::string& file) {
   if (text.size() > kMaxFileBytes)
     return Diagnostic{file, 0, "", fmt::format("larger than {} bytes", kMaxFileBytes),
@@ -226,7 +226,7 @@ std::optional<Diagnostic> check_bytes(std::string_view text, const std::string& 
                       fmt::format("byte {} of the file is not UTF-8", *offset),
                       "save the file as UTF-8"};
   }
-  // The parser would take it for the end of the file.
+  // The parser would treat it as the end of the file.
   if (const auto nul = text.find('\0'); nul != text.npos) {
     const auto breaks = std::count(text.begin(), text.begin() + static_cast<long>(nul), '\n');
     return Diagnostic{file, static_cast<int>(breaks) + 1, "",

@@ -43,8 +43,8 @@ std::string on_one_line(const JsonPiece& piece) {
   return text + closing(piece);
 }
 
-// Appends the value, without its key. `column`: characters on the line before it; `after`: those
-// that follow it on its last line.
+// Appends the value, without its key. `column`: characters before it on its line; `after`:
+// characters behind it on its last line.
 void append(const JsonPiece& piece, std::size_t indent, std::size_t column, std::size_t after,
             std::string& text) {
   const std::string line = has_broken_part(piece) ? "" : on_one_line(piece);
@@ -106,12 +106,12 @@ std::string lay_out(const JsonPiece& piece) {
 
 namespace {
 
-// Where a child begins: an object's members begin with their keys.
+// The line where a child begins; a member begins with its key.
 int first_line(const JsonNode& child) {
   return child.name_line > 0 ? child.name_line : child.line;
 }
 
-// How many children stand on the line of the first.
+// The number of children on the line of the first.
 std::size_t on_first_line(const JsonNode& node) {
   const auto next = std::ranges::find_if(node.children, [&](const JsonNode& child) {
     return first_line(child) != first_line(node.children.front());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// JSON text laid out as a person would: two spaces to a level, and everything that fits on a line
-// stands on one. A library's printer puts each number of a vertex on a line of its own, or the
-// whole file on one.
+// JSON text laid out as a person would: two spaces per level, and everything that fits on one line
+// is on one. A library's printer puts each number of a vertex on its own line, or the whole file on
+// one.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,9 @@ struct JsonPiece {
   enum class Kind { scalar, array, object };
   Kind kind = Kind::scalar;
   std::string name;  // the key, inside an object
-  std::string text;  // a scalar as it is to stand
+  std::string text;  // a scalar as written
   std::vector<JsonPiece> children;
-  bool broken = false;       // one child a line even where all of it fits on one
+  bool broken = false;       // one child per line even if all of it fits on one
   std::size_t together = 1;  // children that share a line of a broken array
 };
 using Pieces = std::vector<JsonPiece>;
@@ -33,18 +33,17 @@ JsonPiece json_array(std::vector<JsonPiece> items);
 JsonPiece json_object(std::vector<JsonPiece> members);
 JsonPiece named(std::string name, JsonPiece piece);
 
-// The text, with a line break at its end. Lines have at most 100 characters where the values let
-// them.
+// The text, with a line break at its end. Lines have at most 100 characters if the values permit.
 std::string lay_out(const JsonPiece& piece);
 
-// The layout of case files: of a JSON text, the same values laid out as all files of a suite are.
+// The layout of case files: the values of a JSON text, laid out as all files of a suite are.
 //
-// What a person decided stays: which arrays and objects are broken into lines, how many vertices
-// share one, the order of keys, the digits of numbers. What nobody should have to think about is
-// set: indentation, spaces, the length of lines.
+// An author's decisions are kept: which arrays and objects are broken into lines, how many vertices
+// share one, the order of keys, the digits of numbers. Indentation, spaces and the length of lines
+// are normalized.
 
-// `root`: of a text that could be parsed. The result ends with a line break; laid out again it
-// stays as it is.
+// `root`: of a text that was parsed without fault. The result ends with a line break; laying it out
+// again changes nothing.
 std::string laid_out(const JsonNode& root);
 
 }  // namespace edgecase

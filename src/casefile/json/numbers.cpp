@@ -18,7 +18,7 @@ namespace edgecase {
 
 namespace {
 
-// A numeral's error is "what is wrong; how to put it right".
+// A numeral's error has the form "fault; remedy".
 void add_numeral_error(const Place& place, std::string_view what, const NumeralError& error,
                        Findings& findings) {
   const std::size_t cut = error.message.find("; ");
@@ -173,7 +173,7 @@ JsonPiece component_piece(float value) {
 
 JsonPiece color_piece(const std::array<float, 4>& color) {
   std::vector<JsonPiece> components;
-  const std::size_t count = color[3] == 1 ? 3 : 4;  // alpha is 1 if not said
+  const std::size_t count = color[3] == 1 ? 3 : 4;  // alpha is 1 by default
   for (std::size_t i = 0; i < count; ++i) components.push_back(component_piece(color[i]));
   return json_array(std::move(components));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers of a case file: exact coordinates, whole numbers and colours. All are judged by their
-// digits as written, never by a double that has rounded them already.
+// Numbers of a case file: exact coordinates, whole numbers and colours. They are judged by their
+// digits as written, not by a rounded double.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace edgecase {
 
-// Characters of a number that is written as a string, at most, as editors are told: of a
+// The largest numbers of characters in a number written as a string, as in the schema: of a
 // coordinate, and of a float32 number with all its digits.
 constexpr int kMostNumeralCharacters = 64;
 constexpr int kMostCharacters = 200;
@@ -30,7 +30,7 @@ struct FixedRange {
 };
 
 // An exact numeral, as a JSON number or a string (see exact/numeral.h), inside `range`. A "~"
-// numeral leaves a note that says which number was taken.
+// numeral adds a note with the number that was read.
 std::optional<Fixed> read_coordinate(const Place& place, std::string_view what, FixedRange range,
                                      Findings& findings);
 
@@ -50,18 +50,18 @@ struct Float32Range {
   float high = 0;
 };
 
-// What becomes of a number that is no float32 number: it is refused, unless "~" asks for the
-// nearest, which leaves a note; or the nearest is taken, as for all that is computed with anyway.
+// How to treat numbers that are no float32 numbers. `exact` refuses them, unless "~" requests the
+// nearest, with a note. `nearest` takes the nearest, for inputs of rounded computations.
 enum class Float32Kind { exact, nearest };
 
 // A decimal or fraction (casefile/json/float32.h), as a JSON number or a string, inside `range`.
 std::optional<float> read_float32(const Place& place, std::string_view what, Float32Range range,
                                   Float32Kind kind, Findings& findings);
 
-// Is it an array of so many items? Adds a finding otherwise.
+// Returns true if it is an array of `count` items; otherwise adds a finding.
 bool expect_count(const Place& place, std::string_view what, std::size_t count, Findings& findings);
 
-// N of them in an array.
+// An array of N such numbers.
 template <std::size_t N>
 std::optional<std::array<float, N>> read_float32s(const Place& place, std::string_view what,
                                                   Float32Range range, Float32Kind kind,
@@ -79,27 +79,27 @@ std::optional<std::array<float, N>> read_float32s(const Place& place, std::strin
   return values;
 }
 
-constexpr float kMaxColor = 18446744073709551616.0F;  // 2^64: a component's largest magnitude
+constexpr float kMaxColor = 18446744073709551616.0F;  // 2^64: the largest magnitude of a component
 
-// [r, g, b] or [r, g, b, a], each inside `range` and taken to the nearest float32; alpha is 1 if
-// not said.
+// [r, g, b] or [r, g, b, a], each inside `range` and rounded to the nearest float32; alpha is 1 by
+// default.
 std::optional<Color> read_color(const Place& place, std::string_view what, Float32Range range,
                                 Findings& findings);
 
-// Numbers and colours as a case file has them.
+// Numbers and colours in the form of case files.
 JsonPiece integer_piece(int value);
 
 // A colour's component: the shortest decimal whose nearest float32 it is; -0 is written as 0.
 JsonPiece component_piece(float value);
 
-// Red, green, blue and, where it is not 1, alpha.
+// Red, green, blue and, unless it is 1, alpha.
 JsonPiece color_piece(const std::array<float, 4>& color);
 
 // A finite float32 number with all its digits; -0 is written as 0.
 JsonPiece exact_piece(float value);
 JsonPiece exact_list(std::span<const float> values);
 
-// Their definitions in the schema: coordinate, float32, color and the like.
+// The definitions of coordinate, float32, color and the like in the schema.
 Pieces number_schemas();
 
 }  // namespace edgecase

@@ -27,7 +27,7 @@ const JsonPiece& find_blank(std::string_view name, const Pieces& blanks) {
   return *found;
 }
 
-// A line that ends on a backslash goes on after the blanks of the next one.
+// Joins a line that ends on a backslash with the next one, without the latter's indentation.
 std::string joined(std::string_view text) {
   std::string result;
   while (true) {
@@ -38,7 +38,7 @@ std::string joined(std::string_view text) {
   }
 }
 
-// The text of a string whose blanks are filled in.
+// A string with its placeholders filled in.
 std::string filled_text(std::string_view text, const Pieces& blanks) {
   std::string result;
   while (!text.empty()) {
@@ -50,7 +50,7 @@ std::string filled_text(std::string_view text, const Pieces& blanks) {
     double number = 0;
     const char* const last = piece.data() + piece.size();
     const bool is_number = std::from_chars(piece.data(), last, number).ptr == last;
-    result += is_number ? number_words(number) : piece;
+    result += is_number ? number_text(number) : piece;
     text = {end, text.end()};
   }
   return result;
@@ -103,7 +103,7 @@ Pieces schema_pieces(std::string_view text, const Pieces& blanks) {
   return filled_children(*document.root, blanks);
 }
 
-std::string number_words(double value) {
+std::string number_text(double value) {
   int exponent = 0;
   const bool is_power = std::fabs(std::frexp(value, &exponent)) == 0.5;
   if (is_power && std::abs(exponent - 1) >= 20)

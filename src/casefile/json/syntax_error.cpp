@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The parser knows where it stopped and little else. What people get wrong in JSON by hand is a
-// short list (a comma too many or too few, comments, single quotes, NaN, numbers as C writes them),
-// so the text round the place is held against that list.
+// The parser knows little more than where it stopped. Mistakes in JSON written by hand are few (a
+// comma too many or too few, comments, single quotes, NaN, numbers as in C), so the text around
+// that position is compared with a list of them.
 #include "casefile/json/json_document.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ std::string_view word_at(std::string_view text, std::size_t start) {
   return text.substr(start, end - start);
 }
 
-// Length of the string that opens at `start`, both quotes included where it is closed on its line.
+// The length of the string that opens at `start`, with both quotes if it closes on its line.
 std::size_t string_length(std::string_view text, std::size_t start) {
   std::size_t end = start + 1;
   while (end < text.size() && text[end] != '"' && text[end] != '\n')
@@ -44,7 +44,7 @@ std::size_t string_length(std::string_view text, std::size_t start) {
   return std::min(end + 1, text.size()) - start;
 }
 
-// Start of the string, word or single character that holds the byte at `offset`.
+// The start of the string, word or single character with the byte at `offset`.
 std::size_t token_start(std::string_view text, std::size_t offset) {
   for (std::size_t start = 0;;) {
     std::size_t length = 1;
@@ -58,13 +58,13 @@ std::size_t token_start(std::string_view text, std::size_t offset) {
   }
 }
 
-// The last character before `offset` that is no white space, or '\0'.
+// The last character before `offset` that is not white space, or '\0'.
 char previous_character(std::string_view text, std::size_t offset) {
   const std::size_t at = text.substr(0, offset).find_last_not_of(" \t\r\n");
   return at == std::string_view::npos ? '\0' : text[at];
 }
 
-// Whether a word is a number as JSON writes it.
+// Whether a word is a JSON number.
 bool is_json_number(std::string_view word) {
   std::size_t i = 0;
   const auto digits = [&] {

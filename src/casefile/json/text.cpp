@@ -100,7 +100,7 @@ std::string join_names(std::span<const std::string> names) {
 }
 
 std::string nearest_name(std::string_view name, std::span<const std::string> names) {
-  constexpr std::size_t kLongest = 80;  // no name that we know is longer
+  constexpr std::size_t kLongest = 80;  // no known name is longer
   if (name.empty() || name.size() > kLongest) return "";
   std::string nearest;
   std::size_t least = std::max<std::size_t>(name.size() > 2 ? 1 : 0, name.size() / 3) + 1;
@@ -116,7 +116,7 @@ std::string nearest_name(std::string_view name, std::span<const std::string> nam
 std::string suggest_names(std::string_view name, std::span<const std::string> names) {
   const std::string nearest = nearest_name(name, names);
   if (nearest.empty()) return fmt::format("allowed are {}", join_names(names));
-  constexpr std::size_t kMostListed = 30;  // a longer list hides the question
+  constexpr std::size_t kMostListed = 30;  // a longer list would hide the question
   if (names.size() > kMostListed) return fmt::format("did you mean {}?", quote(nearest));
   return fmt::format("did you mean {}? Allowed are {}", quote(nearest), join_names(names));
 }

@@ -21,8 +21,8 @@ TextFile read_text_file(const std::filesystem::path& file, std::size_t limit) {
     return {{}, "this is no regular file", "name a regular file"};
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return {{}, "the file cannot be opened", "check its permissions"};
-  // One byte more than allowed tells a file that is too large, even while it grows. Files are much
-  // smaller than they may be: room for the largest would cost more than reading them.
+  // Reading one byte more than allowed detects a file that is too large, even while it grows. Most
+  // files are much smaller, and memory for the largest would cost more than reading them.
   std::string text;
   std::array<char, 1 << 14> chunk;
   while (stream && text.size() <= limit) {

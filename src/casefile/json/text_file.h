@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads a whole text file of bounded size. Only regular files: a pipe or a device could keep a run
-// waiting for ever.
+// Reads a whole text file of bounded size. Only regular files are read: a pipe or a device could
+// block a run for ever.
 #pragma once
 
 #include <cstddef>
@@ -16,18 +16,18 @@ namespace edgecase {
 
 struct TextFile {
   std::optional<std::string> text;
-  std::string message;  // why there is none
+  std::string message;  // why there is no text
   std::string remedy;
 };
 
-// Never throws. A file of more than `limit` bytes is refused.
+// Never throws. Refuses a file of more than `limit` bytes.
 TextFile read_text_file(const std::filesystem::path& file, std::size_t limit);
 
-// Paths in a case file: meshes and images lie in the suite, so that a case file opens nothing else.
+// Paths in a case file: meshes and images must lie in the suite, so that it opens nothing else.
 
-// The file that a string names, relative to `case_file`. It must stay inside the suite: the nearest
-// folder named "cases" round the case file, or, where there is none, its own folder; else none, and
-// a finding. `kind` names what is looked for: "an OBJ file".
+// The file that a string names, relative to `case_file`. It must lie inside the suite: the nearest
+// folder named "cases" round the case file or, if there is none, its own folder. Otherwise nothing,
+// and a finding. `kind` describes the file: "an OBJ file".
 std::optional<std::filesystem::path> find_in_suite(const std::filesystem::path& case_file,
                                                    const Place& place, std::string_view kind,
                                                    Findings& findings);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kVertexDepth = 4;  // parts of /draws/I/vertices/J
 
-// "~0" is '~', "~1" is '/'; none for any other '~'.
+// "~0" is '~', "~1" is '/'; nothing for any other '~'.
 std::optional<std::string> unescape(std::string_view part) {
   std::string result;
   for (std::size_t i = 0; i < part.size(); ++i) {
@@ -51,7 +51,7 @@ JsonNode& append(JsonNode& parent, JsonKind kind, const std::string& name) {
   return parent.children.emplace_back(std::move(node));
 }
 
-// A coordinate of a vertex; z and w that the file leaves out of a window position are written in.
+// A coordinate of a vertex; z and w that a window position omits are added to the tree.
 JsonNode* coordinate_of(JsonNode& vertex, std::size_t index) {
   JsonNode* position = &vertex;
   if (vertex.kind == JsonKind::object) position = find_position(vertex);

@@ -19,14 +19,14 @@ namespace {
 constexpr int kFineBits = 48;  // fraction bits of steps and points
 constexpr int kSpareBits = kFineBits - Fixed::kFractionBits;
 constexpr std::int64_t kMostFine = std::int64_t{1} << (14 + kFineBits);  // 2^14 pixels
-// A factor has 2^58 units at most and a coordinate 2^62: the sum of two products fits in 122 bits.
+// Factors have at most 2^58 units, coordinates 2^62: a sum of two products fits in 122 bits.
 static_assert(kMaxAffineFactor == 1 << 10 && kMaxAffineShift == 1 << 14);
 
 std::int64_t fine(Fixed value) {
   return value.raw() * (std::int64_t{1} << kSpareBits);
 }
 
-// numerator / 2^bits to the nearest, ties up; clears `exact` where that is not the number itself.
+// numerator / 2^bits rounded to nearest, ties up; clears `exact` if that is not exact.
 Int128 shifted(Int128 numerator, int bits, bool& exact) {
   const Int128 unit = Int128{1} << bits;
   const Int128 quotient = (numerator + unit / 2) >> bits;

@@ -52,7 +52,7 @@ LoadedMesh parse_mesh(const std::string& obj_text) {
                                check.message),
                    check.remedy);
   tinyobj::ObjReaderConfig config;
-  config.vertex_color = false;  // no white where the file has no colours
+  config.vertex_color = false;  // otherwise missing colours become white
   tinyobj::ObjReader reader;
   if (!reader.ParseFromString(check.cleaned, "", config))
     return refused("the library cannot read it: " + reader.Error(), "write it anew");
@@ -117,7 +117,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-Words words_of(std::string_view line) {
+Words split_words(std::string_view line) {
   Words words;
   for (std::size_t at = line.find_first_not_of(" \t"); at < line.size();) {
     const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
@@ -154,10 +154,10 @@ class Checker {
   void check_vertex(const Words& words);
   void check_texture_coordinates(const Words& words);
   void check_face(const Words& words);
-  // A corner of a face, its indices counted from 1; none, and a fault, where the word is none.
+  // A corner of a face, with indices from 1; nothing, and a fault, if the word is not a corner.
   std::optional<std::string> corner_of(std::string_view word);
-  // An index counted from 1; none, and a fault, where it leads to nothing. `what` is indexed, of
-  // which `read` have been read, and the file has `all`.
+  // An index from 1; nothing, and a fault, if it is out of range. `what` names the indexed items:
+  // `read` of them have been read, and the file has `all`.
   std::optional<std::int64_t> index_from_one(std::int64_t index, const char* what,
                                              std::int64_t read, std::int64_t all);
   void refuse(std::string message, std::string remedy) {
@@ -177,13 +177,13 @@ class Checker {
 
 ObjCheck Checker::run() {
   for (const std::string_view line : lines_) {
-    const Words words = words_of(line);
+    const Words words = split_words(line);
     if (!words.empty() && words[0] == "v") ++all_vertices_;
     if (!words.empty() && words[0] == "vt") ++all_coordinates_;
   }
   for (const std::string_view line : lines_) {
     ++line_;
-    check_line(words_of(line));
+    check_line(split_words(line));
     if (!result_.message.empty()) return std::move(result_);
   }
   line_ = 0;
@@ -250,7 +250,7 @@ void Checker::check_texture_coordinates(const Words& words) {
 
 std::optional<std::int64_t> Checker::index_from_one(std::int64_t index, const char* what,
                                                     std::int64_t read, std::int64_t all) {
-  // Negative ones count back from those read so far.
+  // Negative indices count back from the last item read.
   const std::int64_t absolute = index < 0 ? read + 1 + index : index;
   const std::int64_t most = index < 0 ? read : all;
   if (absolute >= 1 && absolute <= most) return absolute;

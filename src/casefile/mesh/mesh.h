@@ -2,8 +2,8 @@
 //
 // Triangle meshes from OBJ files. The only user of the OBJ library, tinyobjloader.
 //
-// Triangles come in the order of the faces; faces with more corners are cut by the library, as it
-// sees fit. Normals, groups and materials are left out.
+// Triangles are in the order of the faces; the library splits faces with more corners in its own
+// way. Normals, groups and materials are ignored.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 
 namespace edgecase {
 
-constexpr std::size_t kMaxVertices = 65536;  // of a case, all draws together
+constexpr std::size_t kMaxVertices = 65536;  // of a case, over all draws
 
 struct MeshVertex {
   Vector position{};  // object space
@@ -33,8 +33,8 @@ struct MeshVertex {
 using Mesh = std::vector<MeshVertex>;
 
 struct LoadedMesh {
-  Mesh mesh;            // empty exactly when there is a message
-  std::string message;  // "LINE: what is wrong", without the file's name
+  Mesh mesh;            // empty exactly if there is a message
+  std::string message;  // "LINE: fault", without the file's name
   std::string remedy;
 };
 
@@ -43,11 +43,11 @@ LoadedMesh parse_mesh(const std::string& obj_text);
 // The meshes that the cases of one file use, each read once.
 class MeshShelf {
  public:
-  // `case_file` is what the paths of meshes are relative to (casefile/json/text_file.h).
+  // Paths of meshes are relative to `case_file` (casefile/json/text_file.h).
   explicit MeshShelf(std::filesystem::path case_file) : case_file_(std::move(case_file)) {}
 
-  // The mesh that a string names; null, and a finding, where there is none, or where the cases of
-  // the file use more vertices of meshes than kMost.
+  // The mesh that a string names. Null, and a finding, if there is none, or if the cases of the
+  // file use more than kMost vertices of meshes.
   const Mesh* find(const Place& place, Findings& findings);
 
  private:
@@ -60,25 +60,23 @@ class MeshShelf {
 
 // Checks the text of an OBJ file before a library reads it.
 //
-// The library takes a word that is no number for 0, leaves out faces that it does not understand,
-// and trusts indices. So every line is judged here first, and what is handed on are its vertices
-// texture coordinates and faces alone. What the format has beside (normals, names, groups,
-// materials) is checked no further and left out.
+// The library reads a malformed number as 0, skips faces that it does not understand, and trusts
+// indices. So every line is checked here first, and only vertices, texture coordinates and faces
+// are passed on. The rest of the format (normals, names, groups, materials) is ignored.
 struct ObjCheck {
-  // The first fault: its line, from 1 (0: the file as a whole). No fault: an empty message.
+  // The first fault: its line, from 1 (0: the whole file), and an empty message if there is none.
   std::size_t line = 0;
   std::string message;
   std::string remedy;
 
   std::string cleaned;        // OBJ text: "v", "vt" and "f" lines, indices from 1
-  std::size_t triangles = 0;  // that its faces make
-  bool has_colors = false;    // every vertex has one; else none has
+  std::size_t triangles = 0;  // made by its faces
+  bool has_colors = false;    // every vertex has one; otherwise none has
 };
 
-// Vertices: "v x y z", "v x y z 1" or "v x y z r g b", magnitudes up to 2^64. Texture
-// coordinates: "vt u", "vt u v" or "vt u v w", of which w is left out. Faces: 3 to 255 corners.
-// Refused: lines and points, curves and surfaces, files without faces or with more
-// triangles than a case may have.
+// Vertices: "v x y z", "v x y z 1" or "v x y z r g b", magnitudes up to 2^64. Texture coordinates:
+// "vt u", "vt u v" or "vt u v w", of which w is ignored. Faces: 3 to 255 corners. Refuses lines and
+// points, curves and surfaces, files without faces or with more triangles than a case may have.
 ObjCheck check_obj(std::string_view text);
 
 }  // namespace edgecase

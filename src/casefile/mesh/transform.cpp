@@ -92,7 +92,7 @@ const Keys kSidesKeys{{"left", "right", "bottom", "top", "near", "far"}, {}, {}}
 
 constexpr Float32Range kRange{-kMaxTransformNumber, kMaxTransformNumber};
 
-// The nearest float32 numbers: what is computed with them is rounded anyway.
+// The nearest float32 numbers, since computing with them rounds anyway.
 float read_number(const Place& place, std::string_view what, Findings& findings) {
   return read_float32(place, what, kRange, Float32Kind::nearest, findings).value_or(0);
 }
@@ -101,7 +101,7 @@ Vector read_vector(const Place& place, std::string_view what, Findings& findings
   return read_float32s<3>(place, what, kRange, Float32Kind::nearest, findings).value_or(Vector{});
 }
 
-// Numbers by name; false, and a finding, when one is missing or wrong.
+// Reads numbers by name; false, and a finding, if one is missing or wrong.
 bool read_named(const Place& place, std::string_view what, const Keys& keys,
                 const std::vector<std::pair<const char*, float*>>& names, Findings& findings) {
   const std::size_t before = findings.size();
@@ -137,7 +137,7 @@ Matrix read_rotation(const Place& place, Findings& findings) {
   return findings.size() == before ? rotation(degrees, axis) : kIdentity;
 }
 
-// The one member of an object that must have exactly one.
+// The only member of an object that must have exactly one.
 std::optional<Place> only_member(const Place& place, std::string_view what, const Keys& keys,
                                  Findings& findings) {
   const std::size_t before = findings.size();

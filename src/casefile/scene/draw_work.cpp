@@ -10,7 +10,7 @@ namespace edgecase {
 
 namespace {
 
-// Whole pixels from `left` to `right` and from `bottom` to `top`, the latter ones left out.
+// Whole pixels from `left` to `right` and from `bottom` to `top`; the latter are excluded.
 struct Box {
   std::int64_t left = 0;
   std::int64_t bottom = 0;
@@ -34,8 +34,8 @@ Box drawable(const Draw& draw, const Target& target) {
   return common(whole, {s.x, s.y, std::int64_t{s.x} + s.width, std::int64_t{s.y} + s.height});
 }
 
-// The pixels that a primitive touches lie in it: that of its vertices, `thickness` wider each way,
-// in whole pixels.
+// A box with all pixels that a primitive touches: that of its vertices, grown by `thickness` on
+// each side, in whole pixels.
 Box box_of(const ScenePrimitive& primitive, std::int64_t thickness) {
   const auto count = static_cast<std::size_t>(vertices_of(primitive.kind));
   Point low = primitive.vertices[0]->position;
@@ -49,8 +49,8 @@ Box box_of(const ScenePrimitive& primitive, std::int64_t thickness) {
           high.y.floor() + 1 + thickness};
 }
 
-// The pixels that hold the primitive's corners and all between them, where each corner lies before
-// the eye. Far beyond the window corners are drawn in: no target reaches there.
+// The pixels between a primitive's corners, inclusive, if each corner lies before the eye. Corners
+// far beyond the window are moved closer, where still no target reaches.
 std::optional<Box> box_of_corners(const ScenePrimitive& primitive) {
   constexpr std::int64_t kFar = std::int64_t{1} << 16;
   Box box{kFar, kFar, -kFar, -kFar};
@@ -67,7 +67,7 @@ std::optional<Box> box_of_corners(const ScenePrimitive& primitive) {
   return box;
 }
 
-// More than a length, in whole pixels.
+// An upper bound of a length, in whole pixels.
 std::int64_t whole_pixels(Fixed length) {
   return length.floor() + 1;
 }
@@ -84,14 +84,14 @@ std::int64_t most_pixels(const ScenePrimitive& primitive, const Box& drawable) {
   if (primitive.kind == PrimitiveKind::point)
     return common(box_of(primitive, whole_pixels(half(draw.point_size))), drawable).area();
   if (primitive.kind == PrimitiveKind::line) {
-    // In a column (a row, of a steep line) it rises by one pixel at most, and is less than 1.5
-    // times as high as wide.
+    // Per column (per row if steep) a line rises by at most one pixel, and its height is less than
+    // 1.5 times its width.
     const Box box = common(box_of(primitive, whole_pixels(half(draw.line_width))), drawable);
     const std::int64_t across = 2 * whole_pixels(draw.line_width) + 2;
     return std::min(box.area(), std::max(box.width(), box.height()) * across);
   }
-  // A triangle is at most half its box, and its border touches no more pixels than that of the box,
-  // twice over.
+  // A triangle is at most half its box, and its border touches at most twice as many pixels as the
+  // box's border.
   const Box box = box_of(primitive, 0);
   const std::int64_t inside = box.area() / 2 + 2 * (box.width() + box.height()) + 4;
   return std::min(inside, common(box, drawable).area());

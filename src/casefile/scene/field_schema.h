@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The properties of plain fields in a schema: titles, descriptions, limits and standards are those
-// of model/scene_fields.h, names those of the enumerations.
+// The properties of plain fields in a schema: titles, descriptions, limits and defaults come from
+// model/scene_fields.h, names from the enumerations.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace edgecase {
 
-// The definition that a value refers to; null: its type is told in its place.
+// The definition to which a value refers; null: its type is written in place.
 template <class Value>
 inline constexpr const char* kDefinition = nullptr;
 template <>
@@ -30,10 +30,10 @@ inline constexpr const char* kDefinition<std::optional<float>> = "float32";
 template <>
 inline constexpr const char* kDefinition<Fixed> = "coordinate";
 
-// A description with its limits.
+// A description with its limits filled in.
 std::string with_limits(std::string_view description, Limits limits);
 
-// "minimum" and "maximum"; of a width or size, "exclusiveMinimum".
+// "minimum" and "maximum"; for a width or size, "exclusiveMinimum".
 void add_limits(Limits limits, bool is_size, Pieces& members);
 
 template <class Value>
@@ -49,7 +49,7 @@ void add_type(Limits limits, Pieces& members) {
     add_limits(limits, std::is_same_v<Value, Fixed>, members);
 }
 
-// Has every plain field that is read from the list a description?
+// Whether every plain field that is read from the list has a description.
 template <HasFields Noun>
 constexpr bool are_described() {
   bool all = true;
@@ -57,7 +57,7 @@ constexpr bool are_described() {
   return all;
 }
 
-// One property for each plain field that the list describes, whoever reads it.
+// One property for each plain field with a description in the list, whoever reads it.
 template <HasFields Noun>
 Pieces field_schemas() {
   static_assert(are_described<Noun>(), "a key of case files has no description in scene_fields.h");

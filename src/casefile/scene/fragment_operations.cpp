@@ -35,7 +35,7 @@ Blending read_preset(const Place& place, Findings& findings) {
   return blending;
 }
 
-// A factor that is left out is no default, but a mistake, or one that plays no part.
+// A missing factor never means a default: it is a mistake, unless factors are ignored.
 void read_factor(const Place& term, const ObjectReader& object, const char* name,
                  BlendEquation equation, Findings& findings, BlendFactor& factor) {
   const auto place = object.find(name);
@@ -140,7 +140,7 @@ void read_stencil_format(const ObjectReader& object, TargetFields& fields, Findi
                  "write \"depth\": \"depth24\" or \"depth32f\", or remove one of the two");
 }
 
-// Nothing of it would count, and what is ignored would pass for tested.
+// These would have no effect, and ignored keys would seem to be tested.
 void refuse_clear_values_of_nothing(const ObjectReader& object, const TargetFields& fields,
                                     Findings& findings) {
   const auto refuse = [&](const char* key, const char* buffer, const char* remedy) {
@@ -181,7 +181,7 @@ DepthTest read_depth_test(const Place& place, Findings& findings) {
   return test;
 }
 
-// The keys of a face, for both, or {"front", "back"}.
+// The keys of one face for both, or {"front", "back"}.
 StencilTest read_stencil_test(const Place& place, Findings& findings) {
   constexpr const char* kFace = "a face of a stencil test";
   StencilTest test;
@@ -218,7 +218,7 @@ std::array<bool, 4> read_color_mask(const Place& place, Findings& findings) {
   return mask;
 }
 
-// A test on a buffer that the target does not have passes, whatever it asks.
+// A test on a buffer that the target lacks would always pass.
 void refuse_without_buffer(const ObjectReader& state, const TargetFields& target, const Draw& draw,
                            Findings& findings) {
   const auto refuse = [&](const char* key, const char* buffer, const char* remedy) {

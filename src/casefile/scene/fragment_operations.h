@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What becomes of fragments, as a draw's state and a target say it. First "blend" of a state: a
-// preset by its name, one term for all components, or a term for red, green and blue and one for
-// alpha (GL 4.6 core, 17.3.6).
+// Fragment operations in a draw's state and a target. First "blend" of a state: the name of a
+// preset, one term for all components, or separate terms for colour and alpha (GL 4.6 core,
+// 17.3.6).
 #pragma once
 
 #include <array>
@@ -16,15 +16,15 @@
 
 namespace edgecase {
 
-// A way of blending that a case file calls by name; its constant colour is 0.
+// A named kind of blending; its constant colour is 0.
 struct BlendPreset {
   const char* name;
   BlendTerm color;
   BlendTerm alpha;
 };
 
-// "Over" is compositing as Porter and Duff have it, of colours that alpha has not been multiplied
-// into, or has.
+// "over" is compositing as defined by Porter and Duff, for colours that are not, or are,
+// premultiplied by alpha.
 constexpr std::array<BlendPreset, 4> kBlendPresets{{
     {"over",
      {BlendEquation::add, BlendFactor::src_alpha, BlendFactor::one_minus_src_alpha},
@@ -43,36 +43,36 @@ constexpr std::array<BlendPreset, 4> kBlendPresets{{
 // A depth test that neither tests nor writes.
 inline constexpr const char* kDepthOff = "off";
 
-// Do the products play a part? `min` and `max` take colours without factors.
+// Whether factors apply; `min` and `max` ignore them.
 inline bool takes_factors(BlendEquation equation) {
   return equation != BlendEquation::min && equation != BlendEquation::max;
 }
 
-// What is faulty stays as Blending has it, and adds a finding.
+// Faults add a finding and leave the default of Blending.
 Blending read_blending(const Place& place, Findings& findings);
 
-// The inverse: the shortest form that says it.
+// The inverse, in the shortest form.
 JsonPiece blend_piece(const Blending& blending);
 
-// What a draw's state says of what becomes of fragments: stencil and depth test, blending, colour
-// mask, polygon offset (GL 4.6 core, 14.6 and 17.3), and what a target says of the buffers for it.
+// Fragment operations of a draw's state: stencil and depth test, blending, colour mask, polygon
+// offset (GL 4.6 core, 14.6 and 17.3), and the buffers of a target for them.
 
 // The keys of a target that read_target_operations reads.
 std::vector<std::string> target_operation_keys();
 
-// "stencil" and "depth_range" of a target whose other fields have been read. What stands without
-// its buffer is refused.
+// Reads "stencil" and "depth_range" of a target whose other fields have been read. Refuses keys
+// without their buffer.
 void read_target_operations(const ObjectReader& object, TargetFields& fields, Findings& findings);
 
 // The keys of a draw's state that read_fragment_operations reads.
 std::vector<std::string> fragment_operation_keys();
 
-// Into a draw of that target. A test without its buffer is refused, as is, beside supersampling,
-// all that is more than writing one fragment over the other.
+// Reads into a draw of that target. Refuses a test without its buffer and, with supersampling,
+// everything beyond overwriting fragments.
 void read_fragment_operations(const ObjectReader& state, const TargetFields& target, Draw& draw,
                               Findings& findings);
 
-// The inverse: members of a draw's "state". What equals the default is left out.
+// The inverse: members of a draw's "state" that differ from the defaults.
 std::vector<JsonPiece> fragment_operation_pieces(const Draw& draw);
 
 // Their definitions in the schema.

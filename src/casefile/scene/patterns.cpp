@@ -15,9 +15,8 @@
 namespace edgecase {
 namespace {
 
-// SplitMix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014): what case
-// files leave to a seed is the same on every machine.
-// 64 random bits; `state` starts as the seed.
+// SplitMix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014): results of
+// a seed are the same on every machine. Returns 64 random bits; `state` starts as the seed.
 std::uint64_t next_word(std::uint64_t& state) {
   state += 0x9E3779B97F4A7C15U;
   std::uint64_t word = state;
@@ -28,13 +27,13 @@ std::uint64_t next_word(std::uint64_t& state) {
 
 constexpr std::int64_t kUnitWeight = std::int64_t{1} << 16;
 
-// 0 to count - 1, at most 2^16 numbers.
+// A number from 0 to count - 1; `count` is at most 2^16.
 std::int64_t below(std::int64_t count, std::uint64_t& state) {
   const std::uint64_t word = next_word(state) >> 32;
   return static_cast<std::int64_t>((word * static_cast<std::uint64_t>(count)) >> 32);
 }
 
-// The first multiple of 2^-16, raw, that is not below i / n.
+// The first multiple of 2^-16, as raw units, at or above i / n.
 std::int64_t start_of_cell(std::int64_t i, int n) {
   return (i * Fixed::kOne + n - 1) / n;
 }
@@ -49,7 +48,7 @@ Point point_of_cell(int column, int row, int n, std::uint64_t& state) {
   return {x, within_cell(row, n, state)};
 }
 
-// numerator / denominator, neither of them negative, to the nearest whole number, a tie to even.
+// numerator / denominator, both nonnegative, rounded to nearest, ties to even.
 std::int64_t rounded_quotient(std::int64_t numerator, std::int64_t denominator) {
   const std::int64_t floor = numerator / denominator;
   const std::int64_t twice = 2 * (numerator % denominator);
@@ -151,7 +150,7 @@ TextureLevel image_of(PatternSize size, const TexelAt& texel_at) {
   return level;
 }
 
-// The stored number nearest to the sum of values times weights, divided.
+// The stored number nearest to the weighted sum of values over the divisor.
 float weighted_mean(std::span<const float> values, std::span<const int> weights, int divisor,
                     TextureFormat format) {
   std::array<double, 4> terms{};
@@ -164,8 +163,8 @@ float weighted_mean(std::span<const float> values, std::span<const int> weights,
   return nearest_quotient({terms.data(), values.size()}, divisor);
 }
 
-// (1 + cos(angle)) / 2 of an angle of `turned` / `quarter` quarter turns: exactly where that is
-// 0, 1/4, 3/4 or 1. Squares of texels' distances never make an odd number of quarter turns.
+// (1 + cos(angle)) / 2, where the angle is `turned` / `quarter` quarter turns. 0, 1/4, 3/4 and 1
+// are exact. Squared distances of texels never give an odd number of quarter turns.
 double raised_cosine(std::int64_t turned, std::int64_t quarter) {
   std::int64_t at = turned % (4 * quarter);
   if (at > 2 * quarter) at = 4 * quarter - at;

@@ -56,7 +56,7 @@ void read_plain(const Place& place, const char* title, Limits limits, Findings& 
   value = read_coordinate(place, title, range, findings).value_or(value);
 }
 
-// A decimal where it is short; a fraction says what 10.01171875 hides.
+// A short decimal if possible; otherwise a fraction, which is clearer than 10.01171875.
 JsonPiece plain_piece(Fixed value) {
   constexpr std::int64_t kReadable = Fixed::kOne / 16;
   if (value.raw() % kReadable == 0) return json_scalar(to_decimal(value));
@@ -64,8 +64,8 @@ JsonPiece plain_piece(Fixed value) {
 }
 
 std::string with_limits(std::string_view description, Limits limits) {
-  return fmt::format(fmt::runtime(description), fmt::arg("low", number_words(limits.low)),
-                     fmt::arg("high", number_words(limits.high)));
+  return fmt::format(fmt::runtime(description), fmt::arg("low", number_text(limits.low)),
+                     fmt::arg("high", number_text(limits.high)));
 }
 
 void add_limits(Limits limits, bool is_size, Pieces& members) {

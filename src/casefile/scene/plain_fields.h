@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Fields that stand in a case file under keys of their own, as a name, a flag or a number: they are
-// read and written from the lists of model/scene_fields.h. Fields with other forms, and those that
-// the lists call by_hand, are read and written beside their noun.
+// Fields with a key of their own in a case file, as a name, a flag or a number: they are read and
+// written by the lists of model/scene_fields.h. Other forms, and fields that the lists mark
+// by_hand, are read and written beside their noun.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,7 @@ std::vector<std::string> plain_keys() {
   return keys;
 }
 
-// Those of all fields, plain or not, that a case file must have.
+// The keys of all fields, plain or not, that a case file must have.
 template <HasFields Noun>
 std::vector<std::string> required_keys() {
   std::vector<std::string> keys;
@@ -53,7 +53,7 @@ std::vector<std::string> required_keys() {
   return keys;
 }
 
-// Reads one of them at its place. What is refused adds a finding, and the value stays.
+// Reads a plain field. If the value is refused, a finding is added and `value` is unchanged.
 template <HasNames Enum>
 bool read_plain(const Place& place, const char* title, Limits, Findings& findings, Enum& value) {
   return read_enum(place, title, {names_of<Enum>(), {}}, findings, value);
@@ -68,11 +68,11 @@ void read_plain(const Place& place, const char* title, Limits limits, Findings& 
                 float& value);
 void read_plain(const Place& place, const char* title, Limits limits, Findings& findings,
                 std::optional<float>& value);
-// A width or size, which is more than the lower limit.
+// A width or size, which must exceed the lower limit.
 void read_plain(const Place& place, const char* title, Limits limits, Findings& findings,
                 Fixed& value);
 
-// Reads all of them that an object has.
+// Reads all plain fields that an object has.
 template <HasFields Noun>
 void read_fields(const ObjectReader& object, Findings& findings, Noun& noun) {
   for_each_plain_field<Noun>([&](const auto& field) {
@@ -81,7 +81,7 @@ void read_fields(const ObjectReader& object, Findings& findings, Noun& noun) {
   });
 }
 
-// The keys of an object all of whose fields are plain; none is required.
+// The keys of an object with only plain fields, none of them required.
 template <HasFields Noun>
 const Keys& plain_object_keys() {
   static const Keys keys{{}, plain_keys<Noun>(), {}};
@@ -114,20 +114,20 @@ inline JsonPiece plain_piece(std::optional<float> value) {
 }
 JsonPiece plain_piece(Fixed value);
 
-// The member of a field, where it has another value than `standard`.
+// The member of a field, if its value differs from `standard`.
 template <class Field, class Noun>
 void add_field(const Field& field, const Noun& noun, const Noun& standard, Pieces& members) {
   if (noun.*field.member != standard.*field.member)
     members.push_back(named(field.case_key, plain_piece(noun.*field.member)));
 }
 
-// The members of all plain fields that have another value than `standard`.
+// The members of all plain fields whose value differs from `standard`.
 template <HasFields Noun>
 void add_fields(const Noun& noun, Pieces& members, const Noun& standard = {}) {
   for_each_plain_field<Noun>([&](const auto& field) { add_field(field, noun, standard, members); });
 }
 
-// An object of them.
+// An object of those members.
 template <HasFields Noun>
 JsonPiece plain_object_piece(const Noun& noun) {
   Pieces members;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Samples and places within a pixel in the schema of case files.
+// Samples and points within a pixel in the schema of case files.
 #include <string_view>
 
 #include "casefile/json/schema.h"

@@ -19,7 +19,7 @@ namespace edgecase {
 
 namespace {
 
-// Of all pixels of a target: the largest one with one each.
+// Over all pixels of a target: one for each pixel of the largest.
 constexpr int kMaxTargetSamples = 1 << 24;
 // Within a pixel: 0 to below 1.
 constexpr FixedRange kWithinPixel{Fixed(), Fixed::from_raw(Fixed::kOne - 1)};
@@ -48,7 +48,7 @@ SamplePositions read_positions(const Place& place, int samples, Findings& findin
   return positions;
 }
 
-// Nothing of it would count, and what is ignored would pass for tested.
+// These would have no effect, and ignored keys would seem to be tested.
 void refuse_of_one_sample(const ObjectReader& state, Findings& findings) {
   for (const std::string& name : multisampling_keys())
     if (const auto place = state.find(name))
@@ -119,7 +119,7 @@ constexpr FixedRange kRoundPixel{Fixed::from_integer(kLeastPlace),
                                  Fixed::from_integer(kLargestPlace)};
 constexpr FixedRange kRadii{Fixed::from_raw(1), kMaxRadius};
 
-// The one key that names a pattern; none, and a finding, where there is no such.
+// The only key that names a pattern; nothing, and a finding, if there is not exactly one.
 std::optional<Place> find_pattern(const Place& place, const ObjectReader& object,
                                   Findings& findings) {
   std::vector<std::string> given;
@@ -187,7 +187,7 @@ Pattern read_listed(const Place& place, FixedRange range, Findings& findings) {
   return pattern;
 }
 
-// As many as passes; those without a weight count 1.
+// Reads one weight for each pass; without weights each counts 1.
 void read_weights(const Place& place, Supersampling& passes, Findings& findings) {
   if (!expect_kind(place, JsonKind::array, "weights", findings)) return;
   const std::size_t count = place.node->children.size();
@@ -201,7 +201,7 @@ void read_weights(const Place& place, Supersampling& passes, Findings& findings)
                            .value_or(static_cast<int>(passes[i].weight));
 }
 
-// What the file says; `given`: does it say anything?
+// The filter of a file; `given`: whether the file has one.
 struct GivenFilter {
   ReconstructionFilter filter;
   bool given = false;
@@ -220,7 +220,7 @@ GivenFilter read_filter(const ObjectReader& object, Findings& findings) {
   return result;
 }
 
-// The passes as they are, where nothing is said of a filter; each counts 1.
+// The passes of a pattern without a filter; each counts 1.
 Supersampling as_listed(const Pattern& pattern) {
   Supersampling passes;
   for (const Point at : pattern) passes.push_back({at, 1});
@@ -263,7 +263,7 @@ void read_supersample(const ObjectReader& object, TargetFields& fields, Findings
                      "remove it, or \"samples\"");
   const std::size_t before = findings.size();
   const ObjectReader own(place, kSupersample, kSupersampleKeys, findings);
-  if (findings.size() != before) return;  // a pattern may hide behind an unknown key
+  if (findings.size() != before) return;  // an unknown key may be a misspelt pattern
   fields.supersampling = read_passes(place, own, findings);
   if (findings.size() != before) return;
   const std::size_t count = fields.supersampling.size();

@@ -15,7 +15,7 @@ namespace edgecase {
 
 namespace {
 
-// The finaliser of SplitMix64 (Steele, Lea, Flood 2014): a bijection of 64-bit words in which each
+// The finalizer of SplitMix64 (Steele, Lea, Flood 2014): a bijection of 64-bit words in which each
 // bit of the input flips half of the output's bits.
 std::uint64_t mix(std::uint64_t word) {
   word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9U;
@@ -28,8 +28,8 @@ float component(std::uint64_t level) {
   return static_cast<float>(level) / 255.0F;
 }
 
-// Value of a channel at a hue, 0 to 255; hues are in 1/2^32 of a turn. Full within a sixth of a
-// turn of the channel's own hue `centre`, falling linearly to nothing over the next sixth.
+// The value of a channel at a hue, 0 to 255; hues are in 1/2^32 of a turn. It is full within a
+// sixth of a turn of the channel's own hue `centre` and falls linearly to 0 over the next sixth.
 std::uint64_t channel(std::uint32_t hue, std::uint32_t centre) {
   constexpr std::uint64_t kSixth = (std::uint64_t{1} << 32) / 6;
   const std::uint32_t forward = hue - centre;
@@ -41,7 +41,7 @@ std::uint64_t channel(std::uint32_t hue, std::uint32_t centre) {
 
 constexpr std::uint64_t kGoldenTurn = 0x9E3779B9;  // 2^32 / golden ratio
 
-// Are the hues of two colours, so many steps from each other, a sixth of a turn apart or more?
+// Whether the hues of two colours, `steps` apart, differ by at least a sixth of a turn.
 bool hues_differ(std::uint64_t steps) {
   constexpr std::uint32_t kSixth = 0x2AAAAAAA;  // 2^32 / 6
   const auto turn = static_cast<std::uint32_t>(steps * kGoldenTurn);
@@ -68,7 +68,7 @@ Color salted_primitive(std::uint64_t hash, std::uint64_t primitive) {
   const auto hue = static_cast<std::uint32_t>((hash >> 32) + primitive * kGoldenTurn);
   const std::uint64_t salt = mix(hash + primitive + 1);
   const std::uint64_t peak = 192 + (salt & 63);
-  constexpr std::uint64_t kFloor = 64;  // so that no channel says nothing
+  constexpr std::uint64_t kFloor = 64;  // so that every channel matters
   Color color{0, 0, 0, 1};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint64_t level =
@@ -86,7 +86,7 @@ std::vector<std::uint64_t> salted_indices(Primitive primitive, std::size_t verti
   indices.reserve(vertices);
   for (std::size_t i = 0; i < vertices; ++i) indices.push_back(shared ? i : i / each);
   if (primitive != Primitive::line_loop || vertices < 2) return indices;
-  // A loop's last vertex stands between the one before it and the first.
+  // A loop's last vertex has two neighbours: the one before it and the first.
   std::uint64_t& last = indices.back();
   const std::uint64_t before = indices[vertices - 2];
   while (!hues_differ(last) || !hues_differ(last - before)) ++last;
@@ -95,8 +95,8 @@ std::vector<std::uint64_t> salted_indices(Primitive primitive, std::size_t verti
 
 namespace {
 
-// The vertices of all draws, with salted colours where the file gives none. Those of textured draws
-// have no use for any, and stay white.
+// The draws' vertices, with derived colours where the file gives none. Vertices of textured draws
+// need none and stay white.
 std::vector<Draw> fill_colors(const std::vector<DrawFields>& draws, std::uint64_t hash) {
   std::vector<Draw> result;
   std::uint64_t colors_before = 0;
@@ -116,7 +116,7 @@ std::vector<Draw> fill_colors(const std::vector<DrawFields>& draws, std::uint64_
   return result;
 }
 
-// One axis of a viewport, and what a vertex's coordinates along it are multiplied with.
+// One axis of a viewport, and the factor of a vertex's coordinates along it.
 struct Axis {
   char name = 'x';
   ViewportSide side;
@@ -128,7 +128,7 @@ void check_coordinate(const std::optional<Place>& place, const std::optional<Ine
   if (place && fault) findings.add(*place, fault->message, fault->remedy);
 }
 
-// A coordinate as each pass moves it; the first fault, if any.
+// Checks a coordinate as moved by each pass; returns the first fault, if any.
 std::optional<Inexactness> find_moved_inexactness(Fixed coordinate,
                                                   const std::vector<Fixed>& shifts,
                                                   const Axis& axis) {
@@ -147,7 +147,7 @@ std::optional<Inexactness> find_moved_inexactness(Fixed coordinate,
   return std::nullopt;
 }
 
-// A vertex in window coordinates reaches OpenGL as written, in each pass.
+// Checks that a vertex in window coordinates reaches OpenGL as written, in each pass.
 void check_exactness(const VertexFields& fields, const Shifts& shifts, const Viewport& viewport,
                      Findings& findings) {
   const Vertex& vertex = fields.vertex;
@@ -159,7 +159,7 @@ void check_exactness(const VertexFields& fields, const Shifts& shifts, const Vie
   check_coordinate(fields.z, find_depth_inexactness(vertex.z, vertex.w), findings);
 }
 
-// Clip coordinates stay within the clip volume, and where they land in range, in each pass.
+// Checks that in each pass clip coordinates stay in the clip volume, and window positions in range.
 bool check_passes(const Place& place, const Vertex& vertex, const Scene& scene,
                   Findings& findings) {
   for (const ShadingPass& pass : scene.supersampling) {
@@ -181,7 +181,7 @@ bool check_passes(const Place& place, const Vertex& vertex, const Scene& scene,
   return true;
 }
 
-// Where clip coordinates land; false, and a finding, where that is out of range.
+// Computes the window position of clip coordinates; false, and a finding, if it is out of range.
 bool place_vertex(const Place& place, const Viewport& viewport, Vertex& vertex,
                   Findings& findings) {
   place_clip_vertex(viewport, vertex);
@@ -194,7 +194,7 @@ bool place_vertex(const Place& place, const Viewport& viewport, Vertex& vertex,
   return false;
 }
 
-// Why a vertex outside the clip volume cannot be drawn in its draw; none where it can.
+// Why a draw cannot have this vertex outside the clip volume; nothing if it can.
 std::optional<Inexactness> find_clipping_fault(const Vertex& vertex, bool of_mesh, const Draw& draw,
                                                const Scene& scene) {
   const auto beyond =
@@ -213,7 +213,7 @@ std::optional<Inexactness> find_clipping_fault(const Vertex& vertex, bool of_mes
   return std::nullopt;
 }
 
-// Is a line cut in a place that no quotient of the model holds?
+// Whether a line is cut at a point that the model's quotients cannot represent.
 bool is_cut_too_fine(const ScenePrimitive& line) {
   if (line.kind != PrimitiveKind::line || !line.is_clipped) return false;
   const RationalClip from = rational_clip(*line.vertices[0], line.viewport);
@@ -269,7 +269,7 @@ Scene complete_scene(const TargetFields& target, const std::vector<DrawFields>& 
   scene.depth_range = target.depth_range;
   scene.draws = fill_colors(draws, hash);
   scene.supersampling = target.supersampling;
-  // Vertices of a faulty file have stand-in coordinates: nothing can be said about those.
+  // Vertices of a faulty file have placeholder coordinates, which must not be judged.
   if (!findings.empty()) return scene;
   check_pass_work(scene, target, findings);
   if (!findings.empty()) return scene;

@@ -92,12 +92,12 @@ TextureState read_state(const Place& place, const DrawContext& context, Draw& dr
   read_fragment_operations(object, context.target, draw, findings);
   TextureState texture = read_texture_state(object, context.textures, findings);
   draw.texture = texture.use;
-  // A flat lookup shows one texel all over: nobody means it who does not say so.
+  // Flat lookups would show one texel throughout, so that has to be requested.
   if (draw.texture && !object.find("interpolation")) draw.interpolation = Interpolation::smooth;
   return texture;
 }
 
-// `count` vertices make no whole primitives.
+// Refuses `count` vertices, which do not make whole primitives.
 void refuse_count(const Place& place, Primitive primitive, std::size_t count, Findings& findings) {
   const int each = vertices_of(kind_of(primitive));
   const bool connected = is_vertex_count(primitive, static_cast<std::size_t>(each) + 1);
@@ -136,7 +136,7 @@ void read_mesh(const Place& place, std::optional<Primitive> primitive,
     vertices = mesh_vertices(*mesh, place, defaults, findings);
 }
 
-// A part of a transform that has nothing to act on would pass for tested.
+// A part of a transform without any effect would seem to be tested.
 void check_use(const Transform& transform, TransformUse use, Findings& findings) {
   if (transform.affine_place && !use.affine)
     findings.add(*transform.affine_place, "affine maps move window coordinates, and none are given",
@@ -147,7 +147,7 @@ void check_use(const Transform& transform, TransformUse use, Findings& findings)
                  "give vertices as \"object\" or a mesh, or remove them");
 }
 
-// Moves the vertices of a draw; tells which parts of the case's transform acted on them.
+// Moves the vertices of a draw; returns which parts of the case's transform had an effect.
 TransformUse transform_draw(const std::optional<Place>& own, const Transform* of_case,
                             Findings& findings, std::vector<VertexFields>& vertices) {
   const std::size_t before = findings.size();
@@ -160,7 +160,7 @@ TransformUse transform_draw(const std::optional<Place>& own, const Transform* of
   return transform_vertices(of_case, vertices, findings);
 }
 
-// `use`: of the case's transform, by the draws that have none of their own.
+// `use`: of the case's transform, by draws without one of their own.
 DrawFields read_draw(const Place& place, const DrawContext& context, TransformUse& use,
                      Findings& findings) {
   const std::size_t before = findings.size();
@@ -194,7 +194,7 @@ DrawFields read_draw(const Place& place, const DrawContext& context, TransformUs
   else if (object.valid())
     findings.add(place, "a draw lacks \"vertices\"", "add \"vertices\": [...], or a \"mesh\"");
   const auto transform = object.find("transform");
-  // Vertices that were refused have stand-in numbers: nothing can be said of where they land.
+  // Refused vertices have placeholder numbers, whose positions must not be judged.
   if (findings.size() == before) {
     const TransformUse own =
         transform_draw(transform, context.transform, findings, fields.vertices);

@@ -34,14 +34,14 @@ const Keys kLevelsKeys{{}, {"colors"}, {}};
 const Keys kNoiseKeys{{"seed"}, {}, {}};
 constexpr std::uintmax_t kMostFileBytes = std::uintmax_t{64} << 20;
 
-// What a texture's source needs to know of it.
+// The properties of a texture that its source needs.
 struct Outline {
   TextureFormat format = TextureFormat::rgba8;
   std::optional<PatternSize> size;
   int dimensions = 2;
 };
 
-std::string words_of(PatternSize size) {
+std::string text_of(PatternSize size) {
   return fmt::format("{} x {}", size.width, size.height);
 }
 
@@ -73,7 +73,7 @@ std::optional<StoredTexel> read_texel(const Place& place, TextureFormat format,
   return stored_texel(*color, format);
 }
 
-// A list of colours; empty, and a finding, where one is faulty.
+// A list of colours; empty, and a finding, if one is faulty.
 std::vector<StoredTexel> read_texels(const Place& place, TextureFormat format, Findings& findings) {
   std::vector<StoredTexel> texels;
   if (!expect_kind(place, JsonKind::array, "a list of colours", findings)) return texels;
@@ -84,7 +84,7 @@ std::vector<StoredTexel> read_texels(const Place& place, TextureFormat format, F
   return texels;
 }
 
-// The same, but only so many; what is wrong is told once.
+// The same for a given number of colours; a fault is reported once.
 std::vector<StoredTexel> read_colors(const Place& place, std::span<const std::size_t> counts,
                                      TextureFormat format, Findings& findings) {
   const std::size_t before = findings.size();
@@ -150,18 +150,18 @@ Levels read_noise(const Place& place, const Outline& outline, Findings& findings
   return {noise_image(*outline.size, outline.format, static_cast<std::uint64_t>(*seed))};
 }
 
-// Does a picture have the size that the file says, if it does?
+// Checks that a picture has the size that the file gives, if any.
 bool is_sized(const Place& place, PatternSize found, const Outline& outline, Findings& findings) {
   if (!outline.size) return true;
   if (outline.size->width == found.width && outline.size->height == found.height) return true;
   findings.add(place,
                fmt::format("the picture has {} texels, and the texture's size is {}",
-                           words_of(found), words_of(*outline.size)),
+                           text_of(found), text_of(*outline.size)),
                "make them equal, or leave the size out");
   return false;
 }
 
-// One row of a picture, as wide as those that `level` holds already.
+// One row of a picture, as wide as the earlier rows of `level`.
 bool read_row(const Place& place, TextureFormat format, TextureLevel& level, Findings& findings) {
   const std::size_t before = findings.size();
   const std::vector<StoredTexel> row = read_texels(place, format, findings);
@@ -205,7 +205,7 @@ Levels read_picture(const Place& place, const Outline& outline, Findings& findin
   return {turned_over(level)};
 }
 
-// Why a file that was read cannot be a texture of this format; empty: it can.
+// Why an image file cannot be a texture of this format; empty if it can.
 std::string fault_of(const ImageFile& image, TextureFormat format) {
   if (!holds_floats(format) && image.bits != 8)
     return fmt::format("its components have {} bits, and {} holds 8", image.bits, name_of(format));
@@ -258,7 +258,7 @@ Levels read_source(const Place& place, const fs::path& case_file, const Outline&
   return read_file(place, case_file, outline, findings);
 }
 
-// The member that says what the image is.
+// The member that defines the image.
 std::optional<Place> find_source(const Place& place, const ObjectReader& object,
                                  Findings& findings) {
   std::vector<Place> given;
@@ -305,20 +305,20 @@ std::optional<Texture> read_texture(const Place& place, const fs::path& case_fil
   return Texture{outline.dimensions, outline.format, std::move(levels), mipmaps == "generated"};
 }
 
-// What the file says, as a key: equal exactly where the trees are.
-void append_words(const JsonNode& node, std::string& words) {
-  words += fmt::format("{}:{}:{}{}:{}{}(", static_cast<int>(node.kind), node.name.size(), node.name,
-                       node.text.size(), node.text, node.truth ? '1' : '0');
-  for (const JsonNode& child : node.children) append_words(child, words);
-  words += ')';
+// A key that is equal exactly for equal trees.
+void append_key(const JsonNode& node, std::string& key) {
+  key += fmt::format("{}:{}:{}{}:{}{}(", static_cast<int>(node.kind), node.name.size(), node.name,
+                     node.text.size(), node.text, node.truth ? '1' : '0');
+  for (const JsonNode& child : node.children) append_key(child, key);
+  key += ')';
 }
 
 }  // namespace
 
 std::shared_ptr<const Texture> TextureShelf::find(const Place& place, Findings& findings) {
-  std::string words;
-  append_words(*place.node, words);
-  if (const auto known = textures_.find(words); known != textures_.end()) return known->second;
+  std::string key;
+  append_key(*place.node, key);
+  if (const auto known = textures_.find(key); known != textures_.end()) return known->second;
   if (texels_ > kMost) {
     findings.add(place,
                  fmt::format("the textures of the file's cases have more than {} texels", kMost),
@@ -328,7 +328,7 @@ std::shared_ptr<const Texture> TextureShelf::find(const Place& place, Findings& 
   std::optional<Texture> texture = read_texture(place, case_file_, findings);
   if (!texture) return nullptr;
   for (const TextureLevel& level : texture->levels) texels_ += level.texels.size() / 4;
-  return textures_[words] = std::make_shared<const Texture>(std::move(*texture));
+  return textures_[key] = std::make_shared<const Texture>(std::move(*texture));
 }
 
 std::optional<TextureList> read_textures(const Place& place, TextureShelf& shelf,

@@ -30,7 +30,7 @@ const Keys& sampler_keys() {
   return keys;
 }
 
-// A name for both directions, or [s, t]; `dimensions` 0: not known.
+// A name for both directions, or [s, t]; `dimensions` 0: unknown.
 void read_wrap(const Place& place, int dimensions, Findings& findings, std::array<Wrap, 2>& wrap) {
   if (place.node->kind != JsonKind::array) {
     read_plain(place, "wrap", {}, findings, wrap[0]);
@@ -56,7 +56,7 @@ void read_border(const Place& place, const Texture* texture, Findings& findings,
   border = read_color(place, "a border", range, findings).value_or(border);
 }
 
-// What no texture can make good.
+// Checks conditions that do not depend on the texture.
 void check_ranges(const Place& place, const Sampler& sampler, Findings& findings) {
   if (sampler.min_lod > sampler.max_lod)
     findings.add(place,
@@ -70,7 +70,7 @@ void check_ranges(const Place& place, const Sampler& sampler, Findings& findings
                  "exchange them");
 }
 
-// What this texture cannot be asked for.
+// Checks that the texture has the levels that the sampler uses.
 void check_levels(const Place& place, const Sampler& sampler, const Texture& texture,
                   Findings& findings) {
   const TextureLevel& base = texture.levels.front();
@@ -101,7 +101,7 @@ Sampler read_sampler(const Place& place, const Texture* texture, Findings& findi
   return sampler;
 }
 
-// [[ds/dx, dt/dx], [ds/dy, dt/dy]], or [[ds/dx], [ds/dy]] of a one-dimensional texture.
+// [[ds/dx, dt/dx], [ds/dy, dt/dy]], or [[ds/dx], [ds/dy]] for a one-dimensional texture.
 void read_gradients(const Place& place, int dimensions, Findings& findings, Lookup& lookup) {
   if (!expect_kind(place, JsonKind::array, "gradients", findings)) return;
   if (place.node->children.size() != 2) {
@@ -155,7 +155,7 @@ Lookup read_lookup(const Place& place, int dimensions, Findings& findings) {
   return lookup;
 }
 
-// Which texture a number names; none, and a finding, where there is no such.
+// The texture with a number; nothing, and a finding, if there is none.
 std::optional<std::size_t> read_number(const Place& place,
                                        const std::optional<TextureList>& textures,
                                        Findings& findings) {
@@ -192,7 +192,7 @@ JsonPiece lookup_piece(const Lookup& lookup, int dimensions) {
     return json_object({named(name_of(lookup.kind), std::move(piece))});
   };
   switch (lookup.kind) {
-    case LookupKind::implicit:  // says nothing
+    case LookupKind::implicit:  // has no members
       break;
     case LookupKind::bias:
     case LookupKind::lod:

@@ -17,7 +17,7 @@ namespace edgecase {
 
 namespace {
 
-constexpr std::size_t kFewTexels = 16;  // written one by one, whatever they show
+constexpr std::size_t kFewTexels = 16;  // listed one by one, whatever the pattern
 
 PatternSize size_of(const TextureLevel& level) {
   return {level.width, level.height};
@@ -63,7 +63,7 @@ std::optional<JsonPiece> as_gradient(const TextureLevel& image, TextureFormat fo
   return named("gradient", colors_object({corners.data(), along_s ? 2U : 4U}, format));
 }
 
-// The number of the first texel, row by row, that differs from the first one; 0: there is none.
+// The index of the first texel, row by row, that differs from the first one; 0 if there is none.
 std::size_t first_change(const TextureLevel& image) {
   const auto& texels = image.texels;
   for (std::size_t at = 4; at < texels.size(); at += 4)
@@ -116,7 +116,7 @@ JsonPiece image_piece(const TextureLevel& image, TextureFormat format) {
   return as_picture(image, format);
 }
 
-// Of a chain in which every level has one colour.
+// A chain in which every level has a single colour.
 std::optional<JsonPiece> as_flat_levels(const Texture& texture) {
   std::vector<StoredTexel> colors;
   for (const TextureLevel& level : texture.levels) colors.push_back(texel_of(level, 0, 0));

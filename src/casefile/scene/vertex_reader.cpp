@@ -71,8 +71,8 @@ void read_position(const Place& place, Findings& findings, VertexFields& fields)
   if (count > 3) read_w(place.child(3), findings, vertex);
 }
 
-// Clip coordinates, checked and rounded, which is noted at `origin`. False, and a finding, when
-// they cannot be drawn.
+// Stores checked and rounded clip coordinates; rounding is noted at `origin`. False, and a finding,
+// if they cannot be drawn.
 bool set_clip(const ClipPosition& clip, const std::string& subject, const Place& origin,
               Findings& findings, VertexFields& fields) {
   if (const auto fault = find_clip_fault(clip, subject)) {
@@ -98,7 +98,7 @@ void read_object(const Place& place, Findings& findings, VertexFields& fields) {
                       .value_or(Vector{});
 }
 
-// The one way in which an object gives a vertex.
+// Reads the position of a vertex, which is given in exactly one way.
 void read_place(const Place& place, const ObjectReader& object, Findings& findings,
                 VertexFields& fields) {
   std::vector<Place> given;
@@ -129,7 +129,7 @@ void refuse_without_uv(const Place& place, const VertexDefaults& defaults, Findi
                defaults.dimensions == 1 ? "add \"uv\": [s]" : "add \"uv\": [s, t]");
 }
 
-// [s, t], or [s] of a one-dimensional texture.
+// [s, t], or [s] for a one-dimensional texture.
 void read_texture_coordinates(const Place& place, const ObjectReader& object,
                               const VertexDefaults& defaults, Findings& findings, Vertex& vertex) {
   const auto uv = object.find("uv");
@@ -150,7 +150,7 @@ void read_texture_coordinates(const Place& place, const ObjectReader& object,
             .value_or(0);
 }
 
-// In object space, to clip coordinates; false where it cannot be drawn.
+// Projects from object space to clip coordinates; false if the vertex cannot be drawn.
 bool project(const Transform* transform, Findings& findings, VertexFields& fields) {
   const Vector& object = *fields.object;
   const ClipPosition clip = clip_position(transform ? transform->matrix : kIdentity, object);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // The choice of a centre: let x have f fraction bits, f > 0. With a size of at least 2 the centre c
-// is whole, so x - c has f fraction bits too, and it is a float32 number exactly when
-// |x - c| < 2^(24-f). Each vertex thus confines the centre to an open interval; the centres that
-// suit all vertices are an intersection of intervals, found in one pass. Size 1 means a target one
-// pixel wide with all vertices inside it: differences below 1/2, always exact.
+// is whole, so x - c has f fraction bits too, and is a float32 number exactly if |x - c| <
+// 2^(24-f). Each vertex thus confines the centre to an open interval, and the permitted centres are
+// the intersection of all intervals, found in one pass. Size 1 means a target one pixel wide with
+// all vertices inside: differences are below 1/2 and always exact.
 //
-// A coordinate that is a float32 number itself has |x| < 2^(24-f), so the centre 0 suits all of
-// them at once: enlarging the viewport until 0 can be its centre always ends the search, unless a
-// vertex lies at the very end of the range, 8192.
+// A coordinate that is itself a float32 number has |x| < 2^(24-f), so the centre 0 suits all of
+// them: enlarging the viewport until its centre can be 0 always ends the search, unless a vertex
+// lies at the very end of the range, 8192.
 #include "casefile/scene/viewport.h"
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ int significant_bits(std::int64_t n) {
   return static_cast<int>(std::bit_width(magnitude)) - std::countr_zero(magnitude);
 }
 
-// What the vertices of a case ask of one side of the viewport. All in pixels, inclusive.
+// The vertices' conditions on one side of the viewport, in pixels, inclusive.
 struct Demands {
   int left = 0;   // the side starts here or further left
   int right = 0;  // and ends here or further right
@@ -50,8 +50,8 @@ struct Demands {
   int highest_centre = kNoBound;
 };
 
-// Pixels around a draw's vertices that what is drawn there may take up, beside the pixel that
-// every vertex needs to lie strictly inside.
+// The margin in pixels that a draw needs around its vertices, besides the pixel that keeps every
+// vertex strictly inside.
 int room_of(const Draw& draw) {
   const PrimitiveKind kind = kind_of(draw.primitive);
   if (kind == PrimitiveKind::triangle) return 0;
@@ -67,7 +67,7 @@ std::int64_t odd_part(float w) {
   return bits >> trailing_zeros(bits);
 }
 
-// A vertex with w asks that (x - c) w be a float32 number: |x - c| < 2^(24-f) over w's odd part.
+// For a vertex with w, (x - c) w must be a float32 number: |x - c| < 2^(24-f) over w's odd part.
 void demand(Fixed x, std::int64_t odd, int room, Demands& demands) {
   demands.left = std::min(demands.left, static_cast<int>(x.ceil()) - 1 - room);
   demands.right = std::max(demands.right, static_cast<int>(x.floor()) + 1 + room);
@@ -97,7 +97,7 @@ std::optional<ViewportSide> choose_side(const Demands& demands) {
   return fallback;
 }
 
-// Is a quotient's product with w a float32 number? Both count only up to powers of two.
+// Whether a quotient's product with w is a float32 number; powers of two do not matter.
 std::optional<Inexactness> find_product_inexactness(std::int64_t quotient, float w,
                                                     const std::string& shown) {
   // At most 24 + 24 bits.
@@ -194,7 +194,7 @@ std::optional<Inexactness> find_inexactness(Fixed coordinate, ViewportSide side,
         "{} is {} from the viewport's centre, {} significant bits where "
         "OpenGL's float32 holds {}",
         shown, to_decimal(coordinate - centre), significant_bits(difference), kSignificantBits));
-  // Clip coordinate: difference / (size / 2). Only an odd factor of the size can spoil it.
+  // Clip coordinate: difference / (size / 2). Only an odd factor of the size can be inexact.
   const std::int64_t odd = side.size >> std::countr_zero(static_cast<unsigned>(side.size));
   if (difference % odd == 0 && fits_float32(difference / odd))
     return find_product_inexactness(difference / odd, w,
@@ -218,14 +218,14 @@ float largest_of(const ClipPosition& clip) {
   return std::max({std::fabs(clip.x), std::fabs(clip.y), std::fabs(clip.z), std::fabs(clip.w)});
 }
 
-// n with 2^(e-30) the unit of the grid: its exponent.
+// The exponent of the grid's unit, 2^(e-30).
 int grid_exponent(const ClipPosition& clip) {
-  int exponent = 0;  // the largest = m 2^exponent, m from 1/2 on
+  int exponent = 0;  // largest = m 2^exponent, 1/2 <= m < 1
   std::frexp(largest_of(clip), &exponent);
   return exponent - 1 - kGridBits;
 }
 
-// Values of the largest magnitude at most: 2^31 units. Float32 numbers above 2^24 units are whole
+// Values are at most the largest magnitude: 2^31 units. Float32 numbers above 2^24 units are whole
 // already.
 float rounded(float value, int exponent) {
   const double units = std::nearbyint(std::ldexp(static_cast<double>(value), -exponent));
@@ -240,7 +240,7 @@ ClipPosition round_to_grid(const ClipPosition& clip) {
           rounded(clip.w, exponent)};
 }
 
-std::string words_of(const ClipPosition& clip) {
+std::string text_of(const ClipPosition& clip) {
   return fmt::format("({}, {}, {}, {})", short_decimal(clip.x), short_decimal(clip.y),
                      short_decimal(clip.z), short_decimal(clip.w));
 }
@@ -249,12 +249,12 @@ std::optional<Inexactness> find_clip_fault(const ClipPosition& clip, const std::
   if (!std::isfinite(clip.w) || !std::isfinite(clip.x) || !std::isfinite(clip.y) ||
       !std::isfinite(clip.z))
     return Inexactness{
-        fmt::format("{} has clip coordinates beyond float32, {}", subject, words_of(clip)),
+        fmt::format("{} has clip coordinates beyond float32, {}", subject, text_of(clip)),
         "use smaller numbers"};
   const float largest = largest_of(clip);
   if (largest >= kMinW && largest <= kMaxW) return std::nullopt;
   return Inexactness{
-      fmt::format("{} has clip coordinates {}, out of range", subject, words_of(clip)),
+      fmt::format("{} has clip coordinates {}, out of range", subject, text_of(clip)),
       fmt::format("keep the largest of |x|, |y|, |z| and |w| from {} to {}", exact_decimal(kMinW),
                   exact_decimal(kMaxW))};
 }
@@ -270,13 +270,13 @@ std::optional<Inexactness> find_volume_fault(const ClipPosition& clip, const std
       return Inexactness{
           fmt::format("{} lies outside the clip volume: its clip coordinates are {}, and {} is not "
                       "within -w and w",
-                      subject, words_of(clip), axis),
+                      subject, text_of(clip), axis),
           axis == 'z' ? "move it between the near and the far plane" : "move it into the view"};
   return std::nullopt;
 }
 
-// A coordinate counts at most 2^31 units, twice over: its window coordinate, times w, at most 2^31
-// times the sum below (model/scene.h's window_position), and is to be at most 2^46.
+// A coordinate is at most 2^31 units, doubled. Its window coordinate, times w, is at most 2^31
+// times the sum below (model/scene.h's window_position), and must be at most 2^46.
 bool fits_clipping(const Viewport& viewport) {
   constexpr int kMostUnits = 1 << 15;
   return viewport.width + std::abs(2 * viewport.x + viewport.width) <= kMostUnits &&

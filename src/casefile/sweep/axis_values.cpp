@@ -21,7 +21,7 @@ namespace {
 const Keys kRangeKeys{{"from", "to", "step"}, {}, {}};
 constexpr FixedRange kSwept{Fixed::from_integer(-kMaxSwept), Fixed::from_integer(kMaxSwept)};
 
-// A word like "triangle_strip": no numeral starts with a letter.
+// A name like "triangle_strip": no numeral starts with a letter.
 bool is_word(std::string_view text) {
   return !text.empty() && text[0] >= 'a' && text[0] <= 'z' &&
          std::all_of(text.begin(), text.end(), [](char c) {
@@ -36,7 +36,7 @@ AxisValue number_value(Fixed amount) {
   return value;
 }
 
-// Whether a text is a float32 number that no coordinate can be: too fine or too large for one.
+// The value of a float32 number that is too fine or too large for any coordinate.
 std::optional<float> beyond_coordinates(std::string_view text) {
   const auto number = parse_float32(text);
   if (!number || !number->exact || !(std::fabs(number->value) <= kMaxColor)) return std::nullopt;
@@ -92,7 +92,7 @@ void append_new(const Place& place, AxisValue value, std::vector<AxisValue>& val
   values.push_back(std::move(value));
 }
 
-// Is it an array of 1 to kMaxCases items?
+// Checks that it is an array of 1 to kMaxCases items.
 bool is_sound_list(const Place& place, const char* what, Findings& findings) {
   if (!expect_kind(place, JsonKind::array, what, findings)) return false;
   const std::size_t count = place.node->children.size();

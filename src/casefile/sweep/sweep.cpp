@@ -18,7 +18,7 @@ namespace {
 
 const Keys kAxisKeys{{}, {"set", "add_to", "values", "range", "points", "base", "zip"}, {}};
 
-// The one of some keys that is given; a finding when there is none, or more than one.
+// The only given key of `names`; nothing, and a finding, if there is not exactly one.
 std::optional<std::string> only_one(const Place& place, const ObjectReader& object,
                                     std::span<const std::string> names, Findings& findings) {
   std::vector<std::string> given;
@@ -115,7 +115,7 @@ SweepAxis read_axis(const Place& place, Findings& findings) {
   return axis;
 }
 
-// Two axes that set one place: the first would do nothing, and pass for tested.
+// If two axes set one value, the first has no effect and would seem to be tested.
 void check_overlaps(const Sweep& sweep, Findings& findings) {
   std::map<Tokens, const SweepAxis*> setters;
   for (const SweepAxis& axis : sweep.axes) {
@@ -190,7 +190,7 @@ Sweep read_sweep(const Place& place, Findings& findings) {
     sweep.axes.push_back(read_axis(place.child(i), findings));
   make_groups(sweep);
   check_overlaps(sweep, findings);
-  // Where an axis is faulty, its number of values says nothing.
+  // The number of values of a faulty axis is meaningless.
   if (findings.size() != before) return sweep;
   for (const auto& group : sweep.groups) check_group(place, sweep, group, findings);
   return sweep;
@@ -200,7 +200,7 @@ namespace {
 
 constexpr std::size_t kCountLimit = std::size_t{1} << 32;
 
-// A value on its way to a place of the tree.
+// A value and its destination in the tree.
 struct Move {
   const AxisTarget* target = nullptr;
   const SweepAxis* axis = nullptr;
@@ -215,7 +215,7 @@ std::vector<Move> moves_of(const Sweep& sweep, const Combination& combination, b
     for (const AxisTarget& target : axis.targets)
       moves.push_back({&target, &axis, &axis.values[combination[a]]});
   }
-  // What sets a whole vertex must not undo what sets one of its coordinates.
+  // Setting a whole vertex must not undo setting one of its coordinates.
   std::stable_sort(moves.begin(), moves.end(), [](const Move& a, const Move& b) {
     return a.target->tokens.size() < b.target->tokens.size();
   });
@@ -229,7 +229,7 @@ void set_lines(JsonNode& node, int line) {
   }
 }
 
-// Replaces a value, and leaves its key and line.
+// Replaces a value but keeps its key and line.
 void overwrite(JsonNode& node, const JsonNode& value) {
   node.kind = value.kind;
   node.text = value.text;
@@ -250,7 +250,7 @@ void set(const Move& move, JsonNode& root, Findings& findings) {
                    findings);
     return;
   }
-  // A position leaves the vertex its colour.
+  // A vertex keeps its colour when its position is set.
   if (move.axis->points && node->kind == JsonKind::object &&
       move.value->node.kind == JsonKind::array) {
     if (JsonNode* position = find_position(*node)) {

@@ -58,7 +58,7 @@ Viewport octant_of(Viewport rectangle, int octant, const Target& target) {
   return rectangle;
 }
 
-// About the viewport's centre, which turns with the target. -0 becomes 0.
+// Turns about the viewport's centre, which itself turns with the target. -0 becomes 0.
 void turn_clip(ClipPosition& clip, int octant) {
   if (octant & 1) clip.x = 0.0F - clip.x;
   if (octant & 2) clip.y = 0.0F - clip.y;
@@ -78,14 +78,14 @@ void turn_vertex(VertexFields& fields, int octant, const Target& target) {
   std::swap(fields.x, fields.y);
 }
 
-// Gradients that a lookup gives are changes along the window's x and y. -0 becomes 0.
+// Gradients of a lookup are changes along the window's x and y. -0 becomes 0.
 void turn_gradients(Lookup& lookup, int octant) {
   for (float& change : lookup.dx) change = 0.0F + ((octant & 1) ? -change : change);
   for (float& change : lookup.dy) change = 0.0F + ((octant & 2) ? -change : change);
   if (octant & 4) std::swap(lookup.dx, lookup.dy);
 }
 
-// A sample turns about its pixel's centre as the pixel turns within the target, and keeps its
+// A sample turns about its pixel's centre, as the pixel turns within the target, and keeps its
 // index.
 void turn_position(Point& within, int octant) {
   if (octant & 1) within.x = Fixed::from_integer(1) - within.x;
@@ -156,7 +156,7 @@ void check_vertex(const VertexFields& fields, const char* mover, Findings& findi
           "move the vertex nearer to the target");
 }
 
-// The image of a pixel's left side is the right one, which belongs to the next pixel.
+// The image of a pixel's left side is its right side, which belongs to the next pixel.
 void check_positions(const TargetFields& target, const char* mover, Findings& findings) {
   for (const Point within : target.target.sample_positions)
     if (std::max(within.x, within.y) >= Fixed::from_integer(1)) {

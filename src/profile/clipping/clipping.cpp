@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kShare = 100;
 constexpr std::size_t kLeast = 40;
 constexpr int kSize = 32;  // pixels
-// Generators of one seed and different purpose have nothing in common.
-constexpr std::uint64_t kStreams = 0x5f00;  // and a ClipPlace
+// Generators of one seed with different purposes are independent.
+constexpr std::uint64_t kStreams = 0x5f00;  // plus a ClipPlace
 
 std::size_t count_of(std::size_t scenes_per_kind) {
   return std::max(kLeast, scenes_per_kind / kShare);
@@ -33,7 +33,7 @@ float inside(RandomSource& random) {
   return clip_of(random.between(-8 * kSize + 1, 8 * kSize - 1));
 }
 
-// So many pixels beyond the side, or the one across.
+// A coordinate `least` to `most` pixels beyond one side or the opposite one.
 float beyond(RandomSource& random, std::int64_t least, std::int64_t most) {
   const std::int64_t sixteenths = 8 * kSize + random.between(16 * least + 1, 16 * most);
   return clip_of(random.sign() * sixteenths);
@@ -68,7 +68,7 @@ std::size_t scene_count(std::size_t scenes_per_kind) {
   return values_of<ClipPlace>().size() * count_of(scenes_per_kind);
 }
 
-// Under which alternatives of clip.volume is the triangle drawn as it was seen?
+// For each alternative of clip.volume, whether it draws the triangle as observed.
 std::vector<bool> yields_of(const Observation& seen, CoverageChoice choice) {
   const auto primitives = primitives_of(seen.scene);
   std::vector<bool> yields;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Clipping: random triangles that leave the clip volume in one way each, at the sides by little, by
+// Clipping: random triangles that leave the clip volume in one way each: at the sides by little, by
 // much and beyond any guard band, at near, at far, and behind the eye.
 #pragma once
 
@@ -29,12 +29,12 @@ inline constexpr auto kNames<ClipPlace> =
                                      {ClipPlace::far, "far"},
                                      {ClipPlace::behind, "behind"}});
 
-// One triangle, two of its vertices in the volume. Those within it lie on multiples of 1/16 pixel,
-// so that no snapping moves them; a renderer snaps only the vertices that clipping makes.
+// One triangle with two vertices in the volume, on multiples of 1/16 pixel, so that no snapping
+// moves them; a renderer snaps only the vertices that clipping makes.
 Scene clip_scene(std::uint64_t seed, Surface surface, ClipPlace place, std::uint64_t index);
 
-// clip.volume of each place, and of all of them, by the coverage that its alternatives yield of
-// whole triangles. A hundredth of the scenes is drawn of each place.
+// clip.volume for each place, and for all of them, by the coverage of whole triangles under its
+// alternatives. A hundredth of the scenes is drawn for each place.
 extern const Subject kClippingSubject;
 
 }  // namespace edgecase

@@ -14,9 +14,9 @@ namespace edgecase {
 
 // ---------------------------------------------------------------------------------------- diamonds
 
-// Lines with one end at a place of a diamond. For each direction, end and place the far ends and
-// the points of the place are tried in turn, and the first lines taken that hang on no other tie;
-// where all do, any line is taken.
+// Lines with one end at a place of a diamond. For each direction, end and place, the far ends and
+// the points of the place are tried in turn, and the first lines that depend on no other tie are
+// taken; if there are none, any line is.
 
 namespace {
 
@@ -25,22 +25,22 @@ constexpr PixelPosition kPixel{7, 8};
 constexpr int kVariants = 4;
 constexpr std::int64_t kOne = Fixed::kOne;
 
-// Along the place, by variant: two that a grid of 1/16 holds, one of 1/256, one of 2^-16. Those
+// Distances along the place, by variant: two on a grid of 1/16, one on 1/256, one on 2^-16. Those
 // inside and outside are divided by 2 and 4.
 constexpr std::array<std::int64_t, kVariants> kAlong{kOne / 4, kOne * 5 / 16, kOne * 36 / 256,
                                                      kOne / 2 - 5420};
 
-// The far ends, seen from the near one, along the major axis in sixteenths of a pixel, nearest
+// The far ends relative to the near one, in sixteenths of a pixel along the major axis, nearest
 // first, and across it.
 struct Away {
   std::int64_t along;
   std::int64_t across;
 };
 
-// The first octant's vector with these components turned into a direction's octant or axis.
+// Turns the first octant's vector with these components into a direction's octant or axis.
 RawVector turned_into(LineDirection direction, Away away) {
   const int number = static_cast<int>(direction);
-  // Mirrored into the first quarter, then into the first half of it.
+  // Mirrored into the first quarter, then into its first half.
   const int in_half = number <= 8 ? number : 16 - number;
   const int in_quarter = in_half <= 4 ? in_half : 8 - in_half;
   RawVector v{away.along * kOne / 16, away.across * kOne / 16};
@@ -58,7 +58,7 @@ bool is_diagonal(LineDirection direction) {
   return static_cast<int>(direction) % 4 == 2;
 }
 
-// Vectors of a direction, 3 to 6 pixels long; `variant` says where to begin.
+// Vectors of a direction, 3 to 6 pixels long; `variant` determines the first one.
 std::vector<RawVector> vectors_of(LineDirection direction, int variant) {
   std::vector<RawVector> result;
   for (int i = 0; i < 48; ++i) {
@@ -85,13 +85,13 @@ bool lies_in_a_diamond(Point p) {
   return place_in_pixel(p, pixel) == DiamondPlace::inside;
 }
 
-// Is the point on this pixel's diamond at all?
+// Whether the point is on this pixel's diamond at all.
 bool touches(Point point, PixelPosition pixel) {
   const auto place = place_in_pixel(point, pixel);
   return place && *place < DiamondPlace::inside;
 }
 
-// Does a tie decide about a pixel whose diamond does not hold the near end on its boundary?
+// Whether a tie decides some pixel whose diamond does not have the near end on its boundary.
 bool is_tied_elsewhere(const Segment& segment, Point near) {
   for (int y = 0; y < kTarget; ++y)
     for (int x = 0; x < kTarget; ++x)
@@ -145,19 +145,19 @@ std::vector<DiamondProbe> diamond_probes(Surface surface) {
 
 // ------------------------------------------------------------------------------------------- edges
 
-// Triangles with one sample on an edge or at a corner. Edges run in 24 directions and are shorter
-// than a step from one sample to the next, so that they pass through one sample only; of several
-// places for the other vertices the first is taken that puts no other sample on an edge.
+// Triangles with one sample on an edge or at a corner. Edges have 24 directions and are shorter
+// than the distance between samples, so that each passes through only one sample. Of several
+// positions of the other vertices, the first one that puts no other sample on an edge is taken.
 
 namespace {
 
-// Counter-clockwise from the right. A sample lies at every whole multiple, and at none between.
+// Counter-clockwise from the right. A sample lies at every whole multiple, and none between.
 constexpr std::array<RawVector, 24> kDirections{
     {{1, 0},   {4, 1},   {2, 1},  {1, 1},  {1, 2},  {1, 4},   {0, 1},   {-1, 4},
      {-1, 2},  {-1, 1},  {-2, 1}, {-4, 1}, {-1, 0}, {-4, -1}, {-2, -1}, {-1, -1},
      {-1, -2}, {-1, -4}, {0, -1}, {1, -4}, {1, -2}, {1, -1},  {2, -1},  {4, -1}}};
 
-// How far an edge reaches to either side of the sample, in sixteenths of its direction.
+// How far an edge extends to either side of the sample, in sixteenths of its direction.
 struct Reach {
   std::int64_t before;
   std::int64_t after;
@@ -172,7 +172,7 @@ RawVector sixteenths(std::int64_t count, RawVector direction) {
   return count * RawVector{direction.x * Fixed::kOne / 16, direction.y * Fixed::kOne / 16};
 }
 
-// The pixels that open and closed edges disagree about.
+// The number of pixels on which open and closed edges disagree.
 int count_ties(const Triangle& triangle) {
   static const TieRule& open = *find_tie_rule("open");
   static const TieRule& closed = *find_tie_rule("closed");
@@ -210,7 +210,7 @@ Triangle triangle_on_edge(RawVector direction, Reach reach) {
                               sample() + sixteenths(height, left) + sixteenths(aside, {1, 1})};
       if (is_good(triangle)) return triangle;
     }
-  return {};  // not reached: the tests count the probes
+  return {};  // not reached: tests count the probes
 }
 
 // A corner at the sample: the edge that arrives there comes from `from`, the next goes to `to`.
@@ -225,7 +225,7 @@ Triangle triangle_at_corner(RawVector from, RawVector to) {
 }
 
 void add_corner(std::vector<EdgeProbe>& probes, Surface surface, RawVector from, RawVector to) {
-  // Interior to the left of from -> corner -> to.
+  // The interior is to the left of from -> corner -> to.
   if (turn(to, from) <= 0) return;
   const Triangle triangle = triangle_at_corner(from, to);
   if (doubled_area(triangle) == 0) return;
@@ -238,8 +238,8 @@ void add_corner(std::vector<EdgeProbe>& probes, Surface surface, RawVector from,
 
 EdgeSide side_of(Point a, Point b) {
   const RawVector along = b - a;
-  // The interior of a counter-clockwise triangle lies to the left, the outside to the right: an
-  // edge that goes down has its outside to the left, one that goes right has it below.
+  // The interior of a counter-clockwise triangle is to the left of its edges: an edge that goes
+  // down is a left side, one that goes right is a bottom side.
   if (along.x == 0) return along.y < 0 ? EdgeSide::left : EdgeSide::right;
   if (along.y == 0) return along.x > 0 ? EdgeSide::bottom : EdgeSide::top;
   if (along.y < 0) return along.x > 0 ? EdgeSide::lower_left : EdgeSide::upper_left;

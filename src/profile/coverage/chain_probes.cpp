@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Probes of chains: segments that follow each other, triangles that share edges.
+// Probes of chains: connected segments, and triangles that share edges.
 #include <algorithm>
 #include <array>
 
@@ -13,8 +13,8 @@ namespace edgecase {
 
 // ------------------------------------------------------------------------------------------ joints
 
-// Chains of segments. Their first joint lies at every place of a diamond, for every direction that
-// they go on in; then joints lie anywhere, at places of diamonds and close together; last, chains
+// Chains of segments. First their first joint is at every place of a diamond, for every direction
+// of the chain; then joints are anywhere, at places of diamonds and close together; finally chains
 // turn. Chains that are not enumerated come from a generator with a fixed seed.
 
 namespace {
@@ -38,7 +38,7 @@ std::int64_t random_length(RandomSource& random) {
   return random.one_in(4) ? random.between(kOne / 8, kOne) : random.between(kOne, 5 * kOne);
 }
 
-// Shifts the chain by whole pixels to the middle of the target; false where it is too long.
+// Shifts the chain by whole pixels to the middle of the target; false if it is too long.
 bool centre_chain(Chain& chain) {
   const auto by_x = [](Point p, Point q) { return p.x < q.x; };
   const auto by_y = [](Point p, Point q) { return p.y < q.y; };
@@ -54,7 +54,7 @@ bool centre_chain(Chain& chain) {
                      [](Point p) { return strictly_inside(p, kTarget); });
 }
 
-// A strip has each joint once, separate lines have it twice.
+// A strip contains each joint once, separate lines contain it twice.
 Scene joint_scene(Surface surface, const Chain& chain, bool as_strip) {
   if (as_strip) return scene_of(surface, kTarget, Primitive::line_strip, chain);
   Chain pairs;
@@ -65,7 +65,7 @@ Scene joint_scene(Surface surface, const Chain& chain, bool as_strip) {
   return scene_of(surface, kTarget, Primitive::lines, pairs);
 }
 
-// A chain in one direction whose first joint lies at a place of pixel (0, 0).
+// A chain in one direction whose first joint is at a place of pixel (0, 0).
 Chain placed_chain(RandomSource& random, LineDirection direction, DiamondPlace place,
                    int segments) {
   for (;;) {
@@ -81,7 +81,7 @@ Chain placed_chain(RandomSource& random, LineDirection direction, DiamondPlace p
   }
 }
 
-// A chain that keeps its major axis and direction along it, but rises and falls. Its joints lie at
+// A chain with a constant major axis and direction along it that rises and falls. Its joints are at
 // places of diamonds or anywhere.
 Chain wandering_chain(RandomSource& random, int segments) {
   for (;;) {
@@ -101,8 +101,8 @@ Chain wandering_chain(RandomSource& random, int segments) {
   }
 }
 
-// Two segments of different directions with their joint at a place of pixel (0, 0), and at times
-// more that go on from the second.
+// Two segments of different directions with their joint at a place of pixel (0, 0), sometimes with
+// more segments after the second.
 Chain turning_chain(RandomSource& random, LineDirection from, LineDirection to,
                     DiamondPlace place) {
   for (;;) {
@@ -148,7 +148,7 @@ void add_wandering(std::vector<JointProbe>& probes, Surface surface) {
   }
 }
 
-// Every pair of directions once, the places in turn.
+// Every pair of directions once, with alternating places.
 void add_turning(std::vector<JointProbe>& probes, Surface surface) {
   for (int from = 0; from < kLineDirections; ++from)
     for (int to = 0; to < kLineDirections; ++to) {
@@ -177,15 +177,15 @@ std::vector<JointProbe> joint_probes(Surface surface) {
 
 // ------------------------------------------------------------------------------------ shared edges
 
-// Triangles side by side. What decides about a hole is where the common edges lie: through samples,
-// or off them by a step of a sub-pixel grid or less. So each shape comes at several fractions of a
-// pixel from a sample, as quads, strips and fans.
+// Adjacent triangles. Holes depend on where the common edges lie: through samples, or off them by a
+// step of a sub-pixel grid or less. So each shape comes at several fractions of a pixel from a
+// sample, as quads, strips and fans.
 
 namespace {
 
 constexpr int kTrianglesTarget = 64;
 
-// Where a shape lies: offsets from a pixel's centre, raw.
+// The position of a shape: offsets from a pixel's centre, raw.
 constexpr std::array<RawVector, 7> kOffsets{{{0, 0},
                                              {kOne / 2, kOne / 2},
                                              {kOne / 16, -kOne / 16},
@@ -202,7 +202,7 @@ SharedEdgeProbe make_probe(Surface surface, SharedEdgeShape shape, Primitive pri
   return probe;
 }
 
-// The triangles of a strip or fan, one by one; every other vertex order reversed on the way.
+// The triangles of a strip or fan, separately, with the vertex order of every other one reversed.
 std::vector<Point> separated(Primitive primitive, const std::vector<Point>& positions) {
   std::vector<Point> result;
   for (std::size_t i = 2; i < positions.size(); ++i) {
@@ -225,7 +225,7 @@ void add_both(std::vector<SharedEdgeProbe>& probes, Surface surface, SharedEdgeS
   probes.back().closed = closed;
 }
 
-// The vectors along two sides of a quad, pixels: upright, square, tilted, flat and thin ones.
+// The vectors along two sides of a quad, in pixels: upright, square, tilted, flat and thin ones.
 struct Quad {
   RawVector across;
   RawVector up;
@@ -255,13 +255,13 @@ void add_quads(std::vector<SharedEdgeProbe>& probes, Surface surface) {
       }
 }
 
-// A strip between two rows of vertices: `run` from one vertex to the next of the same row, `rise`
-// from row to row, half a run on; raw, along x or along y.
+// A strip between two rows of vertices: `run` between vertices of a row, `rise` from row to row,
+// shifted by half a run; raw, along x or along y.
 struct Strip {
   int triangles;
   std::int64_t run;
   std::int64_t rise;
-  std::int64_t slant;  // by how much a row rises from vertex to vertex
+  std::int64_t slant;  // rise of a row from vertex to vertex
 };
 constexpr std::array<Strip, 7> kStrips{{{4, 4 * kOne, 5 * kOne, 0},
                                         {9, 2 * kOne, 2 * kOne, 0},
@@ -290,8 +290,8 @@ void add_strips(std::vector<SharedEdgeProbe>& probes, Surface surface) {
                  strip_points(strip, offset, along_x), false);
 }
 
-// A place on the border of the square |x|, |y| <= radius, counter-clockwise from its lower right
-// corner; `way` is 0 to 8 radii, whole radii are corners and middles of sides.
+// A point on the border of the square |x|, |y| <= radius, counter-clockwise from its lower right
+// corner; `way` is 0 to 8 radii, of which whole radii are corners and middles of sides.
 RawVector on_square(std::int64_t radius, std::int64_t way) {
   const std::int64_t side = way / (2 * radius) % 4;
   const std::int64_t on_side = way % (2 * radius) - radius;
@@ -307,8 +307,8 @@ RawVector on_square(std::int64_t radius, std::int64_t way) {
   }
 }
 
-// All round, the last vertex is the first of the rim again; else the rim is a part of the right
-// side as long as half a radius, which makes slivers.
+// If closed, the last vertex repeats the first of the rim. Otherwise the rim is a part of the right
+// side, half a radius long, which makes slivers.
 std::vector<Point> fan_points(int triangles, std::int64_t radius, RawVector offset, bool closed) {
   const Point hub = pixel_centre(kTrianglesTarget / 2, kTrianglesTarget / 2) + offset;
   std::vector<Point> result{hub};

@@ -39,7 +39,7 @@ Observations observations_of(const std::vector<Probe>& probes, const std::string
   return observations_of(probes.size(), family, [&](std::size_t i) { return probes[i].scene; });
 }
 
-// All scenes that coverage is measured with.
+// All scenes for measuring coverage.
 struct CoverageScenes {
   std::vector<DiamondProbe> diamonds;
   std::vector<EdgeProbe> edges;
@@ -131,8 +131,8 @@ class CoverageMeasurement {
           {rule.rule, rule.alternative, rule.rate, rule.runner_up, rule.runner_up_rate});
   }
 
-  // The evidence for a kind of primitive: the random scenes, and those probes of clipping that a
-  // large viewport holds whole, which alone have vertices left of and below the target.
+  // The evidence for a kind of primitive: the random scenes, and clip probes inside a large
+  // viewport, the only ones with vertices left of and below the target.
   std::vector<const Observation*> scenes_for(PrimitiveKind kind) const {
     std::vector<const Observation*> result;
     for (std::size_t k = 0; k < kKinds.size(); ++k)
@@ -153,7 +153,7 @@ class CoverageMeasurement {
       CoverageChoice& choice = kKinds[k] == PrimitiveKind::point  ? findings_.found.points
                                : kKinds[k] == PrimitiveKind::line ? findings_.found.lines
                                                                   : findings_.found.triangles;
-      // Lines that are areas have their ties decided as triangles have.
+      // Lines that are areas decide ties like triangles.
       if (kKinds[k] == PrimitiveKind::line) choice.ties = findings_.found.triangles.ties;
       const Inference inference =
           infer({kKinds[k], findings_.found, OpenRules::coverage}, scenes_for(kKinds[k]));

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "diff/coverage/neighbour_faults.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "profile/evidence/tally.h"
 #include "raster/rasterizer.h"
 #include "rules/values/flat_attribute.h"
@@ -20,7 +20,7 @@ bool has_pixel(const std::vector<PixelPosition>& pixels, PixelPosition p) {
   return std::find(pixels.begin(), pixels.end(), p) != pixels.end();
 }
 
-// In how many probes of one pixel and one primitive a choice says what the renderer does there.
+// The share of probes, each of one pixel and one primitive, in which a choice matches the renderer.
 template <class Probe>
 Rate agreement(const Seen<Probe>& seen, const CoverageChoice& choice) {
   Rate rate;
@@ -36,7 +36,7 @@ Rate agreement(const Seen<Probe>& seen, const CoverageChoice& choice) {
   return rate;
 }
 
-// The smallest of several scenes, the first of those that tie, with details of it.
+// The smallest of several scenes, the first in case of a tie, with details of it.
 template <class Detail>
 struct Smallest {
   const Scene* scene = nullptr;
@@ -58,7 +58,7 @@ std::vector<PrimitiveCoverage> coverage_of(const Observation& observation) {
   return coverage;
 }
 
-// Ruling 14 for one scene, as the segments are given: a pixel drawn twice, another fault, or none.
+// Ruling 14 for one scene, with the segments as given: pixels drawn twice, and other faults.
 struct JointFaultCounts {
   std::size_t twice = 0;
   std::size_t gaps = 0;
@@ -81,7 +81,7 @@ bool count_joint_faults(const Observation& observation, JointFaultCounts& counts
   return any;
 }
 
-// Has every fragment the colour of the vertex that provokes under the choice?
+// Whether every fragment has the colour of the vertex that provokes under the choice.
 bool has_colors_of(ProvokingChoice choice, const Scene& scene, const Rendering& rendering) {
   const auto primitives = primitives_of(scene);
   return std::ranges::all_of(rendering.fragments, [&](const Fragment& fragment) {
@@ -162,7 +162,7 @@ std::vector<Trait> joint_traits(const Seen<JointProbe>& seen, const CoverageChoi
     straight_trait.remark = fmt::format(
         "violation of ruling 14: {} joints with a pixel twice, {} with a gap; for "
         "example {}",
-        faults.twice, faults.gaps, scene_words(*faults.example.scene));
+        faults.twice, faults.gaps, scene_text(*faults.example.scene));
   }
   return {straight_trait, {TraitId("line.turn"), "each segment as if alone", turns}};
 }
@@ -190,7 +190,7 @@ Trait shared_edge_trait(std::span<const Observation* const> observations, int bi
       "violation of ruling 5: {} holes and {} double hits; triangles {} and {} hit pixel ({}, {}) "
       "{} times in {}",
       holes, doubles, fault.first, fault.second, fault.pixel.x, fault.pixel.y, fault.hits,
-      scene_words(*example.scene));
+      scene_text(*example.scene));
   return trait;
 }
 
@@ -220,7 +220,7 @@ std::vector<Trait> clip_traits(const Seen<ClipProbe>& seen,
          finding.rate,
          "",
          {},
-         example == nullptr ? "" : fmt::format("for example {}", scene_words(*example))});
+         example == nullptr ? "" : fmt::format("for example {}", scene_text(*example))});
   }
   return traits;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Probes of vertices: those beyond the viewport, and those that provoke.
+// Probes of vertices: beyond the viewport, and provoking ones.
 #include <array>
 #include <optional>
 
@@ -12,9 +12,9 @@ namespace edgecase {
 
 // ---------------------------------------------------------------------------------------- clipping
 
-// Primitives that leave the viewport. Of a set of sides, each gets a vertex beyond it; lines and
-// triangles keep a vertex inside or lead from one side through the viewport to the opposite one,
-// so that there is something to draw. Numbers come from a generator with a fixed seed.
+// Primitives that leave the viewport. Each side of a set has a vertex beyond it; lines and
+// triangles keep a vertex inside or cross the viewport from one side to the opposite one, so that
+// there is something to draw. Numbers come from a generator with a fixed seed.
 
 namespace {
 
@@ -26,7 +26,7 @@ constexpr int kEnlarged = 8;
 // Viewport 64: x from -192 to 256, off the centre by less than 2^8 pixels, 24 bits with fractions.
 static_assert(7 * kSizes.back() / 2 < 256);
 
-// Where a vertex lies: one of these in x and one in y.
+// The region of a vertex: one of these in x and one in y.
 enum class Zone { before, within, after };
 
 struct VertexZone {
@@ -51,8 +51,8 @@ VertexZone opposite(VertexZone zone) {
   return {mirrored(zone.x), mirrored(zone.y)};
 }
 
-// A coordinate of a zone on a grid of 2^-1 to 2^-16 pixel, beyond the viewport by more than nothing
-// and less than `reach`.
+// A coordinate of a zone on a grid of 2^-1 to 2^-16 pixel, beyond the viewport by more than 0 and
+// less than `reach`.
 Fixed random_coordinate(RandomSource& random, Zone zone, int size, std::int64_t reach) {
   constexpr std::array kBits{1, 1, 4, 8, 16};
   const std::int64_t step = kOne >> random.one_of(std::span<const int>(kBits));
@@ -89,7 +89,7 @@ ClipProbe make_probe(Scene scene) {
   return probe;
 }
 
-// A point whose vertex lies outside; wide ones reach into the viewport.
+// A point whose vertex lies outside; wide ones extend into the viewport.
 Scene point_scene(RandomSource& random, Surface surface, int size, VertexZone zone, bool wide) {
   const std::int64_t width = wide ? random.between(4, 16) : 1;
   const Point vertex = random_point(random, zone, size, wide ? width * kOne / 2 : 3 * size * kOne);
@@ -106,7 +106,7 @@ Scene shape_scene(RandomSource& random, Surface surface, int size,
                   points);
 }
 
-// The zones of lines and triangles that leave the viewport on the way to one place outside.
+// The zones of lines and triangles that leave the viewport towards one zone outside.
 std::vector<std::vector<VertexZone>> shapes_towards(VertexZone out) {
   const VertexZone in;
   const VertexZone back = opposite(out);
@@ -160,11 +160,11 @@ int vertex_count(Primitive primitive, int primitives) {
   return 0;
 }
 
-// Corners of a polygon counter-clockwise, convex, none at a sample; seven suffice for a fan.
+// Corners of a convex polygon, counter-clockwise, none at a sample; seven suffice for a fan.
 constexpr std::array<std::array<int, 2>, 7> kPolygon{
     {{72, 36}, {406, 52}, {459, 181}, {422, 389}, {260, 470}, {118, 442}, {43, 261}}};
 
-// Vertex v of a primitive type, in sixteenths of a pixel: all primitives cover pixels of their own.
+// Vertex v of a primitive type, in sixteenths of a pixel: primitives cover distinct pixels.
 Point position(Primitive primitive, int v) {
   switch (primitive) {
     case Primitive::points:
@@ -195,7 +195,7 @@ std::vector<Scene> provoking_probes(Surface surface) {
   std::vector<Scene> result;
   for (Primitive primitive : kPrimitives)
     for (int primitives = 1; primitives <= kMostPrimitives; ++primitives) {
-      // Two vertices make a loop that runs back upon itself.
+      // Two vertices make a loop that runs back on itself.
       if (primitive == Primitive::line_loop && primitives < 3) continue;
       std::vector<Point> positions;
       for (int v = 0; v < vertex_count(primitive, primitives); ++v)

@@ -27,7 +27,7 @@ std::vector<std::size_t> order_by_size(std::span<const Task> tasks) {
   return order;
 }
 
-// What the fragments of a rendering cover of a multisampled target, by primitive and sample.
+// The coverage of a rendering's fragments on a multisampled target, by primitive and sample.
 std::vector<SampleCoverage> covered_by_fragments(const Scene& scene, const Rendering& rendering) {
   const auto samples = static_cast<std::size_t>(scene.target.samples);
   std::vector<SampleCoverage> covered(primitives_of(scene).size(), SampleCoverage(samples));

@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::size_t kFirstRound = 100;  // scenes
 constexpr std::size_t kFinalists = 3;
-constexpr std::size_t kRivals = 2;        // per rule, held against all scenes
+constexpr std::size_t kRivals = 2;        // per rule, compared with all scenes
 constexpr std::size_t kRivalRound = 600;  // scenes by which rivals are chosen
 constexpr int kCheapTarget = 32;          // pixels; scenes up to this size decide the rounds
 
 struct Candidate {
   RuleChoices choice;
-  Cause cause;  // how it differs from the start, a change per rule
+  Cause cause;  // the deviation from the start, one change per rule
   std::size_t agreeing = 0;
 };
 
@@ -35,7 +35,7 @@ OpenRules openness_of(RuleId rule) {
   return rule == RuleId::sample_positions ? OpenRules::placement : OpenRules::coverage;
 }
 
-// The rules that have a say, each with its alternatives other than the start's.
+// The rules that matter, each with its alternatives other than the start's.
 std::vector<Changes> open_rules(const InferenceQuestion& question, const Observation& observation) {
   const auto primitives = primitives_of(observation.scene);
   std::vector<Changes> rules =
@@ -43,7 +43,7 @@ std::vector<Changes> open_rules(const InferenceQuestion& question, const Observa
   std::erase_if(rules, [&](const Changes& rule) {
     return openness_of(rule.front().id.rule) != question.open;
   });
-  // Placements that put the samples where they are anyhow are none.
+  // Placements that do not move the samples are not alternatives.
   const auto places = [&](const RuleChoices& choice) {
     return positions_of(observation.scene.target, choice.of(question.kind), observation.positions);
   };
@@ -56,7 +56,7 @@ std::vector<Changes> open_rules(const InferenceQuestion& question, const Observa
   return rules;
 }
 
-// Alternatives of a rule that nothing asks for make no candidates of their own.
+// Whether the candidate differs only in a rule that nothing uses.
 bool is_idle(const Candidate& candidate, RuleId rule) {
   if (rule == RuleId::triangle_fill_rule)
     return !has_tie_rule(candidate.choice.triangles.triangle_algorithm);
@@ -81,8 +81,7 @@ std::vector<Candidate> all_candidates(const InferenceQuestion& question,
   return candidates;
 }
 
-// Rectangles of multisampled lines that are rounded have a grid of their own: whatever the snap,
-// they are drawn alike.
+// Rounded rectangles of multisampled lines have their own grid, so their snap does not matter.
 bool has_no_snap(const CoverageChoice& choice) {
   switch (choice.multisampled_line) {
     case MultisampledLine::snapped_offset:
@@ -97,7 +96,7 @@ bool has_no_snap(const CoverageChoice& choice) {
   return false;
 }
 
-// In how many scenes choices draw what was seen; those that draw alike are asked once.
+// The number of scenes that choices draw as observed; choices that draw alike are computed once.
 class SceneCounts {
  public:
   SceneCounts(std::span<const Observation* const> scenes, PrimitiveKind kind,
@@ -157,8 +156,8 @@ class Contest {
     SceneCounts counts(all_, kind_, are_multisampled_lines_);
     for (Candidate& finalist : candidates_) finalist.agreeing = counts.of(finalist.choice);
     Candidate best = *std::min_element(candidates_.begin(), candidates_.end(), better);
-    // A rival that does better on all scenes takes the place of the best; this ends, since the
-    // number of scenes only grows.
+    // A rival that does better on all scenes replaces the best. This ends, since the number of
+    // agreeing scenes only grows.
     for (;;) {
       const std::vector<Candidate> rivals = rivals_of(best);
       const auto winner = std::min_element(rivals.begin(), rivals.end(), better);
@@ -189,7 +188,7 @@ class Contest {
     candidates_.resize(std::min(candidates_.size(), kFinalists));
   }
 
-  // For each rule the best other alternatives, everything else as the best has it.
+  // For each rule the best other alternatives, with all other rules as in `best`.
   std::vector<Candidate> rivals_of(const Candidate& best) const {
     std::vector<Candidate> rivals;
     const auto some = std::span(all_).first(std::min(kRivalRound, all_.size()));
@@ -210,7 +209,7 @@ class Contest {
     return rivals;
   }
 
-  // The alternatives of a rule that `best` does not have, the start's own among them.
+  // The alternatives of a rule other than that of `best`, including the start's own.
   std::vector<Candidate> others_of(const Candidate& best, const Changes& rule, RuleId id) const {
     Candidate without = best;
     std::erase_if(without.cause.parts, [&](AlternativeId part) { return part.rule == id; });

@@ -2,10 +2,10 @@
 //
 // Inference: which alternatives of the catalogue draw what a renderer draws.
 //
-// Every combination of the alternatives that have a say in a kind of primitive is a candidate, near
-// two thousand of them for lines. They compete in rounds: each round looks at twice as many scenes
-// as the one before and keeps the best third. The few that are left, and for each rule the nearest
-// other choices, are held against all scenes. Agreement means a whole scene: every pixel.
+// Every combination of the alternatives that matter for a kind of primitive is a candidate, nearly
+// two thousand for lines. They compete in rounds: each round uses twice as many scenes as the one
+// before and keeps the best third. The few that are left, and for each rule the nearest other
+// choices, are compared with all scenes. Agreement means a whole scene: every pixel.
 #pragma once
 
 #include <span>
@@ -30,25 +30,25 @@ struct InferredRule {
 struct Inference {
   RuleChoices choice;
   Rate rate;
-  std::vector<InferredRule> rules;  // those with a say in the scenes
+  std::vector<InferredRule> rules;  // those that matter in the scenes
 };
 
 // The rules whose alternatives are tried.
 enum class OpenRules {
-  coverage,   // all that have a say, but for the next two
+  coverage,   // all that matter, except the next two
   width,      // line.width
   placement,  // sample.positions
 };
 
-// Which rules are open, and what holds for the others.
+// Which rules are open, and the choices for the others.
 struct InferenceQuestion {
   PrimitiveKind kind = PrimitiveKind::triangle;
-  RuleChoices start;  // preferred where candidates tie: fewest rules chosen otherwise
+  RuleChoices start;  // preferred if candidates tie: fewest deviating rules
   OpenRules open = OpenRules::coverage;
 };
 
-// Observations that failed are left out; all others must have one primitive of the kind. Without
-// any, the start is returned with an empty rate.
+// Failed observations are ignored; all others must have one primitive of the kind. Without any, the
+// start is returned with an empty rate.
 Inference infer(const InferenceQuestion& question,
                 std::span<const Observation* const> observations);
 

@@ -81,7 +81,7 @@ Trait Tally::trait(TraitId id, None none) const {
   Trait trait = leading(std::move(id), names_, agreeing_, of, standard_);
   if (none_ > 0) trait.remark = fmt::format("nothing catalogued yields {} of {}", none_, all_);
   if (of > 0) return trait;
-  if (none_ == 0) trait.remark = "nothing that is told tells the alternatives apart";
+  if (none_ == 0) trait.remark = "no reported value distinguishes the alternatives";
   trait.runner_up.clear();
   trait.runner_up_rate = {};
   return trait;

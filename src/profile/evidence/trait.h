@@ -11,29 +11,29 @@
 
 namespace edgecase {
 
-// In how many scenes something is as claimed, of how many.
+// In how many of a number of scenes a claim holds.
 struct Rate {
   std::size_t agreeing = 0;
   std::size_t of = 0;
 
-  // 0 to 1; 1 where there is nothing to disagree.
+  // 0 to 1; 1 without any scene.
   double share() const;
 };
 
-// "100 %" for all, else rounded down, so that one scene of many still shows: "99.99 %".
+// "100 %" for all, otherwise rounded down, so that one scene of many still shows: "99.99 %".
 std::string percent(const Rate& rate);
 
-// What a trait is about: a rule of the catalogue, or a question of no rule, and how it was asked.
+// The subject of a trait: a rule of the catalogue, or a question without a rule, and its probe.
 struct TraitId {
-  RuleId rule = RuleId::none;  // none: the question is of no rule
+  RuleId rule = RuleId::none;  // none: the question has no rule
   std::string probe = {};      // "depth16", "multisampled"; empty: the rule itself
 
   TraitId(RuleId asked, std::string way = {}) : rule(asked), probe(std::move(way)) {}
-  // A question that is of no rule: "clip.triangle".
+  // A question without a rule: "clip.triangle".
   explicit TraitId(std::string question) : probe(std::move(question)) {}
   TraitId() = default;
 
-  // Does the trait say which alternative of the rule is followed, in general?
+  // Whether the trait states which alternative of the rule is followed in general.
   bool is_rule() const { return rule != RuleId::none && probe.empty(); }
   friend bool operator==(const TraitId&, const TraitId&) = default;
 };
@@ -44,19 +44,19 @@ std::string text_of(const TraitId& id);
 // One finding about one surface.
 struct Trait {
   TraitId id = {};
-  std::string alternative = {};  // the alternative that is followed, or the finding in words
-  Rate rate = {};                // of the scenes, pixels or numbers that agree with it
-  std::string runner_up = {};    // the best other alternative; empty: none to compare with
+  std::string alternative = {};  // the alternative that is followed, or the finding as text
+  Rate rate = {};                // of the agreeing scenes, pixels or numbers
+  std::string runner_up = {};    // the best other alternative; empty: there is none
   Rate runner_up_rate = {};
-  std::string remark = {};  // what people should know, a sentence; often empty
+  std::string remark = {};  // a sentence for people; often empty
 
-  // Could the runner-up just as well be it?
+  // Whether the runner-up fits equally well.
   bool is_undecided() const {
     return !runner_up.empty() && rate.agreeing == runner_up_rate.agreeing;
   }
 };
 
-// Who owns the parts of a boundary: what was seen at probes, by row and column.
+// Who owns the parts of a boundary: observations at probes, by row and column.
 struct OwnershipTable {
   struct Cell {
     std::size_t drawn = 0;

@@ -9,7 +9,7 @@ namespace edgecase {
 
 RandomSource random_of(std::uint64_t seed, OutputStream stream, Surface surface,
                        std::uint64_t index) {
-  // Scenes of windows are others, so that both surfaces together show more.
+  // Windows have different scenes, so that both surfaces together show more.
   constexpr std::uint64_t kWindowStreams = 0x1000;
   return {seed,
           static_cast<std::uint64_t>(stream) + (surface == Surface::window ? kWindowStreams : 0),

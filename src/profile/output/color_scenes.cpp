@@ -33,10 +33,11 @@ constexpr std::array kFactors{BlendFactor::zero,
                               BlendFactor::constant_alpha,
                               BlendFactor::one_minus_constant_alpha,
                               BlendFactor::src_alpha_saturate};
-// Those that take factors.
+// Those that use factors.
 constexpr std::array kEquations{BlendEquation::add, BlendEquation::subtract,
                                 BlendEquation::reverse_subtract};
-constexpr std::size_t kTerms = kEquations.size() * kFactors.size();  // of one destination's factor
+constexpr std::size_t kTerms =
+    kEquations.size() * kFactors.size();  // per factor of the destination
 constexpr std::size_t kCellsOfATerm = kCells / kTerms;
 
 std::vector<float> plain_values() {
@@ -63,7 +64,7 @@ Color random_color(RandomSource& random) {
   return color;
 }
 
-// A scene in which each cell has a random code already.
+// A scene in which each cell already has a random code.
 Scene stored_codes(RandomSource& random, Surface surface) {
   Scene scene = cell_scene(surface);
   Draw draw = cell_draw();

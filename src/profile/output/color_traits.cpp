@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The codes that a renderer stores of numbers and of blended colours.
+// The codes that a renderer stores for numbers and blended colours.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -74,7 +74,7 @@ void CodeTally::add(double value, long code) {
 
 namespace {
 
-// A cell in which the colour of the second triangle met what the first one had stored.
+// A cell in which the colour of the second triangle met the stored colour of the first.
 struct BlendedCell {
   const FragmentOperations* operations = nullptr;
   std::array<double, 4> source{};
@@ -88,7 +88,7 @@ std::array<double, 4> color_of(const ScenePrimitive& primitive) {
   return color;
 }
 
-// As the first draw writes it; its colours are codes.
+// As written by the first draw; its colours are codes.
 Rgba8 codes_of(const ScenePrimitive& primitive) {
   Rgba8 codes{};
   const std::array<double, 4> color = color_of(primitive);
@@ -118,7 +118,7 @@ std::vector<BlendedCell> blended_cells(const DrawnScene& drawn) {
   return cells;
 }
 
-// The operations of a draw as the method understands them.
+// A draw's operations as understood by the method.
 FragmentOperations operations_by(FragmentOperations operations, BlendMethod method) {
   if (method == BlendMethod::ignored)
     operations.blending.reset();

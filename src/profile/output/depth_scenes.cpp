@@ -32,9 +32,9 @@ constexpr std::array kOperations{StencilOperation::keep,      StencilOperation::
 constexpr Color kWhite{1, 1, 1, 1};
 constexpr Color kGray{0.25F, 0.25F, 0.25F, 1};
 
-// The whole range, where 24 bits have every distance from a code but few close to a middle; the
-// lower ends, where float32 is fine enough for many of them between two codes; and round the one
-// half, which is such a middle.
+// The whole range, where 24 bits give every distance from a code but few near a middle; lower
+// ranges, where float32 is fine enough for many numbers between two codes; and a range round 1/2,
+// which is such a middle.
 constexpr std::array<DepthRange, 7> kRanges{{{0, 1},
                                              {1, 0},
                                              {0, 0x1p-4F},
@@ -43,7 +43,7 @@ constexpr std::array<DepthRange, 7> kRanges{{{0, 1},
                                              {0.5F - 0x1p-8F, 0.5F + 0x1p-8F},
                                              {1 - 0x1p-7F, 1}}};
 
-// A depth that lies above a code by 1/16 to 7/16 of a step; any of a floating-point buffer.
+// A depth above a code by 1/16 to 7/16 of a step; any depth for a floating-point buffer.
 std::int64_t random_depth_above_a_code(RandomSource& random, DepthFormat format) {
   const std::int64_t largest = (std::int64_t{1} << bits_of(format)) - 1;
   for (;;) {
@@ -106,7 +106,7 @@ std::vector<Scene> depth_test_scenes(std::uint64_t seed, Surface surface, DepthF
     }
     for (std::size_t cell = 0; cell < kCells; ++cell) {
       const std::int64_t depth = random_depth_above_a_code(random, format);
-      // One third each: the same, nearer and farther by many steps of 16 bits.
+      // One third each: equal, nearer, and farther by many steps of 16 bits.
       const std::int64_t apart = random.between(-1, 1) * random.between(64, 4096);
       add_triangle(stored, cell, flat_triangle(kGray, depth));
       add_triangle(tested[cell % tested.size()], cell, flat_triangle(kWhite, depth + apart));
@@ -130,7 +130,7 @@ std::vector<Scene> stencil_scenes(std::uint64_t seed, Surface surface, DepthForm
       Draw draw = cell_draw();
       draw.operations.stencil = StencilTest{random_face(random), random_face(random)};
       draw.operations.depth.function = random.one_of(std::span<const CompareFunction>(kFunctions));
-      // Depths far apart, and often the same.
+      // Depths far apart, and often equal.
       const std::int64_t depth = random.between(1, 7) * kDepthOne / 8;
       const Color color = random_codes(random);
       for (std::size_t cell = 0; cell < kCells; ++cell)
@@ -150,7 +150,7 @@ namespace {
 constexpr std::uint64_t kSlopeScenes = 4;
 constexpr std::size_t kSlopesOfAScene = 64;
 
-// Puts triangles with offsets of their own into cells, one after another.
+// Puts triangles, each with its own offset, into consecutive cells.
 class OffsetScene {
  public:
   OffsetScene(Surface surface, DepthFormat format) : scene_(cell_scene(surface)) {
@@ -170,7 +170,7 @@ class OffsetScene {
   Scene scene_;
 };
 
-// Offsets of up to 1/32 for a step, 1/8 for the largest unit that is known; depths of 1/4 and more.
+// Offsets of up to 1/32 for a step, 1/8 for the largest known unit; depths of at least 1/4.
 Scene fixed_units_scene(Surface surface, DepthFormat format) {
   OffsetScene scene(surface, format);
   for (const std::int64_t eighths : {2, 3, 5})
@@ -181,10 +181,10 @@ Scene fixed_units_scene(Surface surface, DepthFormat format) {
   return scene.take();
 }
 
-// Units of 2^(e - 23) make offsets of 1/16 of the depth's power of two.
+// Units of 2^(e - 23) give offsets of 1/16 of the depth's power of two.
 constexpr float kManyUnits = 0x1p19F;
 
-// A depth's power of two, and quarters beside it; and triangles whose corners have different ones.
+// A depth's power of two, and quarters beside it; and triangles with corners of different powers.
 Scene float_units_scene(Surface surface) {
   OffsetScene scene(surface, DepthFormat::depth32f);
   for (int exponent = 1; exponent <= 12; ++exponent) {
@@ -195,7 +195,7 @@ Scene float_units_scene(Surface surface) {
       if (exponent > 1)
         scene.add(flat_triangle(kWhite, quarters * power / 4), {0, 3 * kManyUnits, 0});
     }
-    // Units of the largest depth's power of two alone are taken away without reaching 0.
+    // Only units of the largest depth's power of two are subtracted without reaching 0.
     if (exponent < 4) scene.add(flat_triangle(kWhite, power), {0, -kManyUnits, 0});
     if (exponent == 1) continue;
     for (const std::size_t largest : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
@@ -220,7 +220,7 @@ std::vector<Scene> offset_slope_scenes(std::uint64_t seed, Surface surface, Dept
     RandomSource random = random_of(seed, OutputStream::slopes, surface, i);
     OffsetScene scene(surface, format);
     for (std::size_t n = 0; n < kSlopesOfAScene; ++n) {
-      // Of depth per half a pixel, up to 1/32 each; 0 in x or in y now and then.
+      // Change of depth per half a pixel, up to 1/32 each; sometimes 0 in x or in y.
       const auto rise = [&] {
         return random.one_in(8) ? 0 : random.between(-kDepthOne / 64, kDepthOne / 64) * 2;
       };

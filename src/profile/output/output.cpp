@@ -65,7 +65,7 @@ class OutputMeasurement {
     const Drawn blended = drawing_.drawn("blended", blend_scenes(seed, surface));
     findings_.adopt(infer_blend_method(blended));
     findings_.adopt(infer_blend_rounding(blended, output().blend.method));
-    // Where no rounding fits, what it is compared with is the one that comes closest.
+    // If no rounding fits, the closest one is used for comparison.
     BlendChoice closest = output().blend;
     const Trait& rounding = findings_.traits.back();
     parse_name(rounding.alternative == kNoneFits ? rounding.runner_up : rounding.alternative,
@@ -76,7 +76,7 @@ class OutputMeasurement {
         findings_.choices));
   }
 
-  // The depth formats that the surface has, alone and together with stencil values.
+  // The depth formats of the surface, alone and together with stencil values.
   void find_formats() {
     for (const DepthFormat format : kDepthFormats) {
       const std::string refusal =
@@ -95,7 +95,7 @@ class OutputMeasurement {
 
   void find_codes(DepthFormat format) {
     const int bits = bits_of(format);
-    if (bits == 0) return;  // Such a depth is the fragment's own.
+    if (bits == 0) return;  // floating point stores the depth unchanged
     CodeTally codes(name_of(format), bits);
     const double largest = std::ldexp(1.0, bits) - 1;
     for (const auto& [scene, rendering] :
@@ -154,7 +154,7 @@ class OutputMeasurement {
     findings_.adopt(infer_offset(rule, precision, scenes, findings_.choices));
   }
 
-  // The first of the formats that a kind of random scene can have; none: it cannot be drawn.
+  // The first format for a kind of random scene; nothing: it cannot be drawn.
   std::optional<DepthFormat> format_for(OutputKind kind) const {
     if (kind == OutputKind::blended) return DepthFormat::none;
     const auto& formats = kind == OutputKind::stencilled ? stencil_formats_ : formats_;

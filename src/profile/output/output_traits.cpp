@@ -34,8 +34,8 @@ SampleFragment fragment_of(const ScenePrimitive& primitive) {
   return fragment;
 }
 
-// The rendering that the triangles of a scene of cells leave behind. Each is one fragment, of one
-// colour and one depth: nothing needs to be rasterized.
+// The rendering of the triangles in a scene of cells. Each is one fragment with one colour and one
+// depth, so nothing has to be rasterized.
 Rendering replayed(const Scene& scene, const OutputChoice& choice) {
   const Target& target = scene.target;
   Rendering rendering;
@@ -66,7 +66,7 @@ bool is_same_fragment(const Fragment& a, const Fragment& b) {
   return a.x == b.x && a.y == b.y && a.primitive == b.primitive;
 }
 
-// Describes the first difference; none: nothing differs.
+// Describes the first difference; nothing if there is none.
 std::optional<std::string> difference(const Rendering& drawn, const Rendering& exact) {
   if (!std::equal(drawn.fragments.begin(), drawn.fragments.end(), exact.fragments.begin(),
                   exact.fragments.end(), is_same_fragment))
@@ -116,11 +116,11 @@ Trait output_agreement(TraitId id, std::span<const DrawnScene> scenes, const Cho
 
 namespace {
 
-// Offsets of fewer units do not measure one unit well.
+// Fewer units do not measure one unit well.
 constexpr float kEnoughUnits = 64;
 
-// Product and unit are rounded, and the sum: with an offset that is no larger than the sum, four
-// times 2^-24 of it hold all three.
+// Product, unit and sum are rounded. With an offset no larger than the sum, four times 2^-24 of it
+// bound all three errors.
 constexpr double kFloatSteps = 0x1p-22;
 
 Interval depth_under(const ScenePrimitive& primitive, const RuleChoices& choices,
@@ -136,7 +136,7 @@ bool has_slope(const ScenePrimitive& primitive) {
          primitive.vertices[0]->z != primitive.vertices[2]->z;
 }
 
-// The depth of a vertex in the window, without an offset.
+// The window depth of a vertex, without an offset.
 double depth_of(const Vertex& vertex) {
   return (vertex.z.to_double() + 1) / 2;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the samples of a pixel lie, and where in the pixel the shader has its attributes.
+// The sample positions of a pixel, and where in the pixel attributes are evaluated.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -46,10 +46,10 @@ Scene sweep_scene(Side side, std::size_t step, int samples) {
   return scene;
 }
 
-// Narrows intervals as edges are seen.
+// Narrows intervals by observed edges.
 class StepRange {
  public:
-  // An edge of a left or lower side, that leaves out what lies before it; or of the other sides.
+  // For an edge of a left or lower side, which excludes what lies before it; or of another side.
   void add(bool is_before, Fixed edge, bool is_covered) {
     if (is_before == is_covered)
       found_.low = std::max(found_.low, edge);
@@ -147,7 +147,7 @@ bool is_near(Location a, Location b) {
   return std::abs(a.x - b.x) < kNear && std::abs(a.y - b.y) < kNear;
 }
 
-// Where the colour was evaluated, within the pixel, by the planes of the colours.
+// Where in the pixel the colour was evaluated, by the planes of the colours.
 Location location_of(const Fragment& fragment) {
   return {kPlainSize * fragment.color[0] - fragment.x, kPlainSize * fragment.color[1] - fragment.y};
 }
@@ -162,7 +162,7 @@ Location mean_of(const SamplePositions& positions, std::uint32_t mask) {
   return sum;
 }
 
-// `mask`: what the primitive covers of the pixel, more than one sample.
+// `mask`: the pixel's samples that the primitive covers, more than one.
 const char* name_of_location(const Fragment& fragment, std::uint32_t mask,
                              const SamplePositions& positions) {
   const Location location = location_of(fragment);
@@ -200,7 +200,7 @@ void add_invocations(const Rendering& rendering, InvocationRow& row) {
     const int covered = std::popcount(mask);
     ++row.invocations[covered][static_cast<int>(end - first)];
     auto& locations = mask == mask_of_all(rendering.samples) ? row.whole : row.partial;
-    // One sample is the first, the mean and its own.
+    // A single sample is the first, the mean and its own.
     for (std::size_t i = first; i < end && covered > 1; ++i)
       ++locations[name_of_location(fragments[i], mask, rendering.sample_positions)];
     first = end;

@@ -19,7 +19,7 @@ constexpr std::int64_t kOne = Fixed::kOne;
 constexpr std::int64_t kStep = kOne / 16;
 constexpr int kSteps = 16 * kPlainSize;  // of the target
 
-// Generators of one seed and different purpose have nothing in common.
+// Generators of one seed with different purposes are independent.
 enum Stream : std::uint64_t { kPlanes = 0x5b00, kLinePlanes, kAlphas, kResolves };
 
 Point random_place(RandomSource& random) {
@@ -27,7 +27,7 @@ Point random_place(RandomSource& random) {
   return {Fixed::from_raw(x * kStep), Fixed::from_raw(random.between(1, kSteps - 1) * kStep)};
 }
 
-// Large enough to have wholly covered pixels, mostly.
+// Large enough to usually have fully covered pixels.
 std::vector<Point> random_triangle(RandomSource& random) {
   for (;;) {
     const std::vector<Point> p{random_place(random), random_place(random), random_place(random)};
@@ -48,7 +48,7 @@ void set_planes(Vertex& vertex) {
   const Fixed y = vertex.position.y;
   vertex.color = {static_cast<float>(x.to_double() / kPlainSize),
                   static_cast<float>(y.to_double() / kPlainSize), 0.5F, 1};
-  // Window depth d is z (d = z/2 + 1/2) of 2 d - 1.
+  // Window depth d corresponds to z = 2 d - 1.
   vertex.z = Fixed::from_raw((x.raw() + 2 * y.raw()) / 32 - kOne);
 }
 
@@ -177,7 +177,7 @@ Scene resolve_scene(std::uint64_t seed, int samples, std::uint64_t index) {
 
 namespace {
 
-// A vector of each direction, whole pixels, with a length that is whole but for diagonals.
+// A vector of each direction, in whole pixels, with a whole length except for diagonals.
 constexpr std::array<RawVector, kLineDirections> kVectors{{{5, 0},
                                                            {4, 3},
                                                            {4, 4},
@@ -199,8 +199,8 @@ bool is_diagonal(RawVector v) {
   return std::abs(v.x) == std::abs(v.y);
 }
 
-// The line whose boundary holds the sample: `part` sixteenths of the length aside from an end's
-// middle, or along a side.
+// The line with the sample on its boundary: at an end, `part` sixteenths of the length from the
+// middle, or on a side, that far along it.
 std::vector<Point> line_with(Point sample, LineSide side, RawVector whole, std::int64_t part) {
   const RawVector v = kOne * whole;
   if (side == LineSide::start || side == LineSide::end) {
@@ -209,7 +209,7 @@ std::vector<Point> line_with(Point sample, LineSide side, RawVector whole, std::
                                    : std::vector<Point>{end - v, end};
   }
   // Half the width is a tenth of the length, which is 5. The sample's foot on the line, in
-  // twentieths, is not dyadic; but of slanted lines the point a twentieth of the length before or
+  // twentieths, is not dyadic, but for slanted lines the point a twentieth of the length before or
   // behind it is.
   const std::int64_t toward = side == LineSide::left ? -2 : 2;
   RawVector foot{-toward * whole.y, toward * whole.x};
@@ -223,7 +223,7 @@ std::vector<Point> line_with(Point sample, LineSide side, RawVector whole, std::
   return {start, start + v};
 }
 
-// Sixteenths of the length: at an end up to less than half the width, on a side off its ends.
+// Sixteenths of the length: at an end less than half the width, on a side away from its ends.
 std::span<const std::int64_t> parts_of(LineSide side) {
   static constexpr std::array<std::int64_t, 3> kAside{-1, 0, 1};
   static constexpr std::array<std::int64_t, 3> kAlong{4, 8, 11};

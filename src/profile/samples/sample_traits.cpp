@@ -25,8 +25,8 @@ FragmentKey key_of(const Fragment& fragment) {
   return {fragment.y, fragment.x, fragment.primitive, fragment.coverage};
 }
 
-// Has each fragment that was drawn one of the same samples in the exact rendering that `agrees`
-// with it?
+// For each drawn fragment, whether the exact rendering has one with the same samples that `agrees`
+// accepts.
 template <class Agrees>
 Facts fragments_agree(const Rendering& drawn, const Rendering& exact, Agrees agrees) {
   std::map<FragmentKey, const Fragment*> own;
@@ -132,7 +132,7 @@ Trait infer_line_parameter(std::span<const DrawnScene> lines, const Choices& fou
   const auto names = names_of_alternatives(kRule);
   Tally tally(names);
   for (const auto& [scene, rendering] : lines) {
-    // facts[a]: what alternative a yields with some location.
+    // facts[a]: what alternative a yields with any location.
     std::vector<Facts> facts(names.size());
     for (std::size_t a = 0; a < names.size(); ++a)
       for (const std::string& location : names_of_alternatives(RuleId::attribute_location)) {

@@ -90,7 +90,7 @@ class SampleMeasurement {
     return all;
   }
 
-  // The alternative of a trait that names a rule is followed from here on.
+  // If a trait names a rule, its alternative is followed from here on.
   void adopt(Trait trait) {
     if (trait.id.is_rule() && trait.rate.of > 0) rules_[name_of(trait.id.rule)] = trait.alternative;
     findings_.adopt(std::move(trait));
@@ -101,7 +101,7 @@ class SampleMeasurement {
     adopt(infer_sample_rule(id, evidence, scenes, rules_));
   }
 
-  // Says so where a rule chooses otherwise for targets of one sample.
+  // Adds a remark if a rule has another alternative on targets with one sample.
   void remark_on_difference(Trait& trait) const {
     const auto before = single_sampled_.find(name_of(trait.id.rule));
     if (before != single_sampled_.end() && before->second != trait.alternative)
@@ -131,7 +131,7 @@ class SampleMeasurement {
       for (const MeasuredPosition& position : profile_.positions.back().positions)
         positions_.push_back(position.reported);
     }
-    // Ties need positions: where none are reported, those of exact.
+    // Ties need positions: if none are reported, exact's are used.
     if (positions_.empty()) positions_ = standard_pattern(samples_);
   }
 
@@ -147,7 +147,7 @@ class SampleMeasurement {
     return drawing_.observed(family, std::move(scenes));
   }
 
-  // `probe`: of a rule that single-sampled targets have, too.
+  // `probe`: for a rule that also applies to single-sampled targets.
   void adopt_inferred(const InferredRule& rule, const std::string& probe = "") {
     Trait trait{
         {rule.rule, probe}, rule.alternative, rule.rate, rule.runner_up, rule.runner_up_rate};
@@ -155,7 +155,7 @@ class SampleMeasurement {
     adopt(std::move(trait));
   }
 
-  // Scenes that are drawn as the rules found so far have it.
+  // The share of scenes drawn as under the rules found so far.
   Trait as_found(const char* question, const std::vector<Observation>& observations) const {
     Trait trait{TraitId(question), "as the profile has them"};
     const RuleChoices choices = found();
@@ -246,7 +246,7 @@ class SampleMeasurement {
       profile_.invocations.push_back(std::move(row));
     }
     adopt_sample_rule(RuleId::sample_shading_rate, SampleEvidence::invocations, all);
-    // Only lines show whether lines have their attributes elsewhere.
+    // Only lines show whether lines evaluate attributes elsewhere.
     auto lines = drawing_.drawn("once line", planes(PrimitiveKind::line, {}));
     find_line_parameter(lines);
     std::move(lines.begin(), lines.end(), std::back_inserter(plain));
@@ -254,8 +254,8 @@ class SampleMeasurement {
     adopt_sample_rule(RuleId::attribute_centroid, SampleEvidence::colors, centroid);
   }
 
-  // Multisampled lines may be interpolated otherwise than those of one sample; what follows is
-  // about multisampled ones alone.
+  // Multisampled lines may be interpolated differently from those with one sample; what follows
+  // concerns only multisampled ones.
   void find_line_parameter(std::span<const DrawnScene> lines) {
     Trait trait = infer_line_parameter(lines, rules_);
     if (trait.rate.of > 0) {
@@ -275,7 +275,7 @@ class SampleMeasurement {
     adopt_sample_rule({RuleId::sample_depth, "fragment"}, SampleEvidence::fragment_depths, depths);
   }
 
-  // Depths are evidence of it, too: where samples have theirs must be known before.
+  // Depths are evidence for it, too, so sample depths must be known before.
   void find_switch() {
     Multisampling off;
     off.enabled = false;
@@ -316,8 +316,8 @@ class SampleMeasurement {
 
   const Question& question_;
   SceneDrawing& drawing_;
-  const Choices single_sampled_;  // the rules found of targets of one sample
-  Choices rules_;                 // those, and those found of multisampled targets
+  const Choices single_sampled_;  // the rules found for targets with one sample
+  Choices rules_;                 // those, and the rules found for multisampled targets
   int samples_ = 0;
   SamplePositions positions_;
   SurfaceFindings& findings_;
@@ -330,7 +330,7 @@ std::size_t scene_count(std::size_t scenes_per_kind) {
                              share_of(scenes_per_kind, kWideLineShare);
   const std::size_t probes = line_side_probes(standard_pattern(kPreferred)).size();
   const std::size_t alphas = (probing_alphas(kPreferred).size() - 1) / kAlphasPerScene + 1;
-  // Planes of invocations, and those of eleven questions more.
+  // Planes of invocations, and those of eleven further questions.
   const std::size_t planes = (ways_to_ask_for_invocations().size() + 11) * kPlaneScenes;
   return kCounts.size() + kSweepScenes + random + probes + planes + alphas + kResolveScenes;
 }

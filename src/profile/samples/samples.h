@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Multisampled targets: where samples lie, which primitives cover them, how often the shader runs
-// and where it has its attributes, and what becomes of the samples.
+// Multisampled targets: where samples lie, which primitives cover them, how often the shader runs,
+// where it evaluates attributes, and how samples are written and resolved.
 //
 //   numbers of samples -> sweeps -> placement -> random triangles and lines -> GL_MULTISAMPLE,
 //   sample mask -> invocations -> attributes, depths -> alpha to coverage -> resolve
 //
-// Answers about multisampled targets are whole, so they cost more than those of coverage alone:
-// random targets are smaller, and far fewer scenes are drawn than of single-sampled targets.
+// Answers for multisampled targets are whole and cost more than coverage alone, so random targets
+// are smaller, and far fewer scenes are drawn than for single-sampled targets.
 #pragma once
 
 #include <cstdint>
@@ -23,33 +23,33 @@ namespace edgecase {
 
 // ---------------------------------------------------------------------------------------- sweeps
 
-// Sweeps are edges that pass over a pixel in steps of 1/256, to find where its samples lie.
+// Sweeps move edges over a pixel in steps of 1/256 to find its sample positions.
 //
-// Each scene has one triangle with a vertical or a horizontal edge, on its left, right, lower or
+// Each scene has one triangle with a vertical or horizontal edge, on its left, right, lower or
 // upper side, that crosses the whole pixel. A sample that an edge at one position covers and an
-// edge at the next does not lies between the two, where the edges are after they were snapped.
+// edge at the next does not lies between the two, at their positions after snapping.
 constexpr int kSweepSteps = 256;  // per pixel
 
 // The number of scenes of a sweep.
 constexpr std::size_t kSweepScenes = 4 * (kSweepSteps + 1);
 
-// The sweep of a target with this number of samples.
+// The sweep for a target with this number of samples.
 std::vector<Scene> sweep_scenes(int samples);
 
-// The positions that sweeps, observed in order, find. `snap`: how vertices are snapped.
+// The positions found by sweeps, observed in order. `snap`: how vertices are snapped.
 MeasuredPositions measured_positions(std::span<const Observation> sweeps, Snap snap);
 
 // ------------------------------------------------------------------------------------ invocations
 
 InvocationRow empty_row(const InvocationsAsked& asked, int samples);
 
-// Counts the fragments of a plane scene of one triangle: how often the shader runs for each pixel,
-// and, by the colours, where it has its attributes.
+// Counts the fragments of a plane scene with one triangle: how often the shader runs per pixel and,
+// by the colours, where it evaluates attributes.
 void add_invocations(const Rendering& rendering, InvocationRow& row);
 
 // ------------------------------------------------------------------------------------------ traits
 
-// What of a rendering decides about a rule.
+// The part of a rendering that decides a rule.
 enum class SampleEvidence {
   invocations,      // of each pixel
   colors,           // of each fragment of a plane scene
@@ -60,30 +60,30 @@ enum class SampleEvidence {
   switched_off,     // invocations, and depths of samples
 };
 
-// An alternative yields the evidence where the exact rasterizer under it, everything else as found
-// so far, has the same: a pixel's invocations, a colour or depth to within 1/64 pixel of where it
-// was evaluated, the samples that a pixel's fragments write. `found`: the rules found so far.
+// An alternative yields the evidence if the exact rasterizer under it, with everything else as
+// found so far, has the same: a pixel's invocations, a colour or depth to within 1/64 pixel of its
+// position, or the samples that a pixel's fragments write. `found`: the rules found so far.
 Trait infer_sample_rule(const TraitId& id, SampleEvidence evidence,
                         std::span<const DrawnScene> scenes, const Choices& found);
 
-// Does the rule attribute.smooth choose for multisampled lines as it does for those of one sample?
-// The alternatives of it and of attribute.location that together yield most colours.
+// Whether attribute.smooth has the same alternative for multisampled lines as for those with one
+// sample. Tries it together with attribute.location and takes what yields most colours.
 Trait infer_line_parameter(std::span<const DrawnScene> lines, const Choices& found);
 
 // sample.resolve, by the samples that the renderer reports.
 Trait infer_resolve(std::span<const DrawnScene> scenes);
 
-// Does alpha to coverage keep each sample by the alpha of its own invocation? Of pixels of which
-// the shader runs for each sample.
+// Whether alpha to coverage keeps each sample by the alpha of its own invocation, for pixels whose
+// shader runs per sample.
 Trait own_alpha_trait(std::span<const DrawnScene> scenes, AlphaToCoverage choice);
 
-// Masks by alpha, of alpha scenes whose alphas follow each other.
+// Masks by alpha, from alpha scenes with ascending alphas.
 std::vector<AlphaRun> alpha_runs(std::span<const DrawnScene> scenes);
 
 // Who owns samples on each part of a line's boundary.
 OwnershipTable line_side_table(std::span<const LineSideProbe> probes,
                                std::span<const Observation> observations);
-// In how many probes the choice covers the probed sample, or leaves it out, as the renderer does.
+// The share of probes in which the choice and the renderer agree on the probed sample.
 Trait line_side_trait(std::span<const LineSideProbe> probes,
                       std::span<const Observation> observations, const CoverageChoice& lines);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Levels of detail: what each catalogued scale factor, logarithm and derivative makes of a fragment
-// of a ramp, which of them a renderer follows, and how far its levels are from their formulas.
+// Levels of detail: the levels of each catalogued scale factor, logarithm and derivative for a
+// ramp's fragments, which of them a renderer follows, and its errors from their formulas.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -38,8 +38,8 @@ Footprint RampLevels::exact_footprint(const FragmentLookup& lookup, DerivativeMe
 
 Footprint RampLevels::rounded_footprint(const FragmentLookup& lookup,
                                         DerivativeMethod method) const {
-  // An operation of float32 errs by 2^-24, of what 2.3.1 allows, 10^-5, not a hundredth; how many
-  // operations there are is not known.
+  // A float32 operation errs by 2^-24, less than a hundredth of the 10^-5 that 2.3.1 allows; the
+  // number of operations is unknown.
   constexpr double kShare = 0x1p-4;
   const auto& color = attributes_[static_cast<std::size_t>(lookup.primitive)].color;
   const QuadPixel at = quad_of(lookup.pixel, found_.values, scene_.target);
@@ -75,7 +75,7 @@ bool RampLevels::are_ends(double a, double b, LevelSource source) const {
 
 namespace {
 
-// A combination of the three rules, by the indices of its parts in the catalogue's tables.
+// A combination of the three rules, as indices into the catalogue's tables.
 struct Combination {
   std::size_t scale_factor = 0;
   std::size_t log2 = 0;
@@ -136,7 +136,7 @@ std::vector<Yields> all_yields(std::span<const LookupScene> ramps, const RuleCho
   return result;
 }
 
-// Of several that do equally well, the catalogue's own comes first.
+// Among equals, the catalogue's own comes first.
 Combination best_of(const std::vector<Yields>& all) {
   std::vector<std::size_t> counts(combination_count());
   for (const Yields& yields : all)
@@ -154,7 +154,7 @@ Combination best_of(const std::vector<Yields>& all) {
   return best;
 }
 
-// One rule, the two others as the best combination has them.
+// One rule, with the two others as in the best combination.
 Trait trait_of(RuleId rule, std::size_t Combination::*part, const Combination& best,
                const std::vector<Yields>& all) {
   const std::vector<std::string> names = names_of_alternatives(rule);
@@ -224,7 +224,7 @@ void ResidualTable::add(RampKind kind, const std::string& id, const Scene& scene
         const double residual = std::fabs(*level_reported - level);
         ++formula.fragments;
         formula.sum += residual;
-        // NaN is farther off than any number.
+        // NaN counts as the largest error.
         if (residual <= formula.largest) continue;
         formula.largest = std::isnan(residual) ? HUGE_VAL : residual;
         if (formula.is_found)

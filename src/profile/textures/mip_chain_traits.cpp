@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto kSrgb = values_of<MipmapSrgb>();
 
-// A method by the indices of its parts in the catalogue's tables.
+// A method, as indices of its parts in the catalogue's tables.
 struct Parts {
   std::size_t filter = 0;
   std::size_t rounding = 0;
@@ -39,7 +39,7 @@ std::vector<Parts> all_parts() {
 // Which methods yield one component of a texel.
 using Yields = std::vector<bool>;
 
-// Floats may err by what float32 arithmetic takes; their numbers lie in 0 to 1.
+// Floats from 0 to 1 may err as float32 arithmetic does.
 bool is_same(float rendered, float made, TextureFormat format) {
   return holds_floats(format) ? std::fabs(rendered - made) <= 0x1p-19f : rendered == made;
 }
@@ -60,7 +60,7 @@ void add_yields(const GeneratedChain& chain, std::vector<Yields>& all) {
   }
 }
 
-// Of several that do equally well, the first.
+// Among equals, the first.
 Parts best_of(const std::vector<Yields>& all) {
   std::vector<std::size_t> counts(all_parts().size());
   for (const Yields& yields : all)
@@ -72,7 +72,7 @@ Parts best_of(const std::vector<Yields>& all) {
   return best;
 }
 
-// One rule, the two others as the best method has them.
+// One rule, with the two others as in the best method.
 Trait trait_of(TraitId id, std::size_t Parts::*part, const Parts& best,
                const std::vector<Yields>& all) {
   Tally tally(names_of_alternatives(id.rule), best.*part);
@@ -86,7 +86,7 @@ Trait trait_of(TraitId id, std::size_t Parts::*part, const Parts& best,
     tally.add(agree);
   }
   Trait trait = tally.trait(std::move(id));
-  if (all.empty()) trait.remark = "no chain is told";
+  if (all.empty()) trait.remark = "no chain is reported";
   return trait;
 }
 

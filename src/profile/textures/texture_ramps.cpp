@@ -11,7 +11,7 @@ namespace edgecase {
 namespace {
 
 constexpr std::uint64_t kRampStreams = 0x400;
-// Scenes of windows are others, so that both surfaces together show more.
+// Windows have different scenes, so that both surfaces together show more.
 constexpr std::uint64_t kWindowStreams = 0x1000;
 
 constexpr int kTarget = 32;  // pixels
@@ -22,7 +22,7 @@ std::uint64_t stream_of(const Ramps& of) {
          16 * static_cast<std::uint64_t>(of.purpose) + static_cast<std::uint64_t>(of.kind);
 }
 
-// Powers of two, unlike sides, sizes that halve unevenly, one dimension.
+// Powers of two, unequal sides, sizes that halve unevenly, one dimension.
 constexpr std::array<ImageSize, 5> kSizes{{{64, 64}, {64, 64}, {64, 16}, {48, 20}, {64, 1}}};
 
 double random_sign(RandomSource& random) {
@@ -33,14 +33,14 @@ TexelSteps swapped(const TexelSteps& steps) {
   return {{steps.dx[1], steps.dx[0]}, {steps.dy[1], steps.dy[0]}};
 }
 
-// The axes of an ellipse, the first `ratio` times as long, turned by an angle.
+// The axes of an ellipse, with the first `ratio` times as long, turned by an angle.
 TexelSteps turned(double length, double ratio, double angle) {
   const double c = cosine(angle);
   const double s = sine(angle);
   return {{length * c, length * s}, {-length / ratio * s, length / ratio * c}};
 }
 
-// Vectors whose longer one has a length.
+// Vectors, the longer of which has this length.
 TexelSteps steps_of(RandomSource& random, RampKind kind, double length) {
   constexpr double kPi = std::numbers::pi;
   TexelSteps steps;
@@ -69,7 +69,7 @@ TexelSteps steps_of(RandomSource& random, RampKind kind, double length) {
   return steps;
 }
 
-// Cells in rows, of levels that rise from the first to the last.
+// Cells in rows, with levels that rise from the first to the last.
 void add_cells(RandomSource& random, RampKind kind, ImageSize size, Draw& draw) {
   constexpr int kAcross = kTarget / kCell;
   constexpr int kCells = kAcross * kAcross;
@@ -97,7 +97,7 @@ void add_floor(RandomSource& random, bool along_both, ImageSize size, Draw& draw
   const auto corner = [&](int right, int up) {
     const double w = power_of_2(octaves_x * (from_right ? 1 - right : right) +
                                 octaves_y * (from_top ? 1 - up : up));
-    // In the plane, what is far away is as much wider.
+    // Distant parts of the plane are wider by w.
     const double wide = (right - 0.5) * w;
     const double deep = (up - 0.5) * w;
     const double s = wide * cosine(angle) - deep * sine(angle);
@@ -116,7 +116,7 @@ void add_floor(RandomSource& random, bool along_both, ImageSize size, Draw& draw
 
 Scene ramp_scene(const Ramps& of, std::uint64_t index) {
   RandomSource random(of.seed, stream_of(of), index);
-  // The first of each kind is square, and that of a floor rises along both axes.
+  // The first scene of each kind is square, and that of a floor rises along both axes.
   const ImageSize size = index == 0 ? kSizes[0] : random.one_of<ImageSize>(kSizes);
   Scene scene = textured_scene(of.surface, {kTarget, kTarget}, numbered_levels(size));
   Draw draw = textured_draw(Primitive::triangles,

@@ -44,8 +44,8 @@ Draw cells_draw(const Sampler& sampler, const Lookup& lookup) {
   return textured_draw(Primitive::triangles, sampler, lookup);
 }
 
-// The cell number n of a target, with vectors that are powers of two, or short sums of them: its
-// corners' coordinates are exact.
+// Cell number n of a target. `steps` are powers of two, or short sums of them, so that its corners'
+// coordinates are exact.
 void add_numbered_cell(Draw& draw, int n, const TexelSteps& steps) {
   add_cell(draw, {n % kAcross * kCell, n / kAcross * kCell, kCell}, {0, 0}, steps, kLarge);
 }
@@ -56,7 +56,7 @@ double random_sign(RandomSource& random) {
 
 // ------------------------------------------------------------------------------------------ levels
 
-// Black, full, black: what is looked up is the weight, or what is left of it.
+// Levels black, full, black: the lookup shows the weight, or 1 minus the weight.
 Scene level_weight_scene(RandomSource& random, const TextureProbes& of) {
   const float most = full(of.format);
   Scene scene = textured_scene(of.surface, {kTarget, kTarget},
@@ -65,7 +65,7 @@ Scene level_weight_scene(RandomSource& random, const TextureProbes& of) {
                                }));
   const Sampler sampler = sampler_of(Filter::nearest, Filter::nearest, MipFilter::linear);
   for (std::size_t n = 0; n < kPoints; ++n) {
-    // Now and then on the borders of coarse steps, and in the middle.
+    // Sometimes on the borders of coarse steps, and in the middle.
     const double level = n % 8 == 0   ? grid_number(random, 0, 2, 5)
                          : n % 8 == 1 ? grid_number(random, 0, 2, 9)
                          : n % 8 == 2 ? grid_number(random, 0, 2, 1)
@@ -79,15 +79,15 @@ Scene explicit_tie_scene(RandomSource& random, const TextureProbes& of) {
   Scene scene = textured_scene(of.surface, {kTarget, kTarget}, numbered_levels(kLarge));
   const Sampler sampler = sampler_of(Filter::nearest, Filter::nearest, MipFilter::nearest);
   for (std::size_t n = 0; n < kPoints / 2; ++n) {
-    // Whole levels are halfway for who adds half a level.
+    // Whole levels are ties for a renderer that adds half a level.
     const double level = static_cast<double>(random.below(6)) + (n % 4 == 3 ? 0 : 0.5);
     scene.draws.push_back(point_draw(n, kTarget, sampler, lod_of(level), {0.5, 0.5}));
   }
   return scene;
 }
 
-// Lengths of 2^k times the root of 2; or 3/2 times, where a line in place of the logarithm is
-// halfway; or 2^k, which is halfway for who adds half a level.
+// Lengths of 2^k times the root of 2; or 3/2 times, a tie if a line replaces the logarithm; or 2^k,
+// a tie for a renderer that adds half a level.
 Scene implicit_tie_scene(RandomSource& random, const TextureProbes& of) {
   Scene scene = textured_scene(of.surface, {kTarget, kTarget}, numbered_levels(kLarge));
   Draw draw = cells_draw(sampler_of(Filter::nearest, Filter::nearest, MipFilter::nearest), {});
@@ -104,8 +104,8 @@ Scene implicit_tie_scene(RandomSource& random, const TextureProbes& of) {
   return scene;
 }
 
-// Of square footprints of 2^k texels, in rows with a bias of half a level each: the sampler's or
-// the shader's.
+// Square footprints of 2^k texels, in rows with a bias of half a level each, from the sampler or
+// the shader.
 Scene bias_tie_scene(RandomSource& random, const TextureProbes& of) {
   Scene scene = textured_scene(of.surface, {kTarget, kTarget}, numbered_levels(kLarge));
   for (int row = 0; row < kAcross; ++row) {
@@ -145,7 +145,7 @@ Scene sampler_bias_scene(RandomSource& random, const TextureProbes& of) {
   return scene;
 }
 
-// Tiny footprints under two large biases.
+// Tiny footprints with two large biases.
 Scene bias_sum_scene(RandomSource& random, const TextureProbes& of) {
   Scene scene = textured_scene(of.surface, {kTarget, kTarget}, numbered_levels(kLarge));
   Sampler sampler = sampler_of(Filter::linear, Filter::linear, MipFilter::linear);
@@ -164,14 +164,14 @@ Scene bias_sum_scene(RandomSource& random, const TextureProbes& of) {
 
 // -------------------------------------------------------------------------------- texels and wraps
 
-// Columns of black and full.
+// Alternating black and full columns.
 Texture columns_of(TextureFormat format, ImageSize size, int levels) {
   const float most = full(format);
   return texture_of(format, size, levels,
                     [&](int, int i, int, int) { return i % 2 == 0 ? 0.0f : most; });
 }
 
-// One strip: across half a texel to two of them, or close to a border; of both filters.
+// One strip: across half a texel to two of them, or close to a border; with both filters.
 Scene texel_grid_scene(RandomSource& random, const TextureProbes& of, std::uint64_t index) {
   constexpr ImageSize kStrip{256, 4};
   constexpr ImageSize kImage{4, 4};
@@ -184,7 +184,7 @@ Scene texel_grid_scene(RandomSource& random, const TextureProbes& of, std::uint6
   double span = 0x1p-5;
   double first = static_cast<double>(random.between(1, 3)) - span / 2;
   if (filter == Filter::linear) {
-    // The first is the one whose every position is halfway between two steps.
+    // In the first one every position is halfway between two steps.
     span = index == 0 ? 1 : random.one_of<double>(kSpans);
     first = 0.5 + (index == 0 ? 0 : unit(random));
   }
@@ -196,7 +196,7 @@ Scene texel_grid_scene(RandomSource& random, const TextureProbes& of, std::uint6
   return scene;
 }
 
-// Seven images of four texels, no pixel's centre on a border.
+// Seven images of four texels, with no pixel's centre on a border.
 Scene wrap_scene(RandomSource& random, const TextureProbes& of) {
   const auto offset = static_cast<int>(random.below(4));
   Scene scene = textured_scene(
@@ -215,8 +215,7 @@ Scene wrap_scene(RandomSource& random, const TextureProbes& of) {
   return scene;
 }
 
-// A quarter of a texel off a centre the two filters differ. No level lies halfway between two of
-// which one is taken.
+// The two filters differ a quarter of a texel off a centre. No level is halfway between two.
 Scene crossover_scene(RandomSource& random, const TextureProbes& of) {
   Texture texture = columns_of(TextureFormat::rgba32f, {8, 8}, 0);
   for (std::size_t k = 1; k < texture.levels.size(); ++k)
@@ -233,7 +232,7 @@ Scene crossover_scene(RandomSource& random, const TextureProbes& of) {
   return scene;
 }
 
-// Ratios that are no whole numbers, by any angle.
+// Ratios that are not whole numbers, at any angle.
 Scene anisotropy_scene(RandomSource& random, const TextureProbes& of) {
   constexpr std::array kMost{2.0f, 4.0f, 8.0f, 16.0f};
   Scene scene = textured_scene(of.surface, {kTarget, kTarget}, numbered_levels(kLarge));

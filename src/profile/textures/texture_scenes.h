@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes by which texturing is measured.
+// Scenes for measuring textures.
 //
-// Each is a function of its seed and index alone, as those of generate/random_scenes.h are.
-// Vertices lie on whole pixels, or points on pixels' centres, so that no snapping moves them; where
-// a question is about ties, texture coordinates are short binary fractions.
+// Each depends only on its seed and index, like those of generate/random_scenes.h. Vertices lie on
+// whole pixels, or points on pixels' centres, so that no snapping moves them; for questions about
+// ties, texture coordinates are short binary fractions.
 #pragma once
 
 #include <array>
@@ -19,18 +19,18 @@ namespace edgecase {
 
 // --------------------------------------------------------------------------------------- questions
 
-// What a scene asks about; all else that could matter is held constant.
+// The question of a scene; everything else that could matter is constant.
 enum class TextureQuestion {
-  level_weight,    // the weight of the second level, at levels that the shader gives
+  level_weight,    // the weight of the second level, at levels given by the shader
   texel_grid,      // texels, and their weights, across a texel or a border
   wrap,            // mirrored repetition
-  implicit_tie,    // the nearest level where footprints make a tie
-  bias_tie,        // where a bias makes it
-  explicit_tie,    // where the shader gives it
+  implicit_tie,    // the nearest level, with ties made by footprints
+  bias_tie,        // ... by a bias
+  explicit_tie,    // ... by the shader
   crossover,       // filters just beyond a level of 0
-  sampler_bias,    // the sampler's bias, of levels that the shader gives
-  gradients_bias,  // the same, of gradients
-  bias_sum,        // both biases, together beyond what they may be
+  sampler_bias,    // the sampler's bias, for levels given by the shader
+  gradients_bias,  // the same, for gradients
+  bias_sum,        // both biases, together beyond their limit
   anisotropy,      // levels of elongated footprints
 };
 
@@ -42,14 +42,14 @@ struct TextureProbes {
 };
 Scene texture_probe(const TextureProbes& of, std::uint64_t index);
 
-// A texture whose levels the renderer generates, of sizes even, odd and very unlike.
+// A texture with generated levels, of even, odd and very unequal sizes.
 Scene chain_scene(std::uint64_t seed, Surface surface, TextureFormat format, std::uint64_t index);
 
 // ------------------------------------------------------------------------------------------- ramps
 
 // Footprints whose levels rise over the target. A ramp has a texture of floats with one flat colour
-// per level, red the level's number, and blends the two nearest: so what is looked up tells the
-// level of detail, as textureQueryLod does.
+// per level, with red the level's number, and blends the two nearest: so the lookup shows the level
+// of detail, as textureQueryLod does.
 enum class RampKind {
   axis_aligned,   // u along x and v along y, or swapped
   diagonal,       // along both
@@ -67,7 +67,7 @@ inline constexpr auto kNames<RampKind> =
                                     {RampKind::perspective, "perspective"},
                                     {RampKind::magnification, "magnification"}});
 
-// Scenes of different purpose have nothing in common.
+// Scenes of different purposes are independent.
 enum class RampPurpose { traits, residuals };
 
 struct Ramps {
@@ -80,7 +80,7 @@ Scene ramp_scene(const Ramps& of, std::uint64_t index);
 
 // ------------------------------------------------------------------------------- parts of scenes
 
-// Texels per pixel of the base level along x and along y.
+// Texels of the base level per pixel along x and along y.
 struct TexelSteps {
   std::array<double, 2> dx{};  // du/dx and dv/dx
   std::array<double, 2> dy{};
@@ -91,10 +91,10 @@ struct ImageSize {
   int height = 1;
 };
 
-// What a component of a level's texel is: code or number, as the format stores it.
+// A component of a level's texel: code or number, as the format stores it.
 using TexelNumber = std::function<float(int level, int i, int j, int component)>;
 
-// A texture of so many levels, 0: a whole chain.
+// A texture with this number of levels; 0: a whole chain.
 Texture texture_of(TextureFormat format, ImageSize size, int levels, const TexelNumber& number);
 
 // A whole chain of floats: red is the level's number.
@@ -105,19 +105,19 @@ constexpr float full(TextureFormat format) {
   return holds_floats(format) ? 1.0f : 255.0f;
 }
 
-// A target with one texture, without draws; details of lookups are asked for.
+// A target with one texture and without draws; requests details of lookups.
 Scene textured_scene(Surface surface, ImageSize target, Texture texture);
 
 Draw textured_draw(Primitive primitive, const Sampler& sampler, const Lookup& lookup);
 
-// The sampler that the questions begin with: all filters nearest, the levels blended or not.
+// The default sampler of the questions: all filters nearest, the levels blended or not.
 Sampler sampler_of(Filter magnify, Filter minify, MipFilter mipmap);
 
 // One vertex on whole pixels, or halves.
 Vertex textured_vertex(double x, double y, std::array<double, 2> coordinates);
 
-// A square of two triangles, lower left pixel (x, y), whose texture coordinates begin at `origin`
-// and grow by `steps`.
+// A square of two triangles with lower left pixel (x, y), whose texture coordinates start at
+// `origin` and grow by `steps`.
 struct Cell {
   int x = 0;
   int y = 0;
@@ -126,14 +126,14 @@ struct Cell {
 void add_cell(Draw& draw, const Cell& cell, std::array<double, 2> origin, const TexelSteps& steps,
               ImageSize texture);
 
-// The draw of a scene; where its texture has one dimension, t is 0 everywhere.
+// Adds a draw; if the texture has one dimension, t becomes 0 everywhere.
 void add_draw(Scene& scene, Draw draw);
 
 // A point of one pixel, the n-th of a target of that width.
 Draw point_draw(std::size_t n, int target_width, const Sampler& sampler, const Lookup& lookup,
                 std::array<double, 2> coordinates);
 
-// From 0 to 1, of 24 bits.
+// From 0 to 1, with 24 bits.
 double unit(RandomSource& random);
 
 }  // namespace edgecase

@@ -15,7 +15,7 @@
 namespace edgecase {
 namespace {
 
-// A float32 number that was interpolated in doubles may have lost its last place.
+// A float32 number that was interpolated in doubles may have lost its last bits.
 double as_float(double coordinate) {
   const double rounded = to_float(coordinate);
   return std::fabs(rounded - coordinate) <= 0x1p-45 * std::fabs(coordinate) ? rounded : coordinate;
@@ -54,7 +54,7 @@ class CandidateScene {
   RuleChoices choices_;
   std::unique_ptr<TextureStage> stage_;
   std::vector<PrimitiveAttributes> attributes_;
-  std::vector<std::optional<TexturedPrimitive>> textured_;  // those that were asked for
+  std::vector<std::optional<TexturedPrimitive>> textured_;  // created on demand
 };
 
 bool is_code(double component) {
@@ -62,7 +62,7 @@ bool is_code(double component) {
   return std::fabs(code - std::nearbyint(code)) < 1e-3;
 }
 
-// Are all colours codes of 8 bits, as no filter in floats makes them?
+// Whether all colours are 8-bit codes, unlike results of filtering in floats.
 bool are_codes(std::span<const LookupScene> scenes) {
   for (const LookupScene& scene : scenes) {
     if (scene.scene.textures[0]->format != TextureFormat::rgba8) return false;
@@ -72,11 +72,11 @@ bool are_codes(std::span<const LookupScene> scenes) {
   return true;
 }
 
-// How far a component may be from that of an alternative.
+// The permitted distance of a component from that of an alternative.
 double tolerance_of(RuleId rule, std::span<const LookupScene> scenes) {
   // Rounding to a code takes half a code.
   if (are_codes(scenes)) return (0.5 + 1e-3) / 255;
-  // Vectors of anisotropic footprints are no short fractions.
+  // Vectors of anisotropic footprints are not short fractions.
   return rule == RuleId::texture_anisotropy ? 0x1p-8 : 0x1p-14;
 }
 
@@ -100,7 +100,7 @@ std::vector<std::string> candidates_of(RuleId rule, std::span<const LookupScene>
   return names;
 }
 
-// A step through a list that meets everything in it, and no rows or columns of it alone.
+// A step that visits a whole list without following its rows or columns.
 std::size_t spreading_step(std::size_t count) {
   auto step = static_cast<std::size_t>(0.618 * static_cast<double>(count));
   while (step > 1 && std::gcd(step, count) != 1) --step;
@@ -149,8 +149,8 @@ Trait infer_texture_rule(const TraitId& id, std::span<const LookupScene> scenes,
       tally.add(agree);
     }
   }
-  // The specification does not define anisotropic filters: a lookup that no catalogued one yields
-  // must not be overlooked.
+  // The specification does not define anisotropic filters, so a lookup that no catalogued one
+  // yields must not be overlooked.
   return tally.trait(
       id, id.rule == RuleId::texture_anisotropy ? Tally::None::counted : Tally::None::remarked);
 }

@@ -21,7 +21,7 @@ constexpr std::size_t kLeastProbes = 3;
 constexpr std::size_t kLeastTraits = 2;
 constexpr std::size_t kLeastResiduals = 1;
 constexpr std::size_t kLeastChains = 7;
-// Fragments that are looked at.
+// The number of fragments examined.
 constexpr std::size_t kPerProbe = 128;
 constexpr std::size_t kPerTraitRamp = 96;
 constexpr std::size_t kPerRamp = 1u << 20;
@@ -39,13 +39,13 @@ struct Numbers {
         chains(std::max(kLeastChains, scenes_per_kind / kChainShare)) {}
 };
 
-// A rule is asked in several ways where renderers may differ.
+// A rule is probed in several ways if renderers may differ.
 struct Way {
   TraitId id;
   TextureQuestion question;
 };
 
-// Takes over the alternative of a trait, where something was learnt of the rule itself.
+// Adopts the alternative of a trait, provided that something was learnt about the rule itself.
 void choose(const Trait& trait, RuleChoices& found) {
   if (trait.id.is_rule() && trait.rate.of > 0)
     found = with_alternative(found, trait.id.rule, trait.alternative);
@@ -99,8 +99,8 @@ class TextureMeasurement {
     return lookup_scenes(text_of(id), std::move(scenes), kPerProbe);
   }
 
-  // What holds for rgba8 textures is the policy's; scenes of floats are read as floats are looked
-  // up.
+  // The result for rgba8 textures is the policy's; scenes with floats use the rules of float
+  // lookups.
   void adopt(Trait trait) {
     choose(trait, found_);
     const TextureChoice floats = found_floats_.textures;
@@ -135,7 +135,7 @@ class TextureMeasurement {
     for (Trait& trait : infer_level_of_detail(all, found_floats_)) adopt(std::move(trait));
   }
 
-  // Of footprints; where none of them lies halfway, of biases or of levels that the shader gives.
+  // By footprints; if none of them is a tie, by biases or by levels from the shader.
   void find_nearest_level() {
     constexpr RuleId kRule = RuleId::texture_nearest_level;
     const std::array<Way, 3> ways{{{{kRule, "footprint"}, TextureQuestion::implicit_tie},
@@ -153,8 +153,8 @@ class TextureMeasurement {
     for (Trait& trait : traits) adopt(std::move(trait));
   }
 
-  // A bias that renderers add by themselves moves every level: it has to be known before all else,
-  // if only roughly.
+  // A bias that renderers add by themselves moves every level, so it has to be known first, if only
+  // roughly.
   void guess_bias() {
     given_levels_ = probes({RuleId::texture_lod_bias, "lod"}, TextureQuestion::sampler_bias);
     const Trait trait = infer_texture_rule(RuleId::texture_lod_bias, given_levels_, found_floats_);
@@ -162,7 +162,7 @@ class TextureMeasurement {
     choose(trait, found_floats_);
   }
 
-  // Of all ways together, with most lookups of levels that the shader gives.
+  // By all ways together, mostly by lookups of levels from the shader.
   void find_bias() {
     constexpr RuleId kRule = RuleId::texture_lod_bias;
     constexpr std::size_t kPerOtherProbe = kPerProbe / 8;
@@ -186,7 +186,7 @@ class TextureMeasurement {
     for (Trait& trait : traits) adopt(std::move(trait));
   }
 
-  // Any way to filter anisotropically is open: one that fits badly is reported and not followed.
+  // Any anisotropic filter is permitted: one that fits badly is reported and not followed.
   void find_anisotropy() {
     constexpr RuleId kRule = RuleId::texture_anisotropy;
     Trait trait =
@@ -236,7 +236,7 @@ class TextureMeasurement {
     findings_.levels = std::move(table.rows());
   }
 
-  // Replaces an example's scene by its primitive alone where that shows the same.
+  // Replaces an example's scene by its primitive alone if that shows the same.
   void isolate_examples() {
     std::vector<std::pair<ResidualExample*, LevelSource>> examples;
     std::vector<Scene> scenes;
@@ -269,14 +269,14 @@ class TextureMeasurement {
   Numbers numbers_;
   SceneDrawing& drawing_;
   RuleChoices found_;
-  RuleChoices found_floats_;  // the same, with weights and grids as textures of floats have them
+  RuleChoices found_floats_;  // the same, with weights and grids for textures of floats
   std::vector<LookupScene> given_levels_;  // those of guess_bias
   SurfaceFindings& findings_;
 };
 
 std::size_t scene_count(std::size_t scenes_per_kind) {
   const Numbers numbers(scenes_per_kind);
-  // Two questions of every format, nine of one.
+  // Two questions for every format, nine for one.
   const std::size_t questions = 2 * kTextureFormats.size() + 9;
   return questions * numbers.probes +
          values_of<RampKind>().size() * (numbers.traits + numbers.residuals) +

@@ -31,7 +31,7 @@ std::size_t index_of(const std::string& method) {
   return static_cast<std::size_t>(std::ranges::find(names, method) - names.begin());
 }
 
-// Counts of one form of derivative, over the samples that tell methods apart.
+// Counts for one form of derivative, over the samples that distinguish methods.
 struct Counts {
   std::array<std::array<std::size_t, kMostMethods>, 2> axis{};  // x alone, y alone
   std::array<std::size_t, kMostMethods> both{};
@@ -105,7 +105,7 @@ class DerivativeForm {
   RowOrder rows_;
 };
 
-// Says where x and y follow different methods.
+// The remark if x and y follow different methods.
 std::string remark_of(const Counts& counts, std::size_t best) {
   const auto method = [](std::size_t m) { return name_of(values_of<DerivativeMethod>()[m]); };
   const std::size_t x = best_of(counts.axis[0]);
@@ -128,7 +128,7 @@ Trait trait_of(Derivative x, const Counts& counts) {
     return trait;
   }
   trait.runner_up.clear();
-  trait.remark = "no such derivative is told";
+  trait.remark = "no such derivative is reported";
   return trait;
 }
 
@@ -137,12 +137,12 @@ constexpr std::array<std::pair<Derivative, Derivative>, 3> kForms{
      {Derivative::x_fine, Derivative::y_fine},
      {Derivative::x_coarse, Derivative::y_coarse}}};
 
-// Of all forms, with rows of quads counted from one end.
+// All forms, with rows of quads counted from one end.
 struct Reading {
   RowOrder rows;
   std::array<Counts, 3> forms;
 
-  // Of the samples, those that each form's best method yields.
+  // The share of samples that each form's best method yields.
   Rate rate() const {
     Rate rate;
     for (const Counts& counts : forms) {
@@ -164,7 +164,7 @@ Reading read(std::span<const SampledScene> scenes, const RuleChoices& found, Row
 Trait rows_trait(const Reading& best, const Reading& other) {
   Trait trait{RuleId::derivative_quad_rows, name_of(best.rows), best.rate(),
               name_of(other.rows),          other.rate(),       ""};
-  if (trait.rate.of == 0) trait.remark = "no derivative is told";
+  if (trait.rate.of == 0) trait.remark = "no derivative is reported";
   return trait;
 }
 
@@ -219,14 +219,13 @@ Trait DepthTrait::trait() const {
             {},
             "",
             {},
-            failure_.empty() ? "no depth is told" : failure_};
+            failure_.empty() ? "no depth is reported" : failure_};
   if (bits_of(format_) == 0) return {std::move(id), "as told", {agreeing_[0], of_}};
   static const std::array<std::string, 3> kNames{"nearest", "truncate", "up"};
   Trait trait = leading(std::move(id), kNames, agreeing_, of_);
   if (neither_ > 0)
-    trait.remark =
-        fmt::format("{} of {} depths are neither of the two neighbours of what the fragment tells",
-                    neither_, of_);
+    trait.remark = fmt::format(
+        "{} of {} depths are neither of the two neighbours of the fragment's own", neither_, of_);
   return trait;
 }
 

@@ -17,10 +17,10 @@
 namespace edgecase {
 namespace {
 
-// Ruling 9 lets the last operation alone err by so much of its result.
+// Ruling 9 permits the last operation alone this relative error.
 constexpr double kCertainlyPermitted = 0.99e-5;
 
-// Longer side of the rectangle round a primitive, raw.
+// The longer side of a primitive's bounding rectangle, raw.
 std::int64_t extent_of(const ScenePrimitive& primitive) {
   std::int64_t extent = 0;
   for (int i = 0; i < vertices_of(primitive.kind); ++i)
@@ -57,14 +57,14 @@ ValueExample example_at(const Component& at) {
   return example;
 }
 
-// The formula that OpenGL allows, and how far vertices may have moved for it, pixels.
+// The formula that OpenGL permits, and how far vertices may have moved, in pixels.
 struct Allowed {
   const Interpolant& formula;
   double reach;
   bool flat;
 };
 
-// What ruling 9 permits, or ruling 8: a flat colour is copied.
+// The range of ruling 9, or of ruling 8: a flat colour is copied.
 Interval permitted_at(const Allowed& allowed, Point sample) {
   if (allowed.flat) return rounded_to_float(interpolate_exact(allowed.formula, sample));
   return rounded_to_float(hull(interpolate_inexact(allowed.formula, sample),
@@ -79,8 +79,8 @@ bool certainly_permitted(const Allowed& allowed, Point sample, double exact, dou
       .contains(to_float(rendered));
 }
 
-// Every one of the first, then a few: what a triangle's vertices may yield is found over 64
-// combinations of moves.
+// Every one of the first, then only some: a triangle's permitted values are found over 64
+// combinations of moves of its vertices.
 bool is_searched(ValueErrors& row) {
   constexpr std::size_t kFirst = 4096;
   constexpr std::size_t kOneIn = 64;
@@ -125,11 +125,11 @@ void keep_worst(ValueErrors& row, const Component& at, double exact, double rend
   offer(row.worst_relative, &ValueExample::relative, relative);
 }
 
-// `allowed`: null where legality is not asked.
+// `allowed`: null if legality is not tested.
 void compare(ValueErrors& row, const Component& at, const Interpolant& formula,
              const Allowed* allowed, double rendered) {
   const Interval range = interpolate_exact(formula, pixel_centre(at.pixel.x, at.pixel.y));
-  // A primitive without extent, once its vertices are snapped, has no value.
+  // A primitive that has no extent after snapping has no value.
   if (!std::isfinite(range.low) || !std::isfinite(range.high)) return;
   const double exact = middle(range);
   ++row.components;
@@ -154,7 +154,7 @@ bool same_values(const ValueChoice& a, const ValueChoice& b) {
          a.positions == b.positions && a.provoking == b.provoking;
 }
 
-// May the renderer's own rules change what fragments of a mode have?
+// Whether the renderer's own rules may change the fragments of a mode.
 bool matters(const ValueChoice& found, const CoverageChoice& coverage, const ValueMode& mode,
              ValueKind kind) {
   const ValueChoice lawful;
@@ -179,8 +179,8 @@ const Interpolant& formula_of(const PrimitiveAttributes& attributes, ValueKind k
   return attributes.color[static_cast<std::size_t>(component)];
 }
 
-// Depth and 1/w do not depend on how colours are interpolated, and are compared where colours cost
-// least; 1/w where it is no constant.
+// Depth and 1/w do not depend on the interpolation of colours, and are compared where colours cost
+// least; 1/w only where it is not constant.
 bool is_compared(const ValueMode& mode, ValueKind kind) {
   const bool differing_noperspective =
       mode.interpolation == Interpolation::noperspective && mode.perspective;

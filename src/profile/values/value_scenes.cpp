@@ -16,11 +16,11 @@
 namespace edgecase {
 namespace {
 
-// Far from the streams of generate/random_scenes.cpp; a mode and a purpose have one each.
+// Far from the streams of generate/random_scenes.cpp; one for each mode and purpose.
 constexpr std::uint64_t kModeStreams = 0x100;
 constexpr std::uint64_t kDerivativeStream = 0x200;
 constexpr std::uint64_t kDepthStream = 0x300;
-// Scenes of windows are others, so that both surfaces together show more.
+// Windows have different scenes, so that both surfaces together show more.
 constexpr std::uint64_t kWindowStreams = 0x1000;
 
 constexpr std::array<ValueMode, 10> kModes = {
@@ -44,7 +44,7 @@ std::uint64_t stream_of(const ValueScenes& of) {
 
 // ---------------------------------------------------------------------------------------- colours
 
-// From 0 to 1, of 24 bits.
+// From 0 to 1, with 24 bits.
 double fraction(RandomSource& random) {
   return static_cast<double>(random.below(1 << 24)) * 0x1p-24;
 }
@@ -99,14 +99,14 @@ void set_colors(RandomSource& random, std::span<Vertex> primitive) {
 
 constexpr std::array<std::int64_t, 6> kOddFactors{1, 1, 1, 3, 5, 7};
 
-// Are the clip coordinates of a vertex with this w float32 numbers?
+// Whether the clip coordinates of a vertex with this w are float32 numbers.
 bool reaches_exactly(const Vertex& vertex, const Viewport& viewport, float w) {
   return !find_inexactness(vertex.position.x, {viewport.x, viewport.width}, 'x', w) &&
          !find_inexactness(vertex.position.y, {viewport.y, viewport.height}, 'y', w) &&
          !find_depth_inexactness(vertex.z, w);
 }
 
-// A w of at most 2^octaves, or at least 2^-octaves, that the vertex bears.
+// A w from 2^-octaves to 2^octaves with which the vertex stays exact.
 float random_w(RandomSource& random, const Vertex& vertex, const Viewport& viewport, int octaves) {
   const double power = power_of_two(random.between(-octaves, octaves));
   const auto odd = static_cast<double>(random.one_of<std::int64_t>(kOddFactors));
@@ -138,7 +138,7 @@ void set_depths(RandomSource& random, std::span<Vertex> primitive) {
 
 // ----------------------------------------------------------------------------------------- shapes
 
-// Some are large: they have most of the fragments.
+// Some are large and have most of the fragments.
 Frame value_frame(RandomSource& random) {
   Frame frame = random_frame(random);
   if (!random.one_in(8)) return frame;
@@ -161,7 +161,7 @@ std::vector<Point> shape_of(RandomSource& random, const Frame& frame, PrimitiveK
   }
 }
 
-// Corners that make an area of a quarter of the square or more, multiples of 1/16 pixel.
+// Corners with an area of at least a quarter of the square, at multiples of 1/16 pixel.
 std::vector<Point> large_triangle(RandomSource& random, int size) {
   for (;;) {
     std::vector<Point> points;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Random scenes by which values are measured: colours, depths, derivatives, depth buffers.
+// Random scenes for measuring values: colours, depths, derivatives, depth buffers.
 //
-// Each is a function of its seed and index alone, as those of generate/random_scenes.h are,
-// with the same shapes and grids. Beside shapes, what an interpolation depends on is spread:
-// colours in 0 to 1 and beyond, through zero, of tiny and of huge ranges, constant; depths
-// anywhere; w all the same or in ratios up to 2^16.
+// Each depends only on its seed and index, like those of generate/random_scenes.h, with the same
+// shapes and grids. The inputs of interpolation vary as well: colours in 0 to 1 and beyond, through
+// zero, of tiny and of huge ranges, constant; any depths; equal w or ratios up to 2^16.
 //
-// OpenGL gets the very numbers: (window position - centre) / (size / 2) * w is a float32 number,
-// and so is z * w. Every w is a power of two times 1, 3, 5 or 7, and a power of two where the odd
+// OpenGL gets the exact numbers: (window position - centre) / (size / 2) * w is a float32 number,
+// and so is z * w. Every w is a power of two times 1, 3, 5 or 7, and just a power of two if the odd
 // factor would take bits that the coordinates need.
 #pragma once
 
@@ -22,7 +21,7 @@
 
 namespace edgecase {
 
-// A primitive and how it is interpolated: errors are counted for each mode apart.
+// A primitive and its interpolation; errors are counted separately for each mode.
 struct ValueMode {
   PrimitiveKind kind = PrimitiveKind::triangle;  // a triangle or lines
   Interpolation interpolation = Interpolation::smooth;
@@ -34,7 +33,7 @@ std::span<const ValueMode> all_value_modes();
 // "triangle smooth", "line noperspective, w differ", …
 std::string name_of(const ValueMode& mode);
 
-// Scenes of different purpose have nothing in common.
+// Scenes of different purposes are independent.
 enum class ValuePurpose { traits, errors };
 
 struct ValueScenes {
@@ -44,16 +43,16 @@ struct ValueScenes {
   ValuePurpose purpose = ValuePurpose::errors;
 };
 
-// One draw: a triangle, or kLinesPerScene separate lines. No primitive is without extent. Where the
-// w differ and colours are noperspective, gl_FragCoord is asked for.
+// One draw: a triangle, or kLinesPerScene separate lines, all with extent. If the w differ and
+// colours are noperspective, gl_FragCoord is requested.
 constexpr int kLinesPerScene = 24;
 Scene value_scene(const ValueScenes& of, std::uint64_t index);
 
-// A triangle of some hundred pixels with w in ratios from 4 up, so that ways to take a derivative
-// differ; the derivatives are asked for. The target's height is even or odd.
+// A triangle of some hundred pixels with ratios of w from 4 up, so that derivative methods differ;
+// requests the derivatives. The target's height is even or odd.
 Scene derivative_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
 
-// A large triangle whose depths are spread over 0 to 1, on a target with a depth buffer.
+// A large triangle with depths spread over 0 to 1, on a target with a depth buffer.
 Scene depth_scene(std::uint64_t seed, Surface surface, DepthFormat format, std::uint64_t index);
 
 }  // namespace edgecase

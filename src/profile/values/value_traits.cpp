@@ -28,7 +28,7 @@ struct Candidates {
 Candidates candidates_of(RuleId rule, const RuleChoices& found) {
   Candidates candidates{rule, names_of_alternatives(rule), choices_by_alternative(found, rule)};
   if (rule == RuleId::attribute_perspective) {
-    // The last alternative, w at the centre, differs from the first on multisampled targets alone.
+    // The last alternative, w at the centre, differs from the first only on multisampled targets.
     candidates.names.pop_back();
     candidates.choices.pop_back();
   }
@@ -62,8 +62,8 @@ double largest_value(const Interpolant& formula) {
   return largest;
 }
 
-// How far the rendered component is from each candidate's exact value, as a share of the largest
-// value at a vertex. False where the candidates are too near to each other to tell.
+// The distance of the rendered component from each candidate's exact value, relative to the largest
+// value at a vertex. False if the candidates are too close to be distinguished.
 bool add_distances(std::span<const Interpolant> formulas, Point sample, double rendered,
                    std::array<double, kMostCandidates>& distances) {
   if (range_of(formulas[0]) == 0) return false;
@@ -79,7 +79,7 @@ bool add_distances(std::span<const Interpolant> formulas, Point sample, double r
     for (std::size_t j = 0; j < i; ++j) {
       if (exact[i] == exact[j]) continue;
       any_differ = true;
-      // What one operation may make up needs no closer look.
+      // Differences within the error of one operation need no closer look.
       if (std::fabs(exact[i] - exact[j]) <= 1e-5 * std::fabs(exact[i]) ||
           overlap(interpolate_inexact(formulas[i], sample),
                   interpolate_inexact(formulas[j], sample)))
@@ -105,14 +105,14 @@ class Ballot {
     }
   }
 
-  // The winner, or the first candidate where nothing decides.
+  // The winner, or the first candidate if nothing decides.
   Trait trait() const {
     Votes all = lines_;
     all += triangles_;
     Trait trait = leading(all);
     if (all.of == 0) {
       trait.runner_up.clear();
-      trait.remark = "no sample tells the alternatives apart";
+      trait.remark = "no sample distinguishes the alternatives";
     }
     const Trait lines = leading(lines_);
     const Trait triangles = leading(triangles_);
@@ -159,7 +159,7 @@ class Ballot {
   Votes triangles_;
 };
 
-// Each rule in turn, the others as they were last found; `found` is updated.
+// Each rule in turn, with the others as last found; `found` is updated.
 std::vector<Trait> infer_once(std::span<const SampledScene> scenes, RuleChoices& found) {
   std::vector<Trait> traits;
   for (const RuleId rule :
@@ -191,7 +191,7 @@ SampledScene sampled(Scene scene, const Rendering& rendering, std::size_t most) 
 }
 
 std::vector<Trait> infer_values(std::span<const SampledScene> scenes, RuleChoices& found) {
-  // Once to know the other rules, once more under them.
+  // The first pass finds the other rules, the second one uses them.
   infer_once(scenes, found);
   return infer_once(scenes, found);
 }

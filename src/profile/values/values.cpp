@@ -56,7 +56,7 @@ class ValueMeasurement {
     count_errors();
     isolate_examples();
     find_depths();
-    // Textures are looked up at coordinates that are interpolated so, and in the same quads.
+    // Texture coordinates are interpolated in the same way, and in the same quads.
     findings_.found.values = resolve(policy_of(findings_.choices), question_.surface).values;
   }
 
@@ -114,7 +114,7 @@ class ValueMeasurement {
     findings_.values = std::move(table.rows());
   }
 
-  // Replaces an example's scene by its primitive alone where that shows the same.
+  // Replaces an example's scene by its primitive alone if that shows the same.
   void isolate_examples() {
     std::vector<std::pair<ValueExample*, ValueKind>> examples;
     std::vector<Scene> scenes;
@@ -142,7 +142,7 @@ class ValueMeasurement {
     });
   }
 
-  // A depth format that a surface does not have counts as no failure.
+  // A depth format that a surface lacks is not counted as a failure.
   void find_depths() {
     for (const DepthFormat format : kFormats) {
       std::vector<Scene> scenes;

@@ -5,9 +5,9 @@
 //
 //   samples of renderings -> traits, derivatives, depth buffers -> all fragments -> errors
 //
-// A sample votes for the alternative whose exact value is nearest to the rendered one, where the
-// alternatives differ by more than inexact arithmetic could make up (ruling 9, with the vertices
-// where each alternative has them). Renderings are looked at one by one; samples of them are kept.
+// A sample votes for the alternative with the nearest exact value, provided that the alternatives
+// differ by more than inexact arithmetic explains (ruling 9, with each alternative's vertices).
+// Renderings are processed one by one; only samples of them are kept.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ struct SampledScene {
     PixelPosition pixel;
     int primitive = 0;
     std::array<double, 4> color{};
-    // dFdx, dFdy, and their fine and coarse forms, where they are reported.
+    // dFdx, dFdy, and their fine and coarse forms, if they are reported.
     std::array<std::optional<std::array<double, 4>>, kDerivatives> derivatives;
   };
   Scene scene;
@@ -40,16 +40,16 @@ struct SampledScene {
 };
 SampledScene sampled(Scene scene, const Rendering& rendering, std::size_t most);
 
-// attribute.perspective, attribute.smooth, attribute.positions. `found`: what is known so far,
-// coverage and snapping; what is inferred is put there.
+// attribute.perspective, attribute.smooth, attribute.positions. `found` has what is known so far,
+// coverage and snapping, and receives the results.
 std::vector<Trait> infer_values(std::span<const SampledScene> scenes, RuleChoices& found);
 
 // derivative.plain, derivative.fine, derivative.coarse: the method that yields most samples, in x
-// and in y, every operation inexact; and derivative.quad-rows. Only samples that some methods yield
-// and some do not count.
+// and in y, with every operation inexact; and derivative.quad-rows. Only samples that some methods
+// yield and some do not count.
 std::vector<Trait> infer_derivatives(std::span<const SampledScene> scenes, RuleChoices& found);
 
-// framebuffer.depth:FORMAT, how depths are converted: by what the depth buffer holds where the
+// framebuffer.depth:FORMAT, how depths are converted: by the depth buffer's value where the
 // fragment's own depth lies between two values of the format.
 class DepthTrait {
  public:
@@ -72,7 +72,7 @@ class ValueErrorTable {
   // `found`: what the renderer was found to follow. `bits`: as in ruling 4.
   ValueErrorTable(const RuleChoices& found, int bits);
 
-  // The rendering of one scene of a mode.
+  // Adds the rendering of one scene of a mode.
   void add(const ValueMode& mode, const std::string& id, const Scene& scene,
            const Rendering& rendering);
 
@@ -88,11 +88,11 @@ class ValueErrorTable {
   std::vector<ValueErrors> rows_;
 };
 
-// The value that a renderer reports of a fragment; none where it reports none.
+// The value that a renderer reports for a fragment; nothing if it reports none.
 std::optional<double> reported(const Rendering& rendering, const Fragment& fragment, ValueKind kind,
                                int component);
 
-// How many scenes of each mode errors are counted in.
+// The number of scenes in which errors are counted, for each mode.
 std::size_t error_scene_count(std::size_t scenes_per_kind);
 
 extern const Subject kValueSubject;

@@ -61,7 +61,7 @@ void print_blocks(const Scene& scene, const Policy& policy, const BlockSizes& si
     return;
   }
   for (std::size_t k = 0; k < scene.supersampling.size(); ++k) {
-    fmt::print("In {}:\n", words_of_pass(scene.supersampling, k));
+    fmt::print("In {}:\n", text_of_pass(scene.supersampling, k));
     print_blocks(pass_of(scene, k), policy, sizes);
   }
 }

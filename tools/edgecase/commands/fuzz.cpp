@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "casefile/loader.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "reports/text.h"
 #include "run/renderer_names.h"
 #include "run/renderers.h"

@@ -13,7 +13,7 @@
 #include "casefile/case_writer.h"
 #include "casefile/json/text.h"
 #include "model/counted.h"
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 #include "reports/text.h"
 #include "rules/all_rules.h"
 #include "run/renderer_names.h"
@@ -96,7 +96,7 @@ std::string words_of_size(const Scene& scene) {
 std::string why_of(const Result& result, const Signature& signature, const RendererInfo& info) {
   if (result.failure)
     return fmt::format("{} ({}) fails here: {}: {}", info.name, info.device,
-                       name_of(result.failure->kind), words_for_file(result.failure->reason));
+                       name_of(result.failure->kind), text_for_file(result.failure->reason));
   const std::string legal = signature.legality == Legality::legal ? "the specification allows it"
                                                                   : describe(signature.legality);
   const auto finds = disagreements_of(result, signature);
@@ -129,8 +129,8 @@ std::vector<std::string> rules_of(const Minimized& minimized, const Signature& s
 
 CaseWords words_for(const Minimized& minimized, const Signature& signature, const Case& original,
                     RendererInfo info) {
-  info.name = words_for_file(info.name);
-  info.device = words_for_file(info.device);
+  info.name = text_for_file(info.name);
+  info.device = text_for_file(info.device);
   CaseWords words;
   words.title = beginning_of(fmt::format("{}: {}", info.name, title_of(signature)), kMostTitle);
   words.why =
@@ -198,7 +198,7 @@ ExitCode deliver(const MinimizeCommand& command, const Case& original, const Min
   }
   print_to_stderr(fmt::format(
       "{}: {}\n  from {}\n  to {}: {}\n  {}{}\n", one_line(original.id), title_of(signature),
-      words_of_size(original.scene), words_of_size(minimized.scene), scene_words(minimized.scene),
+      words_of_size(original.scene), words_of_size(minimized.scene), scene_text(minimized.scene),
       counted(minimized.asks, "scene asked", "scenes asked"), ending_words(minimized.end)));
   const std::string text =
       command.json ? json_text(minimized, signature, original, info, written.text) : written.text;

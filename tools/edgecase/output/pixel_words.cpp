@@ -35,7 +35,7 @@ std::string pixel_words(const Scene& scene, const Policy& policy, Pixel pixel) {
   if (scene.supersampling.empty()) return words_without_passes(scene, policy, pixel);
   std::string text;
   for (std::size_t k = 0; k < scene.supersampling.size(); ++k)
-    text += fmt::format("In {}:\n{}", words_of_pass(scene.supersampling, k),
+    text += fmt::format("In {}:\n{}", text_of_pass(scene.supersampling, k),
                         words_without_passes(pass_of(scene, k), policy, pixel));
   return text;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@
 namespace edgecase {
 namespace {
 
-constexpr std::size_t kMostPrimitives = 3;  // told one by one
-constexpr std::size_t kMostVertices = 6;    // told of a strip, loop or fan
+constexpr std::size_t kMostPrimitives = 3;  // listed one by one
+constexpr std::size_t kMostVertices = 6;    // listed of a strip, loop or fan
 
 // The shortest decimal that reads back as the same float32 number.
 std::string decimal_of(float value) {
@@ -22,7 +22,7 @@ std::string decimal_of(float value) {
   return {text.data(), end};
 }
 
-std::string words_of(Point point) {
+std::string text_of(Point point) {
   return "(" + to_fraction(point.x) + ", " + to_fraction(point.y) + ")";
 }
 
@@ -32,19 +32,19 @@ std::string list_vertices(const Draw& draw, std::size_t from, std::size_t to,
   std::string text;
   for (std::size_t i = from; i < to; ++i) {
     if (i != from) text += separator;
-    text += words_of(draw.vertices[i].position);
+    text += text_of(draw.vertices[i].position);
     if (draw.vertices[i].w != 1) text += " w " + decimal_of(draw.vertices[i].w);
   }
   return text;
 }
 
-std::string in_words(std::string name) {
+std::string spaced(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }
 
 // Separate primitives: "line A to B and line C to D", or the first of many.
-std::string separate_words(const Draw& draw) {
+std::string separate_text(const Draw& draw) {
   const PrimitiveKind kind = kind_of(draw.primitive);
   const auto each = static_cast<std::size_t>(vertices_of(kind));
   const std::size_t count = draw.vertices.size() / each;
@@ -60,15 +60,15 @@ std::string separate_words(const Draw& draw) {
   return std::to_string(count) + " " + name_of(draw.primitive) + ", the first " + text;
 }
 
-std::string connected_words(const Draw& draw) {
+std::string connected_text(const Draw& draw) {
   const std::size_t count = draw.vertices.size();
   const std::size_t shown = std::min(count, kMostVertices);
-  std::string text = in_words(name_of(draw.primitive)) + " " + list_vertices(draw, 0, shown, ", ");
+  std::string text = spaced(name_of(draw.primitive)) + " " + list_vertices(draw, 0, shown, ", ");
   if (shown != count) text += " and " + std::to_string(count - shown) + " more";
   return text;
 }
 
-std::string texture_words(const TextureUse& use) {
+std::string texture_text(const TextureUse& use) {
   const Sampler& sampler = use.sampler;
   std::string text = std::string(" ") + name_of(sampler.wrap[0]) + " " + name_of(sampler.wrap[1]) +
                      ", magnified " + name_of(sampler.magnify) + ", minified " +
@@ -77,30 +77,30 @@ std::string texture_words(const TextureUse& use) {
   return text;
 }
 
-std::string mask_words(const std::array<bool, 4>& mask) {
+std::string mask_text(const std::array<bool, 4>& mask) {
   std::string text = ", mask ";
   for (std::size_t i = 0; i < mask.size(); ++i) text += mask[i] ? "rgba"[i] : '-';
   return text;
 }
 
-std::string operation_words(const Draw& draw) {
+std::string operation_text(const Draw& draw) {
   const FragmentOperations& own = draw.operations;
   const FragmentOperations standard;
   std::string text;
   if (draw.front_face != FrontFace::ccw)
     text += ", front faces " + std::string(name_of(draw.front_face));
-  if (draw.cull != CullMode::none) text += ", culled " + in_words(name_of(draw.cull));
+  if (draw.cull != CullMode::none) text += ", culled " + spaced(name_of(draw.cull));
   if (draw.polygon_offset) text += ", offset";
   if (own.stencil) text += ", stencil test";
   if (own.depth.function != standard.depth.function)
     text += std::string(", depth ") + name_of(own.depth.function);
   if (!own.depth.write) text += ", depth not written";
   if (own.blending) text += ", blended";
-  if (own.color_mask != standard.color_mask) text += mask_words(own.color_mask);
+  if (own.color_mask != standard.color_mask) text += mask_text(own.color_mask);
   return text;
 }
 
-std::string state_words(const Draw& draw) {
+std::string state_text(const Draw& draw) {
   const Fixed one = Fixed::from_integer(1);
   const Draw standard;
   std::string text;
@@ -111,19 +111,19 @@ std::string state_words(const Draw& draw) {
   if (draw.provoking_vertex != standard.provoking_vertex)
     text += std::string(", ") + name_of(draw.provoking_vertex) + " vertex provokes";
   if (draw.texture)
-    text += ", texture " + std::to_string(draw.texture->texture) + texture_words(*draw.texture);
+    text += ", texture " + std::to_string(draw.texture->texture) + texture_text(*draw.texture);
   if (draw.scissor)
     text += ", scissor " + std::to_string(draw.scissor->width) + "x" +
             std::to_string(draw.scissor->height) + " at (" + std::to_string(draw.scissor->x) +
             ", " + std::to_string(draw.scissor->y) + ")";
-  return text + operation_words(draw);
+  return text + operation_text(draw);
 }
 
-std::string draw_words(const Draw& draw) {
+std::string draw_text(const Draw& draw) {
   const auto each = static_cast<std::size_t>(vertices_of(kind_of(draw.primitive)));
-  // A single point more completes a strip's next primitive, and not a separate one.
+  // One more point completes the next primitive of a strip, but not a separate one.
   const bool connected = each > 1 && is_vertex_count(draw.primitive, each + 1);
-  return (connected ? connected_words(draw) : separate_words(draw)) + state_words(draw);
+  return (connected ? connected_text(draw) : separate_text(draw)) + state_text(draw);
 }
 
 bool same_texture(const std::shared_ptr<const Texture>& a,
@@ -133,11 +133,11 @@ bool same_texture(const std::shared_ptr<const Texture>& a,
 
 }  // namespace
 
-std::string scene_words(const Scene& scene) {
+std::string scene_text(const Scene& scene) {
   std::string text;
   for (const Draw& draw : scene.draws) {
     if (!text.empty()) text += "; ";
-    text += draw_words(draw);
+    text += draw_text(draw);
   }
   if (!text.empty()) text += ", ";
   text += std::to_string(scene.target.width) + "x" + std::to_string(scene.target.height);

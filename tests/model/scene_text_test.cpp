@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/scene_words.h"
+#include "model/scene_text.h"
 
 #include <gtest/gtest.h>
 
@@ -32,11 +32,11 @@ Scene scene_of(std::vector<Draw> draws) {
 
 TEST(SceneWords, TellsALine) {
   Scene scene = scene_of({draw_at(Primitive::lines, {{2, 2}, {14, 2}})});
-  EXPECT_EQ(scene_words(scene), "line (1/2, 1/2) to (7/2, 1/2), 4x3");
+  EXPECT_EQ(scene_text(scene), "line (1/2, 1/2) to (7/2, 1/2), 4x3");
   scene.target.surface = Surface::window;
   scene.draws[0].line_width = Fixed::from_raw(3 * Fixed::kOne / 2);
   scene.draws[0].provoking_vertex = ProvokingVertex::first;
-  EXPECT_EQ(scene_words(scene),
+  EXPECT_EQ(scene_text(scene),
             "line (1/2, 1/2) to (7/2, 1/2), width 3/2, first vertex provokes, 4x3, window");
 }
 
@@ -46,19 +46,19 @@ TEST(SceneWords, TellsSeveralDraws) {
   Draw triangle = draw_at(Primitive::triangles, {{0, 0}, {4, 0}, {0, 4}});
   triangle.interpolation = Interpolation::smooth;
   triangle.scissor = Viewport{1, 0, 2, 3};
-  EXPECT_EQ(scene_words(scene_of({point, triangle})),
+  EXPECT_EQ(scene_text(scene_of({point, triangle})),
             "point (-1/4, 1), size 2; triangle (0, 0), (1, 0), (0, 1), smooth, scissor 2x3 at (1, "
             "0), 4x3");
 }
 
 TEST(SceneWords, AbridgesWhatIsLong) {
   const std::vector<std::array<int, 2>> four(4, {4, 8});
-  EXPECT_EQ(scene_words(scene_of({draw_at(Primitive::points, four)})),
+  EXPECT_EQ(scene_text(scene_of({draw_at(Primitive::points, four)})),
             "4 points, the first point (1, 2), 4x3");
-  EXPECT_EQ(scene_words(scene_of({draw_at(Primitive::lines, four)})),
+  EXPECT_EQ(scene_text(scene_of({draw_at(Primitive::lines, four)})),
             "line (1, 2) to (1, 2) and line (1, 2) to (1, 2), 4x3");
   const std::vector<std::array<int, 2>> eight(8, {4, 8});
-  EXPECT_EQ(scene_words(scene_of({draw_at(Primitive::triangle_fan, eight)})),
+  EXPECT_EQ(scene_text(scene_of({draw_at(Primitive::triangle_fan, eight)})),
             "triangle fan (1, 2), (1, 2), (1, 2), (1, 2), (1, 2), (1, 2) and 2 more, 4x3");
 }
 
