@@ -4,7 +4,7 @@ image library from its own place."""
 import json
 import unittest
 
-from installed import ROOT, InstalledTest
+from installed import ROOT, InstalledTest, run
 
 
 class Installed(InstalledTest):
@@ -38,6 +38,11 @@ class Installed(InstalledTest):
         verdicts = {one["results"]["osmesa:softpipe"]["verdict"] for one in results["cases"]}
         self.assertIn("violation", verdicts)
         self.assertGreater((self.folder / "report.html").stat().st_size, 100000)
+
+    def test_the_suite_as_googletest_is_installed(self):
+        told = run(self.prefix / "bin/edgecase-gtest", "--against", "osmesa:softpipe",
+                   "--gtest_filter=lines/short.zero_length", cwd=self.folder)
+        self.assertIn("[       OK ] lines/short.zero_length", told.stdout)
 
     def test_blessing_writes_beside_the_work(self):
         """What is installed is not written to, and a folder known here counts beside it."""
