@@ -69,6 +69,25 @@ class Renderer {
   virtual void render(std::span<const Task> tasks, const OutcomeSink& sink) = 0;
 };
 
+// Renderers with a name of their own: mine=exec:./r is exec:./r, and is called mine wherever
+// something is told of it.
+
+// Is it such a name? At most 64 letters, digits, '.', '-' and '_', a letter or digit first; "exact"
+// is taken.
+bool is_own_name(std::string_view name);
+
+// The trait by which such a renderer tells its address, "exec:./r". Of others it means nothing.
+constexpr const char* kAddressTrait = "address";
+
+// Without a name of its own, a renderer's name is its address.
+const std::string& address_of(const RendererInfo& info);
+
+// As the command line asks for it: "mine=exec:./r", "exec:./r".
+std::string asked_as(const RendererInfo& info);
+
+// Is the renderer of this address an OpenGL?
+bool is_opengl(std::string_view address);
+
 // Renderers that replay a recording, and who they stand for: their results are their own, but what
 // is known of the renderer that was recorded holds for them.
 
@@ -78,8 +97,10 @@ constexpr std::string_view kRecordingPrefix = "recording:";
 // The trait by which they tell the name of the renderer that was recorded.
 constexpr const char* kRecordedTrait = "recorded";
 
-// The name under which known faults and profiles know a renderer: its own, or that of the renderer
-// which was recorded. Of others than recordings, the trait means nothing.
+// The name under which known faults and profiles know a renderer: an OpenGL's address, whoever
+// named it, since a driver has its faults under any name; else its name, or that of the renderer
+// which was recorded, where the recording has no name of its own. Of others than recordings, the
+// trait means nothing.
 const std::string& known_as(const RendererInfo& info);
 
 }  // namespace edgecase

@@ -58,6 +58,7 @@ LIBRARIES = [
     (r"boost/multiprecision/", {"exact"}),
     (r"pugixml", {"reports"}),
     (r"CLI/", {"tools", "edgecase_gtest"}),
+    (r"toml\+\+/", {"tools"}),
     (r"gtest/", {"edgecase_gtest"}),
     (r"gmock/", set()),
 ]

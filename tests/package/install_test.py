@@ -58,6 +58,19 @@ class Installed(InstalledTest):
         finally:
             away.rename(installed)
 
+    def test_nothing_is_written_below_the_prefix(self):
+        def files():
+            return {path: path.stat().st_mtime_ns for path in self.prefix.rglob("*")}
+        before = files()
+        short = ["--filter", "lines/short/*"]
+        self.command("run", *short, "--against", "mine=osmesa:softpipe", "--against", "exact")
+        self.command("bless", "--apply")
+        self.command("record", *short, "--against", "osmesa:softpipe", "-o", "softpipe.rec")
+        self.command("new", "mine.json", "--from", "lines/short/zero-length")
+        self.command("gallery", "direct3d-11")
+        self.command("validate", *short)
+        self.assertEqual(files(), before)
+
     def test_pictures_need_the_image_library(self):
         self.command("render", "--filter", "triangles/ties/flat-top", "--png", "pictures")
         (picture,) = self.folder.glob("pictures/triangles/ties/*.png")

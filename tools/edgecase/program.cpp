@@ -13,8 +13,10 @@
 #include <iostream>
 
 #include "kernels/kernel_use.h"
+#include "reports/text.h"
 #include "tools/edgecase/help/usage_errors.h"
 #include "tools/edgecase/options.h"
+#include "tools/edgecase/project.h"
 
 namespace edgecase {
 
@@ -41,6 +43,9 @@ ExitCode run_program(CLI::App& app, int argc, char** argv, const std::function<E
       print_to_stderr(usage_error(app, error));
       exit = ExitCode::usage;
     }
+  } catch (const ProjectError& error) {
+    print_to_stderr(one_line(error.what()) + "\n");
+    exit = ExitCode::usage;
   } catch (const std::exception& error) {
     print_error(std::string("internal error: ") + error.what());
     exit = ExitCode::internal;

@@ -87,6 +87,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", edgecase::kToolName);
   edgecase::GtestCommand command;
   command.add_to(app);
-  return static_cast<int>(
-      edgecase::run_program(app, argc, argv, [&command] { return edgecase::run(command); }));
+  return static_cast<int>(edgecase::run_program(app, argc, argv, [&] {
+    command.run.take_project(app);
+    return edgecase::run(command);
+  }));
 }
