@@ -30,10 +30,10 @@ std::string counts_of(const Cluster& cluster) {
                      cluster.cases == 1 ? "" : "s");
 }
 
-std::string command_for(const Cluster& cluster, const std::string& renderer,
+std::string command_for(const Cluster& cluster, const RendererInfo& renderer,
                         const std::string& policy) {
-  return words_of(ExplainCommand{cluster.smallest_file, cluster.smallest_case, renderer, policy,
-                                 std::pair(cluster.x, cluster.y)});
+  return words_of(ExplainCommand{cluster.smallest_file, cluster.smallest_case, asked_as(renderer),
+                                 policy, std::pair(cluster.x, cluster.y)});
 }
 
 // What an alternative accounts for and the specification allows needs no look at its smallest case.
@@ -41,7 +41,7 @@ bool needs_a_look(const Cluster& cluster) {
   return cluster.legality != Legality::legal || cluster.cause.empty();
 }
 
-void write_cluster(const Cluster& cluster, const std::string& renderer, const std::string& policy,
+void write_cluster(const Cluster& cluster, const RendererInfo& renderer, const std::string& policy,
                    const Painter& paint, std::ostream& out) {
   out << fmt::format(
       "  {}  {}: {}\n",
@@ -52,10 +52,10 @@ void write_cluster(const Cluster& cluster, const std::string& renderer, const st
 }
 
 // In the order of clusters_of: what is not allowed, then what is contested, then what is allowed.
-void write_renderer(std::span<const Cluster> clusters, const std::string& renderer,
+void write_renderer(std::span<const Cluster> clusters, const RendererInfo& renderer,
                     const std::string& policy, const Painter& paint, std::ostream& out) {
   if (clusters.empty()) return;
-  out << '\n' << paint.bold(fmt::format("What differs with {}:", one_line(renderer))) << '\n';
+  out << '\n' << paint.bold(fmt::format("What differs with {}:", one_line(renderer.name))) << '\n';
   while (!clusters.empty()) {
     const auto other = std::ranges::find_if(clusters, [&](const Cluster& cluster) {
       return cluster.legality != clusters.front().legality;
@@ -74,7 +74,7 @@ void write_renderer(std::span<const Cluster> clusters, const std::string& render
 void write_clusters(const Results& results, const Painter& paint, std::ostream& out) {
   for (std::size_t r = 0; r < results.renderers.size(); ++r) {
     const std::vector<Cluster> clusters = clusters_of(results, r);
-    write_renderer(clusters, results.renderers[r].name, results.policy, paint, out);
+    write_renderer(clusters, results.renderers[r], results.policy, paint, out);
   }
 }
 

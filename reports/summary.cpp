@@ -113,7 +113,7 @@ class Table {
 // Whose known faults hold for a recording's answers.
 void write_recordings(const Results& results, std::ostream& out) {
   for (const RendererInfo& info : results.renderers)
-    if (known_as(info) != info.name)
+    if (address_of(info).starts_with(kRecordingPrefix) && known_as(info) != info.name)
       out << fmt::format("{} replays {} ({}, {}), whose known faults hold.\n", one_line(info.name),
                          one_line(known_as(info)), one_line(info.device), one_line(info.version));
 }

@@ -117,10 +117,10 @@ void add_known(const Results& results, MarkdownPage& page) {
   add_list("Known faults", head, known, kMostListed, page);
 }
 
-std::string cluster_row(const Cluster& cluster, const std::string& renderer,
+std::string cluster_row(const Cluster& cluster, const RendererInfo& renderer,
                         const std::string& policy) {
-  const ExplainCommand command{cluster.smallest_file, cluster.smallest_case, renderer, policy,
-                               std::pair(cluster.x, cluster.y)};
+  const ExplainCommand command{cluster.smallest_file, cluster.smallest_case, asked_as(renderer),
+                               policy, std::pair(cluster.x, cluster.y)};
   return fmt::format("| {} | {} | {}{} | {} | {} |\n",
                      cluster.legality == Legality::legal     ? "yes"
                      : cluster.legality == Legality::illegal ? "**no**"
@@ -134,14 +134,14 @@ std::string cluster_row(const Cluster& cluster, const std::string& renderer,
 void add_clusters(const Results& results, std::size_t renderer, MarkdownPage& page) {
   const std::vector<Cluster> clusters = clusters_of(results, renderer);
   if (clusters.empty()) return;
-  const std::string& name = results.renderers[renderer].name;
+  const RendererInfo& info = results.renderers[renderer];
   std::string text = fmt::format(
       "\n## What differs with {}\n\n<details><summary>{} cause{} or situation{}</summary>\n\n"
       "| allowed | what | differences | cases | explained by |\n|---|---|---:|---:|---|\n",
-      markdown_code(name), clusters.size(), clusters.size() == 1 ? "" : "s",
+      markdown_code(info.name), clusters.size(), clusters.size() == 1 ? "" : "s",
       clusters.size() == 1 ? "" : "s");
   const std::size_t listed = std::min(kMostClusters, clusters.size());
-  for (std::size_t i = 0; i < listed; ++i) text += cluster_row(clusters[i], name, results.policy);
+  for (std::size_t i = 0; i < listed; ++i) text += cluster_row(clusters[i], info, results.policy);
   if (listed < clusters.size()) text += fmt::format("\nand {} more\n", clusters.size() - listed);
   page.add(text + "\n</details>\n");
 }

@@ -40,12 +40,12 @@ std::string line_of(const std::string& text) {
 
 // What stands below the disagreements.
 std::string ending_of(const CaseResults& one, const Result& result, const Results& results,
-                      const std::string& renderer) {
+                      const RendererInfo& renderer) {
   std::string text;
   for (const ValueAggregate& values : result.values)
     if (!values.differing.empty()) text += line_of(describe(values));
   if (!result.standing_reason.empty()) text += line_of("standing: " + result.standing_reason);
-  ExplainCommand command{one.file, one.id, renderer, results.policy, {}};
+  ExplainCommand command{one.file, one.id, asked_as(renderer), results.policy, {}};
   if (!result.disagreements.empty()) {
     const Disagreement& worst = *worst_first(result).front();
     command.pixel = {worst.x, worst.y};
@@ -146,7 +146,7 @@ class Visit {
       TestOutcome outcome = test_of(one);
       outcome.one = &one;
       outcome.result = &result;
-      describe_result(name, outcome);
+      describe_result(results_.renderers[index], outcome);
       sink_(outcome);
     }
   }
@@ -163,7 +163,7 @@ class Visit {
     return order;
   }
 
-  void describe_result(const std::string& renderer, TestOutcome& outcome) const {
+  void describe_result(const RendererInfo& renderer, TestOutcome& outcome) const {
     const Result& result = *outcome.result;
     const bool was_run = !result.failure;
     if (was_run && result.standing <= Standing::known) return;

@@ -71,9 +71,9 @@ std::string evidence_of(const CaseResults& one, const KnownResult& result) {
   return first_explanation(result, one.samples.samples);
 }
 
-std::string command_for(const CaseResults& one, const Result& result, const std::string& renderer,
+std::string command_for(const CaseResults& one, const Result& result, const RendererInfo& renderer,
                         const std::string& policy) {
-  ExplainCommand command{one.file, one.id, renderer, policy, {}};
+  ExplainCommand command{one.file, one.id, asked_as(renderer), policy, {}};
   if (const Disagreement* d = leading(result)) command.pixel = {d->x, d->y};
   return words_of(command);
 }
@@ -82,17 +82,18 @@ void write_group(const UnexpectedGroup& group, const Results& results, const Pai
                  std::ostream& out) {
   const CaseResults& one = *group.simplest;
   const KnownResult& result = one.results[group.renderer];
-  const std::string name =
-      group.renderer < results.renderers.size() ? results.renderers[group.renderer].name : "?";
-  out << fmt::format("  {}, {}: {}, {}\n", counted(group.cases, "case", "cases"), one_line(name),
-                     paint(style_of(group.verdict), name_of(group.verdict)),
+  const RendererInfo info = group.renderer < results.renderers.size()
+                                ? results.renderers[group.renderer]
+                                : RendererInfo();
+  out << fmt::format("  {}, {}: {}, {}\n", counted(group.cases, "case", "cases"),
+                     one_line(info.name), paint(style_of(group.verdict), name_of(group.verdict)),
                      group.standing == Standing::flake ? "and then another answer"
                      : group.is_partly_known           ? "known in part"
                                                        : "not known");
   if (!group.cause.empty()) out << "    " << paint.bold(one_line(group.cause)) << '\n';
   const std::string evidence = one_line(evidence_of(one, result));
   out << fmt::format("    {}{}{}\n", one_line(one.id), evidence.empty() ? "" : ": ", evidence);
-  out << "    " << command_for(one, result, name, results.policy) << '\n';
+  out << "    " << command_for(one, result, info, results.policy) << '\n';
 }
 
 }  // namespace

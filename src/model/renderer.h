@@ -69,6 +69,24 @@ class Renderer {
   virtual void render(std::span<const Task> tasks, const OutcomeSink& sink) = 0;
 };
 
+// Renderers with a name of their own: mine=exec:./r is exec:./r, and is called mine in all output.
+
+// Whether this is such a name: at most 64 letters, digits, '.', '-' and '_', a letter or digit
+// first. "exact" is taken.
+bool is_own_name(std::string_view name);
+
+// The trait by which such a renderer reports its address, "exec:./r". Ignored of others.
+constexpr const char* kAddressTrait = "address";
+
+// Without a name of its own, a renderer's name is its address.
+const std::string& address_of(const RendererInfo& info);
+
+// As the command line names it: "mine=exec:./r", "exec:./r".
+std::string asked_as(const RendererInfo& info);
+
+// Whether the renderer of this address is an OpenGL.
+bool is_opengl(std::string_view address);
+
 // Renderers that replay a recording. Their results are their own, but known faults of the recorded
 // renderer apply to them.
 
@@ -78,8 +96,9 @@ constexpr std::string_view kRecordingPrefix = "recording:";
 // Their trait with the name of the recorded renderer.
 constexpr const char* kRecordedTrait = "recorded";
 
-// The name by which known faults and profiles identify a renderer: its own or, for a recording,
-// that of the recorded renderer. Other renderers' trait is ignored.
+// The name by which known faults and profiles identify a renderer: an OpenGL's address, whatever it
+// is called, since a driver has its faults under any name; else its own name or, for a recording
+// without one, that of the recorded renderer. Other renderers' trait is ignored.
 const std::string& known_as(const RendererInfo& info);
 
 }  // namespace edgecase

@@ -10,11 +10,6 @@
 namespace edgecase {
 namespace {
 
-bool is_opengl(const std::string& renderer) {
-  return std::ranges::any_of(std::initializer_list<const char*>{"osmesa:", "egl:", "egl-es:"},
-                             [&](const char* prefix) { return renderer.starts_with(prefix); });
-}
-
 std::string trimmed(const std::string& text) {
   const auto begin = text.find_first_not_of(' ');
   if (begin == std::string::npos) return "";

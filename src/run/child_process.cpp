@@ -160,6 +160,8 @@ bool ChildProcess::spawn(const Command& command, std::string& error) {
   posix_spawn_file_actions_adddup2(&settings.actions, in.read.number(), STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&settings.actions, out.write.number(), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&settings.actions, err.write.number(), STDERR_FILENO);
+  if (!command.folder.empty())
+    posix_spawn_file_actions_addchdir_np(&settings.actions, command.folder.c_str());
   std::vector<std::string> arguments = command.argv;
   std::vector<std::string> environment = environment_of(command);
   const int failure =

@@ -31,6 +31,7 @@ struct Command {
   std::vector<std::string> argv;  // argv[0]: a path, or a name that is looked up in PATH
   std::map<std::string, std::string> environment;  // added to, or replacing, our own
   std::vector<std::string> unset;                  // removed from our own
+  std::string folder{};                            // that it is started in; empty: our own
 };
 
 class ChildProcess {

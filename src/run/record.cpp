@@ -109,7 +109,8 @@ class Recorder {
     RecordingHead head{options_.tool, recorded.renderer, recorded.is_complete};
     // Of a recording: as if the renderer itself had been asked again.
     head.renderer.name = known_as(recorded.renderer);
-    if (is_recording(recorded.renderer.name)) head.renderer.traits.erase(kRecordedTrait);
+    if (is_recording(address_of(recorded.renderer))) head.renderer.traits.erase(kRecordedTrait);
+    head.renderer.traits.erase(kAddressTrait);
     recorded.bytes = recording_bytes(head, blocks);
     return recorded;
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "recording/recording.h"
+#include "run/renderer_names.h"
 #include "wire/request_line.h"
 
 namespace edgecase {
@@ -21,14 +22,20 @@ std::filesystem::path path_of(const std::string& renderer) {
 }  // namespace
 
 bool is_recording(const std::string& renderer) {
-  return renderer.starts_with(kRecordingPrefix);
+  return split_name(renderer).address.starts_with(kRecordingPrefix);
 }
 
 std::string known_name_of(const std::string& renderer) {
-  if (!is_recording(renderer)) return renderer;
-  const auto opened = Recording::open_head(path_of(renderer));
-  const auto* head = std::get_if<RecordingHead>(&opened);
-  return head == nullptr ? renderer : head->renderer.name;
+  auto [name, address] = split_name(renderer);
+  RendererInfo info;
+  info.name = name;
+  if (name != address) info.traits[kAddressTrait] = address;
+  if (is_recording(address)) {
+    const auto opened = Recording::open_head(path_of(address));
+    if (const auto* head = std::get_if<RecordingHead>(&opened))
+      info.traits[kRecordedTrait] = head->renderer.name;
+  }
+  return known_as(info);
 }
 
 std::variant<std::unique_ptr<Renderer>, std::string> open_recording(const std::string& renderer) {

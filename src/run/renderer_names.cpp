@@ -130,22 +130,25 @@ std::optional<std::vector<std::string>> split_words(std::string_view text) {
   return words;
 }
 
-bool is_file(const std::string& path) {
+bool is_file(const std::filesystem::path& path) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(path, ignored);
 }
 
-std::variant<ProcessSpec, UnknownRenderer> exec_renderer(const std::string& name) {
-  const std::string text = name.substr(kExecPrefix.size());
-  const auto words = is_file(text) ? std::vector<std::string>{text} : split_words(text);
-  if (!words) return UnknownRenderer{fmt::format("'{}' has a quote that is not closed", name)};
+std::variant<ProcessSpec, UnknownRenderer> exec_renderer(const NamedRenderer& renderer,
+                                                         const std::filesystem::path& folder) {
+  const std::string text = renderer.address.substr(kExecPrefix.size());
+  const auto words = is_file(folder / text) ? std::vector<std::string>{text} : split_words(text);
+  if (!words)
+    return UnknownRenderer{fmt::format("'{}' has a quote that is not closed", renderer.address)};
   if (words->empty())
     return UnknownRenderer{"exec: names no program; write exec:PROGRAM or exec:'PROGRAM ARGUMENT'"};
   ProcessSpec spec;
-  spec.name = name;
+  spec.name = renderer.name;
   spec.command.argv = *words;
+  spec.command.folder = folder.string();
   std::string& program = spec.command.argv.front();
-  if (program.find('/') == std::string::npos && is_file(program)) program = "./" + program;
+  if (program.find('/') == std::string::npos && is_file(folder / program)) program = "./" + program;
   return spec;
 }
 
@@ -213,9 +216,24 @@ std::string known_renderer_names() {
          "egl-es:deviceN, exec:PROGRAM, recording:FILE";
 }
 
-std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& name,
-                                                         const std::string& program_directory) {
-  if (name.starts_with(kExecPrefix)) return exec_renderer(name);
+NamedRenderer split_name(const std::string& renderer) {
+  const std::size_t end = renderer.find('=');
+  // Behind a colon or a slash it is part of an address.
+  if (end == std::string::npos || renderer.find_first_of(":/") < end) return {renderer, renderer};
+  return {renderer.substr(0, end), renderer.substr(end + 1)};
+}
+
+std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& renderer,
+                                                         const std::string& program_directory,
+                                                         const std::string& folder) {
+  const NamedRenderer named = split_name(renderer);
+  const std::string& name = named.address;
+  if (name != renderer && !is_own_name(named.name))
+    return UnknownRenderer{fmt::format(
+        "'{}' is no name for a renderer of yours; write at most 64 letters, digits, '.', '-' and "
+        "'_', a letter or digit first, and not exact: mine={}",
+        named.name, name)};
+  if (name.starts_with(kExecPrefix)) return exec_renderer(named, folder);
   if (is_recording(name))
     return UnknownRenderer{fmt::format(
         "'{}' replays what was recorded: there is no program behind it that could be asked for "
@@ -223,7 +241,7 @@ std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& name
         name)};
   const std::string worker = (std::filesystem::path(program_directory) / "edgecase-gl").string();
   ProcessSpec spec;
-  spec.name = name;
+  spec.name = named.name;
   for (const auto& [prefix, front_end] : kPrefixes) {
     if (!name.starts_with(prefix)) continue;
     auto command = driver_command(worker, front_end, name.substr(prefix.size()));

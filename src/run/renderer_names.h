@@ -27,6 +27,14 @@ const std::vector<std::string>& opengl_es_renderer_names();
 // Names for messages: all that the command line knows, patterns included.
 std::string known_renderer_names();
 
+// A renderer as the command line names it: "mine=exec:./r", or without a name of its own, which
+// then is its address.
+struct NamedRenderer {
+  std::string name;
+  std::string address;
+};
+NamedRenderer split_name(const std::string& renderer);
+
 // Why a name is no renderer: one sentence with the known names.
 struct UnknownRenderer {
   std::string message;
@@ -37,9 +45,11 @@ struct UnknownRenderer {
 //
 // exec:PROGRAM is the path of an existing file, or else a command line: words separated by spaces,
 // with single or double quotes around words that contain some. The first word is a path (a file in
-// the working folder needs no "./"), or is looked up in PATH.
-std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& name,
-                                                         const std::string& program_directory);
+// the working folder needs no "./"), or is looked up in PATH. The program is started in `folder`,
+// where one is given, and its paths count from there.
+std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& renderer,
+                                                         const std::string& program_directory,
+                                                         const std::string& folder = "");
 
 // How many devices EGL lists, as the worker program finds it: egl:device0 and so on. 0 where there
 // is no EGL that lists them. Asked of another process: a driver that crashes takes nothing with it.

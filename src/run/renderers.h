@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <map>
 #include <memory>
 #include <string>
 #include <variant>
@@ -19,10 +20,13 @@ struct RendererOptions {
   std::chrono::milliseconds timeout{};      // per scene
   std::string program_directory;            // where the OpenGL worker lies
   const std::atomic<bool>* stop = nullptr;  // as ProcessSpec has it
+  // By renderers' names: the folders that their programs are started in; others in our own.
+  std::map<std::string, std::string> folders{};
 };
 
-// `exact`, `recording:FILE` or a name that renderer_names.h knows. A sentence that says why not.
-std::variant<std::unique_ptr<Renderer>, std::string> make_renderer(const std::string& name,
+// `exact`, `recording:FILE` or what renderer_names.h knows, with a name of its own before it or
+// without: "mine=exec:./r". A sentence that says why not.
+std::variant<std::unique_ptr<Renderer>, std::string> make_renderer(const std::string& renderer,
                                                                    const RendererOptions& options);
 
 }  // namespace edgecase

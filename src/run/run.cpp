@@ -19,6 +19,7 @@
 #include "run/early_judgement.h"
 #include "run/expectation_check.h"
 #include "run/judging.h"
+#include "run/renderer_names.h"
 
 namespace edgecase {
 namespace {
@@ -84,7 +85,8 @@ class Run {
         described_(suite.cases.size()) {
     for (auto& renderers : unanswered_) renderers = options.renderers.size();
     for (auto& results : results_) results.resize(options.renderers.size());
-    for (std::size_t r = 0; r < infos_.size(); ++r) infos_[r].name = options.renderers[r];
+    for (std::size_t r = 0; r < infos_.size(); ++r)
+      infos_[r].name = split_name(options.renderers[r]).name;
   }
 
   Results operator()() {

@@ -36,6 +36,7 @@ ALLOWED = {
     "examples": set(),  # reference/examples: programs of people who have nothing of ours
     "reports": {"results", "rules", "model", "image"},
     "tools": SRC | {"reference", "reports"},
+    "edgecase_gtest": SRC | {"reports", "tools"},  # tools/edgecase_gtest
 }
 
 # The folders within a module, lowest first; "" is its top. Each may include from those before it.
@@ -56,8 +57,10 @@ LIBRARIES = [
     (r"tiny_obj_loader", {"casefile"}),
     (r"boost/multiprecision/", {"exact"}),
     (r"pugixml", {"reports"}),
-    (r"CLI/", {"tools"}),
-    (r"gtest/|gmock/", set()),
+    (r"CLI/", {"tools", "edgecase_gtest"}),
+    (r"toml\+\+/", {"tools"}),
+    (r"gtest/", {"edgecase_gtest"}),
+    (r"gmock/", set()),
 ]
 
 # Functions of otherwise integer files that may compute in floating point, since nothing is decided
@@ -96,6 +99,8 @@ def module_of(path):
     """The module that a file of the repository belongs to, by its path from the root."""
     if path.parts[:2] == ("reference", "examples"):
         return "examples"
+    if path.parts[:2] == ("tools", "edgecase_gtest"):
+        return "edgecase_gtest"
     return path.parts[1] if path.parts[0] == "src" else path.parts[0]
 
 

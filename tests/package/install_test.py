@@ -4,7 +4,7 @@ image library from its own place."""
 import json
 import unittest
 
-from installed import ROOT, InstalledTest
+from installed import ROOT, InstalledTest, run
 
 
 class Installed(InstalledTest):
@@ -39,6 +39,11 @@ class Installed(InstalledTest):
         self.assertIn("violation", verdicts)
         self.assertGreater((self.folder / "report.html").stat().st_size, 100000)
 
+    def test_the_suite_as_googletest_is_installed(self):
+        told = run(self.prefix / "bin/edgecase-gtest", "--against", "osmesa:softpipe",
+                   "--gtest_filter=lines/short.zero_length", cwd=self.folder)
+        self.assertIn("[       OK ] lines/short.zero_length", told.stdout)
+
     def test_blessing_writes_beside_the_work(self):
         """What is installed is not written to, and a folder known here counts beside it."""
         softpipe = ["--filter", "lines/short/*", "--against", "osmesa:softpipe", "--json", "r.json"]
@@ -52,6 +57,19 @@ class Installed(InstalledTest):
             self.command("run", *softpipe)
         finally:
             away.rename(installed)
+
+    def test_nothing_is_written_below_the_prefix(self):
+        def files():
+            return {path: path.stat().st_mtime_ns for path in self.prefix.rglob("*")}
+        before = files()
+        short = ["--filter", "lines/short/*"]
+        self.command("run", *short, "--against", "mine=osmesa:softpipe", "--against", "exact")
+        self.command("bless", "--apply")
+        self.command("record", *short, "--against", "osmesa:softpipe", "-o", "softpipe.rec")
+        self.command("new", "mine.json", "--from", "lines/short/zero-length")
+        self.command("gallery", "direct3d-11")
+        self.command("validate", *short)
+        self.assertEqual(files(), before)
 
     def test_pictures_need_the_image_library(self):
         self.command("render", "--filter", "triangles/ties/flat-top", "--png", "pictures")

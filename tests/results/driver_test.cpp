@@ -61,6 +61,17 @@ TEST(Driver, OfARecordingIsTheRecordedOnes) {
   EXPECT_EQ(text_of(release_of(info)), "Mesa 22.3.6");
 }
 
+TEST(Driver, OfANamedProgramIsItsName) {
+  RendererInfo info = info_of("mine", "a device", "tiny 1.2");
+  info.traits[kAddressTrait] = "exec:./mine";
+  EXPECT_EQ(driver_of(info), "mine");
+  EXPECT_EQ(text_of(release_of(info)), "tiny 1.2");
+  info = info_of("mine", "llvmpipe (LLVM 15.0.6, 256 bits)", "4.5 (Core Profile) Mesa 22.3.6");
+  info.traits[kAddressTrait] = "egl:llvmpipe";
+  EXPECT_EQ(driver_of(info), "llvmpipe");
+  EXPECT_EQ(text_of(release_of(info)), "Mesa 22.3.6");
+}
+
 VersionRange range(const std::string& text) {
   const auto parsed = parse_range(text);
   if (const auto* fault = std::get_if<std::string>(&parsed)) throw std::runtime_error(*fault);

@@ -12,6 +12,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
+using ::testing::Pair;
 
 Command command_of(const std::string& name) {
   const auto found = find_renderer(name, "/opt/bin");
@@ -101,6 +102,35 @@ TEST(RendererNames, ExecTakesTheFileOfThatName) {
   const std::string path = folder / "a program";
   std::fclose(std::fopen(path.c_str(), "w"));
   EXPECT_THAT(command_of("exec:" + path).argv, ElementsAre(path));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(RendererNames, ANameStandsBeforeTheAddress) {
+  const auto parts = [](const std::string& renderer) {
+    const NamedRenderer named = split_name(renderer);
+    return std::pair(named.name, named.address);
+  };
+  EXPECT_THAT(parts("mine=exec:./r a=b"), Pair("mine", "exec:./r a=b"));
+  EXPECT_THAT(parts("mine=exact"), Pair("mine", "exact"));
+  for (const char* whole : {"exec:./r a=b", "exact", "./a=b", ""})
+    EXPECT_THAT(parts(whole), Pair(whole, whole));
+  const auto found = find_renderer("mine=exec:python3 my.py", "/opt/bin");
+  EXPECT_EQ(std::get<ProcessSpec>(found).name, "mine");
+  EXPECT_THAT(std::get<ProcessSpec>(found).command.argv, ElementsAre("python3", "my.py"));
+  EXPECT_THAT(message_of("my own=exec:r"), HasSubstr("'my own' is no name for a renderer"));
+}
+
+TEST(RendererNames, PathsOfAProgramCountFromItsFolder) {
+  const auto folder = std::filesystem::temp_directory_path() / "edgecase program's folder";
+  std::filesystem::create_directories(folder);
+  for (const char* name : {"program", "a program"})
+    std::fclose(std::fopen((folder / name).c_str(), "w"));
+  const auto command = [&](const std::string& name) {
+    return std::get<ProcessSpec>(find_renderer(name, "/opt/bin", folder)).command;
+  };
+  EXPECT_THAT(command("exec:program x").argv, ElementsAre("./program", "x"));
+  EXPECT_THAT(command("exec:a program").argv, ElementsAre("./a program"));
+  EXPECT_EQ(command("exec:program").folder, folder.string());
   std::filesystem::remove_all(folder);
 }
 

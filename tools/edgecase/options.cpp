@@ -19,6 +19,7 @@
 #include "results/known_faults.h"
 #include "rules/all_rules.h"
 #include "run/recording_renderer.h"
+#include "run/renderer_names.h"
 #include "run/sharding.h"
 #include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/output/whole_file.h"
@@ -229,7 +230,7 @@ std::optional<std::map<std::string, Policy>> load_profiles(
     if (!is_file(file)) continue;
     auto read = read_policy(file);
     if (!read) return std::nullopt;
-    profiles.emplace(renderer, std::move(*read));
+    profiles.emplace(split_name(renderer).name, std::move(*read));
   }
   return profiles;
 }

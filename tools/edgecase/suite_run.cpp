@@ -20,12 +20,13 @@
 #include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/output/progress_line.h"
+#include "tools/edgecase/project.h"
 
 namespace edgecase {
 namespace {
 
 bool is_known(const std::string& renderer) {
-  auto made = make_renderer(renderer, {{}, std::chrono::seconds(1), worker_directory(), {}});
+  auto made = make_renderer(renderer, {{}, std::chrono::seconds(1), worker_directory(), {}, {}});
   if (const auto* error = std::get_if<std::string>(&made)) {
     print_error(*error);
     return false;
@@ -48,7 +49,7 @@ RunOptions run_options(const Policy& policy, const std::map<std::string, Policy>
   run.renderers = options.renderers;
   run.renderer_options = {policy,
                           std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),
-                          worker_directory(), &interrupted()};
+                          worker_directory(), &interrupted(), options.folders};
   run.jobs =
       options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
   run.stop = &interrupted();
@@ -102,8 +103,9 @@ bool are_known(const std::vector<std::string>& renderers) {
   std::set<std::string> seen;
   for (const std::string& renderer : renderers) {
     if (!is_known(renderer)) return false;
-    if (seen.insert(renderer).second) continue;
-    print_error(fmt::format("the renderer {} is named twice; name it once", renderer));
+    const std::string name = split_name(renderer).name;
+    if (seen.insert(name).second) continue;
+    print_error(fmt::format("the renderer {} is named twice; name it once", name));
     return false;
   }
   return true;
@@ -114,12 +116,29 @@ void SuiteRunOptions::add_to(CLI::App& command) {
       command, "--against", renderers,
       "Renderer to compare with exact, repeatable: osmesa:llvmpipe, osmesa:softpipe, "
       "egl:llvmpipe, egl:softpipe, egl:zink, egl:zink-swiftshader, egl:deviceN, egl-es:llvmpipe, "
-      "egl-es:softpipe, egl-es:zink, egl-es:deviceN, exec:PROGRAM, recording:FILE, exact");
+      "egl-es:softpipe, egl-es:zink, egl-es:deviceN, exec:PROGRAM, recording:FILE, exact; "
+      "NAME=RENDERER gives it a name");
+  add_config_option(command, config);
   command.add_option("--jobs", jobs, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 256));
   command.add_option("--timeout", timeout, "Seconds per case")->check(CLI::Range(0.01, 3600.0));
   command.add_option("--progress", progress, "Progress on standard error")
       ->check(CLI::IsMember({"auto", "never"}));
+}
+
+void SuiteRunOptions::take_project(CLI::App& command, bool asks_all) {
+  const auto project = find_project(config);
+  if (!project) return;
+  project->give(command);
+  // Of the project's renderers those that are named, or all.
+  if (renderers.empty() && asks_all)
+    for (const auto& [name, address] : project->renderers) renderers.push_back(name);
+  for (std::string& renderer : renderers) {
+    const auto own = project->renderers.find(renderer);
+    if (own == project->renderers.end()) continue;
+    folders[own->first] = project->folder.string();
+    renderer = fmt::format("{}={}", own->first, own->second);
+  }
 }
 
 std::string default_renderer() {

@@ -23,8 +23,14 @@ struct SuiteRunOptions {
   int jobs = 0;                        // 0: one per processor
   double timeout = 10;                 // seconds per case
   std::string progress = "auto";
+  std::string config;                          // the project's file; empty: the nearest
+  std::map<std::string, std::string> folders;  // as RendererOptions has them
 
   void add_to(CLI::App& command);
+  // Gives the command, once it is parsed, what the project's file says and its own options do not
+  // (project.h). Where no renderer is named and `asks_all`, all of the project are. Throws
+  // ProjectError.
+  void take_project(CLI::App& command, bool asks_all = true);
   // The renderers, or the default one where none is given.
   std::vector<std::string> named() const;
 };

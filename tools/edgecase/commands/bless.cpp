@@ -19,6 +19,7 @@
 #include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/options.h"
 #include "tools/edgecase/output/report_files.h"
+#include "tools/edgecase/project.h"
 
 namespace edgecase {
 namespace {
@@ -37,6 +38,7 @@ struct BlessCommand {
   std::string reason;
   std::string link;
   std::string decisions;  // file
+  std::string config;     // the project's file; empty: the nearest
   bool strict = false;
   bool apply = false;
 };
@@ -258,7 +260,11 @@ void add_bless_command(CLI::App& app, ExitCode& exit) {
       ->excludes("--link");
   add_strict_option(*command, options->strict);
   command->add_flag("--apply", options->apply, "Write the files");
-  command->callback([options, &exit] { exit = bless(*options); });
+  add_config_option(*command, options->config);
+  command->callback([options, command, &exit] {
+    if (const auto project = find_project(options->config)) project->give(*command);
+    exit = bless(*options);
+  });
 }
 
 }  // namespace edgecase

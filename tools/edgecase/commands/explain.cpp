@@ -223,7 +223,8 @@ void add_explain_command(CLI::App& app, ExitCode& exit) {
                       "File for an SVG picture of the blocks, or of the pixel");
   options->policy.add_to(*command);
   options->run.add_to(*command);
-  command->callback([options, blocks, &exit] {
+  command->callback([options, blocks, command, &exit] {
+    options->run.take_project(*command, false);
     options->has_blocks = blocks->count() > 0;
     if (options->blocks.empty()) options->blocks = "8";
     exit = explain(*options);

@@ -202,7 +202,10 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
       "--no-rerun", options->no_rerun,
       "Do not ask again after an unexpected answer; the second answer reveals flakes");
   command->add_flag("--list", options->list, "Only list the ids of the selected cases");
-  command->callback([options, &exit] { exit = run(*options); });
+  command->callback([options, command, &exit] {
+    options->run.take_project(*command);
+    exit = run(*options);
+  });
 }
 
 }  // namespace edgecase

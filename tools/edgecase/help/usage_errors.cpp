@@ -29,6 +29,12 @@ std::string question(const std::string& name, const std::vector<std::string>& kn
   return nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
 }
 
+// The command line that prints the help of a subcommand; without one, of the program.
+std::string help_of(const CLI::App& app, const CLI::App* command) {
+  if (command != nullptr) return fmt::format("{} help {}", app.get_name(), command->get_name());
+  return app.get_name() + (app.get_subcommands({}).empty() ? " --help" : " help");
+}
+
 // "--agianst=exact" is "--agianst". `command`: null for the program itself.
 std::string unknown_option(const CLI::App& app, const CLI::App* command, const std::string& word) {
   const std::string option = word.substr(0, word.find('='));
@@ -36,10 +42,11 @@ std::string unknown_option(const CLI::App& app, const CLI::App* command, const s
   const bool is_long = option.starts_with("--") || option.size() > 2;
   const std::string written = is_long && !option.starts_with("--") ? "-" + option : option;
   const std::string asked = question(written, option_names(command == nullptr ? app : *command));
+  const std::string help = help_of(app, command);
   if (command == nullptr)
-    return fmt::format("there is no option {}; {}`edgecase help` lists them", option, asked);
-  return fmt::format("{0} has no option {1}; {2}`edgecase help {0}` lists them",
-                     command->get_name(), option, asked);
+    return fmt::format("there is no option {}; {}`{}` lists them", option, asked, help);
+  return fmt::format("{} has no option {}; {}`{}` lists them", command->get_name(), option, asked,
+                     help);
 }
 
 // What nothing took, of the chosen subcommand or, where none was chosen, of the program.
@@ -47,6 +54,9 @@ std::string extra_words(const CLI::App& app, const CLI::App* command,
                         const std::vector<std::string>& words) {
   for (const std::string& word : words)
     if (is_option(word)) return unknown_option(app, command, word);
+  if (command == nullptr && app.get_subcommands({}).empty())
+    return fmt::format("there is no use for {}; `{}` says what it takes",
+                       quote(clean_line(words.front())), help_of(app, command));
   if (command == nullptr)
     return fmt::format("there is no subcommand {}; {}`edgecase help` lists them",
                        quote(clean_line(words.front())), nearest_subcommand(app, words.front()));
@@ -69,12 +79,10 @@ std::string usage_error(const CLI::App& app, const CLI::Error& error) {
   std::string text;
   if (!extra.empty())
     text = extra_words(app, command, extra);
-  else if (command == nullptr)
-    text = fmt::format("{}; `edgecase help` lists them", error.what());
   else
-    text =
-        fmt::format("{}; `edgecase help {}` says what it takes", error.what(), command->get_name());
-  return one_line("edgecase: " + text) + "\n";
+    text = fmt::format("{}; `{}` {}", error.what(), help_of(app, command),
+                       command == nullptr ? "lists them" : "says what it takes");
+  return one_line(app.get_name() + ": " + text) + "\n";
 }
 
 }  // namespace edgecase

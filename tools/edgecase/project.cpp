@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "tools/edgecase/project.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+#include "casefile/json/text.h"
+#include "model/renderer.h"
+
+namespace edgecase {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFileName = "edgecase.toml";
+const std::vector<std::string> kOutputs = {"json",     "junit",       "html", "ctrf",
+                                           "markdown", "annotations", "csv",  "triptychs"};
+
+// Reads a parsed file into a project, key by key.
+class ProjectReader {
+ public:
+  ProjectReader(const fs::path& file, Project& project) : file_(file), project_(project) {}
+
+  void read(const toml::table& table) {
+    const Keys keys = {
+        {"cases", [&](const auto& node) { read_cases(texts("cases", node)); }},
+        {"known", [&](const auto& node) { read_known(texts("known", node)); }},
+        {"policy",
+         [&](const auto& node) { options("--policy") = {own_file(text("policy", node))}; }},
+        {"renderers", [&](const auto& node) { read_renderers(node); }},
+        {"outputs", [&](const auto& node) { read_outputs(node); }},
+    };
+    read_keys("", table, keys);
+    // What `edgecase bless` reads.
+    options("results") = options("--json");
+  }
+
+ private:
+  using Keys = std::map<std::string, std::function<void(const toml::node&)>>;
+
+  [[noreturn]] void fail(const toml::source_position& at, const std::string& what) const {
+    throw ProjectError(fmt::format("{}:{}: {}", file_.string(), at.line, what));
+  }
+
+  std::vector<std::string>& options(const std::string& name) { return project_.options[name]; }
+
+  void read_keys(const std::string& table_name, const toml::table& table, const Keys& keys) const {
+    std::vector<std::string> known;
+    for (const auto& [name, read] : keys) known.push_back(name);
+    for (const auto& [key, node] : table) {
+      const std::string name(key.str());
+      const auto found = keys.find(name);
+      if (found != keys.end()) {
+        found->second(node);
+        continue;
+      }
+      const std::string nearest = nearest_name(name, known);
+      fail(key.source().begin,
+           fmt::format("{} has no key {}; {}it has {}",
+                       table_name.empty() ? "a project" : "[" + table_name + "]", quote(name),
+                       nearest.empty() ? "" : fmt::format("did you mean {}? ", quote(nearest)),
+                       fmt::join(known, ", ")));
+    }
+  }
+
+  std::string text(const std::string& key, const toml::node& node) const {
+    const auto* value = node.as_string();
+    if (value == nullptr || value->get().empty())
+      fail(node.source().begin, fmt::format("{} is {}; write a text, such as {} = \"…\"",
+                                            quote(key), kind_of(node), key));
+    return value->get();
+  }
+
+  // A text, or a list of texts.
+  std::vector<std::string> texts(const std::string& key, const toml::node& node) const {
+    if (node.is_string()) return {text(key, node)};
+    const toml::array* const list = node.as_array();
+    if (list == nullptr || list->empty())
+      fail(node.source().begin,
+           fmt::format("{} is {}; write a text, or a list of texts", quote(key), kind_of(node)));
+    std::vector<std::string> values;
+    for (const toml::node& one : *list) values.push_back(text(key, one));
+    return values;
+  }
+
+  void read_cases(const std::vector<std::string>& cases) {
+    for (const std::string& one : cases) options("paths").push_back(own_file(one));
+  }
+
+  // A folder is where `edgecase bless` writes, and until then it may be missing.
+  void read_known(const std::vector<std::string>& known) {
+    for (const std::string& one : known) {
+      const bool is_folder = !one.ends_with(".json");
+      if (is_folder && options("--folder").empty()) options("--folder") = {path(one)};
+      std::error_code error;
+      if (!is_folder || fs::is_directory(path(one), error)) options("--known").push_back(path(one));
+    }
+  }
+
+  const toml::table& table(const std::string& key, const toml::node& node) const {
+    const toml::table* const found = node.as_table();
+    if (found == nullptr)
+      fail(node.source().begin,
+           fmt::format("{} is {}; write a table: [{}]", quote(key), kind_of(node), key));
+    return *found;
+  }
+
+  void read_renderers(const toml::node& node) {
+    for (const auto& [key, value] : table("renderers", node)) {
+      const std::string name(key.str());
+      if (!is_own_name(name))
+        fail(key.source().begin,
+             fmt::format("{} is no name for a renderer of yours; write at most 64 letters, digits, "
+                         "'.', '-' and '_', a letter or digit first, and not exact",
+                         quote(name)));
+      std::string address = text(name, value);
+      if (address.starts_with(kRecordingPrefix))
+        address = std::string(kRecordingPrefix) + path(address.substr(kRecordingPrefix.size()));
+      project_.renderers[name] = address;
+    }
+  }
+
+  void read_outputs(const toml::node& node) {
+    Keys keys;
+    for (const std::string& name : kOutputs)
+      keys[name] = [this, name](const toml::node& value) {
+        const std::string given = text(name, value);
+        options("--" + name) = {given == "-" ? given : path(given)};
+      };
+    read_keys("outputs", table("outputs", node), keys);
+  }
+
+  // A path of the file, from here.
+  std::string path(const std::string& text) const {
+    if (fs::path(text).is_absolute()) return text;
+    std::error_code error;
+    return fs::absolute(project_.folder / text, error)
+        .lexically_normal()
+        .lexically_proximate(fs::current_path(error))
+        .string();
+  }
+
+  // What is a file or folder of the project is meant so; else a name, an id or a glob.
+  std::string own_file(const std::string& text) const {
+    std::error_code error;
+    return fs::exists(project_.folder / text, error) ? path(text) : text;
+  }
+
+  static std::string kind_of(const toml::node& node) {
+    if (node.is_string()) return "an empty text";
+    if (node.is_array()) return node.as_array()->empty() ? "an empty list" : "a list";
+    if (node.is_table()) return "a table";
+    if (node.is_boolean()) return "true or false";
+    return node.is_number() ? "a number" : "a date or time";
+  }
+
+  const fs::path& file_;
+  Project& project_;
+};
+
+// The nearest file of that name, from here upward, as reached from here; empty: there is none.
+fs::path nearest_file() {
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
+  for (fs::path folder = here; !error; folder = folder.parent_path()) {
+    if (fs::is_regular_file(folder / kFileName, error))
+      return folder == here ? fs::path(kFileName) : (folder / kFileName).lexically_relative(here);
+    if (!folder.has_relative_path()) break;
+    error.clear();
+  }
+  return {};
+}
+
+}  // namespace
+
+void Project::give(CLI::App& command) const {
+  for (const auto& [name, values] : options) {
+    CLI::Option* const option = command.get_option_no_throw(name);
+    if (option == nullptr || option->count() > 0 || values.empty()) continue;
+    for (const std::string& value : values) option->add_result(value);
+    option->run_callback();
+  }
+}
+
+void add_config_option(CLI::App& command, std::string& config) {
+  command
+      .add_option("--config", config,
+                  "Settings of a project: cases, renderers, policy, known faults, outputs "
+                  "(default: the nearest edgecase.toml, from here upward)")
+      ->envname("EDGECASE_CONFIG");
+}
+
+std::optional<Project> find_project(const std::string& config) {
+  const fs::path file = config.empty() ? nearest_file() : fs::path(config);
+  if (file.empty()) return std::nullopt;
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf()))
+    throw ProjectError(
+        fmt::format("{}: it cannot be read, or is empty; name the file of a project "
+                    "with --config",
+                    file.string()));
+  Project project;
+  project.folder = file.parent_path();
+  try {
+    ProjectReader(file, project).read(toml::parse(text.str(), file.string()));
+  } catch (const toml::parse_error& error) {
+    throw ProjectError(fmt::format("{}:{}: {}; https://toml.io explains the format", file.string(),
+                                   error.source().begin.line, error.description()));
+  }
+  return project;
+}
+
+}  // namespace edgecase
