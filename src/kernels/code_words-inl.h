@@ -43,7 +43,7 @@ HWY_INLINE void StoreWords(WordVector word, PixelWord* at, int count) {
 
 // Adds the pixels whose lanes are `open`, starting at `first` and ending at column `last`.
 HWY_INLINE void AddDoubtful(hn::Mask<Doubles> open, PixelPosition first, int last,
-                             std::vector<PixelPosition>& doubtful) {
+                            std::vector<PixelPosition>& doubtful) {
   const Doubles d;
   alignas(64) double flags[HWY_MAX_BYTES / sizeof(double)];
   hn::Store(hn::IfThenElseZero(open, hn::Set(d, 1.0)), d, flags);

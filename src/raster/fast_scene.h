@@ -30,8 +30,8 @@ class FastTextures {
   const TextureStage& stage() const { return stage_; }
 
   // The lookups of a textured triangle, without its positions, or nothing if the plain stages have
-  // to do them. The vertices must have equal w or need no division by it. The planes live as long as
-  // this object.
+  // to do them. The vertices must have equal w or need no division by it. The planes live as long
+  // as this object.
   std::optional<TexturedTriangle> looked_up(const ScenePrimitive& triangle);
 
  private:

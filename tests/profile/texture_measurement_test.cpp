@@ -14,10 +14,10 @@
 namespace edgecase {
 namespace {
 
-TEST(TextureMeasurement, SaysThatNoChainIsTold) {
+TEST(TextureMeasurement, SaysThatNoChainIsReported) {
   const SurfaceFindings findings = findings_among(
       {"mip chain "}, {}, [](const Task&, Rendering& rendering) { rendering.mip_chains.clear(); });
-  EXPECT_EQ(trait_of(findings, "mipmap.filter").remark, "no chain is told");
+  EXPECT_EQ(trait_of(findings, "mipmap.filter").remark, "no chain is reported");
   EXPECT_FALSE(findings.choices.contains("mipmap.filter"));
 }
 

@@ -136,7 +136,7 @@ TEST(ResidualText, ShowsTheFormulaFoundAndAllOthers) {
   profile.surfaces = {surface};
   const std::string text = profile_text(profile, 1);
   EXPECT_THAT(text, HasSubstr("levels of detail against lengths + mantissa-8, derivatives "
-                              "quad-fine: at most 0.007812 levels off"));
+                              "quad-fine: at most 0.007812 levels of error"));
   EXPECT_THAT(text, HasSubstr("  rotated, textureQueryLod                1024"));
   EXPECT_THAT(text, HasSubstr("  rotated, looked up "));
   EXPECT_THAT(text, HasSubstr("; ramp rotated/00000 128 triangles"));
