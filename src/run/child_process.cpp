@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "run/child_process.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,8 +15,6 @@
 #include <cstring>
 #include <thread>
 
-extern char** environ;
-
 namespace edgecase {
 
 namespace {
@@ -26,7 +22,6 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr std::size_t kChunk = std::size_t{1} << 16;
-constexpr int kPipeSize = 1 << 20;
 constexpr std::size_t kErrorOutput = 2000;
 // How long a program may take to end after its input was closed, or after it closed its output.
 constexpr milliseconds kFarewell{500};
@@ -62,122 +57,21 @@ class SigpipeGuard {
   bool was_pending_ = false;
 };
 
-std::vector<std::string> environment_of(const Command& command) {
-  std::vector<std::string> result;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    const std::string text = *entry;
-    const std::string name = text.substr(0, text.find('='));
-    if (command.environment.count(name) == 0 &&
-        std::find(command.unset.begin(), command.unset.end(), name) == command.unset.end())
-      result.push_back(text);
-  }
-  for (const auto& [name, value] : command.environment) result.push_back(name + "=" + value);
-  return result;
-}
-
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-  std::vector<char*> result;
-  for (std::string& text : texts) result.push_back(text.data());
-  result.push_back(nullptr);
-  return result;
-}
-
-void set_nonblocking(int descriptor) {
-  fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) | O_NONBLOCK);
-  // Fewer switches between the two processes; a smaller pipe works as well.
-  fcntl(descriptor, F_SETPIPE_SZ, kPipeSize);
-}
-
-// posix_spawn's attributes and file actions, destroyed in every case.
-struct SpawnSettings {
-  posix_spawnattr_t attributes;
-  posix_spawn_file_actions_t actions;
-
-  SpawnSettings() {
-    posix_spawnattr_init(&attributes);
-    posix_spawn_file_actions_init(&actions);
-    sigset_t none;
-    sigemptyset(&none);
-    sigset_t defaults;
-    sigemptyset(&defaults);
-    for (int signal : {SIGPIPE, SIGINT, SIGTERM, SIGQUIT, SIGXFSZ}) sigaddset(&defaults, signal);
-    posix_spawnattr_setflags(
-        &attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setsigdefault(&attributes, &defaults);
-  }
-  ~SpawnSettings() {
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&actions);
-  }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
-};
-
 }  // namespace
-
-ChildProcess::Descriptor& ChildProcess::Descriptor::operator=(Descriptor&& other) noexcept {
-  std::swap(number_, other.number_);
-  return *this;
-}
-
-void ChildProcess::Descriptor::close() {
-  if (number_ >= 0) ::close(number_);
-  number_ = -1;
-}
 
 std::variant<std::unique_ptr<ChildProcess>, std::string> ChildProcess::start(
     const Command& command) {
-  std::unique_ptr<ChildProcess> child(new ChildProcess);
-  std::string error;
-  if (!child->spawn(command, error)) return error;
-  return child;
+  auto spawned = spawn(command);
+  if (auto* error = std::get_if<std::string>(&spawned)) return std::move(*error);
+  return std::unique_ptr<ChildProcess>(new ChildProcess(std::get<Spawned>(std::move(spawned))));
 }
 
-bool ChildProcess::make_pipe(Pipe& pipe) {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) return false;
-  pipe.read = Descriptor(ends[0]);
-  pipe.write = Descriptor(ends[1]);
-  // Should we run without standard streams, a pipe may take their numbers: dup2 onto itself would
-  // then be lost in the child, so keep clear of them.
-  for (Descriptor* end : {&pipe.read, &pipe.write})
-    if (end->number() <= STDERR_FILENO)
-      *end = Descriptor(fcntl(end->number(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
-  return pipe.read.is_open() && pipe.write.is_open();
-}
-
-bool ChildProcess::spawn(const Command& command, std::string& error) {
-  Pipe in;
-  Pipe out;
-  Pipe err;
-  if (!make_pipe(in) || !make_pipe(out) || !make_pipe(err)) {
-    error = fmt::format("no pipe can be made: {}", strerror(errno));
-    return false;
-  }
-  SpawnSettings settings;
-  posix_spawn_file_actions_adddup2(&settings.actions, in.read.number(), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&settings.actions, out.write.number(), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&settings.actions, err.write.number(), STDERR_FILENO);
-  if (!command.folder.empty())
-    posix_spawn_file_actions_addchdir_np(&settings.actions, command.folder.c_str());
-  std::vector<std::string> arguments = command.argv;
-  std::vector<std::string> environment = environment_of(command);
-  const int failure =
-      posix_spawnp(&pid_, arguments.front().c_str(), &settings.actions, &settings.attributes,
-                   pointers(arguments).data(), pointers(environment).data());
-  if (failure != 0) {
-    pid_ = -1;
-    error = fmt::format("'{}' cannot be started: {}", command.argv.front(), strerror(failure));
-    return false;
-  }
-  input_ = std::move(in.write);
-  output_ = std::move(out.read);
-  errors_ = std::move(err.read);
-  for (const Descriptor* end : {&input_, &output_, &errors_}) set_nonblocking(end->number());
-  return true;
-}
+ChildProcess::ChildProcess(Spawned spawned)
+    : pid_(spawned.pid),
+      input_(std::move(spawned.input)),
+      output_(std::move(spawned.output)),
+      errors_(std::move(spawned.errors)),
+      life_(std::move(spawned.life)) {}
 
 ChildProcess::~ChildProcess() {
   if (pid_ < 0) return;
@@ -247,7 +141,7 @@ bool ChildProcess::take_message(std::string_view& answer) {
 
 // What has been taken makes room for what comes; a picture's worth of it is given back.
 void ChildProcess::make_room() {
-  constexpr std::size_t kMuch = 16 * static_cast<std::size_t>(kPipeSize);
+  constexpr std::size_t kMuch = std::size_t{16} << 20;
   received_.erase(0, taken_);
   taken_ = 0;
   if (received_.empty() && received_.capacity() > kMuch) received_.shrink_to_fit();
@@ -384,6 +278,7 @@ void ChildProcess::reap() {
   input_.close();
   output_.close();
   errors_.close();
+  life_.close();
 }
 
 std::string ChildProcess::how_it_ended() const {

@@ -6,33 +6,24 @@
 // Writing, reading and draining its standard error happen in one poll loop with a deadline, so that
 // no program can block us: one that does not read, one that answers without end, one that fills its
 // standard error. The program runs in a process group of its own (Ctrl-C is ours to handle) and the
-// group dies with this object. A write to a dead program is an error here, never a SIGPIPE.
+// group dies with this object, and with our process, however that ends. A write to a dead program
+// is an error here, never a SIGPIPE.
 //
 // It knows nothing of scenes and never restarts: that is for process_renderer.h.
 #pragma once
 
-#include <sys/types.h>
-
 #include <atomic>
 #include <chrono>
 #include <cstddef>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
-#include <vector>
+
+#include "run/spawn.h"
 
 namespace edgecase {
-
-// A program and its surroundings.
-struct Command {
-  std::vector<std::string> argv;  // argv[0]: a path, or a name that is looked up in PATH
-  std::map<std::string, std::string> environment;  // added to, or replacing, our own
-  std::vector<std::string> unset;                  // removed from our own
-  std::string folder{};                            // that it is started in; empty: our own
-};
 
 class ChildProcess {
  public:
@@ -89,29 +80,8 @@ class ChildProcess {
   const std::string& error_output() const { return error_output_; }
 
  private:
-  // A file descriptor that closes itself.
-  class Descriptor {
-   public:
-    explicit Descriptor(int number = -1) : number_(number) {}
-    Descriptor(Descriptor&& other) noexcept : number_(other.number_) { other.number_ = -1; }
-    Descriptor& operator=(Descriptor&& other) noexcept;
-    ~Descriptor() { close(); }
-    void close();
-    int number() const { return number_; }
-    bool is_open() const { return number_ >= 0; }
+  explicit ChildProcess(Spawned spawned);
 
-   private:
-    int number_;
-  };
-  struct Pipe {
-    Descriptor read;
-    Descriptor write;
-  };
-
-  ChildProcess() = default;
-
-  static bool make_pipe(Pipe& pipe);
-  bool spawn(const Command& command, std::string& error);
   void write_some();
   bool has_written() const { return sent_ == unsent_.size(); }
   bool read_some();
@@ -126,12 +96,13 @@ class ChildProcess {
   bool wait_for_end(std::chrono::milliseconds patience);
   void reap();
 
-  pid_t pid_ = -1;       // -1 once reaped
+  pid_t pid_;            // -1 once reaped
   int wait_status_ = 0;  // as waitpid gives it
   bool ended_by_itself_ = false;
   Descriptor input_;   // its standard input, where we write
   Descriptor output_;  // its standard output, where we read
   Descriptor errors_;
+  Descriptor life_;           // while it is open, the program may live
   std::string unsent_;        // what is yet to be written to its input
   std::size_t sent_ = 0;      // bytes of unsent_ that are written already
   std::string received_;      // output that is not yet part of an answer

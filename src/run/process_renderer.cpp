@@ -68,6 +68,11 @@ std::string last_words(std::string text) {
 
 }  // namespace
 
+std::chrono::milliseconds startup_patience(std::chrono::milliseconds timeout) {
+  return std::clamp(4 * timeout, std::chrono::milliseconds(5'000),
+                    std::chrono::milliseconds(30'000));
+}
+
 ProcessRenderer::ProcessRenderer(ProcessSpec spec) : spec_(std::move(spec)) {
   info_.name = spec_.name;
   if (spec_.command.argv.empty()) unavailable_ = "the renderer names no program";

@@ -37,6 +37,10 @@ struct ProcessSpec {
   const std::atomic<bool>* stop = nullptr;
 };
 
+// How much more time than others the first answer of a renderer has that is given `timeout` for an
+// answer: four times as much, and 5 to 30 seconds.
+std::chrono::milliseconds startup_patience(std::chrono::milliseconds timeout);
+
 // The argument that makes a worker speak in bytes.
 constexpr const char* kMessagesOption = "--messages";
 

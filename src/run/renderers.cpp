@@ -44,6 +44,7 @@ Made make_unnamed(const NamedRenderer& named, const RendererOptions& options) {
   if (auto* unknown = std::get_if<UnknownRenderer>(&found)) return std::move(unknown->message);
   auto& spec = std::get<ProcessSpec>(found);
   spec.timeout = options.timeout;
+  spec.startup_timeout = startup_patience(options.timeout);
   spec.stop = options.stop;
   return std::make_unique<ProcessRenderer>(std::move(spec));
 }

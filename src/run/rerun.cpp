@@ -33,6 +33,15 @@ bool is_timeout(const Result& result) {
   return result.failure && result.failure->kind == FailureKind::timed_out;
 }
 
+// Did the renderer at `index` answer any case, be it by a refusal or by garbage?
+bool has_answered(const Results& results, std::size_t index) {
+  return std::ranges::any_of(results.cases, [&](const CaseResults& one) {
+    const auto& failure = one.results[index].failure;
+    return !failure || failure->kind == FailureKind::unsupported ||
+           failure->kind == FailureKind::garbage;
+  });
+}
+
 class Rerun {
  public:
   Rerun(const Suite& suite, const RunOptions& options, Results& results)
@@ -62,12 +71,14 @@ class Rerun {
   void gather() {
     std::size_t timeouts = 0;
     for (std::size_t r = 0; r < results_.renderers.size(); ++r) {
+      // One that has been silent all the time would have the patience of a start again.
+      const bool is_silent = !has_answered(results_, r);
       std::size_t index = 0;
       for (CaseResults& one : results_.cases) {
         while (suite_.cases[index].id != one.id) ++index;
         const Result& result = one.results[r];
-        if (!is_asked(result)) continue;
         const bool late = is_timeout(result);
+        if (!is_asked(result) || (late && is_silent)) continue;
         if (questions_.size() == kMostReruns || (late && timeouts == kMostTimeoutReruns)) {
           ++counts_.not_asked;
           continue;

@@ -192,6 +192,21 @@ Fragment read_fragment(const json& value, const Path& path, const Bounds& bounds
   return fragment;
 }
 
+// A primitive has one fragment in a pixel, or in a sample, and a faulty rasterizer may draw some
+// twice. What goes far beyond is no rendering, and to judge it would take a thirtieth of a
+// millisecond for each fragment, outside of any limit of time.
+void check_count(std::size_t count, const Path& path, const Rendering& rendering,
+                 std::size_t primitives) {
+  constexpr std::size_t kMost = 4;
+  const std::size_t samples = rendering.pixel_index(0, rendering.height) *
+                              static_cast<std::size_t>(std::max(1, rendering.samples));
+  if (count > kMost * primitives * samples)
+    throw Refusal(
+        fmt::format("{} has {} elements, more than {} for each of {} primitives in each "
+                    "of {} samples",
+                    path.text(), count, kMost, primitives, samples));
+}
+
 }  // namespace
 
 std::vector<bool> textured_primitives(const Scene& scene) {
@@ -206,6 +221,7 @@ void read_fragments(const json& value, const Path& path, const Scene& scene,
   const Bounds bounds{rendering.width, rendering.height, rendering.samples, textured,
                       scene.details};
   require_array(value, path, value.size());
+  check_count(value.size(), path, rendering, textured.size());
   rendering.fragments.reserve(value.size());
   for (std::size_t i = 0; i < value.size(); ++i) {
     const Path at(path, i);

@@ -357,6 +357,13 @@ TEST_F(ProcessRendererTest, RunsInAGroupOfItsOwn) {
   EXPECT_THAT(renderer.info().device, Not(HasSubstr("-")));
 }
 
+TEST_F(ProcessRendererTest, TheFirstAnswerHasMoreTime) {
+  EXPECT_EQ(startup_patience(milliseconds(10)), milliseconds(5'000));
+  EXPECT_EQ(startup_patience(milliseconds(2'000)), milliseconds(8'000));
+  EXPECT_EQ(startup_patience(milliseconds(10'000)), milliseconds(30'000));
+  EXPECT_EQ(startup_patience(milliseconds(3'600'000)), milliseconds(30'000));
+}
+
 TEST_F(ProcessRendererTest, TheExampleInTheRepositoryDraws) {
   ProcessSpec spec;
   spec.name = "exec:example";

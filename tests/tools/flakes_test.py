@@ -5,7 +5,8 @@ import re
 import unittest
 import xml.etree.ElementTree
 
-from support import (AS_EXPECTED, NOTHING_SELECTED, UNEXPECTED, USAGE, CommandTest, only_result)
+from support import (AS_EXPECTED, NOTHING_SELECTED, RENDERER, UNEXPECTED, USAGE, CommandTest,
+                     only_result)
 
 NAMES = ["a", "b", "c", "d"]
 
@@ -50,6 +51,16 @@ class Flakes(Waverer):
                                        expect=UNEXPECTED)
         self.assertEqual((results["c"]["fingerprint"], results["c"]["standing"]),
                          ("crashed", "flake"))
+
+    def test_who_is_silent_is_started_once(self):
+        """A case that comes too late is asked again only of who has answered another: each start
+        has its own patience."""
+        script = self.write("silent.sh", "echo started >> starts\nexec sleep 1000\n")
+        self.command("run", "cases/a.json", "--against", f"exec:sh {script}", "--timeout", "0.05",
+                     "--json", "results.json", expect=RENDERER)
+        self.assertEqual((self.folder / "starts").read_text("utf-8"), "started\n")
+        (case,) = json.loads((self.folder / "results.json").read_text("utf-8"))["cases"]
+        self.assertEqual(only_result(case)["failure"]["kind"], "timed-out")
 
     def test_what_comes_again_leaves_no_trace(self):
         liar = self.odd_renderer("mirror", "", "cases")

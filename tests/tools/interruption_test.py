@@ -3,6 +3,7 @@
 Progress is told on a terminal, and only there."""
 import json
 import os
+import pathlib
 import pty
 import signal
 import subprocess
@@ -16,6 +17,27 @@ from support import (EDGECASE, PATIENCE, SUITE, UNEXPECTED, CommandTest, environ
 SOON = 10  # seconds
 # Thousands of cases, far more than a nap each lets finish; all of the suite take seconds to load.
 MANY = f"{SUITE}/lines"
+
+
+def living_of_group(group):
+    """The numbers of processes of a group that have not ended."""
+    living = []
+    for entry in pathlib.Path("/proc").iterdir():
+        try:
+            # The name of the program stands in brackets, and may hold anything.
+            fields = (entry / "stat").read_text("utf-8").rpartition(")")[2].split()
+        except OSError:
+            continue  # no process, or it ended meanwhile
+        if entry.name.isdigit() and int(fields[2]) == group and fields[0] not in "ZX":
+            living.append(int(entry.name))
+    return living
+
+
+def kill_group(group):
+    try:
+        os.killpg(group, signal.SIGKILL)
+    except ProcessLookupError:
+        pass
 
 
 class Interruption(CommandTest):
@@ -68,6 +90,29 @@ class Interruption(CommandTest):
         code, _ = self.start_and_stop("hang", 1, signal.SIGINT, self.run_arguments)
         self.assertEqual(code, UNEXPECTED)
         self.check_partial_results(least=0)
+
+    def test_kill_takes_a_program_that_never_reads(self):
+        """What cannot be handled: nobody is left to end the program and what it started."""
+        script = self.write("deaf.sh", "echo $$ > deaf\nsleep 1000 & exec sleep 1000\n")
+        running = subprocess.Popen([EDGECASE, "run", f"{SUITE}/triangles/ties", "--against",
+                                    f"exec:sh {script}", "--jobs", "1"], cwd=self.folder,
+                                   env=environment(), stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        self.addCleanup(running.kill)
+        deaf = self.folder / "deaf"
+        deadline = time.monotonic() + PATIENCE
+        while not deaf.exists() or not deaf.read_text("utf-8").endswith("\n"):
+            self.assertLess(time.monotonic(), deadline, "the renderer does not get going")
+            time.sleep(.02)
+        group = int(deaf.read_text("utf-8"))
+        self.addCleanup(kill_group, group)
+        self.assertEqual(len(living_of_group(group)), 2)
+        running.kill()
+        running.wait()
+        deadline = time.monotonic() + SOON
+        while living_of_group(group):
+            self.assertLess(time.monotonic(), deadline, "the renderer outlives the run")
+            time.sleep(.02)
 
     def test_other_subcommands(self):
         case = f"{SUITE}/triangles/ties/flat-top.json"

@@ -339,6 +339,19 @@ TEST(AnswerLine, RefusesFragmentsOfASceneThatDrawsNothing) {
   EXPECT_THAT(std::get<WireError>(parsed).message, HasSubstr("the scene draws nothing"));
 }
 
+TEST(AnswerLine, RefusesMoreFragmentsThanAFaultMakes) {
+  // Of two primitives and six pixels, four times.
+  for (const auto& [count, message] :
+       {std::pair(48, ""),
+        std::pair(49, "/fragments has 49 elements, more than 4 for each of 2")}) {
+    std::string fragments;
+    for (int i = 0; i < count; ++i)
+      fragments += (i > 0 ? "," : "") + std::string(R"({"x":2,"y":1,"primitive":0})");
+    EXPECT_THAT(message_of(answer_with("[" + fragments + "]")), HasSubstr(message));
+    EXPECT_EQ(message_of(answer_with("[" + fragments + "]")).empty(), count == 48);
+  }
+}
+
 TEST(AnswerLine, MessagesStayShort) {
   const std::string line = "{\"" + std::string(100'000, 'k') + "\":1}";
   EXPECT_LT(message_of(line).size(), 300u);

@@ -121,7 +121,11 @@ void SuiteRunOptions::add_to(CLI::App& command) {
   add_config_option(command, config);
   command.add_option("--jobs", jobs, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 256));
-  command.add_option("--timeout", timeout, "Seconds per case")->check(CLI::Range(0.01, 3600.0));
+  command
+      .add_option("--timeout", timeout,
+                  "Seconds per case; a renderer's first answer may take "
+                  "four times as long beside that, 5 to 30 seconds")
+      ->check(CLI::Range(0.01, 3600.0));
   command.add_option("--progress", progress, "Progress on standard error")
       ->check(CLI::IsMember({"auto", "never"}));
 }
