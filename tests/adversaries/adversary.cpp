@@ -23,7 +23,8 @@ int main(int count, char** words) {
     std::fprintf(stderr, "no adversary is called '%s'\n", words[1]);
     return 3;
   }
-  RendererInfo info{"", "Edgecase", "", "adversary", freedoms->bits, {}};
+  // The release of which known faults are recorded: under the name of a driver, they apply.
+  RendererInfo info{"", "Edgecase", "Mesa 22.3.6", "adversary", freedoms->bits, {}};
   for (std::string line; std::getline(std::cin, line);) {
     const auto request = parse_request(line);
     if (const auto* error = std::get_if<WireError>(&request)) {
