@@ -101,8 +101,14 @@ function shellWord(text) {
   return /^[\w@%+=:,.\/-]+$/.test(text) ? text : "'" + text.replaceAll("'", "'\\''") + "'";
 }
 
+// A renderer as the command line asks for it: "mine=exec:./r" where it has a name of its own.
+function askedAs(name) {
+  const {traits} = Data.renderers.find((info) => info.name === name);
+  return traits.address && !name.includes(":") ? name + "=" + traits.address : name;
+}
+
 function commandsFor(one, result, pixel) {
-  const against = ["--against", result.renderer];
+  const against = ["--against", askedAs(result.renderer)];
   const policy = Data.policy === "opengl" ? [] : ["--policy", Data.policy];
   const filter = one.id.includes(":") ? ["--filter", one.id] : [];
   const lines = [["edgecase", "run", one.file, ...filter, ...against, ...policy]];

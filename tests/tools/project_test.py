@@ -164,6 +164,13 @@ class File(ProjectTest):
         told = self.command("run", "--config", "no.toml", expect=USAGE).stderr
         self.assertTrue(told.startswith("no.toml: it cannot be read"), told)
 
+    def test_a_misspelt_renderer_is_told_with_those_of_the_project(self):
+        told = self.command("run", "--against", "mien", expect=USAGE).stderr
+        self.assertEqual(told, 'there is no renderer "mien"; did you mean "mine"? The project has '
+                               "mine, ours\n")
+        told = self.command("run", "--against", "llvmpipe", expect=USAGE).stderr
+        self.assertIn("did you mean osmesa:llvmpipe?", told)
+
     def test_every_key_is_an_option(self):
         listed = self.command("run", "--help").stdout
         text = (ROOT / "tools/edgecase/project.cpp").read_text(encoding="utf-8")

@@ -187,6 +187,15 @@ void Project::give(CLI::App& command) const {
   }
 }
 
+void Project::refuse_misspelt(const std::string& renderer) const {
+  std::vector<std::string> names;
+  for (const auto& [name, address] : renderers) names.push_back(name);
+  const std::string nearest = nearest_name(renderer, names);
+  if (is_own_name(renderer) && !nearest.empty())
+    throw ProjectError(fmt::format("there is no renderer {}; did you mean {}? The project has {}",
+                                   quote(renderer), quote(nearest), fmt::join(names, ", ")));
+}
+
 void add_config_option(CLI::App& command, std::string& config) {
   command
       .add_option("--config", config,

@@ -37,6 +37,8 @@ struct Project {
 
   // Gives the command what its own options, which are parsed, do not say.
   void give(CLI::App& command) const;
+  // Throws ProjectError where the name is nearly that of one of its renderers.
+  void refuse_misspelt(const std::string& renderer) const;
 };
 
 // --config of commands that obey a project's file, and the variable EDGECASE_CONFIG.

@@ -139,7 +139,10 @@ void SuiteRunOptions::take_project(CLI::App& command, bool asks_all) {
     for (const auto& [name, address] : project->renderers) renderers.push_back(name);
   for (std::string& renderer : renderers) {
     const auto own = project->renderers.find(renderer);
-    if (own == project->renderers.end()) continue;
+    if (own == project->renderers.end()) {
+      project->refuse_misspelt(renderer);
+      continue;
+    }
     folders[own->first] = project->folder.string();
     renderer = fmt::format("{}={}", own->first, own->second);
   }
