@@ -95,7 +95,8 @@ bool make_pipe(Pipe& pipe) {
 // A program that reads notices our end by that of its input; one that never reads does not. So the
 // kernel is asked to send SIGKILL to its group when a pipe is closed of which we alone have the
 // writing end: SIGIO, with another signal in its place. PR_SET_PDEATHSIG would tie it to
-// the thread that started it, and would leave its own children alive.
+// the thread that started it, and would leave its own children alive. Nothing ties a program to us
+// between its start and this call, a few microseconds.
 void tie_to_us(int end, pid_t program) {
   fcntl(end, F_SETOWN, -program);
   fcntl(end, F_SETSIG, SIGKILL);

@@ -7,6 +7,7 @@ import pathlib
 import pty
 import signal
 import subprocess
+import sys
 import time
 import unittest
 import xml.etree.ElementTree
@@ -93,9 +94,14 @@ class Interruption(CommandTest):
 
     def test_kill_takes_a_program_that_never_reads(self):
         """What cannot be handled: nobody is left to end the program and what it started."""
-        script = self.write("deaf.sh", "echo $$ > deaf\nsleep 1000 & exec sleep 1000\n")
+        script = self.write("deaf.py", """import os, pathlib, select, subprocess, time
+child = subprocess.Popen(["sleep", "1000"])
+select.select([0], [], [])  # the run asks: it is past the start
+pathlib.Path("deaf").write_text(f"{os.getpid()}\\n", "utf-8")
+time.sleep(1000)
+""")
         running = subprocess.Popen([EDGECASE, "run", f"{SUITE}/triangles/ties", "--against",
-                                    f"exec:sh {script}", "--jobs", "1"], cwd=self.folder,
+                                    f"exec:{sys.executable} {script}", "--jobs", "1"], cwd=self.folder,
                                    env=environment(), stdout=subprocess.DEVNULL,
                                    stderr=subprocess.DEVNULL)
         self.addCleanup(running.kill)
