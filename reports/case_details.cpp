@@ -240,12 +240,4 @@ nlohmann::ordered_json case_details(const CaseResults& one) {
   return json;
 }
 
-bool has_details(const CaseResults& one) {
-  return !one.expect_failures.empty() ||
-         std::any_of(one.results.begin(), one.results.end(), [](const KnownResult& result) {
-           return result.verdict != Verdict::agree || result.standing != Standing::expected ||
-                  !result.ramp.empty();
-         });
-}
-
 }  // namespace edgecase

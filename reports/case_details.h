@@ -35,8 +35,4 @@ constexpr std::size_t kMaxDisagreementsPerAnswer = 2000;
 
 nlohmann::ordered_json case_details(const CaseResults& one);
 
-// Is there anything to look at? Where every renderer agrees, as expected, its line in the list says
-// it all.
-bool has_details(const CaseResults& one);
-
 }  // namespace edgecase

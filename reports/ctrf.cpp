@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reports/ctrf.h"
 
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -44,10 +45,10 @@ Json tags_of(const CaseResults& one) {
   return tags;
 }
 
-Json test_json(const TestOutcome& outcome) {
+Json test_json(const TestOutcome& outcome, const Durations& durations) {
   Json json = {{"name", outcome.name.empty() ? "?" : outcome.name},
                {"status", status_of(outcome.status)},
-               {"duration", 0},
+               {"duration", std::llround(1000 * seconds_of(outcome, durations))},  // milliseconds
                {"suite", outcome.suite}};
   if (!outcome.message.empty()) json["message"] = outcome.message;
   if (!outcome.details.empty()) json["trace"] = outcome.details;
@@ -105,14 +106,14 @@ class Summary {
 
 }  // namespace
 
-void write_ctrf(const Results& results, std::ostream& out) {
+void write_ctrf(const Results& results, const Durations& durations, std::ostream& out) {
   out << "{\"reportFormat\":\"CTRF\",\"specVersion\":\"0.0.0\",\"generatedBy\":"
       << dump(results.tool) << ",\n\"results\":{\"tool\":" << dump(tool_json(results.tool))
       << ",\n\"tests\":[";
   Summary summary;
   const char* separator = "\n";
   visit_outcomes(results, [&](const TestOutcome& outcome) {
-    out << separator << dump(test_json(outcome));
+    out << separator << dump(test_json(outcome, durations));
     separator = ",\n";
     summary.add(outcome);
   });

@@ -10,11 +10,13 @@
 
 #include <iosfwd>
 
+#include "results/durations.h"
 #include "results/results.h"
 
 namespace edgecase {
 
 // Writes the document in UTF-8, test by test. The caller checks the stream's state afterwards.
-void write_ctrf(const Results& results, std::ostream& out);
+// `durations` may be empty: the same results then give the same bytes.
+void write_ctrf(const Results& results, const Durations& durations, std::ostream& out);
 
 }  // namespace edgecase

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <utility>
@@ -33,23 +32,35 @@ std::string chunk_text(const ReportData& data, std::size_t first, std::size_t co
   return text + "]);\n";
 }
 
-// The names of chunks and their first blocks, as a member of the index.
-std::string chunk_list(const std::vector<std::pair<std::string, std::size_t>>& chunks) {
+// How many blocks stand in the page, and the names of chunks with their first blocks, as members of
+// the index.
+std::string places_of_blocks(std::size_t inlined,
+                             const std::vector<std::pair<std::string, std::size_t>>& chunks) {
   nlohmann::json list = nlohmann::json::array();
   for (const auto& [name, first] : chunks) list.push_back({{"name", name}, {"first", first}});
-  return "\"chunks\":" + list.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return fmt::format("\"here\":{},\"chunks\":{}", inlined,
+                     list.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+}
+
+// Bytes of blocks for which a page has room.
+std::size_t room_beside(const std::string& index, std::size_t max_inlined) {
+  constexpr std::size_t kMarkup = 200'000;  // the viewer, and what stands round each block
+  const std::size_t taken = index.size() + kMarkup;
+  return taken < kMostOfPage ? std::min(max_inlined, kMostOfPage - taken) : 0;
 }
 
 }  // namespace
 
 std::vector<HtmlFile> html_files(const Results& results, const ReportTexts& texts,
-                                 const std::string& name, std::size_t max_inlined) {
-  const ReportData data = report_data(results, texts);
+                                 const std::string& name, Beyond beyond, std::size_t max_inlined) {
+  const ReportData data = beyond == Beyond::in_scripts ? report_data(results, texts)
+                                                       : report_data(results, texts, max_inlined);
   const std::string stem = name.substr(0, name.rfind(".html"));
   std::vector<HtmlFile> files(1);
   std::vector<std::pair<std::string, std::size_t>> chunks;
-  const std::size_t inlined = count_within(data.blocks, 0, max_inlined);
-  for (std::size_t first = inlined; first < data.blocks.size();) {
+  const std::size_t inlined = count_within(data.blocks, 0, room_beside(data.index, max_inlined));
+  const std::size_t end = beyond == Beyond::in_scripts ? data.blocks.size() : inlined;
+  for (std::size_t first = inlined; first < end;) {
     const std::size_t count = std::max(std::size_t{1}, count_within(data.blocks, first, kChunk));
     chunks.emplace_back(fmt::format("{}.{}.js", stem, chunks.size() + 1), first);
     files.push_back({chunks.back().first, chunk_text(data, first, count)});
@@ -58,7 +69,7 @@ std::vector<HtmlFile> html_files(const Results& results, const ReportTexts& text
   std::string page{kPageBeforeLoads};
   if (!chunks.empty()) page += kMayLoad;
   page += kPageBeforeData;
-  page += '{' + chunk_list(chunks) + ',' + data.index.substr(1);
+  page += '{' + places_of_blocks(inlined, chunks) + ',' + data.index.substr(1);
   page += kPageBeforeBlocks;
   for (std::size_t i = 0; i < inlined; ++i)
     page +=
@@ -69,8 +80,7 @@ std::vector<HtmlFile> html_files(const Results& results, const ReportTexts& text
 }
 
 void write_html(const Results& results, const ReportTexts& texts, std::ostream& out) {
-  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-  out << html_files(results, texts, "report.html", kAll).front().text;
+  out << html_files(results, texts, "report.html", Beyond::left_out).front().text;
 }
 
 }  // namespace edgecase

@@ -5,9 +5,9 @@
 // The page's style and scripts live in reports/viewer as plain files; embed_viewer.py joins them
 // into the library at build time, with a Content-Security-Policy that lets exactly these run. What
 // a run found stands in the page as data (report_data.h says how); the viewer shows every text of
-// it as text, never as markup. What would make the page larger than kMaxInlined goes into scripts
-// beside it, which the viewer loads, from disk too, when a case of theirs is opened; only then the
-// policy allows the viewer to load anything.
+// it as text, never as markup. A page has at most kMostOfPage bytes. Details beyond that are left
+// out, or go into scripts beside it, which the viewer loads, from disk too, when a case of theirs
+// is opened; only then the policy allows the viewer to load anything.
 #pragma once
 
 #include <cstddef>
@@ -54,21 +54,27 @@ struct ReportTexts {
   std::optional<Comparison> since;  // from earlier results to these
 };
 
-// Bytes of base64 that a page may hold; what is beyond goes into files of about kChunk.
+// Bytes that a page may have, those of details in it, and those of a script beside it.
+constexpr std::size_t kMostOfPage = 10'000'000;
 constexpr std::size_t kMaxInlined = 6'000'000;
 constexpr std::size_t kChunk = 1'000'000;
+
+// What becomes of the details for which a page has no room, those of the least telling cases: the
+// page has only their lines in its list, or scripts beside it hold them.
+enum class Beyond { left_out, in_scripts };
 
 struct HtmlFile {
   std::string name;  // without folders
   std::string text;
 };
 
-// The page, called `name` ("report.html"), and the scripts that belong beside it ("report.1.js").
-// UTF-8; the same results give the same bytes.
+// The page, called `name` ("report.html"), and the scripts that belong beside it ("report.1.js"),
+// if any. UTF-8; the same results give the same bytes.
 std::vector<HtmlFile> html_files(const Results& results, const ReportTexts& texts,
-                                 const std::string& name, std::size_t max_inlined = kMaxInlined);
+                                 const std::string& name, Beyond beyond,
+                                 std::size_t max_inlined = kMaxInlined);
 
-// The page alone, whatever its size. The caller checks the stream's state afterwards.
+// The page alone. The caller checks the stream's state afterwards.
 void write_html(const Results& results, const ReportTexts& texts, std::ostream& out);
 
 }  // namespace edgecase

@@ -14,13 +14,20 @@
 namespace edgecase {
 namespace {
 
+// What is not known is left out.
+void add_time(pugi::xml_node node, double seconds) {
+  if (seconds > 0) node.append_attribute("time") = fmt::format("{:.6f}", seconds).c_str();
+}
+
 struct Counts {
   int tests = 0;
   int failures = 0;
   int errors = 0;
   int skipped = 0;
+  double seconds = 0;
 
-  void add(TestStatus status) {
+  void add(TestStatus status, double took) {
+    seconds += took;
     ++tests;
     failures += status == TestStatus::failed;
     errors += status == TestStatus::error;
@@ -32,6 +39,7 @@ struct Counts {
     node.append_attribute("failures") = failures;
     node.append_attribute("errors") = errors;
     node.append_attribute("skipped") = skipped;
+    add_time(node, seconds);
   }
 };
 
@@ -52,15 +60,17 @@ const char* element_of(TestStatus status) {
 // The document under construction; the counts of a suite are written when the next one begins.
 class Document {
  public:
-  explicit Document(pugi::xml_node root) : root_(root) {}
+  Document(pugi::xml_node root, const Durations& durations) : root_(root), durations_(durations) {}
 
   void add(const TestOutcome& outcome) {
     if (outcome.suite.front() != suite_.attribute("name").as_string()) begin(outcome.suite.front());
-    counts_.add(outcome.status);
-    total_.add(outcome.status);
+    const double seconds = seconds_of(outcome, durations_);
+    counts_.add(outcome.status, seconds);
+    total_.add(outcome.status, seconds);
     pugi::xml_node test = suite_.append_child("testcase");
     test.append_attribute("classname") = fmt::format("{}", fmt::join(outcome.suite, ".")).c_str();
     test.append_attribute("name") = outcome.name.c_str();
+    add_time(test, seconds);
     if (outcome.status == TestStatus::passed) {
       if (!outcome.message.empty())
         test.append_child("system-out").text().set(outcome.message.c_str());
@@ -86,6 +96,7 @@ class Document {
   }
 
   pugi::xml_node root_;
+  const Durations& durations_;
   pugi::xml_node suite_;
   Counts counts_;  // of the suite
   Counts total_;
@@ -93,14 +104,14 @@ class Document {
 
 }  // namespace
 
-void write_junit(const Results& results, std::ostream& out) {
+void write_junit(const Results& results, const Durations& durations, std::ostream& out) {
   pugi::xml_document document;
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
   declaration.append_attribute("version") = "1.0";
   declaration.append_attribute("encoding") = "UTF-8";
   pugi::xml_node root = document.append_child("testsuites");
   root.append_attribute("name") = one_line(results.tool + ", policy " + results.policy).c_str();
-  Document tests(root);
+  Document tests(root, durations);
   visit_outcomes(results, [&tests](const TestOutcome& outcome) { tests.add(outcome); });
   tests.end();
   document.save(out, "  ", pugi::format_default, pugi::encoding_utf8);

@@ -10,12 +10,14 @@
 
 #include <iosfwd>
 
+#include "results/durations.h"
 #include "results/results.h"
 
 namespace edgecase {
 
 // Writes the document in UTF-8; of 20,000 tests it takes less than 30 MB. The caller checks the
 // stream's state afterwards.
-void write_junit(const Results& results, std::ostream& out);
+// `durations` may be empty: the same results then give the same bytes.
+void write_junit(const Results& results, const Durations& durations, std::ostream& out);
 
 }  // namespace edgecase

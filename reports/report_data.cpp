@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <tuple>
@@ -11,6 +12,7 @@
 #include "reports/case_details.h"
 #include "reports/report_index.h"
 #include "results/base64.h"
+#include "results/case_results_writer.h"
 #include "results/deflate.h"
 
 namespace edgecase {
@@ -39,11 +41,16 @@ std::string escape_markup(const std::string& json) {
   return out;
 }
 
-// Collects lines into blocks.
+// Collects lines into blocks, of about `most` bytes in all. Further lines have numbers as if they
+// stood in a block more, and are not made.
 class Blocks {
  public:
+  explicit Blocks(std::size_t most) : most_(most) {}
+
   // Returns the line's number.
-  long add(const std::string& line) {
+  long add(const std::function<std::string()>& make) {
+    if (bytes_ >= most_) return leave_out();
+    const std::string line = make();
     if (!text_.empty() && text_.size() + line.size() > kBlock) close();
     if (text_.empty()) first_lines_.push_back(lines_);
     text_ += line;
@@ -58,13 +65,23 @@ class Blocks {
   const std::vector<long>& first_lines() const { return first_lines_; }
 
  private:
+  long leave_out() {
+    if (!is_left_out_) first_lines_.push_back(lines_);
+    is_left_out_ = true;
+    return lines_++;
+  }
+
   void close() {
     blocks_.push_back(to_base64(deflated(text_)));
+    bytes_ += blocks_.back().size();
     text_.clear();
   }
 
+  const std::size_t most_;
   std::string text_;
   long lines_ = 0;
+  std::size_t bytes_ = 0;  // of blocks
+  bool is_left_out_ = false;
   std::vector<long> first_lines_;
   std::vector<std::string> blocks_;
 };
@@ -90,20 +107,20 @@ std::vector<std::size_t> worth_a_look(const Results& results) {
 
 }  // namespace
 
-ReportData report_data(const Results& results, const ReportTexts& texts) {
+ReportData report_data(const Results& results, const ReportTexts& texts, std::size_t most) {
   const CaseHeads heads = heads_of(results);
   DetailLines lines;
   lines.of_case.assign(results.cases.size(), -1);
   lines.of_head.assign(heads.first_case.size(), -1);
-  Blocks blocks;
+  Blocks blocks(most);
   const auto add_source = [&](std::size_t i) {
     long& line = lines.of_head[heads.of_case[i]];
     if (line < 0 && !results.cases[i].source->empty())
-      line = blocks.add(dump(*results.cases[i].source));
+      line = blocks.add([&] { return dump(*results.cases[i].source); });
   };
   for (const std::size_t i : worth_a_look(results)) {
     add_source(i);
-    lines.of_case[i] = blocks.add(dump(case_details(results.cases[i])));
+    lines.of_case[i] = blocks.add([&] { return dump(case_details(results.cases[i])); });
   }
   for (std::size_t i = 0; i < results.cases.size(); ++i) add_source(i);
 

@@ -10,6 +10,8 @@
 // reports with the same key say the same.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,8 @@ struct ReportData {
   std::vector<std::string> blocks;  // base64
 };
 
-ReportData report_data(const Results& results, const ReportTexts& texts);
+// Of blocks of about `most` bytes in all; lines that are left out have numbers beyond those.
+ReportData report_data(const Results& results, const ReportTexts& texts,
+                       std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace edgecase

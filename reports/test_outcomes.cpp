@@ -146,6 +146,7 @@ class Visit {
       TestOutcome outcome = test_of(one);
       outcome.one = &one;
       outcome.result = &result;
+      outcome.renderer = &results_.renderers[index];
       describe_result(results_.renderers[index], outcome);
       sink_(outcome);
     }
@@ -261,6 +262,11 @@ std::size_t share_of_details(const Results& results) {
 
 void visit_outcomes(const Results& results, const TestSink& sink) {
   Visit(results, share_of_details(results), sink).all();
+}
+
+double seconds_of(const TestOutcome& outcome, const Durations& durations) {
+  return outcome.one == nullptr ? 0
+                                : seconds_of(durations, outcome.one->id, outcome.renderer->name);
 }
 
 }  // namespace edgecase

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "results/durations.h"
 #include "results/results.h"
 
 namespace edgecase {
@@ -33,6 +34,7 @@ struct TestOutcome {
   int line = 0;                      // in the file, from 1; 0: the file as a whole
   const CaseResults* one = nullptr;  // of a renderer's answer
   const Result* result = nullptr;    // the same
+  const RendererInfo* renderer = nullptr;  // the same
 };
 
 // Receives the outcomes suite by suite.
@@ -43,5 +45,8 @@ using TestSink = std::function<void(const TestOutcome&)>;
 // nothing, that all tests together stay below 24 MB of XML, unless their names and messages alone
 // take that much: CI systems refuse files beyond 30 MB.
 void visit_outcomes(const Results& results, const TestSink& sink);
+
+// How long the answer took; 0 where that is not known, or the outcome is of no answer.
+double seconds_of(const TestOutcome& outcome, const Durations& durations);
 
 }  // namespace edgecase

@@ -30,8 +30,7 @@ const Blocks = {
 
   // Is the block that holds a line in the page itself?
   isHere(line) {
-    const number = Blocks.numberOf(line);
-    return Data.chunks.every((chunk) => chunk.first > number);
+    return Blocks.numberOf(line) < Data.here;
   },
 
   // Reads what a line is in, where it is in the page itself.
@@ -43,6 +42,8 @@ const Blocks = {
     if (Blocks.arrived.has(number)) return Blocks.arrived.get(number);
     const chunk = Data.chunks.findLast((one) => one.first <= number);
     if (chunk) return Blocks.load(chunk.name, number);
+    if (number >= Data.here)
+      throw new Error("there was no room for them on this page; write it with --all-details");
     if (!byId("block-" + number) && document.readyState === "loading")
       await new Promise((then) => document.addEventListener("DOMContentLoaded", then));
     return byId("block-" + number).textContent;
@@ -56,9 +57,9 @@ const Blocks = {
       script.onload = () => {
         script.remove();
         if (Blocks.arrived.has(number)) then(Blocks.arrived.get(number));
-        else fail(new Error(name + " belongs to another report"));
+        else fail(new Error(name + " belongs to another report; write the report again"));
       };
-      script.onerror = () => fail(new Error(name + " is not beside this page"));
+      script.onerror = () => fail(new Error(name + " is not beside this page; copy it too, or write the report again"));
       document.head.append(script);
     });
   },

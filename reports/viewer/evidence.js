@@ -92,7 +92,8 @@ function prettySource(source) {
 function sourceOf(one) {
   const text = h("pre", {tabindex: "0"});
   return h("details", {ontoggle: () => sourceText(one).then((source) =>
-    replace(text, source ? prettySource(source) : "The file was not beside the results."))},
+    replace(text, source ? prettySource(source) : "The file was not beside the results."),
+    (fault) => replace(text, "The text cannot be read: " + fault.message + "."))},
     h("summary", {}, "Case file ", h("code.faint", {}, one.file)), text);
 }
 

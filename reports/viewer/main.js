@@ -33,8 +33,7 @@ function readNeighbours(one, state) {
 function showFault(one, fault) {
   CaseView.close();
   replace(byId("app"), h("main.case", {}, caseWords({...one, expect_failures: []}),
-    h("p.card.alarm-box", {}, "The details of this case cannot be read: " + fault.message + ". " +
-      "The scripts beside this page belong to it; copy them together, or write the report again."),
+    h("p.card.alarm-box", {}, "The details of this case cannot be read: " + fault.message + "."),
     h("p", {}, h("a.button", {href: Route.href(NO_PLACE)}, "\u2190 All cases"))));
 }
 

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "results/hex.h"
-
 namespace edgecase {
 namespace {
 
@@ -46,12 +44,6 @@ void JsonWriter::value(double value) {
   std::array<char, 64> digits;
   const char* end = nlohmann::detail::to_chars(digits.data(), digits.data() + digits.size(), value);
   literal({digits.data(), static_cast<std::size_t>(end - digits.data())});
-}
-
-void JsonWriter::hex(const std::vector<std::uint8_t>& bytes) {
-  literal("\"");
-  append_hex(bytes, text_);
-  text_ += '"';
 }
 
 }  // namespace edgecase

@@ -11,11 +11,9 @@
 
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <ranges>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace edgecase {
 
@@ -78,9 +76,6 @@ class JsonWriter {
   requires(!std::convertible_to<const Range&, std::string_view>) void value(const Range& items) {
     list(items, [](JsonWriter& json, const auto& item) { json.value(item); });
   }
-
-  // A string of two digits for each byte (results/hex.h).
-  void hex(const std::vector<std::uint8_t>& bytes);
 
  private:
   // What stands before any value or name.

@@ -1,294 +1,54 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <charconv>
-#include <limits>
+#include <algorithm>
+#include <deque>
+#include <future>
+#include <istream>
+#include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
+#include <thread>
+#include <utility>
 
-#include "results/folding.h"
-#include "results/hex.h"
-#include "results/picture_difference.h"
+#include "results/case_results_reader.h"
+#include "results/packed_stream.h"
 #include "results/results_json.h"
-#include "results/samples_json.h"
 #include "results/shallow_json.h"
 #include "results/whole_number.h"
-#include "rules/all_rules.h"
-#include "rules/changes.h"
 
 namespace edgecase {
 namespace {
 
-using Json = nlohmann::json;
-
-// RGBA8 of a picture of the given size.
-std::vector<std::uint8_t> to_pixels(const Json& json, int width, int height) {
-  std::vector<std::uint8_t> pixels = from_hex(unfolded(json).get<std::string>());
-  if (width < 0 || height < 0 ||
-      pixels.size() != 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
-    throw std::runtime_error(fmt::format("{} bytes of pixels do not make a picture of {} by {}",
-                                         pixels.size(), width, height));
-  return pixels;
-}
-
-double to_number(const Json& json) {
-  if (json.is_number()) return json.get<double>();
-  const std::string text = json.get<std::string>();
-  if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
-  if (text == "inf") return std::numeric_limits<double>::infinity();
-  if (text == "-inf") return -std::numeric_limits<double>::infinity();
-  throw std::runtime_error(fmt::format("\"{}\" is no number", text));
-}
-
-// The value whose name_of is the given text, among those from `first` to `last`.
-template <class Enum>
-Enum to_enum(const Json& json, Enum first, Enum last) {
-  const std::string text = json.get<std::string>();
-  for (int i = static_cast<int>(first); i <= static_cast<int>(last); ++i)
-    if (text == name_of(static_cast<Enum>(i))) return static_cast<Enum>(i);
-  throw std::runtime_error(fmt::format("\"{}\" is not known here", text));
-}
-
-RuleId to_rule(const Json& json) {
-  RuleId rule = RuleId::none;
-  const std::string id = json.get<std::string>();
-  if (!parse_name(id, rule)) throw std::runtime_error(fmt::format("no rule is called \"{}\"", id));
-  return rule;
-}
-
-Cause to_cause(const Json& json) {
-  const std::string text = json.get<std::string>();
-  if (auto cause = parse_cause(text)) return *std::move(cause);
-  throw std::runtime_error(fmt::format("\"{}\" names no alternative of the catalogue", text));
-}
-
-AlternativeSet to_refuted(const Json& json) {
-  if (const auto refuted = parse_refuted(json.get<std::string>())) return *refuted;
-  throw std::runtime_error("what is refuted does not fit the catalogue");
-}
-
-// A whole number as a member's name.
-int to_integer(const std::string& text) {
-  int value = 0;
-  const char* end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value);
-  if (read.ec != std::errc{} || read.ptr != end)
-    throw std::runtime_error(fmt::format("\"{}\" is no whole number", text));
-  return value;
-}
+// With a sentence that says all that there is to say.
+struct Refusal : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 template <class Item, class Convert>
-std::vector<Item> to_list(const Json& json, Convert convert) {
+std::vector<Item> to_list(const ReadJson& json, Convert convert) {
   if (!json.is_array()) throw std::runtime_error("a list is missing");
   std::vector<Item> result;
-  for (const Json& item : json) result.push_back(convert(item));
+  for (const ReadJson& item : json) result.push_back(convert(item));
   return result;
 }
 
-Figure to_figure(const Json& json) {
-  Figure figure;
-  for (const Json& item : json) {
-    Mark mark;
-    mark.role = to_enum(item.at("role"), MarkRole::primitive, MarkRole::edge);
-    mark.closed = item.value("closed", false);
-    mark.label = item.value("label", "");
-    for (const Json& point : item.at("points"))
-      mark.points.emplace_back(to_number(point.at(0)), to_number(point.at(1)));
-    figure.marks.push_back(std::move(mark));
-  }
-  return figure;
-}
-
-Disagreement to_disagreement(const Json& json) {
-  Disagreement d;
-  d.x = WholeNumber(json.at("pixel").at(0));
-  d.y = WholeNumber(json.at("pixel").at(1));
-  d.sample = WholeNumber(json.at("sample"));
-  d.primitive = WholeNumber(json.at("primitive"));
-  d.kind = to_enum(json.at("kind"), DisagreementKind::missing, DisagreementKind::value);
-  d.rule = to_rule(json.at("rule"));
-  d.legality = to_enum(json.at("legality"), Legality::legal, Legality::illegal);
-  d.cause = to_cause(json.at("cause"));
-  d.situation = json.value("situation", "");
-  d.policy_agrees = json.value("policy_agrees", false);
-  d.ruling = json.at("ruling");
-  if (json.contains("upright")) {
-    const Json& upright = json.at("upright");
-    d.upright =
-        Disagreement::Upright{to_rule(upright.at("rule")), upright.at("ruling"),
-                              to_enum(upright.at("legality"), Legality::legal, Legality::illegal),
-                              to_cause(upright.at("cause"))};
-  }
-  d.exact = to_list<double>(json.at("exact"), to_number);
-  d.rendered = to_list<double>(json.at("rendered"), to_number);
-  d.explanation = json.at("explanation");
-  d.figure = to_figure(json.at("figure"));
-  return d;
-}
-
-ValueAggregate::Place to_place(const Json& json) {
-  return {WholeNumber(json.at(0)), WholeNumber(json.at(1)), WholeNumber(json.at(2))};
-}
-
-ValueAggregate to_values(const Json& json) {
-  ValueAggregate values;
-  values.attribute = json.at("attribute");
-  values.rule = to_rule(json.at("rule"));
-  values.ruling = json.at("ruling");
-  if (json.contains("cause")) values.cause = to_cause(json.at("cause"));
-  values.compared = WholeNumber(json.at("compared"));
-  values.components = WholeNumber(json.at("components"));
-  values.worst = to_place(json.at("worst"));
-  values.worst_component = WholeNumber(json.at("worst_component"));
-  values.worst_exact = to_number(json.at("worst_exact"));
-  values.worst_rendered = to_number(json.at("worst_rendered"));
-  values.worst_ulp = to_number(json.at("worst_ulp"));
-  values.mean_ulp = to_number(json.at("mean_ulp"));
-  values.worst_relative = to_number(json.at("worst_relative"));
-  for (const auto& [bucket, count] : json.at("ulp_histogram").items())
-    values.ulp_histogram[to_integer(bucket)] = WholeNumber(count);
-  values.differing = to_places(unfolded(json.at("differing")));
-  return values;
-}
-
-Result::Evidence to_evidence(const Json& json) {
-  Result::Evidence evidence;
-  evidence.primitive = WholeNumber(json.at("primitive"));
-  if (json.contains("pass")) evidence.pass = WholeNumber(json.at("pass"));
-  evidence.causes = to_list<Cause>(json.at("causes"), to_cause);
-  evidence.illegal_line_snaps = json.value("illegal_line_snaps", std::vector<std::string>{});
-  evidence.broken_clause = json.value("broken_clause", "");
-  return evidence;
-}
-
-Result::ReportedFragment to_fragment(const Json& json) {
-  Result::ReportedFragment told;
-  Fragment& f = told.fragment;
-  f.x = WholeNumber(json.at(0));
-  f.y = WholeNumber(json.at(1));
-  f.primitive = WholeNumber(json.at(2));
-  f.coverage = WholeNumber(json.at(3));
-  f.has_depth = !json.at(4).is_null();
-  f.has_color = !json.at(5).is_null();
-  if (f.has_depth) f.depth = to_number(json.at(4));
-  for (std::size_t i = 0; f.has_color && i < f.color.size(); ++i)
-    f.color[i] = to_number(json.at(5).at(i));
-  if (json.size() > 6) told.pass = WholeNumber(json.at(6));
-  return told;
-}
-
-// What the renderer drew: stored, as the difference from exact's picture, or the same as that.
-Shared<PackedWords> to_picture(const Json& json, const CaseResults& exact) {
-  if (json.contains("difference"))
-    return difference_of(to_pixels(json.at("difference"), exact.width, exact.height),
-                         exact.pixels->bytes());
-  const Json& pixels = json.at("pixels");
-  if (pixels == "exact") return exact.pixels;
-  return to_pixels(pixels, exact.width, exact.height);
-}
-
-// Of one side; none where there is no such member.
-std::vector<Result::ReportedFragment> to_fragments(const Json& json, const char* member) {
-  if (!json.contains(member)) return {};
-  return to_list<Result::ReportedFragment>(unfolded(json.at(member)), to_fragment);
-}
-
-Result::LevelPoint to_level(const Json& json) {
-  return {WholeNumber(json.at(0)), WholeNumber(json.at(1)), to_number(json.at(2)),
-          to_number(json.at(3)),   to_number(json.at(4)),   to_number(json.at(5))};
-}
-
-PixelCounts to_pixel_counts(const Json& json) {
-  return {WholeNumber(json.at("agree")),     WholeNumber(json.at("convention")),
-          WholeNumber(json.at("permitted")), WholeNumber(json.at("contested")),
-          WholeNumber(json.at("violation")), WholeNumber(json.at("same"))};
-}
-
-Judgement to_answer(const Json& json) {
-  return {to_enum(json.at("verdict"), Verdict::agree, Verdict::not_run), json.at("fingerprint")};
-}
-
-FaultSeen to_fault(const Json& json) {
-  FaultSeen seen{json.at("renderer"),
-                 json.at("id"),
-                 json.at("reason"),
-                 json.at("link"),
-                 json.at("cases"),
-                 std::nullopt,
-                 to_enum(json.at("state"), FaultState::known, FaultState::uncounted)};
+FaultSeen to_fault(const ReadJson& json) {
+  FaultSeen seen{
+      json.at("renderer"),
+      json.at("id"),
+      json.at("reason"),
+      json.at("link"),
+      json.at("cases"),
+      std::nullopt,
+      to_enum(json.at("state").get<std::string>(), FaultState::known, FaultState::uncounted)};
   if (json.contains("before")) seen.before = json.at("before").get<std::size_t>();
   return seen;
 }
 
-KnownResult to_result(const Json& json, const CaseResults& exact) {
-  KnownResult result;
-  result.verdict = to_enum(json.at("verdict"), Verdict::agree, Verdict::not_run);
-  result.fingerprint = json.at("fingerprint");
-  result.standing = to_enum(json.at("standing"), Standing::expected, Standing::flake);
-  result.standing_reason = json.value("standing_reason", "");
-  if (json.contains("faults")) result.faults = json.at("faults").get<std::vector<std::string>>();
-  if (json.contains("again")) result.again = to_answer(json.at("again"));
-  if (json.contains("failure")) {
-    const Json& failure = json.at("failure");
-    result.failure =
-        Failure{to_enum(failure.at("kind"), FailureKind::unsupported, FailureKind::unavailable),
-                failure.at("reason")};
-  }
-  // Who failed has drawn nothing; of all others a picture must be there, and what is said of it.
-  if (!result.failure) {
-    result.pixel_counts = to_pixel_counts(json.at("pixel_counts"));
-    result.pixels = to_picture(json, exact);
-  }
-  result.disagreements = to_list<Disagreement>(unfolded(json.at("disagreements")), to_disagreement);
-  result.values = to_list<ValueAggregate>(json.at("values"), to_values);
-  result.evidence = to_list<Result::Evidence>(unfolded(json.at("evidence")), to_evidence);
-  result.illegal_line_snaps = json.at("illegal_line_snaps").get<std::vector<std::string>>();
-  result.refuted = to_refuted(json.at("refuted"));
-  result.exact_fragments = to_fragments(json, "exact_fragments");
-  result.rendered_fragments = to_fragments(json, "rendered_fragments");
-  if (json.contains("ramp")) result.ramp = to_list<Result::LevelPoint>(json.at("ramp"), to_level);
-  if (json.contains("exact_pixels"))
-    result.exact_pixels = to_pixels(json.at("exact_pixels"), exact.width, exact.height);
-  if (json.contains("samples"))
-    result.samples = to_samples(unfolded(json.at("samples")), exact.width, exact.height);
-  if (json.contains("exact_samples"))
-    result.exact_samples =
-        to_samples(unfolded(json.at("exact_samples")), exact.width, exact.height);
-  return result;
-}
-
-Viewport to_viewport(const Json& json) {
-  return {WholeNumber(json.at(0)), WholeNumber(json.at(1)), WholeNumber(json.at(2)),
-          WholeNumber(json.at(3))};
-}
-
-CaseResults to_case(const Json& json, const std::vector<RendererInfo>& renderers) {
-  CaseResults one;
-  one.id = json.at("id");
-  one.title = json.at("title");
-  one.why = json.at("why");
-  one.rules = json.at("rules").get<std::vector<std::string>>();
-  one.spec = json.at("spec");
-  one.origin = json.at("origin");
-  one.tags = json.at("tags").get<std::vector<std::string>>();
-  one.file = json.at("file");
-  one.file_digest = json.at("file_digest");
-  one.surface = json.at("surface");
-  one.width = WholeNumber(json.at("width"));
-  one.height = WholeNumber(json.at("height"));
-  if (json.contains("viewport")) one.viewport = to_viewport(json.at("viewport"));
-  one.fragments = WholeNumber(json.at("fragments"));
-  one.pixels = to_pixels(json.at("pixels"), one.width, one.height);
-  if (json.contains("samples"))
-    one.samples = to_samples(unfolded(json.at("samples")), one.width, one.height);
-  one.figure = to_figure(unfolded(json.at("figure")));
-  one.expect_failures = json.at("expect_failures").get<std::vector<std::string>>();
-  for (const RendererInfo& info : renderers)
-    one.results.push_back(to_result(json.at("results").at(info.name), one));
-  return one;
-}
-
-RendererInfo to_renderer(const Json& json) {
+RendererInfo to_renderer(const ReadJson& json) {
   RendererInfo info;
   info.name = json.at("name");
   info.vendor = json.at("vendor");
@@ -299,7 +59,7 @@ RendererInfo to_renderer(const Json& json) {
   return info;
 }
 
-ShareOfRun to_shard(const Json& json) {
+ShareOfRun to_shard(const ReadJson& json) {
   const int number = WholeNumber(json.at("index"));
   const int count = WholeNumber(json.at("count"));
   if (number < 1 || number > count)
@@ -307,37 +67,221 @@ ShareOfRun to_shard(const Json& json) {
   return {number - 1, count, WholeNumber(json.at("cases")), json.at("selection")};
 }
 
-Diagnostic to_diagnostic(const Json& json) {
+Diagnostic to_diagnostic(const ReadJson& json) {
   return {json.at("file"), WholeNumber(json.at("line")), json.at("pointer"), json.at("message"),
           json.at("remedy")};
 }
 
+// What is known before the first case.
+void read_header(const ReadJson& json, Results& results) {
+  const int format = WholeNumber(json.at("edgecase_results"));
+  if (format != kResultsFormat)
+    throw Refusal(fmt::format(
+        "these are results of format {}, and this version reads format {}; read them with the "
+        "version that wrote them, or run once more",
+        format, kResultsFormat));
+  results.tool = json.at("tool");
+  results.policy = json.at("policy");
+  results.latitude =
+      to_enum(json.at("latitude").get<std::string>(), Latitude::opengl, Latitude::none);
+  results.policy_digest = json.at("policy_digest");
+  results.whole_suite = json.at("whole_suite");
+  if (json.contains("shard")) results.shard = to_shard(json.at("shard"));
+  results.renderers = to_list<RendererInfo>(json.at("renderers"), to_renderer);
+}
+
+// What is known behind the last case.
+void read_end(const ReadJson& json, Results& results) {
+  const std::size_t cases = WholeNumber(json.at("cases"));
+  if (cases != results.cases.size())
+    throw std::runtime_error(
+        fmt::format("it holds {} cases instead of {}", results.cases.size(), cases));
+  results.interrupted = json.at("interrupted");
+  if (json.contains("left_out")) results.left_out = WholeNumber(json.at("left_out"));
+  results.diagnostics = to_list<Diagnostic>(json.at("diagnostics"), to_diagnostic);
+  results.faults = to_list<FaultSeen>(json.at("faults"), to_fault);
+}
+
+// Lines that are about cases, to be parsed by a thread of their own.
+struct Batch {
+  std::vector<std::pair<std::size_t, std::string>> lines;  // with their numbers, from 1
+  std::size_t bytes = 0;
+  std::shared_ptr<const CaseHeads> heads;
+};
+
+// The cases of a batch, up to the first line that is at fault.
+struct Parsed {
+  std::vector<CaseResults> cases;
+  std::string fault;     // with its place; empty: none
+  std::size_t line = 0;  // that is at fault
+  bool is_whole = true;  // is that line JSON?
+};
+
+Parsed parsed(const Batch& batch, const std::vector<RendererInfo>& renderers) {
+  Parsed result;
+  for (const auto& [number, line] : batch.lines) {
+    std::string where = fmt::format("line {}: ", number);
+    try {
+      const ReadJson json = parse_line(line);
+      where = fmt::format("case {}: ", json.at("case").get<std::string>());
+      result.cases.push_back(to_case(json, *batch.heads, renderers));
+    } catch (const std::exception& error) {
+      result.fault = where + fault_of(error);
+      result.line = number;
+      result.is_whole = dynamic_cast<const ReadJson::parse_error*>(&error) == nullptr;
+      return result;
+    }
+  }
+  return result;
+}
+
+// Reads line by line. Cases are parsed on all processors, and come in their order.
+class Reading {
+ public:
+  Reading(std::istream& in, Cut cut) : lines_(in), cut_(cut) {}
+
+  std::variant<Results, std::string> operator()() {
+    try {
+      read();
+      return std::move(results_);
+    } catch (const Refusal& refusal) {
+      return refusal.what();
+    } catch (const std::exception& error) {
+      return fmt::format(
+          "this is no results file of `edgecase run`: {}{}; name a file that `edgecase run --json` "
+          "wrote",
+          where_, fault_of(error));
+    }
+  }
+
+ private:
+  void read() {
+    if (!next()) throw std::runtime_error("it is empty");
+    if (line_ == "{") refuse_object();
+    read_header(parse_line(line_), results_);
+    while (next()) {
+      if (line_.starts_with("{\"case\"")) {
+        add_case_line();
+        continue;
+      }
+      const ReadJson json = other_line();
+      if (json.is_discarded()) break;
+      if (json.contains("end")) return finish(json);
+      add_head(json);
+    }
+    take_all();
+    end_early();
+  }
+
+  // The first format was one object over many lines; other files are, too.
+  [[noreturn]] void refuse_object() {
+    const bool is_first_format = next() && line_.starts_with("\"tool\":");
+    where_ = "";
+    if (!is_first_format) throw std::runtime_error("it is one object over many lines");
+    throw Refusal(fmt::format(
+        "these are results of format 1, and this version reads format {}; run once more to make "
+        "them anew",
+        kResultsFormat));
+  }
+
+  bool next() {
+    where_ = fmt::format("line {}: ", ++number_);
+    return lines_.next(line_);
+  }
+
+  // Discarded where the line is the last one and not whole.
+  ReadJson other_line() {
+    try {
+      return parse_line(line_);
+    } catch (const ReadJson::parse_error&) {
+      std::string rest;
+      if (lines_.next(rest)) throw;
+      return ReadJson(ReadJson::value_t::discarded);
+    }
+  }
+
+  void add_head(const ReadJson& json) {
+    const std::size_t head = WholeNumber(json.at("head"));
+    if (head != heads_.size())
+      throw std::runtime_error(
+          fmt::format("head {} stands in the place of {}", head, heads_.size()));
+    heads_.push_back(std::make_shared<const CaseResults>(to_head(json)));
+  }
+
+  void add_case_line() {
+    constexpr std::size_t kMostBytes = std::size_t{1} << 18;
+    batch_.bytes += line_.size();
+    batch_.lines.emplace_back(number_, std::move(line_));
+    if (batch_.bytes > kMostBytes) start_batch();
+  }
+
+  void start_batch() {
+    if (batch_.lines.empty()) return;
+    const std::size_t most_ahead =
+        2 * std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
+    while (started_.size() >= most_ahead) take_first();
+    batch_.heads = std::make_shared<const CaseHeads>(heads_);
+    started_.push_back(std::async(std::launch::async, [this, batch = std::exchange(batch_, {})] {
+      return parsed(batch, results_.renderers);
+    }));
+  }
+
+  void take_first() {
+    Parsed first = started_.front().get();
+    started_.pop_front();
+    std::ranges::move(first.cases, std::back_inserter(results_.cases));
+    if (first.fault.empty()) return;
+    where_ = "";
+    // The last line of a file that is cut off.
+    if (!first.is_whole && started_.empty() && first.line + 1 == number_ && is_at_end_) return;
+    throw std::runtime_error(first.fault);
+  }
+
+  void take_all() {
+    is_at_end_ = true;
+    start_batch();
+    while (!started_.empty()) take_first();
+  }
+
+  void finish(const ReadJson& json) {
+    start_batch();
+    while (!started_.empty()) take_first();
+    read_end(json, results_);
+    if (next()) throw std::runtime_error("something follows its end");
+    if (lines_.is_cut()) end_early();
+  }
+
+  void end_early() {
+    results_.interrupted = true;
+    if (cut_ == Cut::kept) return;
+    throw Refusal(
+        fmt::format("the results end in their middle, behind {} cases; name a file that is whole, "
+                    "or go on with "
+                    "that run by `edgecase run --resume`",
+                    results_.cases.size()));
+  }
+
+  LineReader lines_;
+  Cut cut_;
+  std::string line_;
+  std::size_t number_ = 0;  // of the line, from 1
+  std::string where_;       // for messages
+  bool is_at_end_ = false;  // of a file without a last line
+  CaseHeads heads_;
+  Batch batch_;
+  Results results_;
+  std::deque<std::future<Parsed>> started_;
+};
+
 }  // namespace
 
-std::variant<Results, std::string> read_results(const std::string& text) {
-  std::string where;
-  try {
-    const Json json = parse_shallow(text);
-    Results results;
-    results.tool = json.at("tool");
-    results.policy = json.at("policy");
-    results.latitude = to_enum(json.at("latitude"), Latitude::opengl, Latitude::none);
-    results.policy_digest = json.at("policy_digest");
-    results.interrupted = json.at("interrupted");
-    if (json.contains("left_out")) results.left_out = WholeNumber(json.at("left_out"));
-    results.whole_suite = json.at("whole_suite");
-    if (json.contains("shard")) results.shard = to_shard(json.at("shard"));
-    results.renderers = to_list<RendererInfo>(json.at("renderers"), to_renderer);
-    results.diagnostics = to_list<Diagnostic>(json.at("diagnostics"), to_diagnostic);
-    results.faults = to_list<FaultSeen>(json.at("faults"), to_fault);
-    results.cases = to_list<CaseResults>(json.at("cases"), [&](const Json& one) {
-      where = fmt::format("case {}: ", one.at("id").get<std::string>());
-      return to_case(one, results.renderers);
-    });
-    return results;
-  } catch (const std::exception& error) {
-    return fmt::format("this is no results file of `edgecase run`: {}{}", where, fault_of(error));
-  }
+std::variant<Results, std::string> read_results(std::istream& in, Cut cut) {
+  return Reading(in, cut)();
+}
+
+std::variant<Results, std::string> read_results(const std::string& text, Cut cut) {
+  std::istringstream in(text);
+  return read_results(in, cut);
 }
 
 }  // namespace edgecase

@@ -3,13 +3,19 @@
 #include <deque>
 #include <functional>
 #include <future>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <span>
+#include <string_view>
 #include <thread>
+#include <tuple>
+#include <utility>
 
 #include "results/case_results_writer.h"
 #include "results/clusters.h"
+#include "results/packed_stream.h"
 #include "results/results_json.h"
 
 namespace edgecase {
@@ -101,59 +107,114 @@ std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// Some cases, each on a line of its own.
-std::string cases_text(std::span<const CaseResults> cases,
-                       const std::vector<RendererInfo>& renderers, bool are_first) {
-  constexpr std::size_t kBesidePixels = 4096;  // at least, mostly
-  std::size_t size = 0;
-  for (const CaseResults& one : cases) size += 8 * one.pixels->size() + kBesidePixels;
+// What cases of one file mostly share, told apart.
+auto head_of(const CaseResults& one) {
+  std::optional<std::tuple<int, int, int, int>> viewport;
+  if (const auto& v = one.viewport) viewport.emplace(v->x, v->y, v->width, v->height);
+  return std::tuple(std::string_view(one.file), std::string_view(one.file_digest),
+                    std::string_view(one.title), std::string_view(one.why), one.rules,
+                    std::string_view(one.spec), std::string_view(one.origin), one.tags,
+                    std::string_view(one.surface), one.width, one.height, viewport);
+}
+
+// Some cases, each on a line of its own, and before it the heads that no line before has.
+struct Part {
+  std::span<const CaseResults> cases;
+  std::vector<std::size_t> heads;  // by case
+  std::size_t first_new = 0;       // head
+};
+
+std::string text_of(const Part& part, const std::vector<RendererInfo>& renderers) {
   std::string text;
-  text.reserve(size);
-  const char* separator = are_first ? "\n" : ",\n";
-  for (const CaseResults& one : cases) {
-    text += separator;
-    append_case(one, renderers, text);
-    separator = ",\n";
+  std::size_t next_head = part.first_new;
+  for (std::size_t i = 0; i < part.cases.size(); ++i) {
+    if (part.heads[i] == next_head) {
+      append_head(part.cases[i], next_head++, text);
+      text += '\n';
+    }
+    append_case(part.cases[i], part.heads[i], renderers, text);
+    text += '\n';
   }
   return text;
 }
 
-// Text is made on all processors, a few parts ahead of what is written.
-void write_cases(const Results& results, std::ostream& out) {
-  constexpr std::size_t kCasesOfPart = 64;
+// Divides cases into parts, and numbers their heads.
+class Divider {
+ public:
+  explicit Divider(std::span<const CaseResults> cases) : rest_(cases) {}
+
+  bool is_at_end() const { return rest_.empty(); }
+  Part next() {
+    constexpr std::size_t kCasesOfPart = 64;
+    Part part{rest_.first(std::min(kCasesOfPart, rest_.size())), {}, numbers_.size()};
+    for (const CaseResults& one : part.cases)
+      part.heads.push_back(numbers_.try_emplace(head_of(one), numbers_.size()).first->second);
+    rest_ = rest_.subspan(part.cases.size());
+    return part;
+  }
+
+ private:
+  std::span<const CaseResults> rest_;
+  std::map<decltype(head_of(std::declval<const CaseResults&>())), std::size_t> numbers_;
+};
+
+using Take = std::function<void(std::string_view)>;
+
+// Text is made on all processors, a few parts ahead of what is taken.
+void write_cases(const Results& results, const Take& take) {
   const std::size_t most_ahead = 2 * std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
   std::deque<std::future<std::string>> parts;
-  const auto write_first = [&] {
-    out << parts.front().get();
+  const auto take_first = [&] {
+    take(parts.front().get());
     parts.pop_front();
   };
-  const std::span<const CaseResults> cases = results.cases;
-  for (std::size_t first = 0; first < cases.size(); first += kCasesOfPart) {
-    if (parts.size() >= most_ahead) write_first();
-    const auto part = cases.subspan(first, std::min(kCasesOfPart, cases.size() - first));
+  for (Divider divider(results.cases); !divider.is_at_end();) {
+    if (parts.size() >= most_ahead) take_first();
     parts.push_back(
-        std::async(std::launch::async, cases_text, part, std::cref(results.renderers), first == 0));
+        std::async(std::launch::async, text_of, divider.next(), std::cref(results.renderers)));
   }
-  while (!parts.empty()) write_first();
+  while (!parts.empty()) take_first();
+}
+
+Json header_json(const Results& results) {
+  Json json = {{"edgecase_results", kResultsFormat},
+               {"tool", results.tool},
+               {"policy", results.policy},
+               {"latitude", name_of(results.latitude)},
+               {"policy_digest", results.policy_digest},
+               {"whole_suite", results.whole_suite}};
+  if (results.shard) json["shard"] = shard_json(*results.shard);
+  json["renderers"] = list(results.renderers, renderer_json);
+  return json;
+}
+
+Json end_json(const Results& results) {
+  Json json = {
+      {"end", true}, {"cases", results.cases.size()}, {"interrupted", results.interrupted}};
+  if (results.left_out > 0) json["left_out"] = results.left_out;
+  json["diagnostics"] = list(results.diagnostics, diagnostic_json);
+  json["faults"] = list(results.faults, fault_json);
+  json["summary"] = summary_json(results);
+  json["clusters"] = clusters_json(results);
+  return json;
+}
+
+void write_lines(const Results& results, const Take& take) {
+  take(dump(header_json(results)) + '\n');
+  write_cases(results, take);
+  take(dump(end_json(results)) + '\n');
 }
 
 }  // namespace
 
 void write_results(const Results& results, std::ostream& out) {
-  out << "{\n\"tool\":" << dump(results.tool) << ",\n\"policy\":" << dump(results.policy)
-      << ",\n\"latitude\":" << dump(name_of(results.latitude))
-      << ",\n\"policy_digest\":" << dump(results.policy_digest)
-      << ",\n\"interrupted\":" << (results.interrupted ? "true" : "false");
-  if (results.left_out > 0) out << ",\n\"left_out\":" << results.left_out;
-  out << ",\n\"whole_suite\":" << (results.whole_suite ? "true" : "false");
-  if (results.shard) out << ",\n\"shard\":" << dump(shard_json(*results.shard));
-  out << ",\n\"renderers\":" << dump(list(results.renderers, renderer_json))
-      << ",\n\"diagnostics\":" << dump(list(results.diagnostics, diagnostic_json))
-      << ",\n\"faults\":" << dump(list(results.faults, fault_json))
-      << ",\n\"summary\":" << dump(summary_json(results))
-      << ",\n\"clusters\":" << dump(clusters_json(results)) << ",\n\"cases\":[";
-  write_cases(results, out);
-  out << "\n]\n}\n";
+  write_lines(results, [&](std::string_view text) { out << text; });
+}
+
+void write_packed_results(const Results& results, std::ostream& out) {
+  TextPacker packer(out);
+  write_lines(results, [&](std::string_view text) { packer.add(text); });
+  packer.finish();
 }
 
 }  // namespace edgecase

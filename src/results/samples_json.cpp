@@ -6,7 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "results/hex.h"
+#include "results/packed_text.h"
+#include "results/shallow_json.h"
 #include "results/whole_number.h"
 
 namespace edgecase {
@@ -23,50 +24,93 @@ void check_size(const char* what, std::size_t found, std::size_t wanted) {
 }
 
 // Of a place within a pixel.
-Fixed to_fixed(const nlohmann::json& json) {
+Fixed to_fixed(const ReadJson& json) {
   const double value = json.get<double>();
   if (!(value >= 0 && value <= 1))
-    throw std::runtime_error(fmt::format("{} is no place within a pixel", json.dump()));
+    throw std::runtime_error(
+        fmt::format("{} is no place within a pixel", std::string(json.dump())));
   return Fixed::from_raw(static_cast<std::int64_t>(value * Fixed::kOne));
 }
 
-// Numbers of samples or of fragments, or masks; none where there is no such member.
-std::vector<std::uint32_t> to_counts(const nlohmann::json& json, const char* member) {
-  std::vector<std::uint32_t> counts;
-  if (!json.contains(member)) return counts;
-  for (const nlohmann::json& item : json.at(member)) counts.push_back(WholeNumber(item));
-  return counts;
+void write_head(JsonWriter& json, const SampleImage& image) {
+  json.member("count", image.samples);
+  if (!image.positions.empty()) json.key("positions").list(image.positions, write_position);
 }
 
-}  // namespace
-
-void write_samples(JsonWriter& json, const SampleImage& image) {
-  json.object([&] {
-    json.member("count", image.samples);
-    if (!image.positions.empty()) json.key("positions").list(image.positions, write_position);
-    if (!image.pixels->empty()) json.key("pixels").hex(image.pixels->bytes());
-    if (!image.hits->empty()) json.member("hits", image.hits->words());
-    if (!image.coverage->empty()) json.member("coverage", image.coverage->words());
-  });
-}
-
-SampleImage to_samples(const nlohmann::json& json, int width, int height) {
+SampleImage to_head(const ReadJson& json) {
   SampleImage image;
   image.samples = WholeNumber(json.at("count"));
   if (image.samples <= 1 || image.samples > kMaxSamples)
     throw std::runtime_error(fmt::format("{} is no number of samples", image.samples));
-  for (const nlohmann::json& at : json.value("positions", nlohmann::json::array()))
+  for (const ReadJson& at : json.value("positions", ReadJson::array()))
     image.positions.push_back({to_fixed(at.at(0)), to_fixed(at.at(1))});
-  const std::vector<std::uint8_t> pixels = from_hex(json.value("pixels", ""));
-  image.hits = to_counts(json, "hits");
-  image.coverage = to_counts(json, "coverage");
+  check_size("positions", image.positions.size(), static_cast<std::size_t>(image.samples));
+  return image;
+}
+
+// The packed words of a member; none where there is no such member.
+std::vector<std::uint32_t> to_member(const ReadJson& json, const char* member, std::size_t size) {
+  if (!json.contains(member)) return {};
+  return to_words(to_text(json.at(member)), size);
+}
+
+std::size_t area_of(int width, int height) {
+  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> difference_of(std::vector<std::uint32_t> words,
+                                         const std::vector<std::uint32_t>& others) {
+  if (words.size() != others.size()) return words;
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] ^= others[i];
+  return words;
+}
+
+void write_samples(JsonWriter& json, const SampleImage& image, int width) {
+  json.object([&] {
+    write_head(json, image);
+    if (!image.pixels->empty()) json.member("pixels", packed_picture(image.pixels->bytes(), width));
+    if (!image.hits->empty()) json.member("hits", packed_words(image.hits->words()));
+    if (!image.coverage->empty()) json.member("coverage", packed_words(image.coverage->words()));
+  });
+}
+
+void write_samples(JsonWriter& json, const SampleImage& image, const SampleImage& exact) {
+  const auto write = [&](const char* name, const std::vector<std::uint32_t>& own,
+                         const std::vector<std::uint32_t>& other) {
+    if (!own.empty()) json.member(name, packed_words(difference_of(own, other)));
+  };
+  json.object([&] {
+    write_head(json, image);
+    write("pixels", words_of(image.pixels->bytes()), words_of(exact.pixels->bytes()));
+    write("hits", image.hits->words(), exact.hits->words());
+    write("coverage", image.coverage->words(), exact.coverage->words());
+  });
+}
+
+SampleImage to_samples(const ReadJson& json, int width, int height) {
+  SampleImage image = to_head(json);
   const auto samples = static_cast<std::size_t>(image.samples);
-  const std::size_t area = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  check_size("positions", image.positions.size(), samples);
-  check_size("pixels", pixels.size(), 4 * samples * area);
-  image.pixels = pixels;
-  check_size("hits", image.hits->size(), samples * area);
-  check_size("coverage", image.coverage->size(), area);
+  if (json.contains("pixels"))
+    image.pixels = to_picture(to_text(json.at("pixels")), width, height * image.samples);
+  image.hits = to_member(json, "hits", samples * area_of(width, height));
+  image.coverage = to_member(json, "coverage", area_of(width, height));
+  return image;
+}
+
+SampleImage to_samples(const ReadJson& json, int width, int height, const SampleImage& exact) {
+  SampleImage image = to_head(json);
+  const auto samples = static_cast<std::size_t>(image.samples);
+  const std::size_t area = area_of(width, height);
+  const auto read = [&](const char* member, std::size_t size,
+                        const std::vector<std::uint32_t>& other) {
+    return difference_of(to_member(json, member, size), other);
+  };
+  image.pixels = bytes_of(read("pixels", samples * area, words_of(exact.pixels->bytes())));
+  image.hits = read("hits", samples * area, exact.hits->words());
+  image.coverage = read("coverage", area, exact.coverage->words());
+  image.share_with(exact);
   return image;
 }
 

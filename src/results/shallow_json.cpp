@@ -38,15 +38,29 @@ std::size_t levels_of(std::string_view text) {
   return most;
 }
 
-}  // namespace
-
-nlohmann::json parse_shallow(std::string_view text) {
+void check_shallow(std::string_view text) {
   // The parser would take it for the end of the text.
   if (const auto nul = text.find('\0'); nul != text.npos)
     throw std::runtime_error(fmt::format("byte {} is NUL, which no JSON holds", nul));
   if (levels_of(text) > kMostLevels)
     throw std::runtime_error(fmt::format("it is nested deeper than {} levels", kMostLevels));
+}
+
+}  // namespace
+
+nlohmann::json parse_shallow(std::string_view text) {
+  check_shallow(text);
   return nlohmann::json::parse(text);
+}
+
+ReadJson parse_line(std::string_view text) {
+  check_shallow(text);
+  return ReadJson::parse(text);
+}
+
+std::string_view to_text(const ReadJson& json) {
+  if (!json.is_string()) throw std::runtime_error("a text is missing");
+  return json.get_ref<const ReadText&>();
 }
 
 std::string fault_of(const std::exception& error) {

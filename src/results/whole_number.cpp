@@ -23,7 +23,7 @@ std::optional<std::int64_t> WholeNumber::negative() const {
 }
 
 void WholeNumber::refuse() const {
-  const std::string text = json_.is_structured() ? json_.type_name() : json_.dump();
+  const std::string text(json_.is_structured() ? ReadText(json_.type_name()) : json_.dump());
   constexpr std::size_t kMost = 60;  // characters that are quoted
   throw std::runtime_error(fmt::format("{} is no whole number in range", text.substr(0, kMost)));
 }

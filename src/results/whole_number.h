@@ -6,9 +6,10 @@
 
 #include <concepts>
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <utility>
+
+#include "results/shallow_json.h"
 
 namespace edgecase {
 
@@ -16,7 +17,7 @@ namespace edgecase {
 // is none, was not written as one, or is out of the type's range.
 class WholeNumber {
  public:
-  explicit WholeNumber(const nlohmann::json& json) : json_(json) {}
+  explicit WholeNumber(const ReadJson& json) : json_(json) {}
 
   template <std::integral Integer>
   requires(!std::same_as<Integer, bool>) operator Integer()
@@ -31,7 +32,7 @@ class WholeNumber {
   std::optional<std::int64_t> negative() const;  // below 0
   [[noreturn]] void refuse() const;
 
-  const nlohmann::json& json_;
+  const ReadJson& json_;
 };
 
 }  // namespace edgecase

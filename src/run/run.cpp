@@ -2,6 +2,7 @@
 #include "run/run.h"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -154,8 +155,10 @@ class Run {
     std::vector<Task> tasks;
     tasks.reserve(cases.size());
     for (const std::size_t i : cases) tasks.push_back({suite_.cases[i].id, &suite_.cases[i].scene});
+    auto asked = std::chrono::steady_clock::now();
     try {
       renderer.render(tasks, [&](std::size_t i, Outcome outcome) {
+        note_duration(tasks[i].id, index, asked);
         // A failure may come from being stopped itself.
         if (stopped() && std::holds_alternative<Failure>(outcome)) throw Stopped{};
         std::unique_ptr<Result>& result = results_[cases[i]][index];
@@ -165,12 +168,21 @@ class Run {
         if (--unanswered_[cases[i]] == 0) complete(cases[i]);
         report_progress();
         if (stopped() || (enough_ && !is_finishing_)) throw Stopped{};
+        asked = std::chrono::steady_clock::now();
       });
     } catch (const Stopped&) {
       note_info(index, renderer.info());
       throw;
     }
     note_info(index, renderer.info());
+  }
+
+  void note_duration(const std::string& id, std::size_t index,
+                     std::chrono::steady_clock::time_point asked) {
+    if (options_.durations == nullptr) return;
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - asked;
+    const std::lock_guard lock(mutex_);
+    (*options_.durations)[id][options_.renderers[index]] = took.count();
   }
 
   // A renderer that never gave an answer knows nothing of itself.

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "results/durations.h"
 #include "results/known_faults.h"
 #include "results/results.h"
 #include "run/renderers.h"
@@ -37,6 +38,7 @@ struct RunOptions {
   // `known`; the cases that some renderer has answered by then are finished. 0: never.
   std::size_t max_unexpected = 0;
   std::vector<KnownFaults> known;
+  Durations* durations = nullptr;  // filled, where it is set
 };
 
 // Runs and judges. Renderer names must be known. Cases that were left out when the run ended early

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """What tests of the HTML report in a browser have in common."""
-import json
 import pathlib
 import sys
 import tempfile
@@ -9,6 +8,7 @@ from urllib.parse import quote
 TESTS = pathlib.Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(TESTS / "tools"), str(TESTS / "support")]
 
+import results_file  # noqa: E402
 from browser import Browser  # noqa: E402
 from support import CommandTest  # noqa: E402
 
@@ -33,7 +33,7 @@ class ReportTest(CommandTest):
 
     def report(self, results, *options):
         """The page that `edgecase report` writes of results."""
-        path = self.write("results.json", json.dumps(results))
+        path = self.write("results.json", results_file.text_of(results))
         page = self.folder / "report.html"
         self.command("report", path, "--html", page, *options)
         return page

@@ -1,14 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Made-up results files of any size, as `edgecase run --json` writes them.
+"""Made-up results of any size, as results_file.py in tests/tools has them.
 
 What they hold is like what a run of the suite finds: sweeps of fifty cases a file, three renderers,
 half of the cases without any difference, sentences with numbers and a figure at each differing
-pixel. All of it follows from the numbers given, so that the same call makes the same file.
+pixel. All of it follows from the numbers given, so that the same call makes the same results.
 """
-import argparse
-import json
-import pathlib
-
 RENDERERS = ["osmesa:llvmpipe", "osmesa:softpipe", "exec:./card"]
 RULES = ["line.diamond-exit", "line.snap", "triangle.fill-rule", "point.ownership", "line.width"]
 FAMILIES = ["lines", "triangles", "points", "textures", "samples"]
@@ -17,16 +13,24 @@ PER_FILE = 50
 SIZE = 16
 
 
+def figure(*marks):
+    """As src/results/figure_json.h has figures, of marks: role, points, closed, label."""
+    points = []
+    for _, places, *_ in marks:
+        points += [place for place in places if place not in points]
+    return {"points": [float(number) for point in points for number in point],
+            "marks": [[role, [points.index(place) for place in places], *more]
+                      for role, places, *more in marks]}
+
+
 def figure_at(x, y):
     """A diamond with its owned corner, and the segment that is decided."""
     cx, cy = x + 0.5, y + 0.5
-    return [
-        {"role": "region", "closed": True,
-         "points": [[cx - 0.5, cy], [cx, cy - 0.5], [cx + 0.5, cy], [cx, cy + 0.5]]},
-        {"role": "owned", "points": [[cx, cy - 0.5]], "label": "owns its lower corner"},
-        {"role": "edge", "points": [[1.25, 2.0], [13.5 + x / 256, 11.25 + y / 256]]},
-        {"role": "sample", "points": [[cx, cy]]},
-    ]
+    return figure(
+        ("region", [[cx - 0.5, cy], [cx, cy - 0.5], [cx + 0.5, cy], [cx, cy + 0.5]], True),
+        ("owned", [[cx, cy - 0.5]], False, "owns its lower corner"),
+        ("edge", [[1.25, 2.0], [13.5 + x / 256, 11.25 + y / 256]]),
+        ("sample", [[cx, cy]]))
 
 
 def disagreement(number, place):
@@ -64,15 +68,35 @@ def fragments_of(found, side):
     return made
 
 
-def picture(number, differing=()):
-    """RGBA8 as digits, bottom row first."""
+def packed(words):
+    """As src/results/packed_text.h has words."""
+    return " ".join(word.hex().lstrip("0") or "0" for word in words)
+
+
+def picture(number):
+    """RGBA8, bottom row first."""
     pixels = bytearray(b"\x10\x10\x18\xff" * SIZE * SIZE)
     for x in range(SIZE):
         at = 4 * (x + SIZE * ((x * (1 + number % 3) + number) % SIZE))
         pixels[at:at + 3] = bytes([250, 200 - number % 100, 40])
-    for x, y in differing:
-        pixels[4 * (x + SIZE * y)] ^= 0xff
-    return pixels.hex()
+    return pixels
+
+
+def packed_picture(pixels, width):
+    """Each byte without what its neighbours foretell (src/results/packed_text.h)."""
+    row = 4 * width
+    left = bytearray(pixels)
+    for i, byte in enumerate(pixels):
+        beside, below = i % row >= 4, i >= row
+        left[i] = (byte - (pixels[i - 4] if beside else 0) - (pixels[i - row] if below else 0)
+                   + (pixels[i - row - 4] if beside and below else 0)) % 256
+    return packed(left[i:i + 4] for i in range(0, len(left), 4))
+
+
+def difference(differing):
+    """Of a picture that is another one in red at these pixels."""
+    return packed(bytes([0xff if (i % SIZE, i // SIZE) in differing else 0, 0, 0, 0])
+                  for i in range(SIZE * SIZE))
 
 
 def result_of(number, count, first):
@@ -96,8 +120,10 @@ def result_of(number, count, first):
                          "violation": 0 if verdict == "contested" else len(places),
                          "same": SIZE * SIZE - len(places)},
         "disagreements": found, "values": [], "evidence": [], "illegal_line_snaps": [],
-        "refuted": "", "pixels": picture(number, places) if found else "exact",
+        "refuted": "",
     }
+    if found:
+        result["pixels"] = difference(places)
     for side in ("exact", "rendered"):
         made = fragments_of(found, side)
         if made:
@@ -116,10 +142,10 @@ def case_of(number, counts, first, **words):
         "rules": [RULES[number // PER_FILE % len(RULES)]], "spec": "GL 4.6 core, 14.5.1",
         "origin": "", "tags": ["tie"], "file": f"cases/{stem}.json", "file_digest": "",
         "surface": "fbo", "width": SIZE, "height": SIZE, "fragments": SIZE,
-        "pixels": picture(number),
-        "figure": [{"role": "primitive", "points": [[1.25, 2], [13.5, 11.25]]},
-                   {"role": "vertex", "points": [[1.25, 2]], "label": "v0"},
-                   {"role": "snapped-vertex", "points": [[1.25, 2.00390625]]}],
+        "pixels": packed_picture(picture(number), SIZE),
+        "figure": figure(("primitive", [[1.25, 2], [13.5, 11.25]], False, "0"),
+                         ("vertex", [[1.25, 2]], False, "v0"),
+                         ("snapped-vertex", [[1.25, 2.00390625]])),
         "expect_failures": [], "results": dict(zip(RENDERERS, results)), **words,
     }
 
@@ -147,17 +173,3 @@ def make(cases, pixels):
         made.append(case_of(number, counts, first))
         first += count
     return results_with(made)
-
-
-def main():
-    parser = argparse.ArgumentParser(description="Write made-up results.")
-    parser.add_argument("cases", type=int)
-    parser.add_argument("pixels", type=int, help="that differ, in all")
-    parser.add_argument("output", type=pathlib.Path)
-    arguments = parser.parse_args()
-    results = make(arguments.cases, arguments.pixels)
-    arguments.output.write_text(json.dumps(results), encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The installed command, from an empty folder: it finds its suite, policies, profiles, workers and
 image library from its own place."""
-import json
 import unittest
 
 from installed import ROOT, InstalledTest, run
+import results_file  # from tests/tools
 
 
 class Installed(InstalledTest):
@@ -34,7 +34,7 @@ class Installed(InstalledTest):
         """A renderer whose every difference is known is as expected: exit code 0."""
         self.command("run", "--filter", "lines/short/*", "--against", "osmesa:softpipe",
                      "--against", "egl:llvmpipe", "--json", "results.json", "--html", "report.html")
-        results = json.loads((self.folder / "results.json").read_text(encoding="utf-8"))
+        results = results_file.read(self.folder / "results.json")
         verdicts = {one["results"]["osmesa:softpipe"]["verdict"] for one in results["cases"]}
         self.assertIn("violation", verdicts)
         self.assertGreater((self.folder / "report.html").stat().st_size, 100000)

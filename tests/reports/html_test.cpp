@@ -12,6 +12,7 @@
 
 #include "reports/pixels.h"
 #include "reports/report_data.h"
+#include "results/case_results_writer.h"
 #include "results/clusters.h"
 #include "results/worst_first.h"
 #include "tests/reports/large_run.h"
@@ -200,7 +201,7 @@ Results large_results() {
 
 TEST(Html, WhatIsTooLargeStandsBesideThePageTheWorstWithinIt) {
   const Results results = large_results();
-  const auto files = html_files(results, {}, "all.html", 1'000'000);
+  const auto files = html_files(results, {}, "all.html", Beyond::in_scripts, 1'000'000);
   ASSERT_GT(files.size(), 2u);
   EXPECT_EQ(files[0].name, "all.html");
   EXPECT_LT(files[0].text.size(), 1'400'000u);
@@ -217,8 +218,19 @@ TEST(Html, WhatIsTooLargeStandsBesideThePageTheWorstWithinIt) {
     blocks += count(files[i].text, "\",\n");
   }
   EXPECT_EQ(blocks, index["blocks"].size());
+  EXPECT_EQ(index["here"], count(files[0].text, "id=\"block-"));
   EXPECT_NE(files[0].text.find("'strict-dynamic'"), std::string::npos);
   EXPECT_EQ(page_of(results).find("strict-dynamic"), std::string::npos);
+}
+
+TEST(Html, WhatIsTooLargeIsLeftOutUnlessItIsAskedFor) {
+  const auto files = html_files(large_results(), {}, "all.html", Beyond::left_out, 1'000'000);
+  ASSERT_EQ(files.size(), 1u);
+  const json index = json::parse(data_of(files[0].text));
+  EXPECT_TRUE(index["chunks"].empty());
+  EXPECT_EQ(index["here"], count(files[0].text, "id=\"block-"));
+  EXPECT_LT(index["here"], index["blocks"].size()) << "the list names what is left out";
+  EXPECT_EQ(files[0].text.find("strict-dynamic"), std::string::npos);
 }
 
 TEST(Html, RenderersHoldTheirClusters) {

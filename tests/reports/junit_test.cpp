@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "reports/ctrf.h"
 #include "tests/reports/sample.h"
 
 namespace edgecase {
@@ -15,7 +16,7 @@ namespace {
 
 std::string junit_of(const Results& results) {
   std::ostringstream out;
-  write_junit(results, out);
+  write_junit(results, {}, out);
   return out.str();
 }
 
@@ -174,6 +175,32 @@ TEST(Junit, AKnownFaultThatHasGrownIsAFailure) {
 
 TEST(Junit, SameResultsSameBytes) {
   EXPECT_EQ(junit_of(sample::results()), junit_of(sample::results()));
+}
+
+TEST(Junit, TellsTimesWhereTheyAreKnown) {
+  const Results results = sample::results();
+  const std::string id = results.cases[1].id;
+  const std::string renderer = results.renderers[0].name;
+  std::ostringstream junit;
+  write_junit(results, {{id, {{renderer, 0.25}, {"another", 7}}}}, junit);
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(junit.str().c_str()));
+  int times = 0;
+  for (const auto& found : document.select_nodes("//testcase[@time]")) {
+    ++times;
+    EXPECT_EQ(std::string(found.node().attribute("time").value()), "0.250000");
+    EXPECT_EQ(std::string(found.node().attribute("name").value()), id);
+  }
+  EXPECT_EQ(times, 1);
+  EXPECT_EQ(document.child("testsuites").attribute("time").as_double(), 0.25);
+  EXPECT_EQ(junit_of(results).find("time="), std::string::npos);
+}
+
+TEST(Ctrf, TellsTimesInMilliseconds) {
+  const Results results = sample::results();
+  std::ostringstream ctrf;
+  write_ctrf(results, {{results.cases[1].id, {{results.renderers[0].name, 0.2504}}}}, ctrf);
+  EXPECT_NE(ctrf.str().find("\"duration\":250,"), std::string::npos);
 }
 
 }  // namespace

@@ -41,11 +41,11 @@ std::string text_of(const Write& write) {
 }
 
 std::string junit_of(const Results& results) {
-  return text_of([&](std::ostream& out) { write_junit(results, out); });
+  return text_of([&](std::ostream& out) { write_junit(results, {}, out); });
 }
 
 std::string ctrf_of(const Results& results) {
-  return text_of([&](std::ostream& out) { write_ctrf(results, out); });
+  return text_of([&](std::ostream& out) { write_ctrf(results, {}, out); });
 }
 
 std::string csv_of(const Results& results) {

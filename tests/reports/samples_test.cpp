@@ -148,7 +148,7 @@ TEST(ReportSamples, TextAndJunitNameTheSample) {
   EXPECT_THAT(describe(missing.disagreements[0], 4),
               testing::StartsWith("pixel (3, 3), value, sample.resolve"));
   std::ostringstream junit;
-  write_junit(results, junit);
+  write_junit(results, {}, junit);
   EXPECT_THAT(junit.str(), testing::HasSubstr("pixel (3, 3), sample 0, primitive 0, missing"));
   EXPECT_THAT(junit.str(), testing::HasSubstr("pixel (3, 3), value, sample.resolve"));
 }

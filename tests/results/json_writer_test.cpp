@@ -93,9 +93,8 @@ TEST(JsonWriter, WhatIsEmptyHasNoComma) {
     json.key("b").list([] {});
     json.key("c").array();
     json.member("d", std::vector<std::string>());
-    json.key("e").hex({});
   });
-  EXPECT_EQ(text, R"({"a":{},"b":[],"c":[],"d":[],"e":""})");
+  EXPECT_EQ(text, R"({"a":{},"b":[],"c":[],"d":[]})");
 }
 
 TEST(JsonWriter, CommasStandBetweenAllThatFollowsSomething) {
@@ -108,26 +107,11 @@ TEST(JsonWriter, CommasStandBetweenAllThatFollowsSomething) {
       json.key("b").list(std::vector{1, 2}, [](JsonWriter& to, int n) { to.array(n, -n); });
       json.member("c", std::vector<std::vector<std::string>>{{"x", "y"}, {}, {"z"}});
     });
-    json.hex({0x00, 0x9a, 0xff});
     json.object([] {});
     json.value(7);
   });
   EXPECT_EQ(text, R"(before [[1,true,null,"a",0.5],)"
-                  R"({"a":false,"b":[[1,-1],[2,-2]],"c":[["x","y"],[],["z"]]},"009aff",{},7])");
-}
-
-// The vector's loop and what remains behind it.
-TEST(JsonWriter, WritesTheDigitsOfAnyNumberOfBytes) {
-  std::vector<std::uint8_t> bytes;
-  std::string digits;
-  for (int i = 0; i < 600; ++i) {
-    ASSERT_EQ(bytes.size() * 2, digits.size());
-    std::string text;
-    JsonWriter(text).hex(bytes);
-    ASSERT_EQ(text, '"' + digits + '"');
-    bytes.push_back(static_cast<std::uint8_t>(i * 37));
-    digits += fmt::format("{:02x}", bytes.back());
-  }
+                  R"({"a":false,"b":[[1,-1],[2,-2]],"c":[["x","y"],[],["z"]]},{},7])");
 }
 
 }  // namespace

@@ -94,7 +94,8 @@ KnownResult full_result() {
                       {"none", "8-half-even"},
                       "column 3 holds two",
                       7},
-                     {}};
+                     {},
+                     {-1, causes_named({"window.origin"}), {}, "", -1}};
   result.illegal_line_snaps = {"none", "8-truncate"};
   result.refuted.add(cause_named("line.snap=none").parts[0]);
   result.refuted.add({RuleId::window_origin});

@@ -11,10 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "results/base64.h"
 #include "results/decisions.h"
-#include "results/deflate.h"
-#include "results/folding.h"
 #include "results/known_faults.h"
 #include "results/results_json.h"
 
@@ -40,7 +37,7 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(ShallowJson, HasAHundredLevels) {
-  EXPECT_EQ(parse_shallow(nested(kMostLevels)), nlohmann::json::parse(nested(kMostLevels)));
+  EXPECT_EQ(parse_shallow(nested(kMostLevels)).dump(), nested(kMostLevels));
   EXPECT_THAT(refusal(nested(kMostLevels + 1)), HasSubstr("deeper than 100 levels"));
   EXPECT_THAT(refusal(std::string(kMostLevels + 1, '[')), HasSubstr("deeper"));
   // Objects count, and what is closed does not.
@@ -68,7 +65,7 @@ TEST(ShallowJson, TakesBracketsInStringsForText) {
 
 TEST(ShallowJson, NoReaderGoesDeeper) {
   const std::string deep = nested(kDeep);
-  const auto results = read_results("{\"tool\":" + deep + "}");
+  const auto results = read_results("{\"edgecase_results\":" + deep + "}");
   EXPECT_THAT(std::get<std::string>(results), HasSubstr("deeper"));
   const auto decisions = parse_decisions("{\"edgecase_decisions\":" + deep + "}");
   EXPECT_THAT(std::get<std::string>(decisions), HasSubstr("deeper"));
@@ -77,8 +74,6 @@ TEST(ShallowJson, NoReaderGoesDeeper) {
                                           "\":" + deep + "}]}");
     EXPECT_TRUE(std::holds_alternative<std::string>(known)) << key;
   }
-  const nlohmann::json fold = "zlib:" + to_base64(deflated(deep));
-  EXPECT_THROW(unfolded(fold), std::runtime_error);
 }
 
 }  // namespace

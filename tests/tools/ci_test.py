@@ -27,9 +27,9 @@ class Example(CommandTest):
 
     def whole(self, renderer, expect=AS_EXPECTED):
         """What one run writes: results, JUnit XML and report."""
-        names = ("results.json", "junit.xml", "report.html")
+        names = ("results.zst", "junit.xml", "report.html")
         options = [word for name in names
-                   for word in (f"--{name.split('.')[1].replace('xml', 'junit')}", f"whole/{name}")]
+                   for word in (f"--{name.split('.')[1].replace('xml', 'junit').replace('zst', 'json')}", f"whole/{name}")]
         run = subprocess.run([EDGECASE, "run", "--against", renderer, *options],
                              cwd=self.checkout, env=environment(), capture_output=True, text=True,
                              timeout=PATIENCE)
@@ -95,7 +95,7 @@ class Slurm(Example):
         whole = self.whole("osmesa:softpipe")
         self.submit("--against", "osmesa:softpipe", expect=AS_EXPECTED)
         for number in range(1, SHARDS + 1):
-            self.assertTrue((self.checkout / f"joined/shard-{number}.json").exists())
+            self.assertTrue((self.checkout / f"joined/shard-{number}.zst").exists())
         self.check_joined(self.checkout / "joined", whole)
 
     def test_its_exit_code_is_that_of_the_run(self):

@@ -6,6 +6,7 @@ import struct
 import unittest
 import zlib
 
+import results_file
 from suite_data import COUNT, files_of_share
 from support import ROOT, SUITE, UNEXPECTED, USAGE, CommandTest, only_result, triangle_case
 
@@ -188,7 +189,7 @@ class Render(CommandTest):
 class Report(CommandTest):
     def test_json_on_standard_output_is_nothing_but_json(self):
         run = self.command("run", f"{SUITE}/lines", "--against", "exact", "--json", "-")
-        self.assertGreater(len(json.loads(run.stdout)["cases"]), 50)
+        self.assertGreater(len(results_file.parsed(run.stdout)["cases"]), 50)
         self.assertIn("agree", run.stderr)
 
     def test_colours_only_where_asked(self):

@@ -3,6 +3,7 @@
 import json
 import unittest
 
+import results_file
 from support import (AS_EXPECTED, INTERNAL, UNEXPECTED, USAGE, CommandTest)
 
 NAMES = ["a", "b", "c"]
@@ -85,7 +86,7 @@ class Compare(CommandTest):
     def test_markdown_fits_a_comment(self):
         """However much changed and however long the words are."""
         for name in ("good.json", "bad.json"):
-            results = json.loads((self.folder / name).read_text("utf-8"))
+            results = results_file.read(self.folder / name)
             (case,) = [case for case in results["cases"] if case["id"] == "b"]
             (renderer,) = results["renderers"]
             results["cases"] = [{**case, "id": f"{i:03}" + "\u00e4" * 900} for i in range(300)]
@@ -93,7 +94,7 @@ class Compare(CommandTest):
             for one in results["cases"]:
                 (answer,) = one["results"].values()
                 one["results"] = {r["name"]: answer for r in renderers}
-            self.write(name, {**results, "renderers": renderers})
+            self.write_results(name, {**results, "renderers": renderers})
         out = self.command("compare", "good.json", "bad.json", expect=UNEXPECTED).stdout
         self.assertLess(len(out.encode()), 64001)
         self.assertIn("The rest does not fit here", out)

@@ -9,6 +9,7 @@ import json
 import unittest
 import xml.etree.ElementTree as ET
 
+import results_file
 from support import AS_EXPECTED, UNEXPECTED, CommandTest
 
 CONTESTED, VIOLATION = "b-contested", "a-violation"
@@ -31,11 +32,11 @@ class Contested(CommandTest):
                 self.assertEqual(d["legality"], "illegal")
                 if case["id"] == CONTESTED:
                     d["ruling"] = self.ruling["number"]
-        self.write("planted.json", results)
+        self.write_results("planted.json", results)
 
     def merged(self, *options, expect):
         self.command("merge", "planted.json", "-o", "merged.json", *options, expect=expect)
-        cases = json.loads((self.folder / "merged.json").read_text("utf-8"))["cases"]
+        cases = results_file.read(self.folder / "merged.json")["cases"]
         return {case["id"]: case["results"][self.renderer] for case in cases}
 
     def test_it_is_red_only_with_strict(self):
@@ -106,7 +107,7 @@ class Contested(CommandTest):
     def test_clusters_never_mix_it(self):
         self.plant(CONTESTED, VIOLATION)
         self.merged(expect=UNEXPECTED)
-        results = json.loads((self.folder / "merged.json").read_text("utf-8"))
+        results = results_file.read(self.folder / "merged.json")
         clusters = results["clusters"][self.renderer]
         self.assertEqual({c["legality"] for c in clusters}, {"illegal", "contested"})
         order = [c["legality"] for c in clusters]

@@ -205,13 +205,13 @@ class Documents(CommandTest):
             path = cls.checkout / name
             path.write_text(f"#!{sys.executable}\n{program}", encoding="utf-8")
             path.chmod(0o755)
-        earlier = [f"edgecase run --shard {part}/4 --json {part}.json" for part in range(1, 5)]
+        earlier = [f"edgecase run --shard {part}/4 --json {part}.zst" for part in range(1, 5)]
         for command in (*earlier, "edgecase run --against osmesa:softpipe"):
             run = cls.shell(command, cls.checkout)
             if run.returncode != 0:
                 raise AssertionError(f"{command}: {run.stdout[-2000:]}{run.stderr[-2000:]}")
-        for name in ("old.json", "new.json"):
-            shutil.copy(cls.checkout / "out/results.json", cls.checkout / name)
+        for name in ("old.zst", "new.zst"):
+            shutil.copy(cls.checkout / "out/results.zst", cls.checkout / name)
         (cls.checkout / "decisions.json").write_text(json.dumps(
             {"edgecase_decisions": 2, "renderer": "osmesa:softpipe", "decisions": []}),
             encoding="utf-8")

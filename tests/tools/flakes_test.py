@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Answers that change, runs that end early, and running again what failed."""
-import json
 import re
 import unittest
 import xml.etree.ElementTree
 
+import results_file
 from support import (AS_EXPECTED, NOTHING_SELECTED, RENDERER, UNEXPECTED, USAGE, CommandTest,
                      only_result)
 
@@ -23,7 +23,7 @@ class Waverer(CommandTest):
         run = self.command("run", "cases", "--against", renderer, "--jobs", jobs, "--json",
                            "results.json", "--junit", "junit.xml", "--html", "report.html",
                            *options, expect=expect)
-        results = json.loads((self.folder / "results.json").read_text("utf-8"))
+        results = results_file.read(self.folder / "results.json")
         # How long it took is another time in each run.
         summary = re.sub(r", [\d.]+ s\n", "\n", run.stdout, count=1)
         return {case["id"]: only_result(case) for case in results["cases"]}, summary, results
@@ -98,7 +98,7 @@ class Flakes(Waverer):
             self.command("run", "cases", "--against", waverer, "--shard", f"{i}/2", "--json",
                          f"{i}.json", expect=None)
         self.command("merge", "1.json", "2.json", "--json", "merged.json", expect=UNEXPECTED)
-        self.assertEqual(json.loads((self.folder / "merged.json").read_text("utf-8")), whole)
+        self.assertEqual(results_file.read(self.folder / "merged.json"), whole)
 
 
 class MaxFailures(Waverer):
@@ -140,7 +140,7 @@ class LastFailed(Waverer):
     def failed_again(self, *options, expect):
         run = self.command("run", "cases", "--against", self.renderer, "--last-failed", "--json",
                            "results.json", *options, expect=expect)
-        results = json.loads((self.folder / "results.json").read_text("utf-8"))
+        results = results_file.read(self.folder / "results.json")
         return [case["id"] for case in results["cases"]], run.stderr
 
     def test_only_what_was_not_as_expected(self):
@@ -155,7 +155,7 @@ class LastFailed(Waverer):
 
     def test_without_last_results(self):
         run = self.command("run", "cases", "--last-failed", expect=USAGE)
-        self.assertIn("there is no out/results.json", run.stderr)
+        self.assertIn("there is no out/results.zst", run.stderr)
         run = self.command("run", "cases", "--last-failed", "--json", "mine.json", expect=USAGE)
         self.assertIn("there is no mine.json", run.stderr)
 

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import unittest
 
+import results_file
 from support import (EDGECASE, INTERNAL, PATIENCE, RENDERER, UNEXPECTED, USAGE, CommandTest,
                      triangle_case)
 
@@ -109,8 +110,8 @@ class HostileWords(CommandTest):
         self.write("cases/nul.json", text + "\0" + text)
         self.assertIn("byte", self.told("validate", "cases/nul.json", expect=USAGE))
         self.command("run", "cases/refused.json", "--against", "exact", "--json", "r.json")
-        results = (self.folder / "r.json").read_text("utf-8")
-        self.write("r.json", results + "\0 more")
+        results = results_file.unpacked((self.folder / "r.json").read_bytes())
+        self.write("r.json", results.rstrip() + "\0 more")
         self.assertIn("NUL", self.told("report", "r.json", expect=USAGE))
         self.write("known.json", '{"driver": "exact", "faults": []}\0')
         self.assertIn("NUL", self.told("run", "cases/refused.json", "--against", "exact", "--known",

@@ -12,6 +12,7 @@ import time
 import unittest
 import xml.etree.ElementTree
 
+import results_file
 from support import (EDGECASE, PATIENCE, SUITE, UNEXPECTED, CommandTest, environment,
                      processes_that_mention, verdicts)
 
@@ -70,7 +71,7 @@ class Interruption(CommandTest):
                 "--junit", "junit.xml", "--html", "report.html"]
 
     def check_partial_results(self, least):
-        results = json.loads((self.folder / "results.json").read_text(encoding="utf-8"))
+        results = results_file.read(self.folder / "results.json")
         self.assertTrue(results["interrupted"])
         self.assertGreaterEqual(len(results["cases"]), least)
         self.assertLess(len(results["cases"]), 100)

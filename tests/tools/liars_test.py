@@ -5,11 +5,12 @@ import json
 import re
 import unittest
 
+import results_file
 from suite_data import ID, exact_lines, shard
 from support import PROBES, RENDERER, UNEXPECTED, CommandTest, component_bits, drawings
 
 # The line of a case that one renderer ran: its id, and the verdict.
-CASE = re.compile(r'{"id":"([^"\\]*)".*?"verdict":"([a-z-]+)"')
+CASE = re.compile(r'{"case":"([^"\\]*)".*?"verdict":"([a-z-]+)"')
 
 
 # All that is drawn, in one colour's order; of samples, each of them. The text of a rendering is made
@@ -72,8 +73,8 @@ class Liars(CommandTest):
         path = self.folder / "results.json"
         self.command("run", *PROBES, "--against", self.odd_renderer(behaviour), "--json", path,
                      "--no-rerun", *shard(part, 8), expect=expect)
-        with path.open(encoding="utf-8") as lines:
-            found = dict(match.groups() for match in map(CASE.match, lines) if match)
+        lines = results_file.lines_of(path)
+        found = dict(match.groups() for match in map(CASE.match, lines) if match)
         self.assertEqual(list(found), [name for name, _ in exact_lines()][part - 1::8])
         return found
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Shards, merged, are the whole run to the byte; what does not belong together is refused; CI
 systems' variables ask for shards."""
-import json
 import unittest
 
+import results_file
 from suite_data import IS_QUICK
 from support import (AS_EXPECTED, INTERNAL, NOTHING_SELECTED, SUITE, UNEXPECTED, USAGE,
                      CommandTest, only_result)
@@ -51,11 +51,11 @@ class Merge(CommandTest):
     def test_four_shards_are_the_whole_run(self):
         self.run_to("whole", *PATHS, *RENDERERS)
         parts = self.shards(*PATHS, *RENDERERS)
-        shard = json.loads((self.folder / parts[1]).read_text("utf-8"))["shard"]
+        shard = results_file.head_of(self.folder / parts[1])["shard"]
         self.assertEqual((shard["index"], shard["count"]), (2, SHARDS))
         self.merge_to("merged", *reversed(parts))
         self.assert_same_files("whole", "merged")
-        self.assertNotIn('"shard"', (self.folder / "merged.json").read_text("utf-8")[:2000])
+        self.assertNotIn("shard", results_file.head_of(self.folder / "merged.json"))
 
     def test_what_is_unexpected_and_strict_is_merged_too(self):
         renderer = self.small_suite()
@@ -84,7 +84,7 @@ class Merge(CommandTest):
         self.assertIn("shard 3/4 is missing", self.complaint(parts[0], parts[1], parts[3]))
         run = self.merge_to("some", parts[0], parts[1], "--partial", expect=UNEXPECTED)
         self.assertIn("2 cases are missing", run.stdout)
-        some = json.loads((self.folder / "some.json").read_text("utf-8"))
+        some = results_file.read(self.folder / "some.json")
         self.assertEqual((some["interrupted"], some["left_out"]), (True, 2))
 
     def test_refusals(self):
@@ -95,10 +95,11 @@ class Merge(CommandTest):
             self.assertIn(said, self.complaint(*arguments))
         self.assertIn("cannot read gone.json",
                       self.complaint(parts[0], "gone.json", expect=INTERNAL))
-        first = json.loads((self.folder / parts[0]).read_text("utf-8"))
+        first = results_file.read(self.folder / parts[0])
 
         def refused(said, **changes):
-            self.write("other.json", {**first, "shard": {**first["shard"], "index": 2}, **changes})
+            self.write_results(
+                "other.json", {**first, "shard": {**first["shard"], "index": 2}, **changes})
             self.assertIn(said, self.complaint(parts[0], "other.json"))
         refused("other.json by edgecase 9", tool="edgecase 9")
         refused("by policy cs184", policy="cs184")

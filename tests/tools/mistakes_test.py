@@ -75,12 +75,12 @@ COMMAND_LINES = (
     # Files.
     (("compare", "old.json", "new.json"), INTERNAL,
      "cannot read old.json: No such file or directory"),
-    (("bless",), INTERNAL, "cannot read out/results.json: No such file or directory"),
+    (("bless",), INTERNAL, "cannot read out/results.zst: No such file or directory"),
     (("report", "cases/points/centre.json"), USAGE,
-     "cases/points/centre.json: this is no results file of `edgecase run`: key 'tool' not found; "
+     "cases/points/centre.json: this is no results file of `edgecase run`: it is one object over many lines; "
      "name a file that `edgecase run --json` wrote"),
     (("run", "--last-failed", *EXACT), USAGE,
-     "--last-failed finds no last results: there is no out/results.json; run once without it, or "
+     "--last-failed finds no last results: there is no out/results.zst; run once without it, or "
      "name the results with --json"),
 )
 

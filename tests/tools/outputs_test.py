@@ -12,7 +12,9 @@ import unittest
 import xml.etree.ElementTree
 
 from commands_test import png_pixels
-from support import (AS_EXPECTED, INTERNAL, UNEXPECTED, CommandTest, only_result, triangle_case)
+import results_file
+from support import (AS_EXPECTED, INTERNAL, UNEXPECTED, USAGE, CommandTest, only_result,
+                     triangle_case)
 
 KINDS = {"junit": "xml", "ctrf": "json", "markdown": "md", "annotations": "txt", "csv": "csv"}
 HOSTILE = 'a,b "c" ]]> %0A%25 ::error::x <i>&amp; |`tick`` \\ \x01\x1b\u202e'
@@ -71,7 +73,7 @@ class Outputs(CommandTest):
                         for word in (f"--{kind}", f"run.{suffix}" if kind != "ctrf" else "ctrf.json")]
         self.command("run", "cases", "--against", self.renderer, "--json", "results.json",
                      *self.options, "--triptychs", "pictures", expect=UNEXPECTED)
-        self.results = json.loads(self.text("results.json"))
+        self.results = results_file.read(self.folder / "results.json")
 
     def text(self, name):
         return (self.folder / name).read_bytes().decode("utf-8")
@@ -83,7 +85,7 @@ class Outputs(CommandTest):
             case["id"] = f"{name}{number}"
             case["title"] = LONG
             case["file"] = f"{name}.json"
-        self.write("hostile.json", self.results)
+        self.write_results("hostile.json", self.results)
         self.command("report", "hostile.json", *self.options, "--triptychs", "pictures")
         return f"{name}0"
 
@@ -132,6 +134,26 @@ class Outputs(CommandTest):
         self.assertEqual(run.stdout, "")
         self.assertEqual({name: self.text(name) for name in names}, made)
         self.assertEqual({path: path.read_bytes() for path in pictures}, pictures)
+
+    def test_times_of_cases_reach_what_ci_systems_read(self):
+        run = ["run", "cases", "--against", self.renderer, "--no-rerun"]
+        self.command(*run, "--json", "timed.zst", "--timings", "times.jsonl", "--junit", "timed.xml",
+                     expect=UNEXPECTED)
+        times = [json.loads(line) for line in self.text("times.jsonl").splitlines()]
+        self.assertEqual([one["case"] for one in times], self.ids())
+        for one in times:
+            self.assertEqual(list(one["seconds"]), [self.renderer])
+            self.assertGreater(one["seconds"][self.renderer], 0)
+        self.assertEqual((self.folder / "timed.zst").read_bytes(),
+                         (self.folder / "results.json").read_bytes(), "times are kept apart")
+        self.assertNotEqual(self.text("timed.xml"), self.text("run.xml"))
+        self.command("report", "timed.zst", "--timings", "times.jsonl", "--junit", "again.xml",
+                     "--ctrf", "again.json")
+        self.assertEqual(self.text("again.xml"), self.text("timed.xml"))
+        self.check_ctrf(json.loads(self.text("again.json")))
+        run = self.command("report", "timed.zst", "--timings", "cases/plain.json", "--junit",
+                           "again.xml", expect=USAGE)
+        self.assertIn("cases/plain.json: these are no durations: line 1: ", run.stderr)
 
     def test_hostile_names(self):
         for name in ("../../x", HOSTILE, LONG, "a/" * 3000):
@@ -204,8 +226,8 @@ class Outputs(CommandTest):
         scale = height // case["height"]
         self.assertGreaterEqual(scale, 8)
         panel = case["width"] * scale
-        exact, rendered = (bytes.fromhex(picture["pixels"])
-                           for picture in (case, only_result(case)))
+        exact, rendered = (b"".join(results_file.picture_of(case, picture))
+                           for picture in ({}, only_result(case)))
         self.assertNotEqual(exact, rendered)
         listed = {tuple(d["pixel"]) for d in only_result(case)["disagreements"]}
         for y in range(case["height"]):

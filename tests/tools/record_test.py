@@ -8,6 +8,7 @@ import subprocess
 import time
 import unittest
 
+import results_file
 from suite_data import COUNT, files_of_share, in_share
 from support import (AS_EXPECTED, EDGECASE, INTERNAL, NOTHING_SELECTED, PATIENCE, RENDERER, SUITE,
                      UNEXPECTED, USAGE, CommandTest, environment, only_result, triangle_case)
@@ -18,7 +19,7 @@ REMARKABLE = {pathlib.Path(SUITE, f"{name}.json")
 
 def renamed(text, recording, renderer):
     """The results of a recording, as those of the renderer would be."""
-    results = json.loads(text.replace(recording, renderer))
+    results = results_file.parsed(text.replace(recording, renderer))
     for info in results["renderers"]:
         info["traits"].pop("recorded", None)
     return results
@@ -31,7 +32,7 @@ class Record(CommandTest):
     def results_text(self, renderer, *arguments, expect=None):
         self.command("run", *arguments, "--against", renderer, "--json", "results.json", "--junit",
                      "junit.xml", "--html", "report.html", expect=expect)
-        return (self.folder / "results.json").read_text(encoding="utf-8")
+        return results_file.unpacked((self.folder / "results.json").read_bytes())
 
     def some(self):
         """Some cases of each folder but those of whole scenes. Of a share of the suite they stand
@@ -48,9 +49,9 @@ class Record(CommandTest):
             with self.subTest(renderer):
                 self.record(renderer, *some)
                 # Green: its known faults are those of the driver.
-                live = json.loads(self.results_text(renderer, *some, expect=AS_EXPECTED))
+                live = results_file.parsed(self.results_text(renderer, *some, expect=AS_EXPECTED))
                 text = self.results_text("recording:one.rec", *some, expect=AS_EXPECTED)
-                (info,) = json.loads(text)["renderers"]
+                (info,) = results_file.head_in(text.splitlines())["renderers"]
                 self.assertEqual(info["traits"]["recorded"], renderer)
                 replayed = renamed(text, "recording:one.rec", renderer)
                 self.assertGreater(len(live["cases"]), 250)
@@ -109,7 +110,7 @@ class Record(CommandTest):
         # That the driver is known to crash is no excuse.
         self.write("cases/known/llvmpipe.json", {"driver": "llvmpipe", "faults": [
             {"id": "crash", "kind": "crashed", "cases": ["new"], "reason": "known"}]})
-        results = json.loads(self.results_text("recording:one.rec", expect=RENDERER))
+        results = results_file.parsed(self.results_text("recording:one.rec", expect=RENDERER))
         found = {case["id"]: only_result(case) for case in results["cases"]}
         self.assertEqual(found["kept"]["verdict"], "agree")
         self.assertIn("recorded from another scene: the case has changed since",
@@ -126,7 +127,7 @@ class Record(CommandTest):
         run = self.record(crash)
         self.assertIn("3 cases", run.stdout)
         self.assertIn("1 without a rendering", run.stdout)
-        live = json.loads(self.results_text(crash))
+        live = results_file.parsed(self.results_text(crash))
         name = json.dumps(crash)[1:-1]
         replayed = renamed(self.results_text("recording:one.rec"), "recording:one.rec", name)
         self.assertEqual(replayed, live)
@@ -187,7 +188,7 @@ class Record(CommandTest):
         self.assertEqual(running.returncode, UNEXPECTED, errors)
         self.assertIn("incomplete", output)
         self.assertIn("interrupted", errors)
-        results = json.loads(self.results_text("recording:one.rec", expect=RENDERER))
+        results = results_file.parsed(self.results_text("recording:one.rec", expect=RENDERER))
         verdicts = [only_result(case)["verdict"] for case in results["cases"]]
         finished = verdicts.count("agree")
         self.assertGreaterEqual(finished, 2)

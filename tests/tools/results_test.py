@@ -5,7 +5,8 @@ is cited exists, reports can be made of them again, a shard is judged as the who
 import json
 import unittest
 
-from suite_data import cases_of, head_of, mesa, shard
+from results_file import cases_of, head_of, places_of
+from suite_data import mesa, shard
 from support import MESA, PROBES, UNEXPECTED, UNHURRIED, CommandTest, contents, report_options
 
 
@@ -17,10 +18,10 @@ class Results(CommandTest):
             for renderer, result in case["results"].items():
                 count, told, values = counts[renderer], result["disagreements"], result["values"]
                 count["disagreements"] += len(told)
-                count["differing"] += sum(len(v["differing"]) for v in values)
+                count["differing"] += sum(len(places_of(v)) for v in values)
                 count["with a cause"] += (
                     sum(1 for d in told if d["cause"]) +
-                    sum(len(v["differing"]) for v in values if "cause" in v))
+                    sum(len(places_of(v)) for v in values if "cause" in v))
         for renderer, clusters in head_of(mesa() / "reports.json")["clusters"].items():
             count = counts.pop(renderer)
             self.assertGreater(count["disagreements"], 0)

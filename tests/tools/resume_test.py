@@ -2,13 +2,13 @@
 """A run that ended early, and --resume: what was finished is taken over, only the rest is asked
 for, and what comes of it equals, to the byte, what one run writes. Nothing is taken over from
 another policy, renderer, version or case, and nothing that was found is lost."""
-import json
 import re
 import signal
 import subprocess
 import time
 import unittest
 
+import results_file
 from support import (AS_EXPECTED, EDGECASE, PATIENCE, RENDERER, REPORTS, UNEXPECTED,
                      USAGE, CommandTest, environment, report_options, triangle_case, verdicts)
 
@@ -28,13 +28,13 @@ class ResumeTest(CommandTest):
         return count
 
     def read(self, name="results.json"):
-        return json.loads((self.folder / name).read_text("utf-8"))
+        return results_file.read(self.folder / name)
 
     def edit(self, change, name="results.json"):
         """The results with something changed, as a run long ago may have left them."""
         results = self.read(name)
         change(results)
-        return self.write(name, results)
+        return self.write_results(name, results)
 
     def keep(self, *names):
         """Only these cases are left, as if the run had ended then."""
@@ -141,7 +141,7 @@ class TakenOver(ResumeTest):
     def test_the_file_that_is_meant_without_a_name(self):
         for _ in range(2):
             run = self.command("run", "cases", "--against", "exact", "--resume")
-        self.assertIn("8 of 8 cases are taken over from out/results.json", run.stderr)
+        self.assertIn("8 of 8 cases are taken over from out/results.zst", run.stderr)
 
     def test_what_was_changed_is_run_again(self):
         self.write("cases/case-3.json", triangle_case(title="Another"))

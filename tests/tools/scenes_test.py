@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """Whole scenes: what is told of their pixels, in how much room, and what they show."""
-import base64
 import json
 import pathlib
 import subprocess
@@ -8,38 +7,13 @@ import sys
 import unittest
 import zlib
 
+from results_file import picture_of, places_of
 from suite_data import COUNT, in_share
 from support import ROOT, SUITE, CommandTest, contents, only_result
 
 SCENES = f"{SUITE}/scenes"
 VERDICTS = ["agree", "convention", "permitted", "contested", "violation"]
-MOST_BYTES = 1_000_000  # of one renderer's result
-
-
-def unfolded(value):
-    """What the results file keeps folded, or the value itself."""
-    if not isinstance(value, str) or not value.startswith("zlib:"):
-        return value
-    return json.loads(zlib.decompress(base64.b64decode(value[5:])))
-
-
-def picture_of(case, result):
-    """Pixels of a result, four bytes each."""
-    exact = bytes.fromhex(unfolded(case["pixels"]))
-    if result.get("pixels") == "exact":
-        picture = exact
-    elif "pixels" in result:
-        picture = bytes.fromhex(unfolded(result["pixels"]))
-    else:
-        difference = bytes.fromhex(unfolded(result["difference"]))
-        picture = bytes(a ^ b for a, b in zip(exact, difference))
-    return [picture[i:i + 4] for i in range(0, len(picture), 4)]
-
-
-def places_of(values):
-    """Pixels of a value's differing places, which may be runs."""
-    return {(x + i, y) for x, y, _, *count in unfolded(values["differing"])
-            for i in range(count[0] if count else 1)}
+MOST_BYTES = 200_000  # of one renderer's result, packed
 
 
 class WholeScenes(CommandTest):
@@ -64,30 +38,31 @@ class WholeScenes(CommandTest):
 
     def check_case(self, case, result):
         self.assertIn(result["standing"], ("expected", "known", "tolerated"))
-        self.assertLess(len(json.dumps(result)), MOST_BYTES)
+        self.assertLess(len(zlib.compress(json.dumps(result).encode())), MOST_BYTES)
         counts = result["pixel_counts"]
         area = case["width"] * case["height"]
         self.assertEqual(sum(counts[verdict] for verdict in VERDICTS), area)
         self.assertEqual([v for v in VERDICTS if counts[v]][-1], result["verdict"])
-        exact = picture_of(case, {"pixels": "exact"})
+        exact = picture_of(case, {})
         same = [a == b for a, b in zip(exact, picture_of(case, result), strict=True)]
         self.assertEqual(sum(same), counts["same"])
-        differing = {tuple(d["pixel"]) for d in unfolded(result["disagreements"])}
+        differing = {tuple(d["pixel"]) for d in result["disagreements"]}
         for values in result["values"]:
-            differing |= places_of(values)
+            differing.update(places_of(values))
         self.assertEqual(area - len(differing), counts["agree"])
 
     def test_glass_in_the_right_order_shows_all_panes_and_in_the_wrong_one_the_nearest(self):
-        results = self.results(f"{SCENES}/glass-sorted.json", f"{SCENES}/glass-unsorted.json",
-                               "--filter", "*:size=512", "--against", "exact")
+        lines = self.command("render", f"{SCENES}/glass-sorted.json",
+                             f"{SCENES}/glass-unsorted.json", "--filter", "*:size=512",
+                             "--json", "-").stdout.splitlines()
         panes = [(.9, .15, .1), (.1, .75, .2), (.1, .3, .95)]
         # All three panes and a white square of the wall lie behind this pixel.
         place = 512 * 240 + 250
-        for case, seen in zip(results["cases"], (panes, panes[2:]), strict=True):
+        for line, seen in zip(lines, (panes, panes[2:]), strict=True):
             color = (1, 1, 1)
             for pane in seen:
                 color = [(a + b) / 2 for a, b in zip(pane, color)]
-            shown = picture_of(case, only_result(case))[place]
+            shown = json.loads(line)["pixels"][4 * place:4 * place + 4]
             for code, component in zip(shown, color):
                 # Each pane's mean is rounded.
                 self.assertAlmostEqual(code, 255 * component, delta=1)

@@ -4,7 +4,6 @@ one folder. What was there before is whole or replaced as a whole, the exit code
 message names the file and what to do."""
 import contextlib
 import fcntl
-import json
 import os
 import resource
 import signal
@@ -13,6 +12,7 @@ import subprocess
 import time
 import unittest
 
+import results_file
 from support import (AS_EXPECTED, EDGECASE, INTERNAL, PATIENCE, UNEXPECTED, CommandTest, contents,
                      environment, report_options, verdicts)
 
@@ -106,9 +106,9 @@ class Full(StorageTest):
     def test_a_small_file_system(self):
         """It has room for what was there, and not for what comes beside it; and it is read only."""
         (self.folder / "out").mkdir()
-        for fault, state in (("No space left on device; make room there", "size=8k"),
+        for fault, state in (("No space left on device; make room there", "size=4k"),
                              ("Read-only file system; name a file that may be written", "ro")):
-            script = (f"mount -t tmpfs -o size=8k none out && printf '{EARLIER}' > out/results.json"
+            script = (f"mount -t tmpfs -o size=4k none out && printf '{EARLIER}' > out/results.json"
                       f" && mount -o remount,{state} out && {{ {EDGECASE} run cases --against exact"
                       " --json out/results.json --junit junit.xml; echo $? > code; ls -A out > left"
                       "; cat out/results.json > kept; }")
@@ -141,7 +141,7 @@ class Replaced(StorageTest):
         self.command(*RUN, "--json", "link.json")
         self.assertTrue((self.folder / "link.json").is_symlink())
         self.assertEqual(stat.S_IMODE(path.stat().st_mode), 0o640)
-        results = json.loads(path.read_text("utf-8"))
+        results = results_file.read(path)
         self.assertEqual(verdicts(results), dict.fromkeys(NAMES, "agree"))
         self.assertEqual([entry.name for entry in path.parent.iterdir()], ["results.json"])
 
@@ -179,15 +179,15 @@ class OneFolder(StorageTest):
         out.mkdir()
         with self.blocked_run("--json", "out/results.json", "--no-latitude") as first:
             self.wait_for(out / "results.json")
-            written = (out / "results.json").read_text("utf-8")
+            written = (out / "results.json").read_bytes()
             second = self.start(*RUN, "--json", "out/results.json")
             self.assertEqual(second.stderr.readline(),
                              "edgecase: another command writes into out; waiting\n")
-            self.assertEqual((out / "results.json").read_text("utf-8"), written)
+            self.assertEqual((out / "results.json").read_bytes(), written)
         self.assertEqual(first.returncode, AS_EXPECTED)
         self.assertEqual(second.wait(timeout=PATIENCE), AS_EXPECTED)
-        self.assertEqual(json.loads(written)["latitude"], "none")
-        results = json.loads((out / "results.json").read_text("utf-8"))
+        self.assertEqual(results_file.parsed(results_file.unpacked(written))["latitude"], "none")
+        results = results_file.read(out / "results.json")
         self.assertEqual(results["latitude"], "opengl")
 
     def test_a_lock_ends_with_its_process(self):
@@ -222,7 +222,7 @@ class OneFolder(StorageTest):
             time.sleep(.2)
             self.assertIsNone(running.poll())
         self.assertEqual(running.returncode, AS_EXPECTED)
-        results = json.loads((out / "results.json").read_text("utf-8"))
+        results = results_file.read(out / "results.json")
         self.assertEqual(verdicts(results), dict.fromkeys(NAMES, "agree"))
         self.assertFalse(results["interrupted"])
 

@@ -131,23 +131,5 @@ def lines_of(renderer):
         return {ID.match(line)[1]: line for line in lines}
 
 
-def cases_of(path):
-    """The cases of a results file, one after the other: each has a line of its own, and all of a
-    large file would fill the memory."""
-    with path.open(encoding="utf-8") as lines:
-        for line in lines:
-            if line.startswith('{"id":'):
-                yield json.loads(line.rstrip(",\n"))
-
-
-def head_of(path):
-    """What a results file says beside its cases."""
-    with path.open(encoding="utf-8") as lines:
-        head = json.loads("".join(line for line in lines if not line.startswith('{"id":')))
-    if head.pop("cases") != []:
-        raise AssertionError(f"{path}: cases that do not stand on lines of their own")
-    return head
-
-
 if __name__ == "__main__":
     {"exact": truth_of_suite, "mesa": mesa}[sys.argv[1]]()

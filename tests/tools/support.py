@@ -17,6 +17,8 @@ import sys
 import tempfile
 import unittest
 
+import results_file
+
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = pathlib.Path(os.environ.get("EDGECASE_ROOT", HERE.parent.parent))
 BIN = pathlib.Path(os.environ.get("EDGECASE_BIN", ROOT / "build" / "release" / "bin"))
@@ -125,7 +127,10 @@ class CommandTest(unittest.TestCase):
         path.unlink(missing_ok=True)
         self.summary = self.command("run", *arguments, "--json", path, expect=expect,
                                     **variables).stdout
-        return json.loads(path.read_text(encoding="utf-8"))
+        return results_file.read(path)
+
+    def write_results(self, name, results):
+        return self.write(name, results_file.text_of(results))
 
     def write(self, name, content):
         path = self.folder / name

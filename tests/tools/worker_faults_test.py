@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Our own OpenGL workers when they are killed, stopped, out of memory, or answer what is none: the
 case at hand is not-run, with the reason, no other is, and nobody is left behind."""
-import json
 import shutil
 import signal
 import subprocess
 import time
 import unittest
 
+import results_file
 from support import (AS_EXPECTED, BIN, EDGECASE, HERE, PATIENCE, RENDERER, UNEXPECTED, CommandTest,
                      environment, only_result, processes_that_mention, triangle_case, verdicts)
 
@@ -94,7 +94,7 @@ class Paused(CommandTest):
         time.sleep(1.5)
         running.send_signal(signal.SIGCONT)
         self.assertEqual(running.wait(timeout=PATIENCE), AS_EXPECTED)
-        results = json.loads((self.folder / "results.json").read_text("utf-8"))
+        results = results_file.read(self.folder / "results.json")
         self.assertEqual(verdicts(results), dict.fromkeys(NAMES, "agree"))
 
 

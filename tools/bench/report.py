@@ -8,7 +8,6 @@ in turn with the report in the same browser, as a ratio: what the machine is bus
 hits both. Needs what tests/browser needs; prints a line per size, and fails never.
 """
 import argparse
-import json
 import pathlib
 import statistics
 import subprocess
@@ -17,9 +16,10 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "browser"))
+sys.path[:0] = [str(ROOT / "tests" / name) for name in ("browser", "tools")]
 
 from browser import Browser  # noqa: E402
+import results_file  # noqa: E402
 import synthetic_results as synthetic  # noqa: E402
 
 SIZES = [(2000, 30_000), (20_000, 60_000)]
@@ -64,7 +64,7 @@ def openings(browser, count):
 
 def measure(program, folder, browser, size, rounds):
     results, page, empty = (folder / name for name in ("r.json", "report.html", "empty.html"))
-    results.write_text(json.dumps(synthetic.make(*size)), encoding="utf-8")
+    results.write_text(results_file.text_of(synthetic.make(*size)), encoding="utf-8")
     empty.write_text(EMPTY, encoding="utf-8")
     writing = statistics.median(written(program, results, page) for _ in range(3))
     paints, empties, opened = [], [], []

@@ -276,23 +276,26 @@ void print_nothing_selected() {
   print_error("no case is selected; `edgecase run --list` prints the ids of all");
 }
 
-std::optional<std::string> read_file(const std::filesystem::path& path) {
+std::optional<std::ifstream> open_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::error_code ignored;
-  if (!in || std::filesystem::is_directory(path, ignored)) {
-    print_error(
-        fmt::format("cannot read {}: {}", path.string(), std::strerror(in ? EISDIR : errno)));
-    return std::nullopt;
-  }
+  if (in && !std::filesystem::is_directory(path, ignored)) return in;
+  print_error(fmt::format("cannot read {}: {}", path.string(), std::strerror(in ? EISDIR : errno)));
+  return std::nullopt;
+}
+
+std::optional<std::string> read_file(const std::filesystem::path& path) {
+  auto opened = open_file(path);
+  if (!opened) return std::nullopt;
+  std::ifstream& in = *opened;
   // A pipe or a device may have no end.
   std::string text;
   std::string part(std::size_t{1} << 20, '\0');
   while (in.read(part.data(), static_cast<std::streamsize>(part.size())) || in.gcount() > 0) {
     const auto count = static_cast<std::size_t>(in.gcount());
     if (count > kMostFileBytes - text.size()) {
-      print_error(
-          fmt::format("cannot read {}: it has more than {} GiB; divide the run with --shard",
-                      path.string(), kMostFileBytes >> 30));
+      print_error(fmt::format("cannot read {}: it has more than {} GiB", path.string(),
+                              kMostFileBytes >> 30));
       return std::nullopt;
     }
     text.append(part, 0, count);

@@ -109,6 +109,9 @@ std::optional<Pixel> parse_pixel(const std::string& text, const Target& target);
 // Says that --pixel is none of this target.
 void print_no_pixel(const std::string& text, const Target& target);
 
+// Opens a file, or pipe, to be read; prints an error and returns nothing when it cannot be.
+std::optional<std::ifstream> open_file(const std::filesystem::path& path);
+
 // Reads a whole file, or pipe, of at most 2 GiB; prints an error and returns nothing when it cannot
 // be read.
 std::optional<std::string> read_file(const std::filesystem::path& path);

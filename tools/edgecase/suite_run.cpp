@@ -180,6 +180,7 @@ std::optional<Results> run_judged(const Suite& suite, const Policy& policy,
   RunOptions run = run_options(policy, profiles, options);
   run.max_unexpected = judged.max_unexpected;
   if (run.max_unexpected > 0) run.known = judged.known;
+  run.durations = judged.durations;
   const InterruptGuard guard;
   auto ran = judged.earlier ? run_rest(suite, run, options, std::move(*judged.earlier))
                             : run_with_progress(suite, run, options);

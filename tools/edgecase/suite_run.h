@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "results/durations.h"
 #include "results/known_faults.h"
 #include "results/results.h"
 #include "run/run_difference.h"
@@ -56,6 +57,7 @@ struct JudgedRun {
   bool whole_suite = false;          // as Results have it
   bool strict = false;               // what is contested is unexpected, too
   std::optional<MergePart> earlier;  // a run to go on with (run/resume.h)
+  Durations* durations = nullptr;    // RunOptions has it
 };
 
 // The same, with the known faults applied. Says on standard error where not all unexpected answers

@@ -45,7 +45,7 @@ double run_once(const Suite& suite, const std::string& renderer, int jobs) {
   const auto start = Clock::now();
   const Results results = run_suite(suite, options_for(renderer, jobs));
   std::ofstream out("/dev/null");
-  write_results(results, out);
+  write_packed_results(results, out);
   return seconds_since(start);
 }
 
@@ -156,7 +156,7 @@ class StageTimer {
     results_.renderers = {renderer->info()};
     const double judging = time_of(0, [&] { judge_all(results_); });
     std::ofstream out("/dev/null");
-    const double writing = time_of(0, [&] { write_results(results_, out); });
+    const double writing = time_of(0, [&] { write_packed_results(results_, out); });
     return {options_.renderers.front(),
             suite_.cases.size(),
             {{"read and expand", load_seconds},

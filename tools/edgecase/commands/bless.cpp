@@ -31,7 +31,7 @@ std::string default_folder() {
 }
 
 struct BlessCommand {
-  std::string results = "out/results.json";
+  std::string results = "out/results.zst";
   std::string folder = default_folder();
   std::vector<std::string> filters;
   std::vector<std::string> renderers;

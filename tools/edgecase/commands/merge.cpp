@@ -20,6 +20,7 @@ namespace {
 struct MergeCommand {
   std::vector<std::string> paths;
   ReportFiles files;
+  std::vector<std::string> timings;
   std::vector<std::string> known;
   std::string color = "auto";
   bool partial = false;
@@ -57,7 +58,12 @@ ExitCode merge(const MergeCommand& command) {
   apply_known_faults(results, *known);
   if (command.strict) hold_contested(results);
   print_diagnostics(results.diagnostics);
-  return deliver_results(results, command.files, command.color);
+  ExitCode exit = ExitCode::as_expected;
+  auto durations = load_durations(command.timings, exit);
+  if (!durations) return exit;
+  ReportFiles files = command.files;
+  files.durations = std::move(*durations);
+  return deliver_results(results, files, command.color);
 }
 
 }  // namespace
@@ -69,6 +75,7 @@ void add_merge_command(CLI::App& app, ExitCode& exit) {
   command->add_option("results", options->paths, "Results files of `edgecase run`, of all shards")
       ->required();
   options->files.add_to(*command, "-o,--json");
+  add_timings_option(*command, options->timings);
   add_known_option(*command, options->known);
   add_strict_option(*command, options->strict);
   command->add_flag("--partial", options->partial,

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 #include "results/standing.h"
 #include "tools/edgecase/commands/commands.h"
@@ -18,6 +19,7 @@ struct ReportCommand {
   std::string results;
   std::string since;  // results file, or empty
   ReportFiles files;
+  std::vector<std::string> timings;
   bool strict = false;
 };
 
@@ -28,6 +30,9 @@ ExitCode report(const ReportCommand& command) {
   load_sources(*results);
   if (command.strict) hold_contested(*results);
   ReportFiles files = command.files;
+  auto durations = load_durations(command.timings, exit);
+  if (!durations) return exit;
+  files.durations = std::move(*durations);
   if (!command.since.empty()) {
     files.since = changes_since(command.since, *results, exit);
     if (!files.since) return exit;
@@ -48,6 +53,7 @@ void add_report_command(CLI::App& app, ExitCode& exit) {
                       "Earlier results file; the HTML report shows what has changed since");
   add_strict_option(*command, options->strict);
   options->files.add_to(*command);
+  add_timings_option(*command, options->timings);
   command->callback([options, &exit] { exit = report(*options); });
 }
 

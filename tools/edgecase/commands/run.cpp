@@ -37,6 +37,7 @@ struct RunCommand {
   std::size_t max_failures = 0;
   std::string since;
   std::string fail_on = "violations";
+  std::string timings;
 };
 
 // Narrows the selection to what was not as expected in the last results; otherwise the exit code
@@ -78,7 +79,7 @@ std::variant<std::optional<MergePart>, ExitCode> earlier_run(const RunCommand& c
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return earlier;
   ExitCode exit = ExitCode::as_expected;
-  auto results = load_results(path, exit);
+  auto results = load_results(path, exit, Cut::kept);
   if (!results) return exit;
   return MergePart{path, std::move(*results)};
 }
@@ -109,6 +110,12 @@ ExitCode failing_on(const RunCommand& command, const Results& results, ExitCode 
   if (command.fail_on == "violations" || !is_about_answers || results.interrupted) return exit;
   const bool fails = command.fail_on == "changes" && differs(*since);
   return fails ? ExitCode::unexpected : ExitCode::as_expected;
+}
+
+// False, with the error printed, where they cannot be written.
+bool write_timings(const std::string& path, const Durations& durations) {
+  return path.empty() ||
+         write_file(path, [&](std::ostream& out) { write_durations(durations, out); });
 }
 
 // A recording is opened when it is asked, since that may take long.
@@ -146,18 +153,20 @@ ExitCode run(const RunCommand& command) {
   JudgedRun judged{std::move(*known), command.max_failures,
                    !command.no_rerun, is_whole_suite(selection),
                    command.strict,    std::move(std::get<std::optional<MergePart>>(earlier))};
+  ReportFiles files = command.files;
+  if (!command.timings.empty()) judged.durations = &files.durations;
   // What was found is written although somebody asks to stop meanwhile.
   const InterruptGuard guard;
   const auto results = run_judged(suite, *policy, *profiles, command.run, std::move(judged));
   if (!results) return ExitCode::usage;
-  ReportFiles files = command.files;
   if (!command.since.empty()) {
     ExitCode exit = ExitCode::as_expected;
     files.since = changes_since(command.since, *results, exit);
     if (!files.since) return exit;
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  const ExitCode delivered = deliver_results(*results, files, command.color, took.count());
+  ExitCode delivered = deliver_results(*results, files, command.color, took.count());
+  if (!write_timings(command.timings, files.durations)) delivered = ExitCode::internal;
   const ExitCode exit = failing_on(command, *results, delivered, files.since);
   if (exit != ExitCode::internal) print_way_on(command, *results);
   return exit;
@@ -184,15 +193,17 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
                    "results of --since, or nothing")
       ->check(CLI::IsMember({"violations", "changes", "nothing"}))
       ->capture_default_str();
+  command->add_option("--timings", options->timings,
+                      "File for how long each case took; JUnit XML and CTRF then tell it, too");
   command->add_option("--color", options->color, "Colours in the summary")
       ->check(CLI::IsMember({"auto", "always", "never"}));
   command->add_flag("--last-failed", options->last_failed,
                     "Only the cases that were not as expected in the last results: those in the "
-                    "file that --json names, or in out/results.json");
+                    "file that --json names, or in out/results.zst");
   command
       ->add_flag("--resume", options->resume,
                  "Continue a run that ended early: keep the results of unchanged cases from the "
-                 "file that --json names, or from out/results.json, and run the rest")
+                 "file that --json names, or from out/results.zst, and run the rest")
       ->excludes("--last-failed");
   command
       ->add_option("--max-failures", options->max_failures,

@@ -35,32 +35,32 @@ constexpr HelpPage kPages[] = {
      "Every case is rendered exactly and by each renderer. The two renderings are compared, and "
      "the differences are judged by the specification. What the "
      "specification forbids is held against the known faults of the driver. If no option names a "
-     "file, results.json, "
+     "file, results.zst, "
      "junit.xml and report.html go to out/. An interrupted run keeps the finished cases, and "
      "--resume runs the rest.",
      "012345", "an answer is unexpected, or a known fault has grown",
      "edgecase run\n"
      "edgecase run lines --against osmesa:softpipe --html lines.html\n"
      "edgecase run \"triangles/*\" --against \"exec:python3 my_rasterizer.py\" --open\n"
-     "edgecase run --shard 2/4 --json 2.json\n"
-     "edgecase run --json results.json --resume"},
+     "edgecase run --shard 2/4 --json 2.zst\n"
+     "edgecase run --json results.zst --resume"},
     {"report", kRun,
      "The reports are those that a run can write. The text of a case file is shown if the file has "
      "not changed since the run.",
      "023", nullptr,
-     "edgecase report out/results.json --html report.html --open\n"
-     "edgecase report new.json --since old.json --html report.html"},
+     "edgecase report out/results.zst --html report.html --open\n"
+     "edgecase report new.zst --since old.zst --html report.html"},
     {"compare", kRun,
      "Each case is worse, better, different or unchanged. Changes are grouped by rule and cause.",
      "0123", "the two differ",
-     "edgecase compare old.json new.json\n"
-     "edgecase compare old.json new.json --markdown changes.md"},
+     "edgecase compare old.zst new.zst\n"
+     "edgecase compare old.zst new.zst --markdown changes.md"},
     {"merge", kRun,
      "The cases of all shards are judged anew, as one run. The results are those that a run "
      "without shards would have written.",
      "012345", "an answer is not as expected, or shards are missing",
-     "edgecase merge 1.json 2.json 3.json 4.json --html report.html\n"
-     "edgecase merge 1.json 3.json --partial -o part.json"},
+     "edgecase merge 1.zst 2.zst 3.zst 4.zst --html report.html\n"
+     "edgecase merge 1.zst 3.zst --partial -o part.zst"},
     {"record", kRun,
      "All answers of the renderer go into one file. Every other subcommand accepts recording:FILE "
      "in place of the renderer, also where the renderer cannot run.",
@@ -146,7 +146,7 @@ constexpr HelpPage kPages[] = {
      "decisions that a reviewer exported from the HTML "
      "report.",
      "0123", "a decision is refused because something has changed since it was made",
-     "edgecase bless out/results.json --against osmesa:softpipe\n"
+     "edgecase bless out/results.zst --against osmesa:softpipe\n"
      "edgecase bless --from decisions.json --apply"},
     {"backends", kMaintain,
      "Each renderer is tested by what it renders, not by what it reports. Programs behind exec: "

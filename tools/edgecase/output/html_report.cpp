@@ -60,14 +60,15 @@ void remove_scripts(const std::filesystem::path& path, std::size_t count) {
 }  // namespace
 
 bool write_html_report(const Results& results, const std::optional<Comparison>& since,
-                       const std::string& path) {
+                       const std::string& path, bool all_details) {
   const ReportTexts texts = texts_of(results, since);
   if (path == "-") {
     write_html(results, texts, std::cout);
     return true;
   }
   const std::filesystem::path page = path;
-  const auto files = html_files(results, texts, page.filename().string());
+  const auto files = html_files(results, texts, page.filename().string(),
+                                all_details ? Beyond::in_scripts : Beyond::left_out);
   bool wrote = true;
   for (const HtmlFile& file : files)
     wrote = write_file(page.parent_path() / file.name, file.text) && wrote;

@@ -47,17 +47,16 @@ std::string path_in_repository(const std::string& file) {
 
 }  // namespace
 
-std::optional<Results> load_results(const std::string& path, ExitCode& exit) {
-  const auto text = read_file(path);
-  if (!text) {
+std::optional<Results> load_results(const std::string& path, ExitCode& exit, Cut cut) {
+  auto file = open_file(path);
+  if (!file) {
     exit = ExitCode::internal;
     return std::nullopt;
   }
-  auto read = read_results(*text);
+  auto read = read_results(*file, cut);
   if (auto* results = std::get_if<Results>(&read)) return std::move(*results);
   exit = ExitCode::usage;
-  print_error(fmt::format("{}: {}; name a file that `edgecase run --json` wrote", path,
-                          std::get<std::string>(read)));
+  print_error(fmt::format("{}: {}", path, std::get<std::string>(read)));
   return std::nullopt;
 }
 
@@ -76,6 +75,23 @@ void load_sources(Results& results) {
   }
 }
 
+std::optional<Durations> load_durations(const std::vector<std::string>& paths, ExitCode& exit) {
+  Durations all;
+  for (const std::string& path : paths) {
+    auto file = open_file(path);
+    exit = ExitCode::internal;
+    if (!file) return std::nullopt;
+    auto read = read_durations(*file);
+    exit = ExitCode::usage;
+    if (const auto* fault = std::get_if<std::string>(&read)) {
+      print_error(fmt::format("{}: {}", path, *fault));
+      return std::nullopt;
+    }
+    for (auto& [id, by_renderer] : std::get<Durations>(read)) all[id].merge(by_renderer);
+  }
+  return all;
+}
+
 std::optional<Comparison> changes_since(const std::string& path, const Results& results,
                                         ExitCode& exit) {
   auto before = load_results(path, exit);
@@ -92,8 +108,15 @@ std::optional<Comparison> changes_since(const std::string& path, const Results& 
   return std::nullopt;
 }
 
+void add_timings_option(CLI::App& command, std::vector<std::string>& paths) {
+  add_repeatable(command, "--timings", paths,
+                 "File that `edgecase run --timings` wrote, for JUnit XML and CTRF; repeatable");
+}
+
 void ReportFiles::add_to(CLI::App& command, const std::string& json_names) {
-  command.add_option(json_names, json, "File for the results as JSON, - for standard output");
+  command.add_option(json_names, json,
+                     "File for the results: lines of JSON, packed by Zstandard; - for standard "
+                     "output, as they are");
   command.add_option("--junit", junit, "File for JUnit XML");
   command.add_option("--html", html, "File for the HTML report");
   command.add_option("--ctrf", ctrf, "File for CTRF JSON, the Common Test Report Format");
@@ -107,6 +130,8 @@ void ReportFiles::add_to(CLI::App& command, const std::string& json_names) {
   command.add_option("--triptychs", triptychs,
                      "Folder for PNG files, RENDERER/CASE.png: exact, difference and rendered of "
                      "each case that differs");
+  command.add_flag("--all-details", all_details,
+                   "Write what the HTML report has no room for into scripts beside it");
   command.add_flag("--open", open, "Open the HTML report in a browser when it is written");
 }
 
@@ -163,13 +188,17 @@ bool ReportFiles::write(const Results& results) const {
                             const std::function<void(std::ostream&)>& write) {
     wrote = write_one(path, write) && wrote;
   };
-  add(none ? kDefaultJson : json, [&](std::ostream& out) { write_results(results, out); });
-  add(none ? "out/junit.xml" : junit, [&](std::ostream& out) { write_junit(results, out); });
-  add(ctrf, [&](std::ostream& out) { write_ctrf(results, out); });
+  add(none ? kDefaultJson : json, [&](std::ostream& out) {
+    json == "-" ? write_results(results, out) : write_packed_results(results, out);
+  });
+  add(none ? "out/junit.xml" : junit,
+      [&](std::ostream& out) { write_junit(results, durations, out); });
+  add(ctrf, [&](std::ostream& out) { write_ctrf(results, durations, out); });
   add(markdown, [&](std::ostream& out) { write_markdown_summary(results, out); });
   add(annotations, [&](std::ostream& out) { write_annotations(results, path_in_repository, out); });
   add(csv, [&](std::ostream& out) { write_disagreements_csv(results, out); });
-  if (!html_path().empty()) wrote = write_html_report(results, since, html_path()) && wrote;
+  if (!html_path().empty())
+    wrote = write_html_report(results, since, html_path(), all_details) && wrote;
   return (triptychs.empty() || write_triptychs(results, triptychs)) && wrote;
 }
 

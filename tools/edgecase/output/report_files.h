@@ -8,20 +8,30 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "results/comparison.h"
-#include "results/results.h"
+#include "results/durations.h"
+#include "results/results_json.h"
 #include "tools/edgecase/exit_code.h"
 
 namespace edgecase {
 
 // The results in the file at `path`. Prints an error and returns nothing when there are none;
 // `exit` is then `internal` for a file that cannot be read, `usage` for one that holds no results.
-std::optional<Results> load_results(const std::string& path, ExitCode& exit);
+std::optional<Results> load_results(const std::string& path, ExitCode& exit,
+                                    Cut cut = Cut::refused);
 
 // The text of the case files is not part of a results file; takes it from where they lie. A file
 // that was changed since the run is left out, and said to be.
 void load_sources(Results& results);
+
+// What the files of `edgecase run --timings` hold, together. Nothing, with the error printed and
+// the exit code that it deserves, where one cannot be read.
+std::optional<Durations> load_durations(const std::vector<std::string>& paths, ExitCode& exit);
+
+// The option of commands that read such files.
+void add_timings_option(CLI::App& command, std::vector<std::string>& paths);
 
 // What changed from the results file at `path` to these. Of results that are not of a whole suite,
 // only the cases that they hold count. Nothing, with the error printed and the exit code that it
@@ -29,10 +39,10 @@ void load_sources(Results& results);
 std::optional<Comparison> changes_since(const std::string& path, const Results& results,
                                         ExitCode& exit);
 
-// --json, --junit, --html and the others; where none is given, results.json, junit.xml and
+// --json, --junit, --html and the others; where none is given, results.zst, junit.xml and
 // report.html in out/.
 struct ReportFiles {
-  static constexpr const char* kDefaultJson = "out/results.json";
+  static constexpr const char* kDefaultJson = "out/results.zst";
   std::string json;
   std::string junit;
   std::string html;
@@ -41,7 +51,9 @@ struct ReportFiles {
   std::string annotations;
   std::string csv;
   std::string triptychs;            // a folder
+  bool all_details = false;         // of the HTML report, in scripts beside it
   bool open = false;                // the HTML report, when it is written
+  Durations durations;              // for JUnit XML and CTRF
   std::optional<Comparison> since;  // what the HTML report tells to have changed
 
   // `json_names`: how the option for the results file is called.

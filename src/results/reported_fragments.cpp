@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "results/reported_fragments.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include "model/fragments.h"
+#include "results/figure_json.h"
+#include "results/shallow_json.h"
+#include "results/whole_number.h"
+
+namespace edgecase {
+namespace {
+
+using Reported = Result::ReportedFragment;
+
+constexpr int kMostColumns = 4096;                            // of the largest target
+constexpr std::size_t kMostFragments = std::size_t{1} << 24;  // of one list
+
+// The number that the fewest digits of a float stand for.
+double shortest(float value) {
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+  double read = 0;
+  std::from_chars(digits, end, read);
+  return read;
+}
+
+bool is_finite_float(double value) {
+  return std::isfinite(value) && std::abs(value) < 3e38;
+}
+
+void write_value(JsonWriter& json, double value) {
+  if (!is_finite_float(value)) return json.value(value);
+  const auto narrow = static_cast<float>(value);
+  if (bit_pattern(narrow) == bit_pattern(value)) return json.value(shortest(narrow));
+  if (shortest(narrow) != value) return json.value(value);
+  json.value(fmt::format("{}", value));
+}
+
+double to_value(const ReadJson& json) {
+  if (json.is_number()) {
+    const double value = json.get<double>();
+    const bool is_float = is_finite_float(value) && shortest(static_cast<float>(value)) == value;
+    return is_float ? static_cast<float>(value) : value;
+  }
+  const std::string_view text = to_text(json);
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  const bool is_finite = read.ec == std::errc{} && read.ptr == end && std::isfinite(value);
+  return is_finite ? value : to_number(json);
+}
+
+bool are_alike(const Reported& a, const Reported& b) {
+  const Fragment& f = a.fragment;
+  const Fragment& g = b.fragment;
+  return a.pass == b.pass && f.y == g.y && f.primitive == g.primitive && f.coverage == g.coverage &&
+         f.has_depth == g.has_depth && f.has_color == g.has_color && have_equal_values(f, g);
+}
+
+// How many stand in a row from the first one on, and are alike.
+std::size_t length_of_run(std::span<const Reported> fragments) {
+  std::size_t count = 1;
+  while (count < fragments.size() && count < kMostColumns &&
+         are_alike(fragments[0], fragments[count]) &&
+         fragments[count].fragment.x == fragments[0].fragment.x + static_cast<int>(count))
+    ++count;
+  return count;
+}
+
+void write_run(JsonWriter& json, const Reported& reported, std::size_t count) {
+  const Fragment& f = reported.fragment;
+  json.list([&] {
+    count > 1 ? json.array(f.x, count) : json.value(f.x);
+    json.value(f.y);
+    json.value(f.primitive);
+    json.value(f.coverage);
+    f.has_depth ? write_value(json, f.depth) : json.value(nullptr);
+    f.has_color ? json.list(f.color, write_value) : json.value(nullptr);
+    if (reported.pass >= 0) json.value(reported.pass);
+  });
+}
+
+Reported to_told(const ReadJson& json) {
+  Reported reported;
+  Fragment& f = reported.fragment;
+  f.x = WholeNumber(json.at(0).is_array() ? json.at(0).at(0) : json.at(0));
+  f.y = WholeNumber(json.at(1));
+  f.primitive = WholeNumber(json.at(2));
+  f.coverage = WholeNumber(json.at(3));
+  f.has_depth = !json.at(4).is_null();
+  f.has_color = !json.at(5).is_null();
+  if (f.has_depth) f.depth = to_value(json.at(4));
+  for (std::size_t i = 0; f.has_color && i < f.color.size(); ++i)
+    f.color[i] = to_value(json.at(5).at(i));
+  if (json.size() > 6) reported.pass = WholeNumber(json.at(6));
+  return reported;
+}
+
+int count_of(const ReadJson& json) {
+  if (!json.at(0).is_array()) return 1;
+  const int count = WholeNumber(json.at(0).at(1));
+  if (count < 1 || count > kMostColumns)
+    throw std::runtime_error(fmt::format("no row has {} fragments that are alike", count));
+  return count;
+}
+
+}  // namespace
+
+void write_fragments(JsonWriter& json, const std::vector<Reported>& fragments) {
+  json.list([&] {
+    for (std::span<const Reported> rest = fragments; !rest.empty();) {
+      const std::size_t count = length_of_run(rest);
+      write_run(json, rest[0], count);
+      rest = rest.subspan(count);
+    }
+  });
+}
+
+std::vector<Reported> to_fragments(const ReadJson& json) {
+  if (!json.is_array()) throw std::runtime_error("a list is missing");
+  std::vector<Reported> fragments;
+  for (const ReadJson& item : json) {
+    Reported reported = to_told(item);
+    for (int left = count_of(item); left > 0; --left) {
+      if (fragments.size() == kMostFragments || reported.fragment.x > kMostColumns)
+        throw std::runtime_error("there are more fragments than there can be");
+      fragments.push_back(reported);
+      ++reported.fragment.x;
+    }
+  }
+  return fragments;
+}
+
+}  // namespace edgecase
