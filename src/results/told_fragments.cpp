@@ -137,6 +137,7 @@ std::vector<Told> to_fragments(const ReadJson& json) {
       ++told.fragment.x;
     }
   }
+  fragments.shrink_to_fit();  // they are kept
   return fragments;
 }
 
