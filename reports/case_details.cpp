@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "reports/pixels.h"
 #include "reports/ramp.h"
@@ -70,10 +71,15 @@ Json disagreement_json(const Disagreement& d, int samples) {
 
 Json values_json(const ValueAggregate& v) {
   Json places = Json::array();
-  const std::size_t listed = std::min(v.differing.size(), kMaxDisagreementsPerAnswer);
+  // In the order in which results have them.
+  std::vector<ValueAggregate::Place> sorted = v.differing;
+  const auto row_and_column = [](const auto& place) { return std::pair(place.y, place.x); };
+  if (!std::ranges::is_sorted(sorted, {}, row_and_column))
+    std::ranges::sort(sorted, {}, row_and_column);
+  const std::size_t listed = std::min(sorted.size(), kMaxDisagreementsPerAnswer);
   for (std::size_t i = 0; i < listed; ++i) {
-    places.push_back(v.differing[i].x);
-    places.push_back(v.differing[i].y);
+    places.push_back(sorted[i].x);
+    places.push_back(sorted[i].y);
   }
   Json histogram = Json::array();
   for (const auto& [exponent, count] : v.ulp_histogram)

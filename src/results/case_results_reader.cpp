@@ -56,6 +56,7 @@ template <class Item, class Convert>
 std::vector<Item> to_list(const ReadJson& json, Convert convert) {
   if (!json.is_array()) throw std::runtime_error("a list is missing");
   std::vector<Item> result;
+  result.reserve(json.size());
   for (const ReadJson& item : json) result.push_back(convert(item));
   return result;
 }

@@ -25,6 +25,7 @@ double to_seconds(const ReadJson& json) {
 void add_line(const std::string& line, Durations& durations) {
   const ReadJson json = parse_line(line);
   auto& of_case = durations[json.at("case").get<std::string>()];
+  if (!json.at("seconds").is_object()) throw std::runtime_error("\"seconds\" is no object");
   for (const auto& [renderer, seconds] : json.at("seconds").items())
     of_case[std::string(renderer)] = to_seconds(seconds);
 }
@@ -32,14 +33,14 @@ void add_line(const std::string& line, Durations& durations) {
 }  // namespace
 
 void write_durations(const Durations& durations, std::ostream& out) {
-  for (const auto& [id, by_renderer] : durations) {
+  for (const auto& of_case : durations) {
     std::string text;
     JsonWriter json(text);
     json.object([&] {
-      json.member("case", id);
+      json.member("case", of_case.first);
       json.key("seconds").object([&] {
         // Microseconds: less is noise.
-        for (const auto& [renderer, seconds] : by_renderer)
+        for (const auto& [renderer, seconds] : of_case.second)
           json.member(renderer, std::round(seconds * 1e6) / 1e6);
       });
     });

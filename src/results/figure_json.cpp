@@ -83,6 +83,7 @@ MarkRole to_role(const ReadJson& json) {
 Mark to_mark(const ReadJson& json, const std::vector<Position>& points, std::size_t primitives) {
   Mark mark;
   mark.role = to_role(json.at(0));
+  mark.points.reserve(json.at(1).size());
   for (const ReadJson& index : json.at(1)) {
     const std::size_t at = WholeNumber(index);
     if (at >= points.size()) throw std::runtime_error(fmt::format("there is no point {}", at));
@@ -130,6 +131,7 @@ Figure to_figure(const ReadJson& json) {
   for (std::size_t i = 0; i < list.size(); i += 2)
     points.emplace_back(to_coordinate(list.at(i)), to_coordinate(list.at(i + 1)));
   Figure figure;
+  figure.marks.reserve(json.at("marks").size());
   std::size_t primitives = 0;
   for (const ReadJson& item : json.at("marks")) {
     figure.marks.push_back(to_mark(item, points, primitives));

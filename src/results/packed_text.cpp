@@ -203,6 +203,7 @@ std::vector<Place> to_places(std::string_view text) {
     for (const int end = next + count; next < end; ++next)
       places.insert(places.end(), times, {next, row, -1});
   }
+  places.shrink_to_fit();  // they are kept
   return places;
 }
 

@@ -137,6 +137,7 @@ std::vector<Reported> to_fragments(const ReadJson& json) {
       ++reported.fragment.x;
     }
   }
+  fragments.shrink_to_fit();  // they are kept
   return fragments;
 }
 

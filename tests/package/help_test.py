@@ -152,7 +152,7 @@ class Manual(HelpTest):
                       "--seed SEED Number that fixes the scenes (default: 1)",
                       "edgecase explain [options] CASE ",
                       "edgecase run [options] [PATHS ...]",
-                      "edgecase run --shard 2/4 --json 2.json"):
+                      "edgecase run --shard 2/4 --json 2.zst"):
             self.assertIn(words, text)
 
 
