@@ -59,7 +59,7 @@ class Flakes(Waverer):
         self.command("run", "cases/a.json", "--against", f"exec:sh {script}", "--timeout", "0.05",
                      "--json", "results.json", expect=RENDERER)
         self.assertEqual((self.folder / "starts").read_text("utf-8"), "started\n")
-        (case,) = json.loads((self.folder / "results.json").read_text("utf-8"))["cases"]
+        (case,) = results_file.read(self.folder / "results.json")["cases"]
         self.assertEqual(only_result(case)["failure"]["kind"], "timed-out")
 
     def test_what_comes_again_leaves_no_trace(self):

@@ -7,6 +7,7 @@ import shutil
 import sys
 import unittest
 
+import results_file
 from support import (AS_EXPECTED, ROOT, SUITE, UNEXPECTED, USAGE, CommandTest, contents, triangle_case,
                      verdicts)
 
@@ -36,6 +37,9 @@ class ProjectTest(CommandTest):
         self.exec = f"exec:{sys.executable} {self.folder / EXAMPLE}"
 
     def told(self, name="out/told.json"):
+        return results_file.read(self.folder / name)
+
+    def read(self, name):
         return json.loads((self.folder / name).read_text(encoding="utf-8"))
 
     def in_folder(self, folder, *arguments, **more):
@@ -68,7 +72,7 @@ class Names(ProjectTest):
     def test_known_faults_and_profile_are_of_the_name(self):
         self.results("raster/cases", "--against", f"mine={self.exec}", expect=UNEXPECTED)
         self.command("bless", "results.json", "--folder", "raster/cases/known", "--apply")
-        known = self.told("raster/cases/known/mine.json")
+        known = self.read("raster/cases/known/mine.json")
         self.assertEqual(known["driver"], "mine")
         # Any command line under this name is this driver.
         shutil.move(self.folder / EXAMPLE, self.folder / "moved.py")
@@ -79,7 +83,7 @@ class Names(ProjectTest):
         self.results("raster/cases", "--against", f"other=exec:{sys.executable} moved.py",
                      expect=UNEXPECTED)
         shutil.copytree(f"{SUITE}/profiles", self.folder / "raster/cases/profiles")
-        profile = self.told("raster/cases/profiles/osmesa-llvmpipe.json")
+        profile = self.read("raster/cases/profiles/osmesa-llvmpipe.json")
         self.write("raster/cases/profiles/mine.json", {**profile, "name": "profile of mine"})
         self.command("run", "raster/cases", "--policy", "profile", "--json", "p.json", "--against",
                      f"mine=exec:{sys.executable} moved.py", expect=None)
@@ -137,7 +141,7 @@ class File(ProjectTest):
         self.assertEqual(results["cases"][0]["file"], "../plain.json")
         self.assertEqual(results["cases"][1]["results"]["mine"]["verdict"], "violation")
         self.in_folder("raster/cases/deep", "bless", "--apply")
-        self.assertEqual(self.told("raster/known/mine.json")["driver"], "mine")
+        self.assertEqual(self.read("raster/known/mine.json")["driver"], "mine")
         self.in_folder("raster", "run", expect=AS_EXPECTED)
         told = self.in_folder("raster", "explain", "cases/shared.json", "--against", "mine",
                               expect=None)
