@@ -97,8 +97,7 @@ Rule dithering_rule() {
 
 KEY = {
     "src/model/scene.h": [
-        behind("  std::vector<Vertex> vertices;  // as many as is_vertex_count allows\n",
-               "  bool dithers = false;\n")],
+        before("  std::vector<Vertex> vertices;", "  bool dithers = false;\n")],
     "src/model/scene_fields.h": [
         before('field("line_width", &Draw::line_width',
                'field("dithers", &Draw::dithers).left_out().about("Dithering", "Is it on?"),\n')],

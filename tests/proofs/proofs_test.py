@@ -18,7 +18,7 @@ FAULTS = [
      "claim_walk_goes_on_as_it_began"),
     ("triangle_algorithm", "ties.positive(0, right, up)", "ties.positive(0, up, right)",
      "claim_walk_begins_as_the_plain_decision"),
-    ("homogeneous_triangle", "Int128{b.x} * a.w", "Int128{b.x * a.w}",
+    ("triangle_algorithm", "Int128{b.x} * a.w", "Int128{b.x * a.w}",
      "claim_walk_by_quotients"),
     ("diamond_exit", "* d.radius;", "* (d.radius - 1);",
      "claim_meeting_by_fixed_point_and_quotients_agree"),

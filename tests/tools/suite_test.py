@@ -68,7 +68,11 @@ class WholeSuite(CommandTest):
         self.command("run", *PROBES, *shard(), "--against", "osmesa:softpipe", *UNHURRIED, "--json",
                      path)
         for one, many in itertools.zip_longest(cases_of(path), cases_of(mesa() / "reports.json")):
-            self.assertEqual(one["results"]["osmesa:softpipe"], many["results"]["osmesa:softpipe"])
+            alone, beside = (case["results"]["osmesa:softpipe"] for case in (one, many))
+            # A picture that agrees is kept where another renderer's differs.
+            if alone["verdict"] == "agree" and "pixels" not in alone:
+                beside.pop("pixels", None)
+            self.assertEqual(alone, beside)
 
     def test_exact_agrees_with_itself(self):
         results = self.results(*PROBES, *shard(), "--against", "exact")
