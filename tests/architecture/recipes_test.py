@@ -46,7 +46,6 @@ RULE = {
 // A colour that lies between two codes may become either.
 #pragma once
 
-#include "rules/alternative_table.h"
 #include "rules/rule.h"
 
 namespace edgecase {
