@@ -7,7 +7,7 @@
 //   known = "known"                         # --known
 //   [renderers]                             # --against mine=exec:…; all of them where none is
 //   named mine = "exec:python3 rasterizer.py" [outputs]                               # --json,
-//   --html and the others json = "out/results.json"
+//   --html and the others json = "out/results.zst"
 //
 // Every key is an option, and an option on the command line wins. Paths count from the file's
 // folder, and programs are started there, so that it does not matter in which folder of the project
