@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A project's settings: edgecase.toml, which says once what would be said with every command.
-//
-//   cases = ["cases"]                       # as PATHS of `edgecase run`
-//   policy = "opengl"                       # --policy
-//   known = "known"                         # --known
-//   [renderers]                             # --against mine=exec:…; all of them where none is
-//   named mine = "exec:python3 rasterizer.py" [outputs]                               # --json,
-//   --html and the others json = "out/results.zst"
+// A project's settings: edgecase.toml, which says once what would be said with every command. The
+// page reports/pages/renderers.md shows its keys.
 //
 // Every key is an option, and an option on the command line wins. Paths count from the file's
 // folder, and programs are started there, so that it does not matter in which folder of the project
