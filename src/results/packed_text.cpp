@@ -10,13 +10,16 @@
 #include <tuple>
 #include <utility>
 
+#include "model/sampling.h"
+#include "model/scene.h"
+
 namespace edgecase {
 namespace {
 
 using Place = ValueAggregate::Place;
 
-constexpr int kMostColumns = 4096;                         // and rows, of the largest target
-constexpr std::size_t kMostPlaces = std::size_t{1} << 26;  // its pixels, four times each
+// Of the largest target, each pixel four times.
+constexpr std::size_t kMostPlaces = std::size_t{1} << 26;
 
 template <class Integer>
 void append_number(Integer value, int base, std::string& text) {
@@ -144,7 +147,7 @@ std::string packed_picture(const std::vector<std::uint8_t>& pixels, int width) {
 }
 
 std::vector<std::uint8_t> to_picture(std::string_view text, int width, int height) {
-  if (width < 0 || height < 0 || width > kMostColumns || height > kMostColumns * 16)
+  if (width < 0 || height < 0 || width > kMaxTargetSize || height > kMaxTargetSize * kMaxSamples)
     throw std::runtime_error(fmt::format("no picture has {} by {} pixels", width, height));
   const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   std::vector<std::uint8_t> pixels = bytes_of(to_words(text, size));
@@ -188,16 +191,16 @@ std::vector<Place> to_places(std::string_view text) {
   int next = 0;
   for (Scanner scanner(text); !scanner.is_at_end(); scanner.separate()) {
     if (scanner.take('y')) {
-      const int begun = scanner.number<int>(10, kMostColumns - 1);
+      const int begun = scanner.number<int>(10, kMaxTargetSize - 1);
       if (begun <= row) scanner.refuse();
       row = begun;
       next = 0;
       continue;
     }
-    next += scanner.number<int>(10, kMostColumns);
-    const int count = scanner.times('+', kMostColumns);
+    next += scanner.number<int>(10, kMaxTargetSize);
+    const int count = scanner.times('+', kMaxTargetSize);
     const auto times = scanner.times('*', kMostPlaces);
-    if (row < 0 || next + count > kMostColumns ||
+    if (row < 0 || next + count > kMaxTargetSize ||
         times * static_cast<std::size_t>(count) > kMostPlaces - places.size())
       scanner.refuse();
     for (const int end = next + count; next < end; ++next)

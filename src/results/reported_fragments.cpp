@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "model/fragments.h"
+#include "model/scene.h"
 #include "results/figure_json.h"
 #include "results/shallow_json.h"
 #include "results/whole_number.h"
@@ -21,7 +22,6 @@ namespace {
 
 using Reported = Result::ReportedFragment;
 
-constexpr int kMostColumns = 4096;                            // of the largest target
 constexpr std::size_t kMostFragments = std::size_t{1} << 24;  // of one list
 
 // The number that the fewest digits of a float stand for.
@@ -69,7 +69,7 @@ bool are_alike(const Reported& a, const Reported& b) {
 // How many stand in a row from the first one on, and are alike.
 std::size_t length_of_run(std::span<const Reported> fragments) {
   std::size_t count = 1;
-  while (count < fragments.size() && count < kMostColumns &&
+  while (count < fragments.size() && count < kMaxTargetSize &&
          are_alike(fragments[0], fragments[count]) &&
          fragments[count].fragment.x == fragments[0].fragment.x + static_cast<int>(count))
     ++count;
@@ -108,7 +108,7 @@ Reported to_told(const ReadJson& json) {
 int count_of(const ReadJson& json) {
   if (!json.at(0).is_array()) return 1;
   const int count = WholeNumber(json.at(0).at(1));
-  if (count < 1 || count > kMostColumns)
+  if (count < 1 || count > kMaxTargetSize)
     throw std::runtime_error(fmt::format("no row has {} fragments that are alike", count));
   return count;
 }
@@ -131,7 +131,7 @@ std::vector<Reported> to_fragments(const ReadJson& json) {
   for (const ReadJson& item : json) {
     Reported reported = to_told(item);
     for (int left = count_of(item); left > 0; --left) {
-      if (fragments.size() == kMostFragments || reported.fragment.x > kMostColumns)
+      if (fragments.size() == kMostFragments || reported.fragment.x > kMaxTargetSize)
         throw std::runtime_error("there are more fragments than there can be");
       fragments.push_back(reported);
       ++reported.fragment.x;
