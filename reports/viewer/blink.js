@@ -4,7 +4,7 @@
 const BLINK = 600;  // milliseconds
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
-// What the pane of the rendered picture shows. `changed`: it has to be drawn again.
+// The content of the rendered picture's pane. `changed` is called when it has to be drawn again.
 class Overlay {
   constructor(changed) {
     this.changed = changed;
@@ -30,7 +30,7 @@ class Overlay {
     this.element = h("span.group", {}, Object.values(this.buttons), this.range);
   }
 
-  // Turns a mode on, or off where it is on. Without motion, blinking takes a step at a time.
+  // Toggles a mode. If the user prefers no motion, each call blinks once.
   choose(mode) {
     const steps = mode === "blink" && calm.matches;
     if (steps && this.mode === "blink" && this.exactNow) this.exactNow = false;
@@ -56,7 +56,7 @@ class Overlay {
     clearInterval(this.timer);
   }
 
-  // How the pane is called now.
+  // The pane's present title.
   title(usual) {
     if (this.mode === "slider") return "Exact | " + usual.toLowerCase();
     return this.mode === "blink" && this.exactNow ? "Exact (blinking)" : usual;

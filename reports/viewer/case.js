@@ -9,7 +9,7 @@ const CaseView = {
   list: null,
   index: -1,   // of the chosen disagreement
   pixel: null, // the chosen one, {x, y}
-  frame: 0,    // in which fragments are told
+  frame: 0,    // of the pending display of fragments
   parts: null,
 
   close() {
@@ -18,7 +18,7 @@ const CaseView = {
     CaseView.one = CaseView.result = CaseView.pictures = CaseView.ramps = null;
   },
 
-  // The result to open first: the named renderer's, else the one most worth a look.
+  // The result to open first: the named renderer's, else the worst.
   resultFor(one, name) {
     const named = one.results.find((r) => r.renderer === name);
     const score = (r) => (isSurprise(r) ? 10 : 0) + VERDICTS[r.verdict].rank;
@@ -44,13 +44,13 @@ const CaseView = {
     CaseView.pictures?.zoomTo(Number(state.zoom));
   },
 
-  // Shows cases where nobody sees them, and takes them away: the first ones take a browser twice as
-  // long as any other, and people wait for those. As many as in `left`, when there is time.
+  // Renders the cases of `left` off-screen in idle time and removes them: a browser takes twice as
+  // long for the first cases that it shows.
   async rehearse(left) {
     const here = Cases.filter((one) => one.line !== undefined && Blocks.isHere(one.line));
     const one = here[left - 1];
     if (one) await loadDetails(one);
-    if (!one || CaseView.one) return;  // somebody was faster
+    if (!one || CaseView.one) return;  // a case was opened meanwhile
     const stage = h("div.stage", {"aria-hidden": "true"});
     document.body.append(stage);
     CaseView.put(stage, one, CaseView.resultFor(one, ""), {...Route.read(), ...NO_PLACE});
@@ -59,7 +59,7 @@ const CaseView = {
     if (left > 1) requestIdleCallback(() => CaseView.rehearse(left - 1).catch(() => {}));
   },
 
-  // As a link says: a disagreement, or a pixel.
+  // Shows the place in a link: a disagreement, or a pixel.
   place(state) {
     const [x, y] = state.px.split(",").map(Number);
     const inside = Number.isInteger(x) && Number.isInteger(y) && x >= 0 && y >= 0 &&
@@ -124,7 +124,7 @@ const CaseView = {
     CaseView.pictures?.select(null, {x, y});
   },
 
-  // A pixel of another renderer's answer: its disagreement is shown with that renderer.
+  // A pixel of another renderer's answer was clicked: shows its disagreement with that renderer.
   pickOf(result, x, y) {
     const index = result.answer.disagreements.findIndex((d) => d.x === x && d.y === y);
     if (result.answer === CaseView.result.answer || index < 0) return CaseView.pick(x, y);
@@ -158,7 +158,7 @@ const CaseView = {
     CaseView.tellFragments();
   },
 
-  // They stand below the pictures: those come first.
+  // The fragments are below the pictures, which are drawn first.
   tellFragments() {
     const {parts, one, result, pixel} = CaseView;
     cancelAnimationFrame(CaseView.frame);

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What became of each case since earlier results (`edgecase report --since`).
+// SPDX-License-Identifier: MIT The change of each case since earlier results (`edgecase report
+// --since`).
 
 const CHANGES = {
   "new-disagreement": {words: "agreed before, does not now", bad: true},

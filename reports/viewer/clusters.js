@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What to look at first: per renderer the clusters of differences that are not allowed, each with its
-// smallest case, then those that are contested, then the rest.
+// SPDX-License-Identifier: MIT The clusters of each renderer, each with its smallest case: those
+// that are not allowed first, then contested ones, then the rest.
 
 const CLUSTERS_SHOWN = 5;
 
@@ -32,7 +31,7 @@ function clusterRow(cluster, renderer) {
     h("td.smallest", {}, smallestLink(cluster, renderer)));
 }
 
-// A table of clusters, the first few of them until someone asks for the rest.
+// A table of clusters that shows the first few until the user asks for the rest.
 function clusterTable(kind, clusters, renderer) {
   const key = renderer + "\n" + kind;
   const body = h("tbody", {});
@@ -55,8 +54,8 @@ function clusterTable(kind, clusters, renderer) {
       "smallest case"].map((text) => h("th", {scope: "col"}, text)))), body)), more];
 }
 
-// What is not allowed, what is contested, and what is allowed and has no cause, each in a table; what
-// is allowed and has one is folded.
+// One table each for clusters that are not allowed, contested, and allowed without a cause; those
+// allowed with a cause are folded.
 function rendererClusters(info) {
   const of = (legality) => info.clusters.filter((cluster) => cluster.legality === legality);
   const unexplained = of("legal").filter((cluster) => !cluster.cause);

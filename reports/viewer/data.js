@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// The report's index, read once (reports/report_index.h says what it holds), and images, unpacked
-// when a case is shown.
+// SPDX-License-Identifier: MIT The report's index (reports/report_index.h), read once, and images,
+// unpacked when a case is shown.
 
 const Data = JSON.parse(byId("data").textContent);
 const Rules = new Map(Data.rules.map((rule) => [rule.id, rule]));
@@ -8,7 +7,7 @@ const Rulings = new Map(Data.rulings.map((ruling) => [ruling.number, ruling]));
 const CasesById = new Map();
 const isSurprise = (result) => isRed(result.standing);
 
-// What was found, by rule: the worst verdict.
+// Rule -> the worst verdict under it.
 function findingsOf(numbers) {
   const found = new Map();
   for (let i = 0; i < numbers.length; i += 2) found.set(Data.names[numbers[i]], numbers[i + 1]);
@@ -21,11 +20,11 @@ const Heads = Data.heads.map((head) => ({
 const Outcomes = Data.outcomes.map(([verdict, standing, found]) =>
   ({verdict, standing, found: findingsOf(found)}));
 
-// Place of a case among those with something to tell, the worst first.
+// The positions of cases in which something differs, the worst first.
 const Order = [];
 Data.order.forEach((index, place) => { Order[index] = place; });
 
-// One line of the list; what else there is of a case comes with its details (details.js).
+// One line of the list; everything else about a case is loaded with its details (details.js).
 class Case {
   constructor([head, rest, fragments, outcomes, line, hasRamp], index) {
     const {stem, source, ...words} = Heads[head];
@@ -53,12 +52,12 @@ class Case {
     this.words = null;
   }
 
-  // Those that it is about, and those by which something was found.
+  // True for the rules that the case is about, and those by which something was found.
   hasRule(id) {
     return this.rules.includes(id) || this.results.some((result) => result.found.has(id));
   }
 
-  // What is searched in.
+  // The text that is searched.
   get search() {
     this.words ??= [this.id, this.title, this.why, this.spec, this.file, ...this.tags,
       ...this.rules, ...this.results.flatMap((result) => [...result.found.keys()])]
@@ -110,8 +109,7 @@ function applyDifference(pixels, packed) {
   return pixels;
 }
 
-// The exact image that an answer was held against and, of the answer, the rendered one; null where
-// there is none.
+// The exact image that an answer was compared with, and the answer's own; null if there is none.
 function exactPixels(one, answer) {
   if (!one.pixels) return null;
   const pixels = unpackPixels(one.pixels, 4 * one.width * one.height);

@@ -1,15 +1,14 @@
-// SPDX-License-Identifier: MIT
-// What a case holds beyond its line in the list: lines of deflated blocks, which stand in the page
-// after the script, or in scripts beside it (reports/report_data.h).
+// SPDX-License-Identifier: MIT The details of cases: lines of deflated blocks, which are in the
+// page after the script, or in scripts beside it (reports/report_data.h).
 
 const BLOCKS_KEPT = 8;  // inflated
 
 const Blocks = {
-  waiting: new Map(),   // number of a block -> those who asked for it
+  waiting: new Map(),   // number of a block -> its pending requests
   arrived: new Map(),   // number -> base64, of blocks from scripts beside the page
   inflated: new Map(),  // number -> promise of its lines; the last used last
 
-  // Of the block that holds a line.
+  // The number of the block that holds a line.
   numberOf(line) {
     let number = Data.blocks.length - 1;
     while (number > 0 && Data.blocks[number] > line) --number;
@@ -33,7 +32,7 @@ const Blocks = {
     return Blocks.numberOf(line) < Data.here;
   },
 
-  // Reads what a line is in, where it is in the page itself.
+  // Reads the block of a line in advance if it is in the page itself.
   readAhead(line) {
     if (Blocks.isHere(line)) Blocks.line(line).catch(() => {});
   },
@@ -49,7 +48,7 @@ const Blocks = {
     return byId("block-" + number).textContent;
   },
 
-  // From a script beside the page, which calls edgecaseBlocks.
+  // Loads blocks from a script beside the page, which calls edgecaseBlocks.
   load(name, number) {
     return new Promise((then, fail) => {
       const script = document.createElement("script");
@@ -65,7 +64,7 @@ const Blocks = {
   },
 };
 
-// What scripts beside the page call.
+// Called by scripts beside the page.
 function edgecaseBlocks(key, first, blocks) {
   if (key !== Data.key) return;
   blocks.forEach((block, i) => Blocks.arrived.set(first + i, block));
@@ -88,7 +87,7 @@ async function sourceText(one) {
   return one.sourceLine === undefined ? "" : JSON.parse(await Blocks.line(one.sourceLine));
 }
 
-// Puts the details into a case and its results, once; without any where all agrees.
+// Adds the details to a case and its results, once. Cases in which all agree have none.
 async function loadDetails(one) {
   if (one.loaded) return one;
   const details = one.line === undefined ? {} : JSON.parse(await Blocks.line(one.line));

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Disagreements in words: the chosen one above the pictures, all of them in pages below.
+// SPDX-License-Identifier: MIT Disagreements as text: the chosen one above the pictures, all of
+// them in pages below.
 
 const PAGE = 25;
 
@@ -13,7 +13,7 @@ const pixelText = (d) =>
   "pixel (" + d.x + ", " + d.y + ")" + (d.sample === undefined ? "" : " sample " + d.sample);
 const primitiveText = (d) => (d.primitive === undefined ? "" : "primitive " + d.primitive);
 
-// The chosen disagreement: what, where, by which rule, and the sentence.
+// The chosen disagreement: its kind, place, rule and explanation.
 function findingOf(d) {
   const [exact, rendered] = compared(d);
   return [
@@ -82,7 +82,7 @@ class DisagreementList {
   show(index) {
     this.chosen = index;
     if (index >= 0) this.page = Math.floor(index / PAGE);
-    // It stands below the pictures: they come first.
+    // The list is below the pictures, which are drawn first.
     cancelAnimationFrame(this.frame);
     this.frame = requestAnimationFrame(() => this.paint());
   }

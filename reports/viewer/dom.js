@@ -32,7 +32,7 @@ function h(name, props, ...children) {
   return append(element, children);
 }
 
-// A 16 x 16 line drawing; `path` comes from words.js alone.
+// A 16 x 16 line drawing; `path` always comes from words.js.
 function icon(path, className) {
   const space = "http://www.w3.org/2000/svg";
   const svg = document.createElementNS(space, "svg");
@@ -50,14 +50,14 @@ function replace(parent, ...children) {
   return append(parent, children);
 }
 
-// What may be wider than the page, reachable by the keyboard to be scrolled.
+// A box for content wider than the page, which the keyboard can scroll.
 const scrolled = (label, ...children) =>
   h("div.scroll", {tabindex: "0", role: "region", "aria-label": label}, children);
 
 /** @returns {any} of whatever kind it is */
 const byId = (id) => document.getElementById(id);
 
-// Tells screen readers, without moving anything.
+// Announces a text to screen readers without moving the focus.
 function say(text) {
   byId("said").textContent = visible(text);
 }

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What stands below the pictures: aggregated values, candidate causes, vertices, the case's source
-// and the commands that show the same again.
+// SPDX-License-Identifier: MIT The sections below the pictures: aggregated values, candidate
+// causes, vertices, the case's source, and the commands that reproduce the case.
 
 function ulpLabel(exponent) {
   if (exponent < 0) return "< 1";
@@ -88,7 +87,7 @@ function prettySource(source) {
   }
 }
 
-// The case's file, laid out when someone asks for it.
+// The case's file, formatted when it is opened.
 function sourceOf(one) {
   const text = h("pre", {tabindex: "0"});
   return h("details", {ontoggle: () => sourceText(one).then((source) =>
@@ -97,12 +96,12 @@ function sourceOf(one) {
     h("summary", {}, "Case file ", h("code.faint", {}, one.file)), text);
 }
 
-// A word as a POSIX shell takes it literally.
+// A word, quoted for a POSIX shell if necessary.
 function shellWord(text) {
   return /^[\w@%+=:,.\/-]+$/.test(text) ? text : "'" + text.replaceAll("'", "'\\''") + "'";
 }
 
-// A renderer as the command line asks for it: "mine=exec:./r" where it has a name of its own.
+// A renderer as the command line names it: "mine=exec:./r" if it has a name of its own.
 function askedAs(name) {
   const {traits} = Data.renderers.find((info) => info.name === name);
   return traits.address && !name.includes(":") ? name + "=" + traits.address : name;

@@ -120,7 +120,7 @@ function drawFigure(plot, figure, withLabels) {
   if (withLabels) drawLabels(plot, figure);
 }
 
-// Its sides as the window sees them: those of the viewport.
+// The sides of the clip volume in the window: those of the viewport.
 function drawClipVolume(plot, [x, y, width, height]) {
   const sides = new Path2D();
   sides.rect(plot.x(x), plot.y(y + height), width * plot.scale, height * plot.scale);
@@ -129,7 +129,7 @@ function drawClipVolume(plot, [x, y, width, height]) {
   plot.context.setLineDash([]);
 }
 
-// The shape of a kind about a place of the plot.
+// The shape of a kind, centred at a place of the plot.
 function drawShape(plot, x, y, size, kind, width) {
   const shape = new Path2D();
   shape.addPath(new Path2D(KINDS[kind].path),
@@ -137,9 +137,9 @@ function drawShape(plot, x, y, size, kind, width) {
   strokeRimmed(plot, shape, {color: plot.theme["k-" + kind], width});
 }
 
-// The outline of a disputed pixel with its kind's shape inside; both in the kind's colour.
-// `style`: strong for the chosen one; thin where much else is drawn; bare without the shape, where
-// a figure is drawn instead.
+// The outline of a disputed pixel with its kind's shape inside, both in the kind's colour. `style`:
+// strong for the chosen one; thin in crowded pictures; bare, without the shape, if a figure is
+// drawn instead.
 function drawMarker(plot, x, y, kind, style) {
   const {context, ratio, scale} = plot;
   const left = plot.x(x);
@@ -161,7 +161,7 @@ function drawMarker(plot, x, y, kind, style) {
 const HALO_SIZE = 9;   // CSS pixels of a halo's radius
 const HALO_APART = 14;  // and how far apart they are at least
 
-// Rings round disputed pixels that are too small to be seen: one where several lie together.
+// Rings around disputed pixels that are too small to be seen, one for several close together.
 function drawHalos(plot, disagreements) {
   const taken = new Set();
   const apart = HALO_APART * plot.ratio;
@@ -203,8 +203,8 @@ function drawGrid(plot, columns, rows, step, color) {
   for (let j = 0; j <= rows; j += step) context.fillRect(plot.x(0), plot.y(j), columns * scale, 1);
 }
 
-// Numbers of pixel columns (below) and rows (left, y up), at pixel centres, beside the image or, if
-// that is larger, beside what is seen of it.
+// Numbers of pixel columns (below) and rows (left, y up), at pixel centres, beside the visible part
+// of the image.
 function drawAxes(plot, columns, rows) {
   const {context, ratio, scale} = plot;
   context.fillStyle = plot.theme.muted;

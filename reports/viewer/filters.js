@@ -1,15 +1,14 @@
-// SPDX-License-Identifier: MIT
-// Which cases are listed, in which order, and the bar that chooses them.
+// SPDX-License-Identifier: MIT The listed cases, their order, and the bar that filters them.
 
 const SURPRISE = "not-expected";
 
-// A result's verdict or, where a rule is chosen, the worst that was found by that rule.
+// A result's verdict or, if a rule is chosen, the worst verdict under it.
 function verdictBy(one, result, rule) {
   if (!rule || result.verdict === "not-run") return result.verdict;
   return result.found.get(rule) || "agree";
 }
 
-// Results that the filters speak of: those of one renderer, or all.
+// The results that the filters concern: those of one renderer, or all.
 function matches(one, state) {
   const words = state.q.toLowerCase().split(/\s+/).filter(Boolean);
   if (!words.every((word) => one.search.includes(word))) return false;
@@ -23,7 +22,7 @@ function matches(one, state) {
   }) || (one.results.length === 0 && !state.renderer && !state.verdict && !state.standing);
 }
 
-// `wanted`: "undecided" (and unexpected), "decided", or what was decided.
+// `wanted`: "undecided" (and unexpected), "decided", or a decision.
 function isReviewed(one, result, wanted) {
   const decision = Review.of(one, result);
   if (wanted === "undecided") return !decision && isSurprise(result);
@@ -33,13 +32,13 @@ function isReviewed(one, result, wanted) {
 let lastFilter = null;
 let lastCases = [];
 
-// What is filtered by decisions has to be filtered anew when one is made.
+// Called after a decision, since cases may be filtered by decisions.
 function forgetFilter() {
   lastFilter = null;
 }
 
-// Unexpected ones first, then the worst verdicts, of these what most cases share, then by id (the
-// order of the data).
+// Unexpected ones first, then the worst verdicts, then those whose cause most cases share, then by
+// id (the order of the data).
 function filteredCases(state) {
   const key = FILTER_KEYS.map((k) => state[k]).join("\u0000");
   if (key === lastFilter) return lastCases;

@@ -2,16 +2,16 @@
 // The fragments that both sides make at one pixel, in numbers.
 
 const CHANNELS = ["red", "green", "blue", "alpha"];
-const MOST_PAIRS = 8;  // shown before someone asks for all
+const MOST_PAIRS = 8;  // shown until the user asks for all
 
-// Of one side; a fragment's depth or colour is null where it was not told.
+// One side's fragments at a pixel; unreported depths and colours are null.
 function fragmentsAt(list, {x, y}) {
   return list.filter((f) => f[0] === x && f[1] === y)
     .map(([, , primitive, coverage, depth, color, pass]) =>
       ({primitive, coverage, depth, color, pass}));
 }
 
-// Those of one primitive, pass and sample belong together; either side of a pair may be null.
+// Pairs of fragments with equal primitive, pass and sample; either side may be null.
 function pairsOf(exact, rendered) {
   const rest = [...rendered];
   const match = (one) => (other) => one.primitive === other.primitive && one.pass === other.pass &&
@@ -28,7 +28,8 @@ function pairsOf(exact, rendered) {
   return pairs.sort((a, b) => order(a)[0] - order(b)[0] || order(a)[1] - order(b)[1]);
 }
 
-// Does the answer tell what is made at a pixel? Of large cases it does so where they differ.
+// True if the answer holds the fragments of a pixel. For large cases it holds those of disputed
+// pixels.
 function tellsFragments(one, answer, {x, y}) {
   if (!answer.fragments) return false;
   const is = (place) => place.x === x && place.y === y;
@@ -39,7 +40,7 @@ function tellsFragments(one, answer, {x, y}) {
 const sideCells = (value, what) =>
   (value === undefined || value === null ? h("td.faint", {colspan: 3}, what) : numberCells(value));
 
-// One number of both sides: the rendered one is left out where it is the same.
+// One number of both sides; the rendered one is omitted if it is equal.
 function numberRow(name, exact, rendered, pair) {
   const both = pair.exact && pair.rendered && exact !== null && rendered !== null;
   const told = (side) => (side ? "not told" : name === "depth" ? "no fragment" : "");
@@ -71,7 +72,7 @@ function pairBody(pair, samples) {
   CHANNELS.map((name, i) => numberRow(name, of(exact, i), of(rendered, i), pair)));
 }
 
-// What stands in its place where a table would be empty.
+// The text instead of an empty table.
 function noFragments(one, answer, pixel) {
   return h("p.faint", {}, tellsFragments(one, answer, pixel) ? "Neither side makes one here." :
     "The results hold the fragments of disputed pixels; nothing is disputed here.");
@@ -88,7 +89,7 @@ function fragmentsTable(one, pairs, most, showAll) {
   pairs.length > most && h("button", {onclick: showAll}, "All " + pairs.length)];
 }
 
-// The section of a chosen pixel; nothing of answers that differ nowhere.
+// The section of a chosen pixel; nothing for answers that differ nowhere.
 function fragmentsSection(one, answer, pixel) {
   if (!answer.fragments || !pixel) return null;
   const {exact, rendered} = answer.fragments;

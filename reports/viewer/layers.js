@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What is drawn over the pixels, and from which size on.
+// SPDX-License-Identifier: MIT The layers over the pixels, and from which size on they are drawn.
 
 const CLOSE_UP = 2.7;           // pixels across the close-up
 const RESOLVED_ALPHA = 0.3;     // of resolved pixels under their samples
@@ -7,7 +6,7 @@ const CLOSE_UP_BELOW = 64;      // CSS pixels per pixel: above, the pictures are
 const CROWD = 400;              // outlines and vertices, beyond which they would hide the picture
 const CROWD_FROM = 16;          // CSS pixels per pixel from which even so many are drawn
 
-// Kept from case to case. Null: as the case has it, nobody chose.
+// The user's choices, kept from case to case. Null: not chosen, so the case decides.
 const Layers = {
   samples: true, grid: true, quads: false, clip: null, shapes: true, rule: true, markers: true,
 };
@@ -16,9 +15,9 @@ const LAYER_NAMES = {
   rule: "Rule figure", markers: "Markers",
 };
 
-// The clip volume is drawn over cases that are about it.
+// By default the clip volume is drawn over cases about it.
 const isDrawn = (id, one) => Layers[id] ?? one.rules.includes("clip.volume");
 
-// Where it is, even if its sides are out of sight.
+// The position of the clip volume as text, since its sides may be out of sight.
 const clipWords = ([x, y, width, height]) =>
   "clip volume x " + x + " to " + (x + width) + ", y " + y + " to " + (y + height);

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// Shows what the URL's fragment names.
+// SPDX-License-Identifier: MIT Shows the place that the URL's fragment names.
 
 async function showCase(one, state) {
   const fresh = CaseView.one !== one;
@@ -10,7 +9,7 @@ async function showCase(one, state) {
     } catch (fault) {
       return showFault(one, fault);
     }
-    if (Route.read().case !== one.id) return;  // somewhere else by now
+    if (Route.read().case !== one.id) return;  // another place is shown by now
     state = Route.read();
   }
   CaseView.show(one, state);
@@ -21,7 +20,7 @@ async function showCase(one, state) {
   requestIdleCallback(() => readNeighbours(one, state));
 }
 
-// Cases before and after it open at once.
+// Reads the neighbouring cases in advance, so that they open at once.
 function readNeighbours(one, state) {
   const cases = filteredCases(state);
   const at = cases.indexOf(one);
@@ -29,7 +28,7 @@ function readNeighbours(one, state) {
     if (other?.line !== undefined) Blocks.readAhead(other.line);
 }
 
-// The case's pictures cannot be had; its line in the list can.
+// The case's details cannot be read, so only its line in the list is shown.
 function showFault(one, fault) {
   CaseView.close();
   replace(byId("app"), h("main.case", {}, caseWords({...one, expect_failures: []}),
@@ -61,6 +60,6 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
   CaseView.pictures?.draw();
 });
 showRoute();
-// Once the list is seen and nothing else is to be done.
+// In idle time, once the list is shown.
 if (!Route.read().case)
   requestAnimationFrame(() => requestIdleCallback(() => CaseView.rehearse(4).catch(() => {})));

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Rule by renderer: how many cases that are about a rule, or in which something was found by it,
-// fare how by that rule.
+// SPDX-License-Identifier: MIT Rule by renderer: the cases that are about a rule, or in which
+// something was found by it, counted by their verdict under it.
 
 const MATRIX_SHOWN = 10;
 

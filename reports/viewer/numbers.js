@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Numbers as machines hold them: the bits of a float32, how many of its steps lie between two, and
-// colours of eight bits.
+// SPDX-License-Identifier: MIT Numbers as machines hold them: the bits of a float32, the number of
+// float32 steps between two numbers, and colours of eight bits.
 
 const FloatView = new DataView(new ArrayBuffer(4));
 

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// The first page: what ran, how it stands, what could not be judged, and the way into the list.
+// SPDX-License-Identifier: MIT The first page: the run and its outcome, faults of the suite, and
+// the list of cases.
 
 function headlineOf() {
   const results = Cases.flatMap((one) => one.results);
@@ -111,7 +111,7 @@ function problems() {
 // Which sections were opened or closed; kept while the page lives.
 const opened = new Map();
 
-// A section that is made when it is opened.
+// A section whose content is made when it is opened.
 function fold(title, open, make) {
   const body = h("div", {});
   const section = h("details.first.fold", {open: opened.get(title) ?? open},
@@ -135,7 +135,8 @@ function overview(state) {
     h("div", {id: "bar"}, filterBar(state)), h("div", {id: "list"}));
 }
 
-// After a filter changed: everything but the search field, in which someone may be typing.
+// Renews everything after a change of filters, except the search field, in which the user may be
+// typing.
 function refreshOverview(state) {
   const typing = document.activeElement && document.activeElement.id === "search";
   const bar = filterBar(state);

@@ -1,13 +1,13 @@
-// SPDX-License-Identifier: MIT
-// Three canvases that look at one place: the linked view, and the images that lie under figures.
+// SPDX-License-Identifier: MIT Three canvases with a common view, and the images that lie under
+// figures.
 
 const MARGIN = {left: 26, right: 4, top: 4, bottom: 18};  // room for the axes, CSS pixels
 const MAX_SCALE = 256;
 
 const ratioNow = () => window.devicePixelRatio || 1;
 
-// Where a canvas looks: `scale` canvas pixels per image pixel, whole numbers from 1 up so that
-// pixels stay crisp, and 1/2, 1/3, ... below; the image place at the middle.
+// The view of a canvas: the image place in its middle, and `scale`, canvas pixels per image pixel:
+// whole numbers from 1 up, so that pixels stay crisp, and 1/2, 1/3, ... below.
 class View {
   constructor(columns, rows) {
     this.columns = columns;

@@ -4,7 +4,7 @@
 // figure of its rule.
 
 class Pictures {
-  // onpick(x, y): a pixel was clicked; onzoom(zoom): it looks closer, "" at the whole image.
+  // onpick(x, y): a pixel was clicked; onzoom(zoom): the zoom changed, "" for the whole image.
   constructor(one, result, onpick, onzoom) {
     this.one = one;
     this.result = result;
@@ -44,7 +44,7 @@ class Pictures {
     this.overlay.stop();
   }
 
-  // "slider" or "blink", where there are two pictures.
+  // Toggles "slider" or "blink" if there are two pictures.
   compare(mode) {
     if (this.rendered) this.overlay.choose(mode);
   }
@@ -59,7 +59,7 @@ class Pictures {
     return pane;
   }
 
-  // Makes the images in the colours of the present theme.
+  // Creates the images in the colours of the present theme.
   colors() {
     const {width, height} = this.one;
     this.theme = themeColors();
@@ -109,10 +109,10 @@ class Pictures {
     ], kinds.map(kindLabel));
   }
 
-  // Canvas sizes: as high as the image needs at the width there is, and no higher than leaves the
-  // words and the list's beginning on the screen.
+  // Sets the sizes of canvases: as high as the image needs at the available width, but so low that
+  // the text above and the beginning of the list stay on the screen.
   measure() {
-    if (this.width) return;  // the words above may change, the pictures stay as large
+    if (this.width) return;  // the text above may change; the pictures keep their size
     const all = this.width = this.element.clientWidth;
     const across = (columns) => Math.floor((all - 12 * (columns - 1)) / columns);
     if (across(1) < 40) return;
@@ -207,7 +207,7 @@ class Pictures {
     drawAxes(plot, width, height);
   }
 
-  // Where a pane's samples are drawn; null where its pixels are drawn whole.
+  // The places of a pane's samples; null if its pixels are drawn whole.
   samplePlaces(pane, plot) {
     const {exactSamples: exact, renderedSamples: rendered} = this;
     if (!Layers.samples || !exact || (pane !== this.panes[0] && !rendered)) return null;
@@ -296,7 +296,7 @@ class Pictures {
     this.onzoom("");
   }
 
-  // As a link says: so many screen pixels per pixel, about the chosen pixel.
+  // Zooms to a number of screen pixels per pixel around the chosen pixel, as given in a link.
   zoomTo(scale) {
     if (!(scale > 0)) return;
     this.view.scale = Math.min(scale * ratioNow(), MAX_SCALE);
@@ -306,7 +306,7 @@ class Pictures {
     this.draw();
   }
 
-  // So close that the figure of a pixel's rule is large.
+  // Zooms in until the figure of the chosen pixel's rule is large.
   close() {
     const place = this.pixel || {x: Math.floor(this.view.x), y: Math.floor(this.view.y)};
     const {width, height} = plotOf(this.panes[0].canvas, this.view);
@@ -374,7 +374,7 @@ class Pictures {
     return pixels && Array.from(pixels.subarray(at, at + 4));
   }
 
-  // One line about the pixel under the pointer, or else the chosen one.
+  // Writes one line about the pixel under the pointer, or else the chosen one.
   tell() {
     const pixel = this.hover || this.pixel;
     if (!pixel) return void replace(this.readout, "Point at a pixel to read it.");

@@ -1,13 +1,12 @@
-// SPDX-License-Identifier: MIT
-// How many pixels of a result's image fare how, as shares: beside a case's pictures, and of all
-// scenes together on the first page.
+// SPDX-License-Identifier: MIT The shares of an image's pixels by kind: of a result beside its
+// pictures, and of all scenes together on the first page.
 
 const PIXEL_VERDICTS = ["agree", "convention", "permitted", "contested", "violation"];
 
 const pixelsOf = (counts) => PIXEL_VERDICTS.reduce((sum, verdict) => sum + counts[verdict], 0);
 
-// "0.0031 %": two digits of a small share, so that one pixel in a million does not read as none,
-// and never 100 % where something is left.
+// "0.0031 %": two digits of a small share, so that one pixel in a million is not shown as 0, and
+// never 100 % unless it is all.
 function shareText(count, all) {
   if (!count) return "0";
   if (count === all) return "100 %";
@@ -28,7 +27,7 @@ function pixelLine(counts) {
     "same colour: " + shareText(counts.same, all)));
 }
 
-// Pixels of all scenes that a renderer drew, by the worst that was found at each.
+// Pixels of all scenes that a renderer drew, by the worst finding at each.
 function scenesSection() {
   if (!Data.renderers.some((info) => info.scenes.drawn)) return null;
   const rows = Data.renderers.map((info) => {

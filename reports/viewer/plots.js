@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What people would rather look at than read: how the families of cases fare, how large the errors
-// of values are, and levels of detail along rows of pixels.
+// SPDX-License-Identifier: MIT Plots: verdicts by family of cases, errors of values, and levels of
+// detail along rows of pixels.
 
 const familyOf = (one) => one.id.split(/[\/:]/)[0];
 const RAMPS_SHOWN = 12;
@@ -55,7 +54,7 @@ function errorPlots() {
     }))));
 }
 
-// How far the levels of detail of an answer are from exact, small.
+// A small plot of an answer's levels of detail relative to exact's.
 function rampSketch(one, answer) {
   const ramp = rampOf(answer);
   const points = ramp.points.map(lessExact);
@@ -71,7 +70,7 @@ function rampSketch(one, answer) {
     svgNode("path", {class: "outside", d: dotsPath(outside, scale, 2.5)}));
 }
 
-// A case, with what its renderers tell in the words of its page.
+// A case with its renderers' levels, described as on its page.
 function rampCard(one) {
   const place = h("span", {}, "\u2026");
   const sketch = (answer) => {

@@ -1,9 +1,8 @@
-// SPDX-License-Identifier: MIT
-// What the renderers are measured to follow, side by side: the choices in which they are not alike,
-// or not what the policy `opengl` takes.
+// SPDX-License-Identifier: MIT The measured profiles of renderers, side by side: the choices that
+// differ between them, or from the policy `opengl`.
 
-// "left-bottom; window: right-top": a choice, and where a surface has another one. What a profile
-// does not say is the rule's standard choice.
+// "left-bottom; window: right-top": a choice, and other choices for single surfaces. A rule that a
+// profile does not name has its standard choice.
 function choiceText(profile, rule) {
   const parts = Object.entries(profile)
     .filter(([, choices]) => choices[rule] !== undefined)

@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: MIT
-// Drawing levels of detail along a row of pixels: axes, the permitted band, exact, rendered. A
-// point is {x, y, exact, low, high, rendered}, all numbers, NaN and infinities among them; what is
-// beyond a panel shows at its edge.
+// SPDX-License-Identifier: MIT Drawing levels of detail along a row of pixels: axes, the permitted
+// band, exact, rendered. A point is {x, y, exact, low, high, rendered}, all numbers, possibly NaN
+// or infinite; points beyond a panel are shown at its edge.
 
 function svgNode(name, props, ...children) {
   const node = document.createElementNS("http://www.w3.org/2000/svg", name);
@@ -9,7 +8,7 @@ function svgNode(name, props, ...children) {
   return append(node, children);
 }
 
-// The distance of two levels; that of equal infinities is nothing.
+// The distance of two levels; that of equal infinities is 0.
 const levelsApart = (a, b) => (a === b ? 0 : a - b);
 
 // A point less its exact level.
@@ -20,16 +19,16 @@ function lessExact({x, y, exact, low, high, rendered}) {
   };
 }
 
-// 1, 2 or 5 times a power of ten: of about `count` steps over a span.
+// 1, 2 or 5 times a power of ten, so that a span has about `count` steps.
 function niceStep(span, count) {
   const rough = span / count;
   const ten = 10 ** Math.floor(Math.log10(rough));
   return ten * [1, 2, 5, 10].find((n) => n * ten >= rough * 0.999);
 }
 
-// From the least to the largest finite number, with a little room, at least `least` wide. Exact
-// sets the range; a band or a renderer widens it by the range or by `reach` at most on each
-// side, and what is farther away does not count.
+// From the least to the largest finite number, with some room, at least `least` wide. Exact sets
+// the range. The band and the renderer widen it on each side by at most the range or `reach`;
+// numbers farther away are ignored.
 function rangeOf(points, least, reach) {
   const finite = (keys) => points.flatMap((p) => keys.map((key) => p[key])).filter(Number.isFinite);
   const ends = (list) => list.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)],
@@ -69,7 +68,7 @@ function runsOf(points, has) {
 
 const at = (x, y) => x.toFixed(2) + " " + y.toFixed(2);
 
-// Each column as wide as its pixel.
+// The band's path; each column is as wide as its pixel.
 function bandPath(points, scale) {
   const runs = runsOf(points, (p) => !Number.isNaN(p.low) && !Number.isNaN(p.high));
   const side = (run, key) => run.map((p) => [at(scale.x(p.x), scale.y(p[key])),
@@ -78,7 +77,7 @@ function bandPath(points, scale) {
     side(run, "low").flat().reverse().join("L") + "Z").join("");
 }
 
-// Through the pixels' centres; a pixel alone is a dash.
+// A path through the pixels' centres; a single pixel is a dash.
 function linePath(points, scale, key) {
   const runs = runsOf(points, (p) => !Number.isNaN(p[key]));
   return runs.map((run) => {
@@ -97,7 +96,7 @@ function dotsPath(points, scale, size) {
     arc + 2 * size + " 0" + arc + -2 * size + " 0").join("");
 }
 
-// Where a rendered number lies beyond the panel: an arrow at the edge; a cross for NaN.
+// Marks for rendered numbers beyond the panel: an arrow at the edge; a cross for NaN.
 function edgeMarks(points, scale, panel) {
   const bottom = panel.top + panel.height;
   return points.map(({x, rendered}) => {

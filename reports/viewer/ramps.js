@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: MIT
-// The levels of detail along a ramp, a plot for each different answer, one below another on the
-// same axes: above the levels themselves, below how far they are from exact. One place is pointed
-// at in all of them.
+// SPDX-License-Identifier: MIT The levels of detail along a ramp: a plot for each distinct answer,
+// one below another on the same axes, with the levels above and their distances from exact below.
+// All plots show the same chosen place.
 
 const RAMP_KEYS = {
   ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10,
@@ -11,7 +10,7 @@ const RAMP_KEYS = {
 const levelText = (v) => Number.isFinite(v) ? String(Number(v.toPrecision(7))) :
   Number.isNaN(v) ? "NaN" : v > 0 ? "\u221e" : "-\u221e";
 
-// "+0.0013": how far from exact.
+// "+0.0013": the distance from exact.
 function apartText(point) {
   const apart = levelsApart(point.rendered, point.exact);
   if (Number.isNaN(apart)) return "";
@@ -21,7 +20,7 @@ function apartText(point) {
   return sign + (size === Infinity ? "\u221e" : Number(size.toPrecision(3))) + " from exact";
 }
 
-// The points of an answer by column, and which of them are outside the band.
+// The points of an answer by column, and those outside the band.
 function rampOf(answer) {
   const keys = ["x", "y", "exact", "low", "high", "rendered"];
   const points = answer.ramp.points.map((numbers) =>
@@ -37,7 +36,7 @@ function rampOf(answer) {
 }
 
 class Ramps {
-  // Of the plot that has the focus again when the keyboard led to another renderer.
+  // The index of the plot that gets the focus back after the keyboard led to another renderer.
   static returning = -1;
 
   // onpick(result, x, y): a pixel of a result's plot was chosen.
@@ -107,7 +106,7 @@ class Ramps {
     return plot;
   }
 
-  // Why points outside the band are no violations, if they are none.
+  // Why points outside the band are no violations, if so.
   openCauses({causes = []}) {
     return causes.length > 0 && h("span", {},
       " The specification leaves open what it follows there: ",
@@ -170,7 +169,7 @@ class Ramps {
     this.plots.forEach((plot) => this.tell(plot));
   }
 
-  // The pixel that is chosen in the pictures.
+  // Marks the pixel that is chosen in the pictures.
   mark(pixel) {
     this.pixel = pixel;
     this.plots.forEach((plot) => this.tell(plot));
@@ -206,7 +205,7 @@ class Ramps {
     this.tell(plot);
   }
 
-  // Shows the column pointed at, or else the chosen one, in the plot and in words.
+  // Shows the column pointed at, or else the chosen one, in the plot and as text.
   tell(plot) {
     const column = this.column ?? this.chosenColumn();
     const points = plot.ramp.points.filter((p) => p.x === column);

@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: MIT
-// What the reviewer makes of answers: accepted or rejected, with a reason. Kept in the browser for
-// this very report, and exported as the file of decisions that `edgecase bless --from` applies
-// (src/results/decisions.h).
+// SPDX-License-Identifier: MIT The reviewer's decisions on answers: accepted or rejected, with a
+// reason. They are kept in the browser for this report, and exported as the file that `edgecase
+// bless --from` applies (src/results/decisions.h).
 
 const REVIEW_PLACE = "edgecase-review:" + Data.key;
 const REVIEWED = {
@@ -73,7 +72,7 @@ function downloadDecisions() {
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
-// On the first page: what was decided, and the way out.
+// The section of the first page with the decisions and their export.
 function reviewSection() {
   const undecided = Cases.reduce((sum, one) => sum +
     one.results.filter((r) => isSurprise(r) && !Review.of(one, r)).length, 0);
@@ -95,7 +94,7 @@ function reviewSection() {
       "before you leave."));
 }
 
-// Of one answer: buttons, the reason, and what was decided.
+// The form for one answer: buttons, the reason, and the decision.
 function reviewForm(one, result, changed) {
   if (result.again)
     return h("p.faint", {}, "Asked again, the renderer answered otherwise: nothing to decide on.");

@@ -15,7 +15,7 @@ const Route = {
     for (const key of [...FILTER_KEYS, ...PLACE_KEYS]) state[key] = found.get(key) || "";
     return state;
   },
-  // The fragment of the present state with `changes`; empty values are left out.
+  // The fragment of the present state with `changes`, without empty values.
   href(changes) {
     const state = {...Route.read(), ...changes};
     const next = new URLSearchParams();
@@ -23,17 +23,17 @@ const Route = {
       if (state[key] !== "") next.set(key, String(state[key]));
     return "#" + next;
   },
-  // To another place, which Back leaves again.
+  // Goes to another place, with a new entry in the history.
   go(changes) {
     const href = Route.href(changes);
     if (href === (location.hash || "#")) return;
     location.hash = href;
   },
-  // Where the case's view is now; nothing is shown anew.
+  // Records the present view of the case without showing anything anew.
   note(changes) {
     history.replaceState(null, "", Route.href(changes));
   },
-  // The same place, further on: replaces the entry in the history.
+  // Goes to another place by replacing the entry in the history.
   shift(changes) {
     history.replaceState(null, "", Route.href(changes));
     showRoute();

@@ -16,7 +16,7 @@ function dotRadius(positions) {
   return Math.min(0.14, Math.max(0.06, 0.45 * nearest));
 }
 
-// Places to draw the samples of `image` at; `other` tells where it does not.
+// The places of the samples of `image`, or else those of `other`.
 const placesOf = (image, other) => image?.positions || other?.positions || null;
 
 // Are pixels large enough to be drawn as samples at these places?
@@ -24,7 +24,7 @@ function samplesFit(plot, places) {
   return places !== null && dotRadius(places) * plot.scale >= LEAST_DOT * plot.ratio;
 }
 
-// Calls draw(x, y, s, plotX, plotY) for every sample that is in sight.
+// Calls draw(x, y, s, plotX, plotY) for every visible sample.
 function eachSample(plot, one, places, draw) {
   const left = Math.max(0, Math.floor(plot.column(plot.left)));
   const right = Math.min(one.width, Math.ceil(plot.column(plot.left + plot.width)));
@@ -51,7 +51,7 @@ function drawNumber(plot, x, y, radius, number, color) {
   context.fillText(String(number), x, y + 0.06 * radius);
 }
 
-// A disc or a ring; thin lines on both sides keep its colour apart from every ground.
+// A disc or a ring, with thin lines on both sides that contrast with every background.
 function drawDotOf(plot, x, y, radius, color, filled) {
   const {context, ratio, theme} = plot;
   const wide = filled ? 0 : Math.max(1.25 * ratio, radius * 0.3);
@@ -88,7 +88,7 @@ function listedSamples(disagreements) {
     .map((d) => [d.x + "," + d.y + "," + d.sample, d.kind]));
 }
 
-// `places` are exact's. Samples that differ without being listed do so within what is permitted.
+// `places` are exact's. Samples that differ but are not listed are within the permitted range.
 function drawSampleDifference(plot, one, exact, rendered, places, listed) {
   const {context, theme} = plot;
   const radius = dotRadius(places) * plot.scale;

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Where the samples of a case lie: one pixel, large, with its samples by their numbers.
+// SPDX-License-Identifier: MIT The sample positions of a case: one large pixel with its numbered
+// samples.
 
 const PLAN = 104;       // CSS pixels of the pixel's side
 const PLAN_MARGIN = 9;  // for samples on its border
@@ -17,7 +17,7 @@ function planGrid() {
   ];
 }
 
-// A disc for where exact has a sample, a square for where else the renderer reports it.
+// A disc for exact's position of a sample, a square for the renderer's, if it differs.
 function planMark(at, s, radius, shape) {
   const [x, y] = planPlace(at);
   const body = shape === "disc" ? svgNode("circle", {class: shape, cx: x, cy: y, r: radius}) :

@@ -38,8 +38,8 @@ function sampleRow(name, image, resolved, {x, y}, other) {
     h("td", {}, resolved && swatch("square", resolved), resolved ? resolved.join(" ") : "none"));
 }
 
-// Heads tell where the samples lie: exact's, and the renderer's if they lie elsewhere. `resolved`:
-// the colours {exact, rendered} of the pixel as resolved, or null.
+// Heads show the sample positions: exact's, and the renderer's if they differ. `resolved`: the
+// resolved colours {exact, rendered} of the pixel, or null.
 function sampleTable(exact, rendered, pixel, resolved) {
   const own = rendered?.positions || exact.positions;
   const places = exact.positions && (samePositions(exact.positions, own) ? [exact.positions] :

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT
-// The samples of multisampled images: reports/sample_data.h unpacked, and what one of them holds.
+// SPDX-License-Identifier: MIT The samples of multisampled images, unpacked
+// (reports/sample_data.h), and their values.
 
-// Samples within a pixel as [[x, y], ...], y up; null where they are not told.
+// Sample positions within a pixel as [[x, y], ...], y up; null if unreported.
 function positionsOf(numbers) {
   if (!numbers) return null;
   return Array.from({length: numbers.length / 2}, (_, i) => [numbers[2 * i], numbers[2 * i + 1]]);
@@ -12,7 +12,7 @@ function wholeNumbers(bytes) {
   return Array.from({length: bytes.length / 4}, (_, i) => view.getUint32(4 * i, true));
 }
 
-// `from`: of a difference, the bytes that it was taken from.
+// `from`: for a difference, the bytes that it is relative to.
 function unpackSamples(data, one, from) {
   const image = {count: data.count, width: one.width, positions: positionsOf(data.positions)};
   image.bytes = {};
@@ -27,7 +27,7 @@ function unpackSamples(data, one, from) {
   return image;
 }
 
-// Of exact as an answer was held against it, and of the answer; null where there are none.
+// The samples of exact, as compared with an answer, and of the answer; null if there are none.
 function exactSamples(one, answer) {
   if (!one.samples) return null;
   const usual = unpackSamples(one.samples, one, null);
@@ -38,8 +38,8 @@ function renderedSamples(one, answer, exact) {
   return exact && answer.samples ? unpackSamples(answer.samples, one, exact) : null;
 }
 
-// One sample: its colour, whether a fragment covers it, how many were written to it; what is not
-// told is null. `filled`: written, or where that is not told covered.
+// One sample: its colour, whether a fragment covers it, and the number of writes; unreported values
+// are null. `filled`: written or, if unreported, covered.
 function sampleAt(image, x, y, s) {
   const pixel = y * image.width + x;
   const item = pixel * image.count + s;
@@ -49,7 +49,7 @@ function sampleAt(image, x, y, s) {
   return {color, covered, hits, filled: hits === null ? covered === true : hits > 0};
 }
 
-// How two samples differ, as a kind of disagreement; "" where they do not.
+// The kind of disagreement between two samples; "" if they agree.
 function kindBetween(exact, rendered) {
   const told = exact.hits !== null && rendered.hits !== null;
   const before = told ? exact.hits : Number(exact.covered);
@@ -67,7 +67,7 @@ function maskText(mask, count) {
   return bits + (set.length ? " {" + set.join(", ") + "}" : " none");
 }
 
-// A place in a pixel in sixteenths, as drivers tell it, where it is such.
+// A place in a pixel, in sixteenths if it is a multiple, as drivers report it.
 function withinText([x, y]) {
   const part = (v) => (Number.isInteger(16 * v) ? 16 * v + "/16" : String(v));
   return part(x) + ", " + part(y);

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Rules, rulings and causes: small chips that tell their text on hover, focus or click.
+// SPDX-License-Identifier: MIT Rules, rulings and causes: small chips that show their text on
+// hover, focus or click.
 
 const Tip = {
   owner: null,
@@ -59,7 +59,7 @@ function rulingChip(number) {
       ...ruling.facts.map(([name, fact]) => h("p", {}, h("b", {}, name + ": "), fact))]));
 }
 
-// "line.end=closed + line.snap=4": each part tells its rule.
+// "line.end=closed + line.snap=4": a chip for each part.
 function causeChips(cause) {
   return cause.split(" + ").map((part, i) => {
     const rule = Rules.get(part.split("=")[0]);

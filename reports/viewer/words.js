@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// The words and shapes of the report: each verdict, standing and kind has a text, a shape and a
-// colour (by its class), so that no meaning hangs on colour alone.
+// SPDX-License-Identifier: MIT The texts and shapes of the report: each verdict, standing and kind
+// has a text, a shape and a colour (by its class), so that no meaning depends only on colour.
 
 const VERDICTS = {
   violation: {
@@ -36,13 +35,13 @@ const STANDINGS = {
   },
   known: {label: "known", means: "Known faults account for all that the specification forbids."},
   tolerated: {
-    label: "tolerated", means: "It is contested or not supported: told, and not red.",
+    label: "tolerated", means: "It is contested or not supported: reported, but not a failure.",
   },
   flake: {label: "flake", means: "Asked a second time, the renderer answered otherwise."},
   expected: {label: "expected", means: "It agrees, or differs as the specification allows."},
 };
 
-// Of a difference or a cluster of them.
+// The legalities of a difference or a cluster.
 const LEGALITIES = {
   illegal: {label: "not allowed", class: "alarm"},
   contested: {label: "contested", class: "v-contested"},
@@ -61,7 +60,7 @@ const KINDS = {
 
 const BANG = "M8 2.5v7M8 12.4v1";
 
-// Is it told as something that nobody expects?
+// True for standings that count as failures.
 const isRed = (standing) => standing === "unexpected" || standing === "flake";
 
 const verdictIcon = (verdict) => icon(VERDICTS[verdict].path, "v-" + verdict);
@@ -101,7 +100,7 @@ const short = (value) =>
   typeof value === "number" ? String(Number(value.toPrecision(9))) : String(value);
 const tuple = (values) => "(" + values.map(short).join(", ") + ")";
 
-// What exact and the renderer have at a disputed sample.
+// The values of exact and the renderer at a disputed sample.
 function compared(d) {
   const hits = (n) => (n === 1 ? "1 hit" : n + " hits");
   const text = (list) =>

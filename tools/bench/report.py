@@ -56,7 +56,7 @@ def written(program, results, page):
 
 
 def openings(browser, count):
-    """Of so many cases with differences, spread over all."""
+    """The times of `count` cases with differences, spread over all."""
     ids = browser.ask("Cases.filter((one) => one.line !== undefined).map((one) => one.id)")
     return [browser.driver.execute_async_script(OPENING, ids[i * len(ids) // count])
             for i in range(count)]
